@@ -1,0 +1,38 @@
+# Language, warnings and the flags that keep every build of the simulation bit-identical.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+# Asserts stay on in every build: a broken invariant must never pass silently into a replay.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(trembler_options INTERFACE)
+target_compile_options(trembler_options INTERFACE
+  -Wall -Wextra -Wconversion
+  # Fused multiply-add would round differently from one compiler, or one -march, to the next.
+  -ffp-contract=off)
+target_include_directories(trembler_options INTERFACE ${PROJECT_SOURCE_DIR})
+if(TREMBLER_SANITIZE)
+  target_compile_options(trembler_options INTERFACE
+    -fsanitize=${TREMBLER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
+  target_link_options(trembler_options INTERFACE -fsanitize=${TREMBLER_SANITIZE})
+endif()
+
+# trembler_sources(VARIABLE FOLDER...): every .cpp in the folders, subfolders included, in a stable order.
+function(trembler_sources variable)
+  set(found)
+  foreach(folder ${ARGN})
+    file(GLOB_RECURSE here CONFIGURE_DEPENDS ${folder}/*.cpp)
+    list(APPEND found ${here})
+  endforeach()
+  list(SORT found)
+  set(${variable} ${found} PARENT_SCOPE)
+endfunction()
