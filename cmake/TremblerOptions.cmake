@@ -24,6 +24,8 @@ if(TREMBLER_SANITIZE)
   target_compile_options(trembler_options INTERFACE
     -fsanitize=${TREMBLER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
   target_link_options(trembler_options INTERFACE -fsanitize=${TREMBLER_SANITIZE})
+  add_library(trembler_sanitizer_defaults OBJECT cmake/sanitizers/defaults.cpp)
+  target_link_libraries(trembler_options INTERFACE $<TARGET_OBJECTS:trembler_sanitizer_defaults>)
 endif()
 
 # trembler_sources(VARIABLE FOLDER...): every .cpp in the folders, subfolders included, in a stable order.

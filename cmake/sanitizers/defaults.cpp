@@ -1,0 +1,24 @@
+// Linked into every program of a sanitizer build: how the sanitizers behave, and what is not ours to mend.
+
+extern "C" {
+
+// Mesa's software driver leaves a leak that no suppression can name once the driver is unloaded: keep it
+// loaded.
+int dlclose(void* /*library*/) {
+    return 0;
+}
+
+char const* __asan_default_options() {
+    return "detect_stack_use_after_return=1:strict_string_checks=1";
+}
+char const* __ubsan_default_options() {
+    return "print_stacktrace=1";
+}
+char const* __tsan_default_options() {
+    return "halt_on_error=0:second_deadlock_stack=1";
+}
+char const* __lsan_default_suppressions() {
+    return "leak:libdbus-1.so\n";
+}
+
+} // extern "C"

@@ -1,0 +1,58 @@
+# shellcheck shell=bash
+# Shared by ./play and ./check: where things are, and how a build folder is configured and built.
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
+jobs=$(nproc)
+export NINJA_STATUS='[%f/%t] '
+export CCACHE_BASEDIR=$root # two clones share what they have in common
+
+# progress LOG: appends its input to LOG and shows only how far it is ("[3/80] ..." or "3/80 Test ...").
+progress() {
+    local line tenth shown=-1
+    while IFS= read -r line; do
+        printf '%s\n' "$line" >>"$1"
+        if [[ ! $line =~ ^\ *\[?([0-9]+)/([0-9]+) || $line == *Re-checking* ]]; then
+            continue
+        fi
+        if [[ -t 1 ]]; then
+            printf '\r\033[K  %.100s' "$line"
+        else
+            tenth=$((BASH_REMATCH[1] * 10 / BASH_REMATCH[2]))
+            if ((tenth != shown)); then
+                printf '  %.100s\n' "$line"
+                shown=$tenth
+            fi
+        fi
+    done
+    if [[ -t 1 ]]; then
+        printf '\r\033[K'
+    fi
+}
+
+# configure DIRECTORY [OPTION...]: a folder that was copied or moved here from elsewhere starts afresh.
+configure() {
+    local directory=$1 fresh=()
+    shift
+    mkdir -p "$directory"
+    if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$directory/CMakeCache.txt"; then
+        fresh=(--fresh)
+    fi
+    if ! cmake "${fresh[@]}" -S "$root" -B "$directory" -G Ninja "$@" >"$directory/configure.log" 2>&1; then
+        cat "$directory/configure.log"
+        return 1
+    fi
+}
+
+# compile DIRECTORY TARGET...: builds, showing progress; on an error shows what the compiler said.
+# Compiler warnings are collected in DIRECTORY/warnings.txt, because ninja does not say them twice.
+compile() {
+    local directory=$1 log=$1/build.log status=0
+    shift
+    : >"$log"
+    cmake --build "$directory" --parallel "$jobs" --target "$@" 2>&1 | progress "$log" || status=$?
+    grep -F 'warning:' "$log" >>"$directory/warnings.txt" || true
+    if ((status != 0)); then
+        grep -vE '^\[[0-9]+/[0-9]+\]' "$log" | head -n 100 || true
+    fi
+    return "$status"
+}
