@@ -1,0 +1,100 @@
+// Pointers to exactly the columns and slots that a component declared, and the versions it has seen.
+#pragma once
+
+#include "runtime/component/component.hpp"
+#include "runtime/component/declarations.hpp"
+#include "runtime/world/store.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace trembler::detail {
+
+template <class List>
+class Bindings;
+
+template <template <class...> class List, class... P>
+class Bindings<List<P...>> {
+public:
+    void bind(Store& store) { homes_ = {&store.home<P>()...}; }
+
+    template <class Q>
+    [[nodiscard]] Home<Q>& get() const {
+        return *std::get<Home<Q>*>(homes_);
+    }
+    [[nodiscard]] bool changed() const {
+        return [&]<std::size_t... I>(std::index_sequence<I...>) {
+            return ((std::get<I>(homes_)->version() != seen_[I]) || ...);
+        }(std::index_sequence_for<P...>{});
+    }
+    void markSeen() {
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            ((seen_[I] = std::get<I>(homes_)->version()), ...);
+        }(std::index_sequence_for<P...>{});
+    }
+    /// Rows over all object properties.
+    [[nodiscard]] std::size_t rows() const { return (std::size_t{0} + ... + rowsOf(std::get<Home<P>*>(homes_))); }
+
+private:
+    static std::size_t rowsOf(ColumnBase const* column) { return column->size(); }
+    static std::size_t rowsOf(SlotBase const*) { return 0; }
+
+    std::tuple<Home<P>*...> homes_;
+    std::array<std::uint64_t, sizeof...(P)> seen_{};
+};
+
+/// Splits [0, count) into chunks that depend on nothing but count.
+[[nodiscard]] constexpr std::size_t chunkCount(std::size_t count) {
+    return count == 0 ? 1 : (count + chunkRows - 1) / chunkRows;
+}
+
+template <class F>
+void forRanges(Executor& executor, std::size_t count, F&& f) {
+    std::size_t const chunks = chunkCount(count);
+    executor.forIndices(chunks, [&](std::size_t chunk) {
+        f(chunk, chunk * chunkRows, std::min(count, (chunk + 1) * chunkRows));
+    });
+}
+
+/// What the three kinds of access have in common.
+class AccessBase {
+public:
+    explicit AccessBase(FrameContext const& context, std::vector<EventSink>& sinks)
+        : context_(context), sinks_(sinks) {}
+
+    [[nodiscard]] std::uint64_t frame() const { return context_.frame; }
+    /// Time since the component's last turn, in s.
+    [[nodiscard]] double duration() const { return context_.duration; }
+    [[nodiscard]] bool tracing() const { return context_.tracing; }
+    /// Records an event, or does nothing and returns no event while nobody traces. Not inside forRanges().
+    EventId event(std::string_view what, std::initializer_list<ObjectId> objects,
+                  std::initializer_list<EventId> causes) {
+        return event(what, std::span(objects.begin(), objects.size()), std::span(causes.begin(), causes.size()));
+    }
+    EventId event(std::string_view what, std::span<ObjectId const> objects, std::span<EventId const> causes) {
+        return sinks_.empty() ? EventId{} : sinks_.front().record(what, objects, causes);
+    }
+    /// Calls f(begin, end) for consecutive ranges that cover [0, count), perhaps at the same time. f must write
+    /// only what belongs to its range.
+    template <class F>
+    void forRanges(std::size_t count, F&& f) {
+        detail::forRanges(*context_.executor, count,
+                          [&](std::size_t, std::size_t begin, std::size_t end) { f(begin, end); });
+    }
+
+protected:
+    FrameContext const& context_;
+    std::vector<EventSink>& sinks_;
+};
+
+/// Fills in what calls for a component.
+template <class... P>
+void copyNeeds(NeedsAll<P...> const&, ComponentInfo& info) {
+    info.neededAll = {&propertyInfo<P>()...};
+}
+template <class... P>
+void copyNeeds(NeedsAny<P...> const&, ComponentInfo& info) {
+    info.neededAny = {&propertyInfo<P>()...};
+}
+
+} // namespace trembler::detail

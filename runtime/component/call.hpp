@@ -1,0 +1,181 @@
+// Interaction functions (5.4) as typed calls: an interaction records a call, the resolver carries it out in
+// its next advance. Every call states the algebra that makes the order of calls irrelevant (5.7.2).
+#pragma once
+
+#include "runtime/object/object_id.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace trembler {
+
+/// What a call does to those beside it. There is none in which the last writer wins.
+enum class Algebra {
+    sumOfRates,   ///< held: contributions add up for as long as the interaction stands by them (forces)
+    sumOfAmounts, ///< once: contributions add up (impulses)
+    anyOf,        ///< held: true while anybody says so
+    least,        ///< held: the smallest value counts
+    greatest,     ///< held: the largest value counts
+    countedSet,   ///< once: +1 or -1 on a key; the key is in the set while its count is above zero
+    create,       ///< once: equal keys create one object
+    destroy,      ///< once: destroying twice is destroying once
+};
+
+/// Held calls stand until the interaction is applied again, so one whose inputs did not change can sleep and
+/// still pull. The others are carried out once.
+[[nodiscard]] constexpr bool isHeld(Algebra a) {
+    return a == Algebra::sumOfRates || a == Algebra::anyOf || a == Algebra::least || a == Algebra::greatest;
+}
+[[nodiscard]] std::string_view nameOf(Algebra a);
+
+struct CallText {
+    std::string_view name;
+    std::string_view arguments;
+    std::string_view meaning;
+};
+
+/// A call: plain data with `text`, `algebra` and objects(), plus what its algebra needs: key() for the keyed
+/// ones, delta() for a counted set. Held sums may have magnitude() (the trace leaves out the negligible).
+template <class C>
+concept InteractionCall = std::is_trivially_copyable_v<C> && requires(C const& c) {
+    { C::text } -> std::convertible_to<CallText>;
+    { C::algebra } -> std::convertible_to<Algebra>;
+    { c.objects() };
+} && (C::algebra == Algebra::sumOfRates || C::algebra == Algebra::sumOfAmounts ||
+      requires(C const& c) { { c.key() }; }) && (C::algebra != Algebra::countedSet ||
+      requires(C const& c) { { c.delta() } -> std::convertible_to<int>; }) &&
+    ((C::algebra != Algebra::least && C::algebra != Algebra::greatest) ||
+     requires(C const& c) { { c.value() }; });
+
+template <InteractionCall... C>
+struct CallList {};
+
+/// The interface of a resolver to the interaction layer: `text` and `Calls`. Resolvers of one role swap.
+template <class R>
+concept ResolverRole = requires {
+    { R::name } -> std::convertible_to<std::string_view>;
+    typename R::Calls;
+};
+
+/// The calls of one kind by one chunk of one interaction. Written by one thread at a time; no locks.
+template <InteractionCall C>
+class CallBuffer {
+public:
+    void push(C const& call) { calls_.push_back(call); }
+    void push(C const& call, EventId cause) {
+        causes_.resize(calls_.size());
+        calls_.push_back(call);
+        causes_.push_back(cause);
+    }
+    void clear() {
+        calls_.clear();
+        causes_.clear();
+    }
+    [[nodiscard]] std::span<C const> calls() const { return calls_; }
+    [[nodiscard]] EventId cause(std::size_t i) const { return i < causes_.size() ? causes_[i] : EventId{}; }
+
+private:
+    std::vector<C> calls_;
+    std::vector<EventId> causes_; // shorter than calls_ while nobody traces
+};
+
+namespace detail {
+template <class List>
+struct BuffersOf;
+template <class... C>
+struct BuffersOf<CallList<C...>> {
+    using Type = std::tuple<CallBuffer<C>...>;
+};
+template <class C, class List>
+inline constexpr bool callListed = false;
+template <class C, class... D>
+inline constexpr bool callListed<C, CallList<D...>> = (std::is_same_v<C, D> || ...);
+} // namespace detail
+
+/// All that one interaction has said to its resolver, by chunk of its work.
+template <ResolverRole Role>
+struct CallSource {
+    using Buffers = typename detail::BuffersOf<typename Role::Calls>::Type;
+
+    std::string_view name;          ///< the interaction's
+    std::vector<Buffers> chunks{1}; ///< chunks never depend on the number of threads
+    std::uint64_t version = 1;      ///< counts up with every apply
+
+    void clearHeld() { clearWhere(true); }
+    void clearOnce() { clearWhere(false); }
+
+private:
+    void clearWhere(bool held) {
+        for (Buffers& chunk : chunks) {
+            std::apply([&](auto&... buffer) { (clearIf(buffer, held), ...); }, chunk);
+        }
+    }
+    template <class C>
+    static void clearIf(CallBuffer<C>& buffer, bool held) {
+        if (isHeld(C::algebra) == held) {
+            buffer.clear();
+        }
+    }
+};
+
+/// Who calls, told to the resolver beside each call.
+struct CallOrigin {
+    std::size_t source = 0; ///< the interaction, in registration order
+    EventId cause;          ///< what made it call; none while nobody traces
+};
+
+class ChannelBase {
+public:
+    virtual ~ChannelBase() = default;
+    [[nodiscard]] virtual std::uint64_t version() const = 0;
+    virtual void clearOnce() = 0;
+    virtual void clearSources() = 0;
+};
+
+/// What connects the interactions of one role to its resolver: their sources in registration order, which is
+/// the order in which calls are drained.
+template <ResolverRole Role>
+class Channel final : public ChannelBase {
+public:
+    void add(CallSource<Role>* source) { sources_.push_back(source), ++changes_; }
+    void clearSources() override { sources_.clear(), ++changes_; }
+    [[nodiscard]] std::span<CallSource<Role>* const> sources() const { return sources_; }
+
+    [[nodiscard]] std::uint64_t version() const override {
+        std::uint64_t sum = changes_;
+        for (CallSource<Role> const* source : sources_) {
+            sum += source->version;
+        }
+        return sum;
+    }
+    void clearOnce() override {
+        for (CallSource<Role>* source : sources_) {
+            source->clearOnce();
+        }
+    }
+    /// Calls f(call, origin) for every call of kind C, in drain order.
+    template <InteractionCall C, class F>
+    void forCalls(F&& f) const {
+        for (std::size_t s = 0; s < sources_.size(); ++s) {
+            for (auto const& chunk : sources_[s]->chunks) {
+                auto const& buffer = std::get<CallBuffer<C>>(chunk);
+                std::span<C const> const calls = buffer.calls();
+                for (std::size_t i = 0; i < calls.size(); ++i) {
+                    f(calls[i], CallOrigin{s, buffer.cause(i)});
+                }
+            }
+        }
+    }
+
+private:
+    std::vector<CallSource<Role>*> sources_;
+    std::uint64_t changes_ = 1;
+};
+
+} // namespace trembler

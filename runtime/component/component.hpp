@@ -1,0 +1,60 @@
+// What the world sees of a running component, whatever its kind.
+#pragma once
+
+#include "runtime/component/info.hpp"
+#include "runtime/schedule/executor.hpp"
+#include "runtime/trace/tracer.hpp"
+
+#include <functional>
+
+namespace trembler {
+
+class Store;
+class Channels;
+
+/// Length of a frame, in seconds. Fixed: a replay must not depend on how fast anybody's machine is.
+inline constexpr double frameDuration = 1.0 / 60.0;
+
+enum class Activity : std::uint8_t {
+    absent, ///< not constructed: no object calls for it
+    asleep, ///< nothing that it reads has changed since it last ran
+    active,
+};
+[[nodiscard]] std::string_view nameOf(Activity activity);
+
+/// What one component is given to run in one frame.
+struct FrameContext {
+    std::uint64_t frame = 0;
+    double duration = frameDuration; ///< s since the component's last turn, by its period
+    Executor* executor = nullptr;
+    Store const* store = nullptr;
+    bool tracing = false;
+    std::uint32_t component = 0; ///< its place in the order of registration
+};
+
+class Component {
+public:
+    explicit Component(ComponentInfo const& info) : info_(info) {}
+    virtual ~Component() = default;
+    Component(Component const&) = delete;
+    Component& operator=(Component const&) = delete;
+
+    [[nodiscard]] ComponentInfo const& info() const { return info_; }
+    /// Finds the columns, slots and calls that the component declared.
+    virtual void bind(Store& store, Channels& channels) = 0;
+    /// Whether running it now could have any effect.
+    [[nodiscard]] virtual bool hasWork() const = 0;
+    /// Rows that it reads: tells the world whether threads are worth their overhead.
+    [[nodiscard]] virtual std::size_t workload() const = 0;
+    virtual void run(FrameContext const& context) = 0;
+    /// The sinks of its last run, in order of chunks.
+    [[nodiscard]] std::vector<EventSink>& sinks() { return sinks_; }
+
+protected:
+    void openSinks(FrameContext const& context, std::size_t chunks, Phase phase);
+
+    ComponentInfo const& info_;
+    std::vector<EventSink> sinks_;
+};
+
+} // namespace trembler

@@ -1,0 +1,73 @@
+// The words with which a component declares what it touches. A declaration is the access: the core hands a
+// component nothing else, and the schedule and the notation are made from the same types.
+#pragma once
+
+#include "runtime/property/property_info.hpp"
+
+#include <tuple>
+#include <vector>
+
+namespace trembler {
+
+/// Properties that a component reads.
+template <Property... P>
+struct Reads {};
+/// Object properties that a resolver changes. What it may change it may also read.
+template <ObjectProperty... P>
+struct Writes {};
+/// Resolver properties that a resolver offers (5.4).
+template <ResolverProperty... P>
+struct Provides {};
+/// Derived properties that a derived property set offers (5.5).
+template <DerivedProperty... P>
+struct Derives {};
+
+/// The scene calls for a component while objects with every one of these properties exist ...
+template <ObjectProperty... P>
+struct NeedsAll {};
+/// ... or with at least one of these.
+template <ObjectProperty... P>
+struct NeedsAny {};
+
+namespace detail {
+
+template <class P, class List>
+inline constexpr bool listed = false;
+template <class P, template <class...> class List, class... Q>
+inline constexpr bool listed<P, List<Q...>> = (std::is_same_v<P, Q> || ...);
+
+template <class List>
+inline constexpr bool anyDerived = false;
+template <class... P>
+inline constexpr bool anyDerived<Reads<P...>> = ((P::kind == PropertyKind::derived) || ...);
+template <class List>
+inline constexpr bool onlyObjectProperties = false;
+template <class... P>
+inline constexpr bool onlyObjectProperties<Reads<P...>> = ((P::kind == PropertyKind::object) && ...);
+
+template <template <class...> class List, class... P>
+[[nodiscard]] std::vector<PropertyInfo const*> infos(List<P...> const&) {
+    return {&propertyInfo<P>()...};
+}
+
+/// Where a property lives: a column if it belongs to objects, a slot otherwise.
+template <Property P>
+struct HomeOf {
+    using Type = Slot<P>;
+};
+template <ObjectProperty P>
+struct HomeOf<P> {
+    using Type = Column<P>;
+};
+template <Property P>
+using Home = typename HomeOf<P>::Type;
+
+template <class List>
+struct HomesOf;
+template <template <class...> class List, class... P>
+struct HomesOf<List<P...>> {
+    using Type = std::tuple<Home<P>*...>;
+};
+
+} // namespace detail
+} // namespace trembler

@@ -1,0 +1,83 @@
+// Layer 3 (5.5): a derived property set is a pure function of properties. It changes nothing but its results.
+#pragma once
+
+#include "runtime/component/bindings.hpp"
+#include "runtime/component/channels.hpp"
+#include "runtime/component/component.hpp"
+
+namespace trembler {
+
+/// Base of every derived property set. `Self` has `static constexpr ComponentText text`,
+/// `using CalledFor = ...` and a `void update(Access&)`. It runs only when something that it reads has changed.
+template <class Self, class ReadsList, class DerivesList>
+class Dps : public Component {
+    static_assert(!detail::anyDerived<ReadsList>, "a derived property set never reads another one (5.5)");
+
+public:
+    class Access : public detail::AccessBase {
+    public:
+        Access(Dps& self, FrameContext const& context) : AccessBase(context, self.sinks_), self_(self) {}
+
+        /// A column, or the value of a resolver property.
+        template <class P>
+        [[nodiscard]] auto const& read() const {
+            static_assert(detail::listed<P, ReadsList>,
+                          "undeclared read: the property is not in Reads<> of this derived property set");
+            if constexpr (ObjectProperty<P>) {
+                return static_cast<Column<P> const&>(self_.reads_.template get<P>());
+            } else {
+                return static_cast<Slot<P> const&>(self_.reads_.template get<P>()).value();
+            }
+        }
+        template <class P>
+        void write() {
+            static_assert(sizeof(P) == 0, "a derived property set changes no property (5.5)");
+        }
+        /// One of its derived properties, for filling in. It still holds what the last update, perhaps by
+        /// another component that offers the same, left there.
+        template <class P>
+        [[nodiscard]] P& derive() {
+            static_assert(detail::listed<P, DerivesList>,
+                          "undeclared: the derived property is not in Derives<> of this derived property set");
+            auto& slot = self_.derives_.template get<P>();
+            slot.touch();
+            return slot.value();
+        }
+
+    private:
+        Dps& self_;
+    };
+
+    Dps() : Component(describeSelf()) {}
+
+    void bind(Store& store, Channels&) override {
+        reads_.bind(store);
+        derives_.bind(store);
+    }
+    [[nodiscard]] bool hasWork() const override { return first_ || reads_.changed(); }
+    [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
+    void run(FrameContext const& context) override {
+        openSinks(context, 1, Phase::dps);
+        Access access(*this, context);
+        static_cast<Self&>(*this).update(access);
+        reads_.markSeen();
+        first_ = false;
+    }
+    [[nodiscard]] static ComponentInfo const& describeSelf() {
+        static ComponentInfo const info = [] {
+            ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::dps, .text = Self::text};
+            made.reads = detail::infos(ReadsList{});
+            made.offers = detail::infos(DerivesList{});
+            detail::copyNeeds(typename Self::CalledFor{}, made);
+            return made;
+        }();
+        return info;
+    }
+
+private:
+    detail::Bindings<ReadsList> reads_;
+    detail::Bindings<DerivesList> derives_;
+    bool first_ = true;
+};
+
+} // namespace trembler

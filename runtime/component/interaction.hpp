@@ -1,0 +1,180 @@
+// Layer 4 (5.6): an interaction is glue. It reads from all layers and calls functions of exactly one resolver.
+#pragma once
+
+#include "runtime/component/bindings.hpp"
+#include "runtime/component/channels.hpp"
+#include "runtime/component/component.hpp"
+
+#include <map>
+
+namespace trembler {
+
+/// Base of every interaction. `Self` has `static constexpr ComponentText text`, `using CalledFor = ...` and a
+/// `void apply(Access&)`.
+///
+/// It is applied in every frame in which something that it reads has changed. In the others its held calls
+/// stand as they are, so to apply it again would change nothing.
+template <class Self, ResolverRole RoleType, class ReadsList>
+class Interaction : public Component {
+public:
+    using Role = RoleType;
+    using Buffers = typename CallSource<Role>::Buffers;
+
+    /// Records the calls of one chunk. Used by one thread at a time.
+    class Caller {
+    public:
+        /// Records a call. `cause` is the event that leads to it, none while nobody traces. O(1), no locks.
+        template <class C>
+        void call(C const& c, EventId cause = {}) {
+            static_assert(detail::callListed<C, typename Role::Calls>,
+                          "an interaction calls functions of its own resolver only (5.6)");
+            auto& buffer = std::get<CallBuffer<C>>(buffers_);
+            if (sink_ == nullptr) [[likely]] {
+                buffer.push(c);
+            } else {
+                buffer.push(c, self_.trace(c, cause, *sink_, chunk_));
+            }
+        }
+
+    private:
+        friend class Interaction;
+        Caller(Interaction& self, std::size_t chunk)
+            : self_(self), buffers_(self.source_.chunks[chunk]),
+              sink_(self.sinks_.empty() ? nullptr : &self.sinks_[chunk]), chunk_(chunk) {}
+
+        Interaction& self_;
+        Buffers& buffers_;
+        EventSink* sink_;
+        std::size_t chunk_;
+    };
+
+    class Access : public detail::AccessBase {
+    public:
+        Access(Interaction& self, FrameContext const& context)
+            : AccessBase(context, self.sinks_), self_(self), first_(self, 0) {}
+
+        /// A column, or the value of a resolver or derived property.
+        template <class P>
+        [[nodiscard]] auto const& read() const {
+            static_assert(detail::listed<P, ReadsList>,
+                          "undeclared read: the property is not in Reads<> of this interaction");
+            if constexpr (ObjectProperty<P>) {
+                return static_cast<Column<P> const&>(self_.reads_.template get<P>());
+            } else {
+                return static_cast<Slot<P> const&>(self_.reads_.template get<P>()).value();
+            }
+        }
+        template <class P>
+        void write() {
+            static_assert(sizeof(P) == 0, "an interaction changes no property; it calls its resolver (5.6)");
+        }
+        /// True when the component has just been constructed: changes since the last frame are then not enough,
+        /// it must look at everything.
+        [[nodiscard]] bool firstTime() const { return self_.first_; }
+        /// Records a call; see Caller::call.
+        template <class C>
+        void call(C const& c, EventId cause = {}) {
+            first_.call(c, cause);
+        }
+        /// Calls f(caller, begin, end) for consecutive ranges that cover [0, count), perhaps at the same time.
+        template <class F>
+        void forChunks(std::size_t count, F&& f) {
+            std::size_t const chunks = detail::chunkCount(count);
+            self_.prepareChunks(chunks, context_);
+            detail::forRanges(*context_.executor, count, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                Caller caller(self_, chunk);
+                f(caller, begin, end);
+            });
+        }
+
+    private:
+        Interaction& self_;
+        Caller first_;
+    };
+
+    Interaction() : Component(describeSelf()) { source_.name = Self::text.name; }
+
+    void bind(Store& store, Channels& channels) override {
+        reads_.bind(store);
+        channels.of<Role>().add(&source_);
+    }
+    [[nodiscard]] bool hasWork() const override { return first_ || reads_.changed(); }
+    [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
+    void run(FrameContext const& context) override {
+        source_.clearHeld();
+        newTold_.assign(1, {});
+        openSinks(context, 1, Phase::interaction);
+        {
+            Access access(*this, context);
+            static_cast<Self&>(*this).apply(access);
+        }
+        told_.clear();
+        for (auto& chunk : newTold_) {
+            told_.merge(chunk);
+        }
+        ++source_.version;
+        reads_.markSeen();
+        first_ = false;
+    }
+    [[nodiscard]] static ComponentInfo const& describeSelf() {
+        static ComponentInfo const info = [] {
+            ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::interaction, .text = Self::text};
+            made.reads = detail::infos(ReadsList{});
+            made.role = typeid(Role);
+            made.roleName = Role::name;
+            detail::copyNeeds(typename Self::CalledFor{}, made);
+            return made;
+        }();
+        return info;
+    }
+
+private:
+    // A held call is an event only when it is new: "this will be done for every frame from now on and will not
+    // be mentioned again" (6.8.3). Later ones carry the first one's id.
+    using TellKey = std::pair<std::string_view, std::vector<ObjectId>>;
+
+    template <class C>
+    EventId trace(C const& c, EventId cause, EventSink& sink, std::size_t chunk) {
+        auto const objects = c.objects();
+        if constexpr (isHeld(C::algebra)) {
+            if constexpr (requires { c.magnitude(); }) {
+                if (!(c.magnitude() > C::negligible)) {
+                    return {};
+                }
+            }
+            TellKey key{C::text.name, {objects.begin(), objects.end()}};
+            EventId id;
+            if (auto const known = told_.find(key); known != told_.end()) {
+                id = known->second;
+            } else if (auto const here = newTold_[chunk].find(key); here != newTold_[chunk].end()) {
+                id = here->second;
+            } else {
+                id = sink.record(C::text.name, objects, std::array{cause});
+            }
+            newTold_[chunk].emplace(std::move(key), id);
+            return id;
+        } else {
+            return sink.record(C::text.name, objects, std::array{cause});
+        }
+    }
+    void prepareChunks(std::size_t chunks, FrameContext const& context) {
+        if (source_.chunks.size() < chunks) {
+            source_.chunks.resize(chunks);
+        }
+        newTold_.resize(std::max(chunks, newTold_.size()));
+        if (sinks_.size() < chunks && context.tracing) {
+            for (std::size_t chunk = sinks_.size(); chunk < chunks; ++chunk) {
+                sinks_.emplace_back(context.store, context.frame, context.component,
+                                    static_cast<std::uint32_t>(chunk), Phase::interaction, info_.text.name);
+            }
+        }
+    }
+
+    detail::Bindings<ReadsList> reads_;
+    CallSource<Role> source_;
+    std::map<TellKey, EventId> told_; // held calls of the last apply, while tracing
+    std::vector<std::map<TellKey, EventId>> newTold_;
+    bool first_ = true;
+};
+
+} // namespace trembler

@@ -1,0 +1,133 @@
+// Layer 2 (5.4): a resolver is a simulation. It alone changes object properties, on advance().
+#pragma once
+
+#include "runtime/component/bindings.hpp"
+#include "runtime/component/channels.hpp"
+#include "runtime/component/component.hpp"
+
+namespace trembler {
+
+/// Base of every resolver. `Self` has `static constexpr ComponentText text`, `using CalledFor = ...`, a
+/// `void advance(Access&)`, and may have `bool restless() const`: true while it has work of its own to go on
+/// with although nothing around it changed (bodies that still move).
+template <class Self, ResolverRole RoleType, class ReadsList, class WritesList, class ProvidesList = Provides<>>
+class Resolver : public Component {
+    static_assert(detail::onlyObjectProperties<ReadsList>,
+                  "a resolver reads object properties only (5.4); data of others reaches it through interactions");
+
+public:
+    using Role = RoleType;
+
+    class Access : public detail::AccessBase {
+    public:
+        Access(Resolver& self, FrameContext const& context)
+            : AccessBase(context, self.sinks_), self_(self) {}
+
+        template <class P>
+        [[nodiscard]] auto const& read() const {
+            static_assert(detail::listed<P, ReadsList> || detail::listed<P, WritesList>,
+                          "undeclared read: the property is in neither Reads<> nor Writes<> of this resolver");
+            if constexpr (detail::listed<P, WritesList>) {
+                return self_.writes_.template get<P>();
+            } else {
+                return self_.reads_.template get<P>();
+            }
+        }
+        /// The column, for changing. Marks it as changed: call it only when something will be.
+        template <class P>
+        [[nodiscard]] auto& write() {
+            static_assert(detail::listed<P, WritesList>,
+                          "undeclared write: the property is not in Writes<> of this resolver");
+            auto& column = self_.writes_.template get<P>();
+            column.touch();
+            return column;
+        }
+        /// One of its own resolver properties as it stands.
+        template <class P>
+        [[nodiscard]] P const& provided() const {
+            static_assert(detail::listed<P, ProvidesList>,
+                          "undeclared: the resolver property is not in Provides<> of this resolver");
+            return self_.provides_.template get<P>().value();
+        }
+        /// One of its own resolver properties, for changing. Marks it as changed.
+        template <class P>
+        [[nodiscard]] P& provide() {
+            static_assert(detail::listed<P, ProvidesList>,
+                          "undeclared: the resolver property is not in Provides<> of this resolver");
+            auto& slot = self_.provides_.template get<P>();
+            slot.touch();
+            return slot.value();
+        }
+        /// Whether any component reads one of its resolver properties; if not, it need not be computed.
+        template <class P>
+        [[nodiscard]] bool wanted() const {
+            return self_.provides_.template get<P>().readers() > 0;
+        }
+        /// Calls f(call, origin) for every pending call of kind C, always in the same order.
+        template <InteractionCall C, class F>
+        void forCalls(F&& f) const {
+            static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this resolver's role");
+            self_.channel_->template forCalls<C>(std::forward<F>(f));
+        }
+        /// The interactions that call this resolver, by CallOrigin::source.
+        [[nodiscard]] std::size_t sources() const { return self_.channel_->sources().size(); }
+
+    private:
+        Resolver& self_;
+    };
+
+    Resolver() : Component(describeSelf()) {}
+
+    void bind(Store& store, Channels& channels) override {
+        reads_.bind(store);
+        writes_.bind(store);
+        provides_.bind(store);
+        channel_ = &channels.of<Role>();
+    }
+    [[nodiscard]] bool hasWork() const override {
+        if constexpr (requires(Self const& self) { self.restless(); }) {
+            if (static_cast<Self const&>(*this).restless()) {
+                return true;
+            }
+        }
+        return reads_.changed() || writes_.changed() || channel_->version() != seenCalls_;
+    }
+    [[nodiscard]] std::size_t workload() const override { return reads_.rows() + writes_.rows(); }
+    void run(FrameContext const& context) override {
+        openSinks(context, 1, Phase::resolver);
+        Access access(*this, context);
+        static_cast<Self&>(*this).advance(access);
+        channel_->clearOnce();
+        reads_.markSeen();
+        writes_.markSeen();
+        seenCalls_ = channel_->version();
+    }
+    [[nodiscard]] static ComponentInfo const& describeSelf() {
+        static ComponentInfo const info = [] {
+            ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::resolver, .text = Self::text};
+            made.reads = detail::infos(ReadsList{});
+            made.writes = detail::infos(WritesList{});
+            made.offers = detail::infos(ProvidesList{});
+            made.role = typeid(Role);
+            made.roleName = Role::name;
+            [&]<class... C>(CallList<C...> const&) {
+                made.calls = {CallInfo{C::text, C::algebra}...};
+            }(typename Role::Calls{});
+            detail::copyNeeds(typename Self::CalledFor{}, made);
+            if constexpr (requires { Self::writesEverything; }) {
+                made.writesEverything = Self::writesEverything;
+            }
+            return made;
+        }();
+        return info;
+    }
+
+private:
+    detail::Bindings<ReadsList> reads_;
+    detail::Bindings<WritesList> writes_;
+    detail::Bindings<ProvidesList> provides_;
+    Channel<Role>* channel_ = nullptr;
+    std::uint64_t seenCalls_ = 0;
+};
+
+} // namespace trembler

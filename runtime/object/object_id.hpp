@@ -1,0 +1,27 @@
+// The stable name of an object inside a running world.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <limits>
+
+namespace trembler {
+
+/// Index and generation: an index is used again after its object is destroyed, with the next generation,
+/// so an id kept for too long is found to be stale instead of naming a stranger. Ordered by index first.
+struct ObjectId {
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+    std::uint32_t index = none;
+    std::uint32_t generation = 0;
+
+    [[nodiscard]] constexpr bool valid() const { return index != none; }
+    friend constexpr auto operator<=>(ObjectId, ObjectId) = default;
+};
+
+/// Both halves in one number, for hashing and for keys.
+[[nodiscard]] constexpr std::uint64_t packed(ObjectId id) {
+    return (static_cast<std::uint64_t>(id.generation) << 32U) | id.index;
+}
+
+} // namespace trembler

@@ -1,0 +1,44 @@
+// How objects come and go: always by a call from the interaction layer (7.1.3).
+#pragma once
+
+#include "runtime/component/call.hpp"
+#include "runtime/math/vec2.hpp"
+
+#include <array>
+
+namespace trembler {
+
+/// Makes an object from a prototype. `key` identifies the birth: two calls with one key make one object, and
+/// keys, not the order of calls, decide about ids.
+struct CreateObject {
+    static constexpr CallText text{"createObject", "(part, position, angle, velocity, spin, key)",
+                                   "Makes an object from a part definition; equal keys make one object."};
+    static constexpr Algebra algebra = Algebra::create;
+    std::uint32_t prototype = 0; ///< number in the PrototypeLibrary
+    Vec2 position;               ///< m
+    double angle = 0;            ///< rad
+    Vec2 velocity;               ///< m/s
+    double spin = 0;             ///< rad/s
+    ObjectId maker;              ///< the object that brings it forth
+    std::uint64_t number = 0;    ///< unique among the births by this maker
+
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {maker}; }
+    [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> key() const { return {packed(maker), number}; }
+};
+
+/// Takes an object out of the world. Destroying twice is destroying once.
+struct DestroyObject {
+    static constexpr CallText text{"destroyObject", "(object)", "Takes the object out of the world."};
+    static constexpr Algebra algebra = Algebra::destroy;
+    ObjectId object;
+
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+    [[nodiscard]] std::uint64_t key() const { return packed(object); }
+};
+
+struct PopulationRole {
+    static constexpr std::string_view name = "Population";
+    using Calls = CallList<CreateObject, DestroyObject>;
+};
+
+} // namespace trembler

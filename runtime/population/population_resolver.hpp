@@ -1,0 +1,63 @@
+// The resolver behind which objects come and go.
+#pragma once
+
+#include "runtime/component/interaction.hpp"
+#include "runtime/component/resolver.hpp"
+#include "runtime/input/input_resolver.hpp"
+#include "runtime/population/calls.hpp"
+
+namespace trembler {
+
+/// Who came and who went in this frame.
+struct PopulationChanges {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Population changes", "population_changes",
+                                       "The objects that were created and those that were destroyed this frame."};
+    std::vector<ObjectId> created;
+    std::vector<ObjectId> destroyed; ///< ids that no longer name anything
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// Writes everything: an object is born with all its properties and dies with them. All other resolvers run
+/// after it.
+class PopulationResolver final
+    : public Resolver<PopulationResolver, PopulationRole, Reads<>, Writes<>, Provides<PopulationChanges>> {
+public:
+    static constexpr ComponentText text{.name = "Population",
+                                        .effect = "population",
+                                        .level = "",
+                                        .work = "Destroys and creates objects as requested. Ids follow from the keys "
+                                                "of the births, so they depend on no order and no thread."};
+    static constexpr bool writesEverything = true;
+    using CalledFor = NeedsAll<>;
+
+    void bind(Store& store, Channels& channels) override;
+    [[nodiscard]] bool restless() const { return changesStand_; }
+    void advance(Access& access);
+
+private:
+    void create(Access& access, CreateObject const& call, EventId cause);
+
+    Store* store_ = nullptr;
+    bool changesStand_ = false;
+};
+
+/// What the player takes out of the world goes.
+class PopulationFromPlayer final
+    : public Interaction<PopulationFromPlayer, PopulationRole, Reads<PlayerCommands>> {
+public:
+    static constexpr ComponentText text{.name = "Population <- Player",
+                                        .effect = "population",
+                                        .level = "",
+                                        .work = "Destroys every object that the player removed."};
+    using CalledFor = NeedsAll<>;
+    void apply(Access& access);
+};
+
+class Registry;
+/// Properties of placement, the player's input and the population: the part of a world that has no physics.
+void registerRuntime(Registry& registry);
+
+} // namespace trembler

@@ -1,0 +1,74 @@
+// How a property describes itself, once: the inspector, the level file, the state hash, scripts and the
+// notation all use the same description.
+#pragma once
+
+#include "runtime/math/vec2.hpp"
+#include "runtime/object/object_id.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler {
+
+/// Where a property belongs, which decides who may read and who may change it.
+enum class PropertyKind {
+    object,   ///< plain data of one object, one column each; changed by resolvers
+    resolver, ///< data of one resolver as a whole (5.4), for example who touches whom; changed by that resolver
+    derived,  ///< computed by one derived property set (5.5) from the other two
+};
+
+/// Where a level file states an object property.
+enum class PropertyPlace {
+    properties, ///< under an object's or a part's "properties"
+    placement,  ///< directly in the object's entry, like "at": every placed object has its own
+    world,      ///< under the level's "world": a property of the one object named "world"
+    hidden,     ///< nowhere: state that only arises while the world runs
+};
+
+/// The words of a property. `name` is the thesis's notation, `key` the key in files and scripts.
+struct PropertyText {
+    std::string_view name;
+    std::string_view key;
+    std::string_view meaning;
+    PropertyPlace place = PropertyPlace::properties;
+};
+
+/// One field of a property. A field with key "value" is written bare in files: "mass": 2.
+struct FieldInfo {
+    std::string_view key;
+    std::string_view unit; ///< SI, "" for a pure number, "rad" for angles in code
+    std::string_view meaning;
+    double minimum = -std::numeric_limits<double>::max();
+    double maximum = std::numeric_limits<double>::max();
+    bool minimumExcluded = false; ///< for example a mass, which must be above zero
+    bool required = false;        ///< files must state it; otherwise the member's initial value stands
+};
+
+/// The names of an enumeration's values 0, 1, 2 ... as files spell them. Specialise for each enumeration.
+template <class E>
+inline constexpr std::span<std::string_view const> choiceNames = {};
+
+/// A property type: a plain struct with `kind`, `text` and `describe(self, visitor)`, which calls
+/// visitor(FieldInfo, self.field) for every field in a fixed order.
+template <class P>
+concept Property = requires {
+    { P::kind } -> std::convertible_to<PropertyKind>;
+    { P::text } -> std::convertible_to<PropertyText>;
+};
+template <class P>
+concept ObjectProperty = Property<P> && (P::kind == PropertyKind::object);
+template <class P>
+concept ResolverProperty = Property<P> && (P::kind == PropertyKind::resolver);
+template <class P>
+concept DerivedProperty = Property<P> && (P::kind == PropertyKind::derived);
+
+/// A struct inside a property, for example one corner of a shape: it has describe() but no kind.
+template <class T>
+concept Described = requires(T& t) { T::describe(t, [](FieldInfo const&, auto&) {}); };
+
+} // namespace trembler

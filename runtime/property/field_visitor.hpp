@@ -1,0 +1,107 @@
+// Reaching the fields of a property whose type is not known at compile time: files, inspector and scripts.
+#pragma once
+
+#include "runtime/property/description.hpp"
+
+namespace trembler {
+
+class FieldVisitor;
+
+/// A list inside a property, with its element type hidden.
+class ListField {
+public:
+    virtual ~ListField() = default;
+    [[nodiscard]] virtual std::size_t size() const = 0;
+    virtual void resize(std::size_t count) = 0;
+    /// True if an element is a struct with fields of its own, false if it is one bare value.
+    [[nodiscard]] virtual bool elementsHaveFields() const = 0;
+    /// Visits the fields of one element; a bare value is visited as a single field with key "value".
+    virtual void visitElement(std::size_t index, FieldVisitor& visitor) = 0;
+};
+
+/// A value out of a fixed set of names.
+struct ChoiceField {
+    int& index;
+    std::span<std::string_view const> names;
+};
+
+/// Sees every field of a property by reference, in the order of its description, and may change it.
+class FieldVisitor {
+public:
+    virtual ~FieldVisitor() = default;
+    virtual void boolean(FieldInfo const&, bool&) = 0;
+    virtual void integer(FieldInfo const&, std::int32_t&) = 0;
+    virtual void number(FieldInfo const&, double&) = 0;
+    virtual void vector(FieldInfo const&, Vec2&) = 0;
+    virtual void text(FieldInfo const&, std::string&) = 0;
+    virtual void object(FieldInfo const&, ObjectId&) = 0;
+    virtual void choice(FieldInfo const&, ChoiceField) = 0;
+    virtual void list(FieldInfo const&, ListField&) = 0;
+};
+
+namespace detail {
+
+template <class T>
+void dispatch(FieldVisitor& visitor, FieldInfo const& info, T& value);
+
+template <class T>
+class VectorField final : public ListField {
+public:
+    explicit VectorField(std::vector<T>& values) : values_(values) {}
+    [[nodiscard]] std::size_t size() const override { return values_.size(); }
+    void resize(std::size_t count) override { values_.resize(count); }
+    [[nodiscard]] bool elementsHaveFields() const override { return Described<T>; }
+    void visitElement(std::size_t index, FieldVisitor& visitor) override {
+        if constexpr (Described<T>) {
+            T::describe(values_[index],
+                        [&](FieldInfo const& info, auto& field) { dispatch(visitor, info, field); });
+        } else {
+            dispatch(visitor, FieldInfo{.key = "value", .unit = "", .meaning = ""}, values_[index]);
+        }
+    }
+
+private:
+    std::vector<T>& values_;
+};
+
+template <class T>
+inline constexpr bool isVector = false;
+template <class T>
+inline constexpr bool isVector<std::vector<T>> = true;
+
+template <class T>
+void dispatch(FieldVisitor& visitor, FieldInfo const& info, T& value) {
+    if constexpr (std::is_same_v<T, bool>) {
+        visitor.boolean(info, value);
+    } else if constexpr (std::is_same_v<T, std::int32_t>) {
+        visitor.integer(info, value);
+    } else if constexpr (std::is_same_v<T, double>) {
+        visitor.number(info, value);
+    } else if constexpr (std::is_same_v<T, Vec2>) {
+        visitor.vector(info, value);
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        visitor.text(info, value);
+    } else if constexpr (std::is_same_v<T, ObjectId>) {
+        visitor.object(info, value);
+    } else if constexpr (std::is_enum_v<T>) {
+        static_assert(!choiceNames<T>.empty(), "specialise trembler::choiceNames for this enumeration");
+        int index = static_cast<int>(value);
+        visitor.choice(info, {index, choiceNames<T>});
+        value = static_cast<T>(index);
+    } else {
+        static_assert(isVector<T>, "a field is bool, int32, double, Vec2, string, ObjectId, an enumeration or "
+                                   "a vector of these or of described structs");
+        VectorField<typename T::value_type> list(value);
+        visitor.list(info, list);
+    }
+}
+
+} // namespace detail
+
+/// Visits every field of `property`.
+template <class P>
+void visitFields(P& property, FieldVisitor& visitor) {
+    P::describe(property, [&](FieldInfo const& info, auto& field) { detail::dispatch(visitor, info, field); });
+}
+
+} // namespace trembler

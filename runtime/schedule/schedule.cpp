@@ -1,0 +1,73 @@
+#include "runtime/schedule/schedule.hpp"
+
+#include "runtime/world/registry.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace trembler {
+namespace {
+
+std::vector<PropertyInfo const*> shared(std::vector<PropertyInfo const*> const& a,
+                                        std::vector<PropertyInfo const*> const& b) {
+    std::vector<PropertyInfo const*> both;
+    std::copy_if(a.begin(), a.end(), std::back_inserter(both),
+                 [&](PropertyInfo const* p) { return std::find(b.begin(), b.end(), p) != b.end(); });
+    return both;
+}
+
+bool touchesObjects(ComponentInfo const& info) {
+    return !info.reads.empty() || !info.writes.empty() || info.writesEverything;
+}
+
+} // namespace
+
+std::vector<Conflict> conflicts(ComponentInfo const& a, ComponentInfo const& b) {
+    std::vector<Conflict> all;
+    if ((a.writesEverything && touchesObjects(b)) || (b.writesEverything && touchesObjects(a))) {
+        all.push_back({Conflict::Kind::bothWrite, nullptr});
+        return all;
+    }
+    for (PropertyInfo const* p : shared(a.writes, b.writes)) {
+        all.push_back({Conflict::Kind::bothWrite, p});
+    }
+    for (PropertyInfo const* p : shared(a.writes, b.reads)) {
+        all.push_back({Conflict::Kind::firstWritesRead, p});
+    }
+    for (PropertyInfo const* p : shared(a.reads, b.writes)) {
+        all.push_back({Conflict::Kind::secondWritesRead, p});
+    }
+    return all;
+}
+
+void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b, std::span<HandOver const> handOvers) {
+    // The resolver that writes everything only gives objects their first values and takes them away with their
+    // last: at birth it hands every property over to whoever simulates it.
+    for (PropertyInfo const* property : shared(a.writes, b.writes)) {
+        bool const handedOver = std::any_of(handOvers.begin(), handOvers.end(), [&](HandOver const& h) {
+            return h.property == property && ((h.first == a.text.name && h.second == b.text.name) ||
+                                              (h.first == b.text.name && h.second == a.text.name));
+        });
+        if (!handedOver) {
+            throw RuleBroken(fmt::format("the {} and the {} both write {}. One property has one writer, unless a "
+                                         "hand-over of objects between the two is declared (7.1.5)",
+                                         title(a), title(b), property->text.name));
+        }
+    }
+}
+
+std::vector<std::pair<std::size_t, std::size_t>>
+deriveEdges(std::span<ComponentInfo const* const> resolvers) {
+    std::vector<std::pair<std::size_t, std::size_t>> edges;
+    for (std::size_t i = 0; i < resolvers.size(); ++i) {
+        for (std::size_t j = i + 1; j < resolvers.size(); ++j) {
+            if (!mayRunTogether(*resolvers[i], *resolvers[j])) {
+                edges.emplace_back(i, j);
+            }
+        }
+    }
+    return edges;
+}
+
+} // namespace trembler

@@ -1,0 +1,120 @@
+#include "runtime/trace/tracer.hpp"
+
+#include "runtime/world/store.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <ostream>
+#include <set>
+
+namespace trembler {
+namespace {
+
+// frame : 26 | component : 8 | chunk : 12 | sequence : 18, most significant first, so ids sort as they happen.
+constexpr unsigned frameShift = 38;
+constexpr unsigned componentShift = 30;
+constexpr unsigned chunkShift = 18;
+
+std::string_view nameOf(Phase phase) {
+    switch (phase) {
+    case Phase::input:
+        return "input";
+    case Phase::resolver:
+        return "resolver";
+    case Phase::dps:
+        return "dps";
+    case Phase::interaction:
+        return "interaction";
+    }
+    return "";
+}
+
+} // namespace
+
+EventSink::EventSink(Store const* store, std::uint64_t frame, std::uint32_t component, std::uint32_t chunk,
+                     Phase phase, std::string_view name)
+    : store_(store), frame_(frame),
+      base_((frame << frameShift) | (std::uint64_t{component} << componentShift) |
+            (std::uint64_t{chunk} << chunkShift)),
+      phase_(phase), component_(name) {
+    assert(component < 256 && chunk < 4096);
+}
+
+EventId EventSink::record(std::string_view event, std::span<ObjectId const> objects,
+                          std::span<EventId const> causes) {
+    Event made;
+    made.id = EventId{base_ + events_.size() + 1};
+    made.frame = frame_;
+    made.phase = phase_;
+    made.component = component_;
+    made.event = event;
+    for (ObjectId const object : objects) {
+        made.objects.push_back(store_->nameOf(object));
+    }
+    for (EventId const cause : causes) {
+        if (cause) {
+            made.causes.push_back(cause);
+        }
+    }
+    std::sort(made.causes.begin(), made.causes.end());
+    made.causes.erase(std::unique(made.causes.begin(), made.causes.end()), made.causes.end());
+    events_.push_back(std::move(made));
+    return events_.back().id;
+}
+
+void Tracer::gather(EventSink& sink) {
+    for (Event& event : sink.events()) {
+        assert(events_.empty() || events_.back().id < event.id);
+        events_.push_back(std::move(event));
+    }
+    sink.events().clear();
+}
+
+Event const* Tracer::find(EventId id) const {
+    std::uint64_t const n = number(id);
+    return n == 0 ? nullptr : &events_[n - 1];
+}
+
+std::uint64_t Tracer::number(EventId id) const {
+    auto const at = std::lower_bound(events_.begin(), events_.end(), id,
+                                     [](Event const& event, EventId wanted) { return event.id < wanted; });
+    return at == events_.end() || at->id != id ? 0 : static_cast<std::uint64_t>(at - events_.begin()) + 1;
+}
+
+std::vector<EventId> Tracer::chain(EventId id) const {
+    std::set<EventId> seen;
+    std::vector<EventId> open{id};
+    while (!open.empty()) {
+        EventId const next = open.back();
+        open.pop_back();
+        Event const* const event = find(next);
+        if (event != nullptr && seen.insert(next).second) {
+            open.insert(open.end(), event->causes.begin(), event->causes.end());
+        }
+    }
+    return {seen.begin(), seen.end()};
+}
+
+void Tracer::write(std::ostream& out, std::size_t from) const {
+    for (std::size_t i = from; i < events_.size(); ++i) {
+        Event const& event = events_[i];
+        nlohmann::ordered_json causes = nlohmann::ordered_json::array();
+        for (EventId const cause : event.causes) {
+            if (std::uint64_t const n = number(cause); n != 0) {
+                causes.push_back(n);
+            }
+        }
+        nlohmann::ordered_json const line{{"id", i + 1},
+                                          {"frame", event.frame},
+                                          {"phase", nameOf(event.phase)},
+                                          {"component", event.component},
+                                          {"event", event.event},
+                                          {"objects", event.objects},
+                                          {"causes", causes}};
+        out << line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+    }
+}
+
+} // namespace trembler

@@ -1,0 +1,57 @@
+// Gathers the events of a run. Off, it costs one test of a null pointer.
+#pragma once
+
+#include "runtime/object/object_id.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <functional>
+#include <initializer_list>
+#include <iosfwd>
+#include <map>
+#include <span>
+#include <string_view>
+
+namespace trembler {
+
+class Store;
+
+/// The events of one chunk of one component in one frame. Used by one thread at a time.
+class EventSink {
+public:
+    EventSink() = default;
+    EventSink(Store const* store, std::uint64_t frame, std::uint32_t component, std::uint32_t chunk, Phase phase,
+              std::string_view name);
+
+    EventId record(std::string_view event, std::span<ObjectId const> objects, std::span<EventId const> causes);
+    [[nodiscard]] std::vector<Event>& events() { return events_; }
+
+private:
+    Store const* store_ = nullptr;
+    std::uint64_t frame_ = 0;
+    std::uint64_t base_ = 0;
+    Phase phase_ = Phase::resolver;
+    std::string_view component_;
+    std::vector<Event> events_;
+};
+
+/// The account of a run. Components write into sinks of their own; gather() joins these in canonical order at
+/// the end of each frame, so the account is the same for any number of threads.
+class Tracer {
+public:
+    /// Moves the sink's events into the account. Call in ascending order of components and chunks.
+    void gather(EventSink& sink);
+    /// Every event so far, ascending by id.
+    [[nodiscard]] std::span<Event const> events() const { return events_; }
+    [[nodiscard]] Event const* find(EventId id) const;
+    /// The position of an event in the account, counted from 1: its id in files. 0 if there is none.
+    [[nodiscard]] std::uint64_t number(EventId id) const;
+    /// Everything that led to an event, itself included, ascending.
+    [[nodiscard]] std::vector<EventId> chain(EventId id) const;
+    /// Writes events from position `from` on as JSON lines.
+    void write(std::ostream& out, std::size_t from = 0) const;
+
+private:
+    std::vector<Event> events_;
+};
+
+} // namespace trembler

@@ -1,0 +1,135 @@
+#include "runtime/world/store.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace trembler {
+
+Store::Store() = default;
+Store::~Store() = default;
+
+ObjectId Store::create(std::string const& name) {
+    if (name.empty()) {
+        throw std::invalid_argument("an object needs a name");
+    }
+    if (byName_.contains(name)) {
+        throw std::invalid_argument("there is already an object named '" + name + "'");
+    }
+    ObjectId const id = objects_.create();
+    byName_.emplace(name, id);
+    column<Name>().set(id, {name});
+    return id;
+}
+
+void Store::destroy(std::vector<ObjectId> ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    std::erase_if(ids, [this](ObjectId id) { return !alive(id); });
+    if (ids.empty()) {
+        return;
+    }
+    for (ObjectId const id : ids) {
+        byName_.erase(nameOf(id));
+    }
+    for (auto& [key, column] : columns_) {
+        column->removeAll(ids);
+    }
+    for (ObjectId const id : ids) {
+        objects_.destroy(id);
+    }
+}
+
+ObjectId Store::find(std::string const& name) const {
+    auto const at = byName_.find(name);
+    return at == byName_.end() ? ObjectId{} : at->second;
+}
+
+std::string Store::nameOf(ObjectId id) const {
+    auto const* const names = findColumn<Name>();
+    auto const* const name = names == nullptr ? nullptr : names->find(id);
+    return name == nullptr ? "(gone)" : name->value;
+}
+
+ColumnBase& Store::column(PropertyInfo const& info) {
+    auto& column = columns_[info.text.key];
+    if (!column) {
+        column = info.makeColumn();
+    }
+    if (column->info().type != info.type) {
+        throw std::logic_error("two properties share the key '" + std::string(info.text.key) + "'");
+    }
+    return *column;
+}
+
+ColumnBase const* Store::findColumn(PropertyInfo const& info) const {
+    auto const at = columns_.find(info.text.key);
+    return at == columns_.end() ? nullptr : at->second.get();
+}
+
+SlotBase& Store::slot(PropertyInfo const& info) {
+    auto& slot = slots_[info.text.key];
+    if (!slot) {
+        slot = info.makeSlot();
+    }
+    if (slot->info().type != info.type) {
+        throw std::logic_error("two properties share the key '" + std::string(info.text.key) + "'");
+    }
+    return *slot;
+}
+
+SlotBase const* Store::findSlot(PropertyInfo const& info) const {
+    auto const at = slots_.find(info.text.key);
+    return at == slots_.end() ? nullptr : at->second.get();
+}
+
+std::vector<ColumnBase*> Store::columns() {
+    std::vector<ColumnBase*> all;
+    for (auto& [key, column] : columns_) {
+        all.push_back(column.get());
+    }
+    return all;
+}
+
+std::vector<ColumnBase const*> Store::columns() const {
+    std::vector<ColumnBase const*> all;
+    for (auto const& [key, column] : columns_) {
+        all.push_back(column.get());
+    }
+    return all;
+}
+
+std::vector<SlotBase*> Store::slots() {
+    std::vector<SlotBase*> all;
+    for (auto& [key, slot] : slots_) {
+        all.push_back(slot.get());
+    }
+    return all;
+}
+
+void Store::furnish(ObjectId id, Prototype const& prototype) {
+    for (auto const& value : prototype.values) {
+        value->assignTo(column(value->info()), id);
+    }
+}
+
+std::uint64_t Store::hash() const {
+    StateHash hash;
+    for (auto const& [key, column] : columns_) {
+        if (!column->empty()) { // an empty column says no more than one that was never made
+            hash.integer(key.size());
+            hash.bytes(key.data(), key.size());
+            column->hash(hash);
+        }
+    }
+    return hash.digest();
+}
+
+std::uint64_t Store::structureVersion() const {
+    std::uint64_t sum = 0;
+    for (auto const& [key, column] : columns_) {
+        sum += column->structureVersion();
+    }
+    return sum;
+}
+
+} // namespace trembler

@@ -1,0 +1,91 @@
+// All data of a world: objects, property columns, and the slots of resolver and derived properties.
+#pragma once
+
+#include "runtime/object/name.hpp"
+#include "runtime/object/object_table.hpp"
+#include "runtime/property/column.hpp"
+#include "runtime/property/slot.hpp"
+#include "runtime/world/prototype.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <typeindex>
+#include <unordered_map>
+#include <vector>
+
+namespace trembler {
+
+/// Columns and slots are made when first asked for and stay where they are for the store's life.
+///
+/// Not thread-safe for changes of structure; those happen before the first frame and in the Population resolver.
+class Store {
+public:
+    Store();
+    ~Store();
+    Store(Store const&) = delete;
+    Store& operator=(Store const&) = delete;
+
+    /// A new object with a unique name; throws std::invalid_argument if the name is taken or empty.
+    ObjectId create(std::string const& name);
+    /// Takes away objects with all their properties. Unknown and repeated ids are ignored.
+    void destroy(std::vector<ObjectId> ids);
+    [[nodiscard]] bool alive(ObjectId id) const { return objects_.alive(id); }
+    [[nodiscard]] ObjectTable const& objects() const { return objects_; }
+    /// The object of that name, or an invalid id.
+    [[nodiscard]] ObjectId find(std::string const& name) const;
+    /// An object's name; "(gone)" for one that no longer exists.
+    [[nodiscard]] std::string nameOf(ObjectId id) const;
+
+    template <ObjectProperty P>
+    [[nodiscard]] Column<P>& column() {
+        return static_cast<Column<P>&>(column(propertyInfo<P>()));
+    }
+    template <ObjectProperty P>
+    [[nodiscard]] Column<P> const* findColumn() const {
+        return static_cast<Column<P> const*>(findColumn(propertyInfo<P>()));
+    }
+    template <Property P>
+    [[nodiscard]] Slot<P>& slot() {
+        return static_cast<Slot<P>&>(slot(propertyInfo<P>()));
+    }
+    template <Property P>
+    [[nodiscard]] Slot<P> const* findSlot() const {
+        return static_cast<Slot<P> const*>(findSlot(propertyInfo<P>()));
+    }
+    template <Property P>
+    [[nodiscard]] auto& home() {
+        if constexpr (ObjectProperty<P>) {
+            return column<P>();
+        } else {
+            return slot<P>();
+        }
+    }
+    [[nodiscard]] ColumnBase& column(PropertyInfo const& info);
+    [[nodiscard]] ColumnBase const* findColumn(PropertyInfo const& info) const;
+    [[nodiscard]] SlotBase& slot(PropertyInfo const& info);
+    [[nodiscard]] SlotBase const* findSlot(PropertyInfo const& info) const;
+    /// All columns in order of their keys.
+    [[nodiscard]] std::vector<ColumnBase*> columns();
+    [[nodiscard]] std::vector<ColumnBase const*> columns() const;
+    [[nodiscard]] std::vector<SlotBase*> slots();
+
+    /// Gives an object every property of a prototype.
+    void furnish(ObjectId id, Prototype const& prototype);
+    [[nodiscard]] PrototypeLibrary& prototypes() { return prototypes_; }
+    [[nodiscard]] PrototypeLibrary const& prototypes() const { return prototypes_; }
+
+    /// XXH3-64 over all columns in canonical order. Equal hashes: equal worlds, bit for bit.
+    [[nodiscard]] std::uint64_t hash() const;
+    /// Counts up when any object gains or loses any property.
+    [[nodiscard]] std::uint64_t structureVersion() const;
+
+private:
+    ObjectTable objects_;
+    std::map<std::string_view, std::unique_ptr<ColumnBase>> columns_; // by key: the canonical order
+    std::map<std::string_view, std::unique_ptr<SlotBase>> slots_;
+    std::unordered_map<std::string, ObjectId> byName_; // looked up, never walked
+    PrototypeLibrary prototypes_;
+};
+
+} // namespace trembler

@@ -1,0 +1,358 @@
+#include "runtime/world/world.hpp"
+
+#include "runtime/input/input_resolver.hpp"
+#include "runtime/schedule/schedule.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace trembler {
+namespace {
+
+// Below this many rows in a phase, waking other threads costs more than they can save (measured: a loop of
+// 1000 cheap items is fourteen times slower on two threads than on one).
+constexpr std::size_t rowsWorthThreads = 4096;
+
+} // namespace
+
+World::World(Registry const& registry, WorldOptions options)
+    : registry_(registry), options_(std::move(options)), executor_(options_.threads),
+      tracer_(options_.trace ? std::make_unique<Tracer>() : nullptr) {
+    registry_.check();
+    for (ComponentKind const kind : {ComponentKind::resolver, ComponentKind::dps, ComponentKind::interaction}) {
+        for (Registration const& registration : registry_.components()) {
+            if (registration.info->kind == kind) {
+                Entry entry;
+                entry.registration = &registration;
+                entry.status.info = registration.info;
+                entry.status.period = registration.period;
+                entry.rank = static_cast<std::uint32_t>(entries_.size());
+                entries_.push_back(std::move(entry));
+            }
+        }
+    }
+    auto const entryOf = [this](std::type_index type) {
+        return static_cast<std::size_t>(std::find_if(entries_.begin(), entries_.end(),
+                                                     [&](Entry const& e) { return e.status.info->type == type; }) -
+                                        entries_.begin());
+    };
+    for (Shortcut const& shortcut : registry_.shortcuts()) {
+        std::size_t const outer = entryOf(shortcut.dps);
+        std::size_t const inner = entryOf(shortcut.interaction);
+        entries_[inner].insideOf = outer;
+        entries_[outer].shortcuts.push_back(inner);
+    }
+    std::map<std::string, std::string> const asked = std::exchange(options_.detail, {});
+    for (auto const& [effect, level] : asked) {
+        setDetail(effect, level);
+    }
+    std::map<std::string, int> const periods = options_.periods;
+    for (auto const& [component, period] : periods) {
+        setPeriod(component, period);
+    }
+}
+
+World::~World() = default;
+
+void World::start() { select(); }
+
+void World::step() {
+    ++frame_;
+    runPhase(ComponentKind::resolver);
+    if (store_.structureVersion() != knownStructure_) {
+        select(); // objects came or went: other components may be called for, or none
+    }
+    runPhase(ComponentKind::dps);
+    runPhase(ComponentKind::interaction);
+    if (tracer_) {
+        gatherTrace();
+    }
+}
+
+std::uint64_t World::stateHash() const { return store_.hash(); }
+
+void World::feed(PlayerInput const& input) {
+    if (input_ != nullptr) {
+        input_->feed(input);
+    }
+}
+
+bool World::calledFor(ComponentInfo const& info) const {
+    auto const inhabited = [this](PropertyInfo const* p) {
+        ColumnBase const* const column = store_.findColumn(*p);
+        return column != nullptr && !column->empty();
+    };
+    return std::all_of(info.neededAll.begin(), info.neededAll.end(), inhabited) &&
+           (info.neededAny.empty() || std::any_of(info.neededAny.begin(), info.neededAny.end(), inhabited));
+}
+
+bool World::hasProvider(PropertyInfo const& property, std::vector<bool> const& chosen) const {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        auto const& offers = entries_[i].status.info->offers;
+        if (chosen[i] && std::find(offers.begin(), offers.end(), &property) != offers.end()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Among components that serve the same need: the one asked for, else the cheapest that suits the scene.
+std::size_t World::pick(std::vector<std::size_t> const& alternatives) const {
+    for (std::size_t const i : alternatives) {
+        ComponentText const& text = entries_[i].status.info->text;
+        auto const asked = options_.detail.find(std::string(text.effect));
+        if (asked != options_.detail.end() && asked->second == text.level) {
+            return i;
+        }
+    }
+    std::size_t best = alternatives.front();
+    bool found = false;
+    for (std::size_t const i : alternatives) {
+        Registration const& r = *entries_[i].registration;
+        bool const suits = r.suits == nullptr || r.suits(store_);
+        if (suits && (!found || r.info->text.cost < entries_[best].status.info->text.cost)) {
+            best = i;
+            found = true;
+        }
+    }
+    return best;
+}
+
+std::vector<bool> World::wanted() const {
+    std::vector<bool> chosen(entries_.size(), false);
+    // Kinds come in the order in which they depend on one another: resolvers, DPS, interactions.
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        ComponentInfo const& info = *entries_[i].status.info;
+        bool possible = calledFor(info);
+        for (PropertyInfo const* read : info.reads) {
+            possible = possible && (read->kind == PropertyKind::object || hasProvider(*read, chosen));
+        }
+        if (info.kind == ComponentKind::interaction) {
+            bool resolverThere = false;
+            for (std::size_t j = 0; j < entries_.size(); ++j) {
+                ComponentInfo const& other = *entries_[j].status.info;
+                resolverThere = resolverThere || (chosen[j] && other.kind == ComponentKind::resolver &&
+                                                  other.role == info.role);
+            }
+            chosen[i] = possible && resolverThere;
+            continue;
+        }
+        if (!possible) {
+            continue;
+        }
+        std::vector<std::size_t> alternatives;
+        for (std::size_t j = 0; j < entries_.size(); ++j) {
+            ComponentInfo const& other = *entries_[j].status.info;
+            if ((j == i || areAlternatives(info, other)) && calledFor(other)) {
+                alternatives.push_back(j);
+            }
+        }
+        chosen[i] = pick(alternatives) == i;
+    }
+    return chosen;
+}
+
+void World::select() {
+    std::vector<bool> const chosen = wanted();
+    bool changed = knownStructure_ == 0;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        Entry& entry = entries_[i];
+        if (chosen[i] && !entry.component) {
+            entry.component = entry.registration->make();
+            entry.lastFrame = frame_;
+            changed = true;
+        } else if (!chosen[i] && entry.component) {
+            if (dynamic_cast<InputResolver*>(entry.component.get()) == input_) {
+                input_ = nullptr;
+            }
+            entry.component.reset();
+            entry.status.activity = Activity::absent;
+            changed = true;
+            for (PropertyInfo const* offer : entry.status.info->offers) {
+                if (!hasProvider(*offer, chosen)) {
+                    store_.slot(*offer).reset();
+                }
+            }
+        }
+    }
+    if (changed) {
+        bindAll();
+    }
+    knownStructure_ = store_.structureVersion();
+}
+
+void World::bindAll() {
+    channels_.clearSources();
+    std::map<std::string_view, int> readers;
+    for (Entry& entry : entries_) {
+        if (!entry.component) {
+            continue;
+        }
+        entry.component->bind(store_, channels_);
+        for (PropertyInfo const* read : entry.status.info->reads) {
+            ++readers[read->text.key];
+        }
+        if (auto* const input = dynamic_cast<InputResolver*>(entry.component.get())) {
+            input_ = input;
+        }
+    }
+    for (SlotBase* slot : store_.slots()) {
+        auto const at = readers.find(slot->info().text.key);
+        slot->setReaders(at == readers.end() ? 0 : at->second);
+    }
+}
+
+bool World::due(Entry const& entry) const {
+    return (frame_ - 1) % static_cast<std::uint64_t>(entry.status.period) == 0;
+}
+
+void World::runEntry(Entry& entry) {
+    auto const before = std::chrono::steady_clock::now();
+    FrameContext const context{.frame = frame_,
+                               .duration = frameDuration * static_cast<double>(frame_ - entry.lastFrame),
+                               .executor = &executor_,
+                               .store = &store_,
+                               .tracing = tracer_ != nullptr,
+                               .component = entry.rank};
+    entry.component->run(context);
+    entry.lastFrame = frame_;
+    ++entry.status.updates;
+    std::chrono::duration<double, std::micro> const took = std::chrono::steady_clock::now() - before;
+    entry.status.lastMicroseconds = took.count();
+    entry.status.totalMicroseconds += took.count();
+}
+
+void World::runPhase(ComponentKind kind) {
+    std::vector<std::size_t> running;
+    std::size_t rows = 0;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        Entry& entry = entries_[i];
+        if (entry.status.info->kind != kind || !entry.component || !due(entry)) {
+            continue;
+        }
+        if (entry.insideOf && entries_[*entry.insideOf].component) {
+            continue; // had its turn inside its derived property set
+        }
+        // A resolver may be given work by one that runs before it, so it decides when its turn comes.
+        if (kind == ComponentKind::resolver || entry.component->hasWork()) {
+            running.push_back(i);
+            rows += entry.component->workload();
+        } else {
+            entry.status.activity = Activity::asleep;
+        }
+        for (std::size_t const inner : entry.shortcuts) {
+            if (entries_[inner].component && entries_[inner].component->hasWork() &&
+                (running.empty() || running.back() != i)) {
+                running.push_back(i);
+            }
+        }
+    }
+    auto const turn = [&](std::size_t n) {
+        Entry& entry = entries_[running[n]];
+        if (entry.component->hasWork()) {
+            runEntry(entry);
+            entry.status.activity = Activity::active;
+        } else {
+            entry.status.activity = Activity::asleep;
+            if (entry.status.info->kind == ComponentKind::resolver) {
+                entry.lastFrame = frame_; // it slept through this time, there is none to catch up
+            }
+        }
+        for (std::size_t const inner : entry.shortcuts) {
+            Entry& shortcut = entries_[inner];
+            if (shortcut.component) {
+                bool const work = shortcut.component->hasWork();
+                shortcut.status.activity = work ? Activity::active : Activity::asleep;
+                if (work) {
+                    runEntry(shortcut);
+                }
+            }
+        }
+    };
+    if (executor_.threads() == 1 || running.size() <= 1 || rows < rowsWorthThreads) {
+        for (std::size_t n = 0; n < running.size(); ++n) {
+            turn(n);
+        }
+        return;
+    }
+    if (kind == ComponentKind::resolver) {
+        std::vector<ComponentInfo const*> infos;
+        for (std::size_t const i : running) {
+            infos.push_back(entries_[i].status.info);
+        }
+        executor_.runGraph(running.size(), deriveEdges(infos), turn);
+    } else {
+        executor_.forIndices(running.size(), turn);
+    }
+}
+
+void World::gatherTrace() {
+    for (Entry& entry : entries_) {
+        if (entry.component) {
+            for (EventSink& sink : entry.component->sinks()) {
+                tracer_->gather(sink);
+            }
+        }
+    }
+}
+
+void World::setDetail(std::string const& effect, std::string const& level) {
+    std::set<std::string_view> effects;
+    std::set<std::string_view> levels;
+    for (Entry const& entry : entries_) {
+        ComponentText const& text = entry.status.info->text;
+        if (!text.level.empty()) {
+            effects.insert(text.effect);
+            if (text.effect == effect) {
+                levels.insert(text.level);
+            }
+        }
+    }
+    if (levels.empty()) {
+        throw std::invalid_argument(fmt::format("no effect '{}' has detail levels; those that have: {}", effect,
+                                                fmt::join(effects, ", ")));
+    }
+    if (level.empty()) {
+        options_.detail.erase(effect);
+    } else if (levels.contains(level)) {
+        options_.detail[effect] = level;
+    } else {
+        throw std::invalid_argument(
+            fmt::format("{} has no detail level '{}'; it has: {}", effect, level, fmt::join(levels, ", ")));
+    }
+    if (knownStructure_ != 0) {
+        select();
+    }
+}
+
+void World::setPeriod(std::string const& componentTitle, int period) {
+    if (period < 1 || period > 3600) {
+        throw std::invalid_argument(
+            fmt::format("the period of '{}' is {}; expected 1 to 3600 frames", componentTitle, period));
+    }
+    std::vector<std::string> titles;
+    for (Entry& entry : entries_) {
+        titles.push_back(title(*entry.status.info));
+        if (titles.back() == componentTitle || entry.status.info->text.name == componentTitle) {
+            entry.status.period = period;
+            options_.periods[componentTitle] = period;
+            return;
+        }
+    }
+    throw std::invalid_argument(fmt::format("there is no component '{}'; there are: {}", componentTitle,
+                                            fmt::join(titles, ", ")));
+}
+
+std::vector<ComponentStatus> World::status() const {
+    std::vector<ComponentStatus> all;
+    for (Entry const& entry : entries_) {
+        all.push_back(entry.status);
+    }
+    return all;
+}
+
+} // namespace trembler
