@@ -1,0 +1,68 @@
+// How a shape or a line looks, in the words of the scene and not of OpenGL.
+#pragma once
+
+#include "render/draw/colour.hpp"
+#include "render/draw/palette.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace trembler::render {
+
+/// What a part is made of, told apart at a glance by pattern as well as by colour.
+enum class Material : std::uint8_t {
+    Plain,   ///< flat two-tone, for things without a substance
+    Metal,   ///< brushed, with a sheen that stays when the part turns
+    Wood,    ///< grain along the part's own x axis
+    Glass,   ///< one sees through it; two reflections
+    Rubber,  ///< dark, matt, fine stipple
+    Stone,   ///< speckles
+    Plastic, ///< even, with one glossy strip
+    Copper,  ///< as metal, warmer and shinier
+    Water,   ///< one sees through it; waves that move with time
+};
+
+/// The colour that a material has when the style names none.
+[[nodiscard]] Colour colourOf(Material material);
+
+/// Light around a shape. It is drawn behind the shape and falls off to nothing at `reach`.
+struct Glow {
+    Colour colour = palette::live;
+    double reach = 0;     ///< metres; 0 for none
+    float strength = 0.F; ///< 0..1, opacity at the shape's edge
+};
+
+/// Bodies made of several shapes look like one if all their rims are drawn first and all their insides after that.
+enum class Layer : std::uint8_t { Whole, Rim, Inside };
+
+/// How a filled shape looks. Lengths in pixels are at UI scale 1.
+struct Style {
+    Material material = Material::Plain;
+    std::optional<Colour> tint{};          ///< else the material's own colour; its opacity counts
+    float outline = 2.F;                   ///< pixels, inside the shape's true edge; 0 for none
+    std::optional<Colour> outlineColour{}; ///< else ink with a touch of the tint
+    float alpha = 1.F;                     ///< 0..1, of everything
+    float height = 1.F;                    ///< how far it seems to stand above the paper: 0 casts no shadow, 1 is usual
+    double grain = 0;                      ///< metres, size of the material's pattern; 0 picks it by the shape's size
+    bool ghost = false;                    ///< not there yet: half transparent, dashed
+    bool forbidden = false;                ///< may not be there: hatched in the warning colour
+    bool selected = false;                 ///< ringed in the accent colour
+    bool hovered = false;                  ///< a little lighter
+    Layer layer = Layer::Whole;
+    Glow glow{};
+};
+
+/// How a line looks. It is as wide as the larger of `width` and `pixels`.
+struct Stroke {
+    Colour colour = palette::ink;
+    double width = 0;                    ///< metres: grows with the zoom
+    float pixels = 0.F;                  ///< pixels at UI scale 1: the same at any zoom
+    float outline = 0.F;                 ///< pixels, dark rim inside the width
+    Colour outlineColour = palette::ink;
+    float alpha = 1.F;                   ///< 0..1
+    bool round = false;                  ///< shaded like a tube (wires) and not flat (overlays)
+    float height = 0.F;                  ///< as in Style
+    Glow glow{};
+};
+
+} // namespace trembler::render

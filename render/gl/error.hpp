@@ -1,0 +1,15 @@
+// The one exception of the drawing layer: what went wrong, in words that a player can act on.
+#pragma once
+
+#include <stdexcept>
+
+namespace trembler::render {
+
+/// Thrown by every constructor and function of render/ that says it can fail. what() is a full sentence without a
+/// trailing newline; it names the cause and, where there is one, the remedy. Nothing in render/ aborts instead.
+class RenderError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+} // namespace trembler::render

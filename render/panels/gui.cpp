@@ -1,0 +1,133 @@
+#include "render/panels/gui.hpp"
+
+#include "render/gl/error.hpp"
+
+#include <imgui_internal.h>
+
+// Debian 12's ImGui 1.86 and Debian 13's 1.90 name the header differently.
+#if __has_include(<backends/imgui_impl_sdl2.h>)
+#include <backends/imgui_impl_sdl2.h>
+#else
+#include <backends/imgui_impl_sdl.h>
+#endif
+#include <backends/imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+namespace trembler::render {
+
+Gui::Context::Context() {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+}
+
+Gui::Context::~Context() {
+    ImGui::DestroyContext();
+}
+
+Gui::Backends::Backends(Window& window) {
+    if (!ImGui_ImplSDL2_InitForOpenGL(window.handle(), window.context())) {
+        throw RenderError("The panels could not be connected to the window.");
+    }
+    if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
+        ImGui_ImplSDL2_Shutdown();
+        throw RenderError("The graphics driver cannot draw the panels.");
+    }
+}
+
+Gui::Backends::~Backends() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplSDL2_Shutdown();
+}
+
+Gui::Gui(Window& window, GuiOptions const& options) : window_(window) {
+    auto& io = ImGui::GetIO();
+    io.UserData = &theme_;
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.ConfigInputTextCursorBlink = !options.steady;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    backends_ = std::make_unique<Backends>(window);
+    theme_.scale = 0; // so that the first frame loads style and letters
+    followScale();
+}
+
+Gui::~Gui() = default;
+
+void Gui::followScale() {
+    float const scale = window_.uiScale();
+    // Dragging a window's edge must not build new letters in every frame.
+    if (theme_.scale > 0.F && std::abs(scale / theme_.scale - 1.F) < 0.03F) {
+        return;
+    }
+    bool const first = theme_.scale <= 0.F;
+    theme_.scale = scale;
+    applyStyle(scale);
+    theme_.fonts = loadFonts(scale);
+    ImGui::GetIO().FontDefault = theme_.fonts.body;
+    if (!first) { // the first time the backend does that with everything else
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+}
+
+void Gui::feedMouse(InputEvents const& input) {
+    auto& io = ImGui::GetIO();
+    // ImGui's SDL backend asks SDL for the real mouse and so misses pushed events (1.86), or mixes the two (1.90 under
+    // X11). Whatever it found out is replaced by what the events say.
+#if IMGUI_VERSION_NUM >= 18700
+    auto& queue = ImGui::GetCurrentContext()->InputEventsQueue;
+    for (int i = queue.Size - 1; i >= 0; --i) {
+        if (queue[i].Type == ImGuiInputEventType_MousePos || queue[i].Type == ImGuiInputEventType_MouseButton) {
+            queue.erase(queue.begin() + i);
+        }
+    }
+#else
+    auto const modifiers = input.modifiers();
+    io.KeyCtrl = (modifiers & KMOD_CTRL) != 0;
+    io.KeyShift = (modifiers & KMOD_SHIFT) != 0;
+    io.KeyAlt = (modifiers & KMOD_ALT) != 0;
+    io.KeySuper = (modifiers & KMOD_GUI) != 0;
+#endif
+    io.MousePos = input.mouseInside()
+                      ? ImVec2(static_cast<float>(input.mouse().x), static_cast<float>(input.mouse().y))
+                      : ImVec2(-FLT_MAX, -FLT_MAX);
+    for (auto const button : {MouseButton::Left, MouseButton::Right, MouseButton::Middle}) {
+        // A click that is over within one frame must be seen as held once.
+        io.MouseDown[static_cast<int>(button)] = input.held(button) || input.pressed(button);
+    }
+}
+
+void Gui::beginFrame(InputEvents const& input, double seconds) {
+    followScale();
+    for (auto const& event : input.events()) {
+        ImGui_ImplSDL2_ProcessEvent(&event);
+    }
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplSDL2_NewFrame();
+    auto& io = ImGui::GetIO();
+    auto const [width, height] = window_.size();
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.DisplayFramebufferScale = {1, 1};
+    io.DeltaTime = static_cast<float>(std::isfinite(seconds) ? std::clamp(seconds, 0.001, 1.0) : 0.016);
+    feedMouse(input);
+    ImGui::NewFrame();
+}
+
+void Gui::endFrame() {
+    ImGui::Render();
+    window_.bind();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Gui::wantsMouse() const {
+    return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Gui::wantsKeyboard() const {
+    return ImGui::GetIO().WantTextInput;
+}
+
+} // namespace trembler::render

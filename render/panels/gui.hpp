@@ -1,0 +1,64 @@
+// Dear ImGui on our window: its context, its frame, and the player's input as SDL's events tell it.
+#pragma once
+
+#include "render/panels/theme.hpp"
+#include "render/window/input_events.hpp"
+#include "render/window/window.hpp"
+
+#include <memory>
+
+namespace trembler::render {
+
+struct GuiOptions {
+    bool steady = false; ///< nothing blinks: for pictures that are compared
+};
+
+/// One at a time, on the window's thread, gone before the window. ImGui's coordinates are the window's pixels. Nothing
+/// is written to disk (no ini file).
+class Gui {
+public:
+    /// Throws RenderError if the backends cannot start on this window.
+    explicit Gui(Window& window, GuiOptions const& options = {});
+    ~Gui();
+    Gui(Gui const&) = delete;
+    Gui& operator=(Gui const&) = delete;
+    Gui(Gui&&) = delete;
+    Gui& operator=(Gui&&) = delete;
+
+    /// Starts a frame with the events that `input` took last; ImGui's functions work from here to endFrame.
+    /// `seconds` since the last frame: clamped to at least a millisecond and at most a second.
+    void beginFrame(InputEvents const& input, double seconds);
+    /// Draws the panels over what the window shows.
+    void endFrame();
+
+    /// The mouse is over a panel, or a text field has the keys: the world must not react.
+    [[nodiscard]] bool wantsMouse() const;
+    [[nodiscard]] bool wantsKeyboard() const;
+
+    [[nodiscard]] Fonts const& fonts() const { return theme_.fonts; }
+
+private:
+    void feedMouse(InputEvents const& input);
+    void followScale();
+
+    /// Each tears down what it started, in reverse order, also when a later step throws.
+    struct Context {
+        Context();
+        ~Context();
+        Context(Context const&) = delete;
+        Context& operator=(Context const&) = delete;
+    };
+    struct Backends {
+        explicit Backends(Window& window);
+        ~Backends();
+        Backends(Backends const&) = delete;
+        Backends& operator=(Backends const&) = delete;
+    };
+
+    Window& window_;
+    Theme theme_;
+    Context context_;
+    std::unique_ptr<Backends> backends_;
+};
+
+} // namespace trembler::render

@@ -1,0 +1,81 @@
+// What the player did since the last frame, from SDL's events alone: real ones and synthetic ones alike.
+#pragma once
+
+#include "render/draw/geometry.hpp"
+#include "render/window/window.hpp"
+
+#include <SDL_events.h>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace trembler::render {
+
+enum class MouseButton : std::uint8_t { Left, Right, Middle };
+
+/// SDL's events of one frame and the state that follows from all of them so far. Nothing here asks SDL for the real
+/// mouse or keyboard: events that a test or a replay pushes count as the player's own. Positions are in the window's
+/// pixels from the top left. Thread of the window only.
+class InputEvents {
+public:
+    /// The window must outlive this.
+    explicit InputEvents(Window const& window) : window_(window) {}
+
+    /// Takes everything that waits in SDL's queue; call it once per frame, before Gui::beginFrame.
+    void poll();
+
+    /// The events that the last poll took, in order.
+    [[nodiscard]] std::span<SDL_Event const> events() const { return events_; }
+
+    [[nodiscard]] Point mouse() const { return mouse_; }
+    /// The mouse is over the window, or was pressed there and is still held.
+    [[nodiscard]] bool mouseInside() const { return inside_ || anyHeld(); }
+    /// How far the mouse moved in this frame, pixels.
+    [[nodiscard]] Point mouseMoved() const { return moved_; }
+    /// Wheel notches of this frame, away from the player positive.
+    [[nodiscard]] double wheel() const { return wheel_; }
+    [[nodiscard]] bool held(MouseButton button) const { return buttons_[index(button)].held; }
+    /// Went down, or up, in this frame; both are true for a click faster than a frame.
+    [[nodiscard]] bool pressed(MouseButton button) const { return buttons_[index(button)].pressed; }
+    [[nodiscard]] bool released(MouseButton button) const { return buttons_[index(button)].released; }
+    /// Went down for the second time within SDL's double click time.
+    [[nodiscard]] bool doubleClicked(MouseButton button) const { return buttons_[index(button)].twice; }
+
+    /// A key (SDLK_...) went down in this frame; repeats by holding it count only if asked for.
+    [[nodiscard]] bool keyPressed(SDL_Keycode key, bool repeats = false) const;
+    [[nodiscard]] bool keyHeld(SDL_Keycode key) const;
+    /// KMOD_... bits of the last key event.
+    [[nodiscard]] unsigned modifiers() const { return modifiers_; }
+
+    /// The player closed the window or the desktop asks the program to end; stays true.
+    [[nodiscard]] bool quit() const { return quit_; }
+
+private:
+    struct Button {
+        bool held = false;
+        bool pressed = false;
+        bool released = false;
+        bool twice = false;
+    };
+    [[nodiscard]] static std::size_t index(MouseButton button) { return static_cast<std::size_t>(button); }
+    [[nodiscard]] bool anyHeld() const;
+    void take(SDL_Event const& event);
+    void takeButton(SDL_MouseButtonEvent const& event);
+    void takeWindow(SDL_WindowEvent const& event);
+    void moveTo(int x, int y);
+
+    Window const& window_;
+    std::vector<SDL_Event> events_;
+    std::vector<SDL_Keycode> heldKeys_;
+    std::array<Button, 3> buttons_{};
+    Point mouse_;
+    Point moved_;
+    double wheel_ = 0;
+    unsigned modifiers_ = 0;
+    bool inside_ = false;
+    bool quit_ = false;
+};
+
+} // namespace trembler::render

@@ -1,0 +1,49 @@
+// What every drawing test needs: one offscreen window for the whole program, and places for the pictures.
+#pragma once
+
+#include "render/draw/canvas.hpp"
+#include "render/window/window.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace trembler::render::test {
+
+/// Opened on first use and kept: a context costs a tenth of a second and SDL likes one window at a time.
+inline Window& window() {
+    static Window theWindow({.size = {640, 480}, .mode = WindowMode::Offscreen});
+    return theWindow;
+}
+
+inline Canvas& canvas() {
+    static Canvas theCanvas = [] {
+        window();
+        return Canvas();
+    }();
+    return theCanvas;
+}
+
+/// What `draw` draws on plain `back`, 100 pixels per metre with the origin in the middle unless a camera is given.
+inline Image picture(Size size, Colour back, std::function<void(Canvas&)> const& draw, CanvasOptions const& options = {},
+                     Camera camera = {}) {
+    window().resize(size);
+    camera.viewport = size;
+    auto& sheet = canvas();
+    window().beginFrame(back);
+    sheet.begin(camera, options);
+    draw(sheet);
+    sheet.end();
+    return window().readPixels();
+}
+
+/// A folder of this program's own that is there; pictures in it are for people to look at.
+inline std::filesystem::path pictureFolder() {
+    auto folder = std::filesystem::path(TREMBLER_BINARY_DIR) / "render-pictures";
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+} // namespace trembler::render::test
