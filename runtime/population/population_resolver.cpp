@@ -68,6 +68,7 @@ void PopulationResolver::create(Access& access, CreateObject const& call, EventI
     store_->column<Rotation>().set(id, {call.angle});
     store_->column<Velocity>().set(id, {call.velocity});
     store_->column<AngularVelocity>().set(id, {call.spin});
+    store_->complete(id);
     access.event("created", {id}, {cause});
     access.provide<PopulationChanges>().created.push_back(id);
 }

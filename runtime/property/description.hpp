@@ -49,7 +49,8 @@ struct FieldInfo {
     bool required = false;        ///< files must state it; otherwise the member's initial value stands
 };
 
-/// The names of an enumeration's values 0, 1, 2 ... as files spell them. Specialise for each enumeration.
+/// The names of an enumeration's values 0, 1, 2 ... as files spell them. Specialise for each
+/// enumeration, as an array.
 template <class E>
 inline constexpr std::span<std::string_view const> choiceNames = {};
 

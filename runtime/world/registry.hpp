@@ -7,6 +7,7 @@
 #include "runtime/component/resolver.hpp"
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,6 +43,13 @@ struct Shortcut {
     std::type_index dps;
 };
 
+/// A condition on an object as stated by a file, before its completion: for example that a polygon is convex.
+/// Checks an object that has the property; returns what is wrong and what was expected, in words, or nothing.
+struct ObjectRule {
+    PropertyInfo const* property; ///< whose entry in the file is at fault
+    std::optional<std::string> (*check)(Store const&, ObjectId);
+};
+
 /// Order of registration is part of the simulation: conflicting resolvers run, and calls are drained, in it.
 class Registry {
 public:
@@ -73,6 +81,13 @@ public:
             {&propertyInfo<P>(), std::string(First::text.name), std::string(Second::text.name), std::move(why)});
     }
 
+    /// Adds what an effect does to every new object; see Store::Completion.
+    void completion(Store::Completion completion) { completions_.push_back(completion); }
+    /// Adds a condition that files must meet beyond the ranges of single fields; see ObjectRule.
+    void rule(ObjectRule rule) { rules_.push_back(rule); }
+
+    [[nodiscard]] std::vector<Store::Completion> const& completions() const { return completions_; }
+    [[nodiscard]] std::span<ObjectRule const> rules() const { return rules_; }
     [[nodiscard]] std::span<Registration const> components() const { return components_; }
     [[nodiscard]] std::span<HandOver const> handOvers() const { return handOvers_; }
     [[nodiscard]] std::span<Shortcut const> shortcuts() const { return shortcuts_; }
@@ -92,6 +107,8 @@ private:
     std::vector<PropertyInfo const*> properties_;
     std::vector<HandOver> handOvers_;
     std::vector<Shortcut> shortcuts_;
+    std::vector<Store::Completion> completions_;
+    std::vector<ObjectRule> rules_;
 };
 
 /// True if two registered components serve the same need, so that a world constructs one of them: resolvers

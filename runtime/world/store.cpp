@@ -112,6 +112,12 @@ void Store::furnish(ObjectId id, Prototype const& prototype) {
     }
 }
 
+void Store::complete(ObjectId id) {
+    for (Completion const completion : completions_) {
+        completion(*this, id);
+    }
+}
+
 std::uint64_t Store::hash() const {
     StateHash hash;
     for (auto const& [key, column] : columns_) {

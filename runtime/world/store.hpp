@@ -75,6 +75,12 @@ public:
     [[nodiscard]] PrototypeLibrary& prototypes() { return prototypes_; }
     [[nodiscard]] PrototypeLibrary const& prototypes() const { return prototypes_; }
 
+    /// What an effect adds to an object that has just got its stated properties: what follows from them (a mass
+    /// from a density), what a simulation needs besides (a velocity).
+    using Completion = void (*)(Store&, ObjectId);
+    void setCompletions(std::vector<Completion> completions) { completions_ = std::move(completions); }
+    void complete(ObjectId id);
+
     /// XXH3-64 over all columns in canonical order. Equal hashes: equal worlds, bit for bit.
     [[nodiscard]] std::uint64_t hash() const;
     /// Counts up when any object gains or loses any property.
@@ -86,6 +92,7 @@ private:
     std::map<std::string_view, std::unique_ptr<SlotBase>> slots_;
     std::unordered_map<std::string, ObjectId> byName_; // looked up, never walked
     PrototypeLibrary prototypes_;
+    std::vector<Completion> completions_;
 };
 
 } // namespace trembler

@@ -23,6 +23,7 @@ World::World(Registry const& registry, WorldOptions options)
     : registry_(registry), options_(std::move(options)), executor_(options_.threads),
       tracer_(options_.trace ? std::make_unique<Tracer>() : nullptr) {
     registry_.check();
+    store_.setCompletions(registry_.completions());
     for (ComponentKind const kind : {ComponentKind::resolver, ComponentKind::dps, ComponentKind::interaction}) {
         for (Registration const& registration : registry_.components()) {
             if (registration.info->kind == kind) {
@@ -58,7 +59,14 @@ World::World(Registry const& registry, WorldOptions options)
 
 World::~World() = default;
 
-void World::start() { select(); }
+void World::start() {
+    for (std::uint32_t index = 0; index < store_.objects().indexBound(); ++index) {
+        if (ObjectId const id = store_.objects().at(index); id.valid()) {
+            store_.complete(id);
+        }
+    }
+    select();
+}
 
 void World::step() {
     ++frame_;

@@ -1,0 +1,62 @@
+// Who touches whom: the resolver properties C_C, C_N and C_P (6.13.2), and how they touch.
+#pragma once
+
+#include "runtime/property/description.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <array>
+#include <vector>
+
+namespace trembler {
+
+/// Two objects that touch; a < b.
+struct TouchingPair {
+    ObjectId a;
+    ObjectId b;
+    EventId event; ///< "contact begun", or "contact ended" in Contacts::ended; none while nobody traces
+
+    friend constexpr bool operator<(TouchingPair const& x, TouchingPair const& y) {
+        return x.a != y.a ? x.a < y.a : x.b < y.b;
+    }
+    friend constexpr bool operator==(TouchingPair const& x, TouchingPair const& y) {
+        return x.a == y.a && x.b == y.b;
+    }
+};
+
+/// All three ascending by pair. What begins and ends within one frame counts as neither.
+struct Contacts {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"C_C, C_N, C_P", "contacts",
+                                       "The pairs of objects that touch, those that began to touch in this frame and "
+                                       "those that ceased to."};
+    std::vector<TouchingPair> current; ///< C_C
+    std::vector<TouchingPair> begun;   ///< C_N
+    std::vector<TouchingPair> ended;   ///< C_P; an object in it may be gone
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// How a pair touches.
+struct ContactPatch {
+    ObjectId a;
+    ObjectId b;
+    Vec2 normal;                          ///< unit, in the world, from a to b
+    std::array<Vec2, 2> points;           ///< m, in the world
+    std::array<double, 2> normalImpulse;  ///< N s in the last substep
+    std::array<double, 2> tangentImpulse; ///< N s in the last substep
+    int count = 0;                        ///< of points that count, 1 or 2
+};
+
+/// Computed only where somebody reads it. Ascending by pair; a compound may touch in several patches.
+struct ContactPatches {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Contact patches", "contact_patches",
+                                       "Points, normals and impulses of all contacts."};
+    std::vector<ContactPatch> patches;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+} // namespace trembler

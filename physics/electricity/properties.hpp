@@ -1,0 +1,90 @@
+// What electricity knows of objects.
+#pragma once
+
+#include "runtime/property/description.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// Objects without it never enter the electricity graph.
+struct Conductor {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Conductor", "conductor", "True if the object can conduct electricity."};
+    /// A device made for one network, for example "mains", takes part in that one only (A.6.2: a battery cannot
+    /// power the laser of the power plant); empty: a plain conductor, part of whatever it touches.
+    std::string network;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "network", .unit = "", .meaning = "the only network it is made for; empty: any"},
+              self.network);
+    }
+};
+
+/// The object is joined to the source node of a network. Sources of one network are interchangeable.
+struct ElectricalSource {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Electrical source", "electrical_source",
+                                       "The object is joined to the source of a network."};
+    std::string network;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "network", .unit = "", .meaning = "name of the network; empty: the common one"},
+              self.network);
+    }
+};
+
+/// The object is joined to the return node (earth) of a network.
+struct ElectricalReturn {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Electrical return", "electrical_return",
+                                       "The object is joined to the return (earth) of a network."};
+    std::string network;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "network", .unit = "", .meaning = "name of the network; empty: the common one"},
+              self.network);
+    }
+};
+
+/// Marks a user of electricity, for people to see; to the graph it is a conductor like any other.
+struct ElectricalDevice {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Electrical device", "electrical_device",
+                                       "The object does something when it is on."};
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// Which objects are on. Derived by whichever detail level of electricity is at work.
+struct ElectricalState {
+    static constexpr PropertyKind kind = PropertyKind::derived;
+    static constexpr PropertyText text{"Electrical state", "electrical_state",
+                                       "Whether an object is part of a working circuit: on or off."};
+    struct Entry {
+        ObjectId object; ///< invalid while no conductor has this index
+        bool on = false;
+        EventId event;   ///< what was recorded when it last changed; none while nobody traces
+    };
+    std::vector<Entry> byIndex;          ///< by object index
+    std::vector<ObjectId> switchedOn;    ///< in the last update, ascending
+    std::vector<ObjectId> switchedOff;   ///< in the last update, ascending
+
+    [[nodiscard]] bool isOn(ObjectId id) const {
+        return id.index < byIndex.size() && byIndex[id.index].object == id && byIndex[id.index].on;
+    }
+    [[nodiscard]] EventId eventOf(ObjectId id) const {
+        return id.index < byIndex.size() && byIndex[id.index].object == id ? byIndex[id.index].event : EventId{};
+    }
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+} // namespace trembler
