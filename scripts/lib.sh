@@ -2,7 +2,9 @@
 # Shared by ./play and ./check: where things are, and how a build folder is configured and built.
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
-jobs=$(nproc)
+# One job per processor, but no more than memory allows at 1.5 GB each.
+jobs=$(awk -v most="$(nproc)" '/^MemAvailable/ { n = int($2 / 1.5e6) } END { print n < 1 ? 1 : n < most ? n : most }' \
+    /proc/meminfo)
 export NINJA_STATUS='[%f/%t] '
 export CCACHE_BASEDIR=$root # two clones share what they have in common
 
@@ -38,7 +40,7 @@ configure() {
         fresh=(--fresh)
     fi
     if ! cmake "${fresh[@]}" -S "$root" -B "$directory" -G Ninja "$@" >"$directory/configure.log" 2>&1; then
-        cat "$directory/configure.log"
+        sed -n '/CMake Error/,$p' "$directory/configure.log"
         return 1
     fi
 }
@@ -53,6 +55,7 @@ compile() {
     grep -F 'warning:' "$log" >>"$directory/warnings.txt" || true
     if ((status != 0)); then
         grep -vE '^\[[0-9]+/[0-9]+\]' "$log" | head -n 100 || true
+        echo "The build failed; all of it is in $log"
     fi
     return "$status"
 }
