@@ -1,0 +1,22 @@
+// Gravity as a constant acceleration, detail level "linear".
+#pragma once
+
+#include "physics/dynamics/body.hpp"
+#include "physics/gravity/properties.hpp"
+#include "runtime/component/dps.hpp"
+
+namespace trembler {
+
+/// F = m g for every object with a mass (6.13.3).
+class LinearGravity final : public Dps<LinearGravity, Reads<GravityField, Mass>, Derives<GravityForce>> {
+public:
+    static constexpr ComponentText text{.name = "Linear Gravity",
+                                        .effect = "gravity",
+                                        .level = "linear",
+                                        .work = "Exports mass times the world's acceleration for each object.",
+                                        .cost = 1};
+    using CalledFor = NeedsAll<GravityField, Mass>;
+    void update(Access& access);
+};
+
+} // namespace trembler

@@ -1,0 +1,28 @@
+// Gravity between every two masses, detail level "real".
+#pragma once
+
+#include "physics/dynamics/body.hpp"
+#include "physics/gravity/properties.hpp"
+#include "runtime/component/dps.hpp"
+#include "runtime/placement.hpp"
+
+namespace trembler {
+
+/// Newton's law for every pair, softened after Plummer (1911) so that it stays finite at zero distance:
+/// F = G m1 m2 r / (r² + s²)^(3/2), with the constant G and the softening length s from GravityLaw.
+class RealGravity final : public Dps<RealGravity, Reads<GravityLaw, Position, Mass>, Derives<GravityForce>> {
+public:
+    static constexpr ComponentText text{.name = "Real Gravity",
+                                        .effect = "gravity",
+                                        .level = "real",
+                                        .work = "Exports the sum of the attractions of all other masses.",
+                                        .cost = 0}; // a world that states a law of gravity means it
+    using CalledFor = NeedsAll<GravityLaw, Mass, Position>;
+    void update(Access& access);
+
+private:
+    std::vector<Vec2> places_;
+    std::vector<double> masses_;
+};
+
+} // namespace trembler

@@ -1,0 +1,17 @@
+#include "physics/gravity/register.hpp"
+
+#include "physics/dynamics/from_gravity.hpp"
+#include "physics/gravity/linear_gravity.hpp"
+#include "physics/gravity/real_gravity.hpp"
+#include "runtime/world/registry.hpp"
+
+namespace trembler {
+
+void registerGravity(Registry& registry) {
+    registry.component<LinearGravity>();
+    registry.component<RealGravity>();
+    registry.component<DynamicsFromGravity>();
+    registry.shortcut<DynamicsFromGravity, LinearGravity>();
+}
+
+} // namespace trembler

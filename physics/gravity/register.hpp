@@ -1,0 +1,9 @@
+// Gravity: linear and real, behind the same derived property.
+#pragma once
+
+namespace trembler {
+
+class Registry;
+void registerGravity(Registry& registry);
+
+} // namespace trembler

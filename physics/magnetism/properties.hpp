@@ -1,0 +1,119 @@
+// What magnetism knows of objects.
+#pragma once
+
+#include "runtime/property/description.hpp"
+#include "runtime/property/state_hash.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <array>
+#include <vector>
+
+namespace trembler {
+
+/// Length, in m, that softens every magnetic force: F ~ r / (r² + s²)^(3/2), finite (and zero) at distance zero
+/// and within 1 % of the inverse square from 0.61 m on. About the size of the parts that touch.
+inline constexpr double magneticSoftening = 0.05;
+
+struct MagneticStrength {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Magnetic strength", "magnetic_strength",
+                                       "The magnetic strength of the object and its susceptibility to magnetic "
+                                       "forces."};
+    double strength = 0;
+    double susceptibility = 0;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "strength", .unit = "A m", .meaning = "of each of its poles, as a magnet",
+                        .minimum = 0, .maximum = 1e8},
+              self.strength);
+        visit(FieldInfo{.key = "susceptibility", .unit = "A m",
+                        .meaning = "pole strength with which any magnet's pole attracts it", .minimum = 0,
+                        .maximum = 1e8},
+              self.susceptibility);
+    }
+};
+
+enum class PoleSet : int { none, north, south, both };
+template <>
+inline constexpr std::array<std::string_view, 4> choiceNames<PoleSet>{"none", "north", "south", "both"};
+
+/// Zero poles: something that magnets can move. One: a monopole, cheaper. Two: a conventional magnet.
+struct MagneticPoles {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Magnetic poles", "magnetic_poles", "The location of the magnetic poles."};
+    PoleSet poles = PoleSet::none;
+    Vec2 north;
+    Vec2 south;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "poles", .unit = "", .meaning = "which poles it has", .required = true}, self.poles);
+        visit(FieldInfo{.key = "north", .unit = "m", .meaning = "in the object's frame", .minimum = -1e3,
+                        .maximum = 1e3},
+              self.north);
+        visit(FieldInfo{.key = "south", .unit = "m", .meaning = "in the object's frame", .minimum = -1e3,
+                        .maximum = 1e3},
+              self.south);
+    }
+};
+
+struct Magnet {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Magnet on/off", "magnet",
+                                       "If it is off, the magnet exerts no force. An electromagnet that is switched "
+                                       "off cools down over a few frames."};
+    bool on = true;
+    double level = 1;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "on", .unit = "", .meaning = "whether it is switched on"}, self.on);
+        visit(FieldInfo{.key = "level", .unit = "", .meaning = "share of its strength that acts", .minimum = 0,
+                        .maximum = 1},
+              self.level);
+    }
+};
+
+struct Electromagnet {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Is an electromagnet", "electromagnet",
+                                       "The object is a magnet while it has electricity."};
+    std::int32_t coolDown = 4;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "cool_down", .unit = "frames", .meaning = "until its force is gone once it is off",
+                        .minimum = 1, .maximum = 600},
+              self.coolDown);
+    }
+};
+
+/// When each magnet was last switched, for the trace.
+struct MagnetSwitching {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Magnet switching", "magnet_switching",
+                                       "The event that last switched each magnet."};
+    std::vector<EventId> byIndex; ///< by object index
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// F_M. Forces at poles, or at the centre of what has none; ascending by object.
+struct MagneticForce {
+    static constexpr PropertyKind kind = PropertyKind::derived;
+    static constexpr PropertyText text{"F_M", "magnetic_force", "The magnetic forces on each object."};
+    struct Entry {
+        ObjectId object;
+        Vec2 point;    ///< m, in the world
+        Vec2 force;    ///< N
+        EventId cause; ///< what switched on the magnet that pulls hardest; none while nobody traces
+    };
+    std::vector<Entry> forces;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+} // namespace trembler
