@@ -5,6 +5,7 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 # One job per processor, but no more than memory allows at 1.5 GB each.
 jobs=$(awk -v most="$(nproc)" '/^MemAvailable/ { n = int($2 / 1.5e6) } END { print n < 1 ? 1 : n < most ? n : most }' \
     /proc/meminfo)
+unset CXXFLAGS CPPFLAGS LDFLAGS # such as -march=native, which would change the simulation's bits
 export NINJA_STATUS='[%f/%t] '
 export CCACHE_BASEDIR=$root # two clones share what they have in common
 
