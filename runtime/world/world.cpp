@@ -71,6 +71,9 @@ void World::start() {
 void World::step() {
     ++frame_;
     runPhase(ComponentKind::resolver);
+    if (tracer_) {
+        gatherTrace(); // now, as components, and their events with them, may go in select()
+    }
     if (store_.structureVersion() != knownStructure_) {
         select(); // objects came or went: other components may be called for, or none
     }
@@ -251,6 +254,7 @@ void World::runPhase(ComponentKind kind) {
             rows += entry.component->workload();
         } else {
             entry.status.activity = Activity::asleep;
+            entry.status.lastMicroseconds = 0;
         }
         for (std::size_t const inner : entry.shortcuts) {
             if (entries_[inner].component && entries_[inner].component->hasWork() &&
@@ -266,6 +270,7 @@ void World::runPhase(ComponentKind kind) {
             entry.status.activity = Activity::active;
         } else {
             entry.status.activity = Activity::asleep;
+            entry.status.lastMicroseconds = 0;
             if (entry.status.info->kind == ComponentKind::resolver) {
                 entry.lastFrame = frame_; // it slept through this time, there is none to catch up
             }
