@@ -6,8 +6,8 @@
 
 namespace trembler::render {
 
-/// Screen positions are in pixels from the top left corner, y down; world positions in metres, y up. Plain data,
-/// usable from any thread.
+/// Screen positions are in pixels from the top left corner, y down; world positions in metres, y up. Plain
+/// data, usable from any thread.
 struct Camera {
     static constexpr double smallestScale = 1e-3; ///< pixels per metre
     static constexpr double largestScale = 1e6;
@@ -19,8 +19,8 @@ struct Camera {
     [[nodiscard]] Point toScreen(Point world) const;
     [[nodiscard]] Point toWorld(Point screen) const;
 
-    /// Enlarges by `factor` (clamped so that the scale stays between the two limits; ignored unless positive and
-    /// finite) and keeps the world point under `screen` where it is.
+    /// Enlarges by `factor` (clamped so that the scale stays between the two limits; ignored unless positive
+    /// and finite) and keeps the world point under `screen` where it is.
     void zoomAt(Point screen, double factor);
     /// Moves the world along with a cursor that moved by `pixels`.
     void pan(Point pixels);

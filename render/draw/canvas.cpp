@@ -106,7 +106,8 @@ void Canvas::addShadow(Instance shape, float height, float alpha) {
 }
 
 void Canvas::addGlow(Instance shape, Glow const& glow, float alpha) {
-    if (!(glow.reach > 0) || !(glow.strength > 0.F) || !std::isfinite(glow.reach) || !seen(shape, glow.reach)) {
+    if (!(glow.reach > 0) || !(glow.strength > 0.F) || !std::isfinite(glow.reach) ||
+        !seen(shape, glow.reach)) {
         return;
     }
     shape.effect = effectGlow;
@@ -120,19 +121,22 @@ void Canvas::fill(Instance shape, Style const& style) {
     if (!seen(shape, metres(12)) && !(style.glow.reach > 0)) {
         return;
     }
+    Colour const tint = style.tint.value_or(colourOf(style.material));
     if (style.layer != Layer::Inside) {
         if (!style.ghost) {
-            addShadow(shape, style.height, style.alpha);
+            // What lets light through casts little shadow.
+            addShadow(shape, style.height, style.alpha * static_cast<float>(tint.alpha) / 255.F);
         }
         addGlow(shape, style.glow, style.alpha);
     }
     if (!seen(shape, metres(12))) {
         return;
     }
-    Colour const tint = style.tint.value_or(colourOf(style.material));
     Colour const opaque{tint.red, tint.green, tint.blue, 255};
     shape.colour = packed(faded(tint, style.alpha));
-    shape.edge = packed(faded(style.outlineColour.value_or(mix(palette::ink, opaque, 0.20F)), style.alpha));
+    shape.edge = packed(
+        faded(style.outlineColour.value_or(mix(palette::ink, opaque, tint.alpha < 128 ? 0.45F : 0.20F)),
+              style.alpha));
     shape.outline = narrow(metres(static_cast<double>(style.outline)));
     shape.material = static_cast<std::uint8_t>(style.material);
     shape.flags = flagsOf(style);
@@ -156,7 +160,8 @@ void Canvas::capsule(Point a, Point b, double radius, Style const& style) {
 }
 
 void Canvas::polygon(Pose const& pose, std::span<Point const> corners, Style const& style) {
-    if (corners.size() < 3 || corners.size() > mostCorners || !std::all_of(corners.begin(), corners.end(), finite)) {
+    if (corners.size() < 3 || corners.size() > mostCorners ||
+        !std::all_of(corners.begin(), corners.end(), finite)) {
         return;
     }
     Point lower = corners.front();

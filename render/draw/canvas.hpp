@@ -18,14 +18,17 @@ struct CanvasOptions {
     bool shadows = true; ///< leave them out on software OpenGL: they double the cost of a frame
 };
 
-/// Collects shapes between begin and end and draws them in that order, in one call. Only soft shadows come earlier:
-/// those of one sheet (see `newSheet`) lie under all of its shapes, so that touching parts do not darken each other.
+/// Collects shapes between begin and end and draws them in that order, in one call. Only soft shadows come
+/// earlier: those of one sheet (see `newSheet`) lie under all of its shapes, so that touching parts do not
+/// darken each other.
 ///
-/// Positions and lengths are metres, angles radians. A shape with a number that is not finite, or without extent, is
-/// left out, as is one outside the view: drawing never fails on what the simulation does. Window thread only.
+/// Positions and lengths are metres, angles radians. A shape with a number that is not finite, or without
+/// extent, is left out, as is one outside the view: drawing never fails on what the simulation does. Window
+/// thread only.
 class Canvas {
 public:
-    /// Needs a current context (make the Window first). Throws RenderError if the driver does not take the shaders.
+    /// Needs a current context (make the Window first). Throws RenderError if the driver does not take the
+    /// shaders.
     Canvas();
 
     /// Starts a picture that fills the bound target; camera.viewport must be that target's size.
@@ -43,7 +46,8 @@ public:
     void circle(Pose const& pose, double radius, Style const& style);
     /// All points within `radius` of the segment from a to b.
     void capsule(Point a, Point b, double radius, Style const& style);
-    /// Corners (3 to 64, either way round, need not be convex) in the frame of `pose`; other numbers draw nothing.
+    /// Corners (3 to 64, either way round, need not be convex) in the frame of `pose`; other numbers draw
+    /// nothing.
     void polygon(Pose const& pose, std::span<Point const> corners, Style const& style);
 
     /// Straight pieces with round joints and ends. At least two points; fewer draw nothing.
@@ -53,9 +57,11 @@ public:
     void ring(Point centre, double radius, Stroke const& stroke);
     /// From `from` on by `sweep` radians (anticlockwise if positive) with round ends.
     void arc(Point centre, double radius, double from, double sweep, Stroke const& stroke);
-    /// Ends exactly at `to`. The head is 2.6 times as wide as the line and shrinks with arrows shorter than itself.
+    /// Ends exactly at `to`. The head is about three times as wide as the line and shrinks with arrows
+    /// shorter than itself.
     void arrow(Point from, Point to, Stroke const& stroke);
-    /// Beads that move along a path: `phase` in beads (1 moves each to the place of the next), `spacing` in metres.
+    /// Beads that move along a path: `phase` in beads (1 moves each to the place of the next), `spacing` in
+    /// metres.
     void beads(std::span<Point const> path, double spacing, double phase, double radius, Colour colour);
     /// A disc of light that fades out between `radius` and radius + glow.reach.
     void glow(Point centre, double radius, Glow const& glow);

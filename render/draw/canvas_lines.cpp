@@ -23,7 +23,8 @@ bool usable(std::span<Point const> points) {
 
 double Canvas::halfWidth(Stroke const& stroke) const {
     // Never thinner than half a pixel: a line that is asked for is seen.
-    return 0.5 * std::max({stroke.width, metres(static_cast<double>(stroke.pixels)), 0.5 / camera_.pixelsPerMetre});
+    return 0.5 *
+           std::max({stroke.width, metres(static_cast<double>(stroke.pixels)), 0.5 / camera_.pixelsPerMetre});
 }
 
 void Canvas::addSegments(std::span<Point const> points, double radius, Colour colour, Point shift) {
@@ -43,7 +44,8 @@ void Canvas::addSegments(std::span<Point const> points, double radius, Colour co
     }
 }
 
-void Canvas::addChain(std::span<Point const> points, Instance look, double radius, double reach, bool shadow) {
+void Canvas::addChain(std::span<Point const> points, Instance look, double radius, double reach,
+                      bool shadow) {
     auto const first = corners_.size();
     for (Point const point : points) {
         corners_.push_back(relative(point));
@@ -63,7 +65,8 @@ void Canvas::addChain(std::span<Point const> points, Instance look, double radiu
         if (!seen(shape, reach)) {
             continue;
         }
-        // Every segment looks as far along its neighbours as the light reaches, but not further: it costs time.
+        // Every segment looks as far along its neighbours as the light reaches, but not further: it costs
+        // time.
         auto from = i;
         auto to = i + 1;
         double left = reach + radius;
@@ -107,7 +110,8 @@ void Canvas::polyline(std::span<Point const> points, Stroke const& stroke) {
         look.colour = packed(faded(stroke.glow.colour, stroke.glow.strength * stroke.alpha));
         addChain(points, look, radius, stroke.glow.reach, false);
     }
-    bool const opaque = stroke.alpha >= 1.F && stroke.colour.alpha == 255 && stroke.outlineColour.alpha == 255;
+    bool const opaque =
+        stroke.alpha >= 1.F && stroke.colour.alpha == 255 && stroke.outlineColour.alpha == 255;
     if (!opaque) {
         Instance look;
         look.effect = effectFlat;
@@ -128,7 +132,8 @@ void Canvas::polyline(std::span<Point const> points, Stroke const& stroke) {
     double const inner = radius - rim;
     addSegments(points, inner, mix(stroke.colour, palette::ink, 0.28F), {});
     addSegments(points, 0.72 * inner, stroke.colour, {-0.14 * inner, 0.24 * inner});
-    addSegments(points, 0.22 * inner, mix(stroke.colour, rgb(0xFFFFFF), 0.55F), {-0.20 * inner, 0.34 * inner});
+    addSegments(points, 0.22 * inner, mix(stroke.colour, rgb(0xFFFFFF), 0.55F),
+                {-0.20 * inner, 0.34 * inner});
 }
 
 void Canvas::line(Point a, Point b, Stroke const& stroke) {
@@ -173,15 +178,15 @@ void Canvas::arrow(Point from, Point to, Stroke const& stroke) {
         return;
     }
     double const half = halfWidth(stroke);
-    double const headLength = std::min(7.0 * half, 0.8 * span);
-    double const headHalf = headLength * (2.6 / 7.0) * 1.05;
-    double const shaft = std::min(half, 0.6 * headHalf);
+    double const headLength = std::min(6.4 * half, 0.8 * span);
+    double const headHalf = 0.46 * headLength;
+    double const shaft = std::min(half, 0.5 * headHalf);
     // In the arrow's own frame, the tip at the right.
     double const right = 0.5 * span;
-    std::array const corners{Point{-right, -shaft},           Point{right - headLength, -shaft},
-                             Point{right - headLength, -headHalf}, Point{right, 0},
-                             Point{right - headLength, headHalf},  Point{right - headLength, shaft},
-                             Point{-right, shaft}};
+    std::array const corners{
+        Point{-right, -shaft}, Point{right - headLength, -shaft},   Point{right - headLength, -headHalf},
+        Point{right, 0},       Point{right - headLength, headHalf}, Point{right - headLength, shaft},
+        Point{-right, shaft}};
     auto shape = placed(0.5 * (from + to), std::atan2(along.y, along.x), {right, headHalf});
     shape.kind = kindPolygon;
     shape.params = {static_cast<float>(corners_.size()), static_cast<float>(corners.size()), 0.F, 0.F};

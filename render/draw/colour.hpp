@@ -31,7 +31,8 @@ struct Colour {
 /// The colour that lies `share` (0..1) of the way from one to the other, opacity included.
 [[nodiscard]] constexpr Colour mix(Colour from, Colour to, float share) {
     auto const blend = [share](std::uint8_t a, std::uint8_t b) {
-        return static_cast<std::uint8_t>(static_cast<float>(a) * (1.F - share) + static_cast<float>(b) * share + 0.5F);
+        return static_cast<std::uint8_t>(static_cast<float>(a) * (1.F - share) +
+                                         static_cast<float>(b) * share + 0.5F);
     };
     return {blend(from.red, to.red), blend(from.green, to.green), blend(from.blue, to.blue),
             blend(from.alpha, to.alpha)};
@@ -40,7 +41,8 @@ struct Colour {
 /// One word in the order that vertex attributes and ImGui (IM_COL32) use: red in the lowest byte.
 [[nodiscard]] constexpr std::uint32_t packed(Colour colour) {
     return static_cast<std::uint32_t>(colour.red) | (static_cast<std::uint32_t>(colour.green) << 8U) |
-           (static_cast<std::uint32_t>(colour.blue) << 16U) | (static_cast<std::uint32_t>(colour.alpha) << 24U);
+           (static_cast<std::uint32_t>(colour.blue) << 16U) |
+           (static_cast<std::uint32_t>(colour.alpha) << 24U);
 }
 
 } // namespace trembler::render

@@ -10,7 +10,8 @@ namespace trembler::render {
 inline constexpr std::uint8_t kindBox = 0;     ///< rounded box: also circle, capsule and single segment
 inline constexpr std::uint8_t kindPolygon = 1; ///< params: first corner, number of corners
 inline constexpr std::uint8_t kindArc = 2;     ///< params: radius, half thickness, middle angle, half sweep
-inline constexpr std::uint8_t kindChain = 3;   ///< one segment of a path: params: first, last point looked at, own
+inline constexpr std::uint8_t kindChain =
+    3; ///< one segment of a path: params: first, last point looked at, own
 
 // Values of Instance::effect.
 inline constexpr std::uint8_t effectSolid = 0;
@@ -26,12 +27,13 @@ inline constexpr std::uint8_t flagRim = 8;
 inline constexpr std::uint8_t flagInside = 16;
 inline constexpr std::uint8_t flagHovered = 32;
 
-/// Lengths in metres; positions relative to the camera's centre, so that 32 bits are enough far from the origin.
+/// Lengths in metres; positions relative to the camera's centre, so that 32 bits are enough far from the
+/// origin.
 struct Instance {
     std::array<float, 2> centre{};
     std::array<float, 2> axis{1.F, 0.F}; ///< cosine and sine of the angle
-    std::array<float, 2> half{};         ///< half extents of the shape's box in its own frame, rounding included
-    float radius = 0.F;                  ///< of the corners
+    std::array<float, 2> half{}; ///< half extents of the shape's box in its own frame, rounding included
+    float radius = 0.F;          ///< of the corners
     float outline = 0.F;
     std::array<float, 4> params{};
     std::uint32_t colour = 0;

@@ -1,9 +1,10 @@
-// Every colour of the program, in one place: the workbench, its materials, and the colours that mean something.
+// Every colour of the program, in one place: the workbench, its materials, and the colours that mean
+// something.
 //
-// Those that mean something follow Okabe and Ito's set for colour-blind eyes ("Color Universal Design", 2008): blue
-// against orange-red instead of green against red, and different in lightness besides. A meaning is never told by
-// colour alone: poles carry letters, live wires move, a forbidden place is hatched. tests/render checks the distances
-// as the three kinds of colour-blind eyes see them.
+// Those that mean something follow Okabe and Ito's set for colour-blind eyes ("Color Universal Design",
+// 2008): blue against orange-red instead of green against red, and different in lightness besides. A meaning
+// is never told by colour alone: poles carry letters, live wires move, a forbidden place is hatched.
+// tests/render checks the distances as the three kinds of colour-blind eyes see them.
 #pragma once
 
 #include "render/draw/colour.hpp"
@@ -14,7 +15,7 @@ namespace trembler::render::palette {
 inline constexpr Colour paper = rgb(0xF4ECDD);
 inline constexpr Colour paperLight = rgb(0xFBF7EE); ///< cards and tiles that lie on the paper
 inline constexpr Colour paperShade = rgb(0xE7DBC5); ///< wells, tracks and things pressed
-inline constexpr Colour grid = rgb(0xC9B48F);
+inline constexpr Colour grid = rgb(0xC4AE88);
 inline constexpr Colour ink = rgb(0x2E2925);
 inline constexpr Colour inkSoft = rgb(0x6B6157); ///< second-rank text; still 5:1 on paper
 inline constexpr Colour shadow = {58, 40, 20, 92};
@@ -23,7 +24,7 @@ inline constexpr Colour shadow = {58, 40, 20, 92};
 inline constexpr Colour accent = rgb(0x0B6E99);     ///< buttons, links, what is selected
 inline constexpr Colour accentDeep = rgb(0x084C6B); ///< the same, pressed
 inline constexpr Colour goal = rgb(0x00805F);       ///< reached, right, allowed
-inline constexpr Colour warning = rgb(0xC24E00);    ///< wrong, forbidden, dangerous
+inline constexpr Colour warning = rgb(0xBC4B00);    ///< wrong, forbidden, dangerous
 
 // Physics.
 inline constexpr Colour northPole = rgb(0xD5502B);
@@ -38,13 +39,13 @@ inline constexpr Colour fieldLine = rgb(0x5C7C99); ///< magnetic field lines
 
 // Materials.
 inline constexpr Colour plain = rgb(0xD9CDB8);
-inline constexpr Colour steel = rgb(0xA9B4BE);
+inline constexpr Colour steel = rgb(0x9CA9B5);
 inline constexpr Colour wood = rgb(0xC8945A);
-inline constexpr Colour glass = {176, 214, 222, 92};
+inline constexpr Colour glass = {168, 220, 226, 70};
 inline constexpr Colour rubber = rgb(0x45434A);
 inline constexpr Colour stone = rgb(0xA79E92);
 inline constexpr Colour plastic = rgb(0xE2B33C);
 inline constexpr Colour copper = rgb(0xC9713D);
-inline constexpr Colour water = {74, 150, 205, 150};
+inline constexpr Colour water = {46, 138, 208, 165};
 
 } // namespace trembler::render::palette

@@ -5,15 +5,20 @@
 #include "render/gl/handle.hpp"
 #include "render/gl/program.hpp"
 
+#include <array>
+
 namespace trembler::render {
 
-/// The distance between grid lines, metres: the finest that is drawn (and fades in) and the next two, each ten times
-/// as far apart. A function of the zoom alone: a power of ten, never closer than about eight pixels at UI scale 1.
+/// One set of grid lines: their distance in metres and how strongly they show, 0 to 1.
 struct Ruling {
-    double fine = 0.1;
-    float fineStrength = 0.F; ///< 0..1, how far the finest lines have faded in
+    double spacing = 1;
+    float strength = 0.F;
 };
-[[nodiscard]] Ruling rulingFor(double pixelsPerMetre, float uiScale);
+
+/// The sets that are seen at a zoom, finest first: 1, 5, 10, 50 and 100 times a power of ten. A set's
+/// strength is a function of its distance on the screen alone and starts from nothing, so zooming never makes
+/// a line jump.
+[[nodiscard]] std::array<Ruling, 5> rulingsFor(double pixelsPerMetre, float uiScale);
 
 /// Window thread only.
 class Paper {

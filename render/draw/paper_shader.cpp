@@ -15,8 +15,7 @@ uniform vec3 u_paper;
 uniform vec3 u_grid;
 uniform vec2 u_size;    // pixels
 uniform vec2 u_origin;  // a crossing of the coarsest ruling, pixels from the lower left
-uniform vec3 u_spacing; // pixels between lines: fine, middle, coarse
-uniform vec3 u_strength;
+uniform vec2 u_rulings[5]; // pixels between lines, strength 0..1
 uniform float u_thick;  // pixels, whole
 out vec4 o_colour;
 
@@ -43,11 +42,13 @@ void main() {
     // Fibres: short threads, lighter and darker than the sheet by about one hundredth.
     float fibre = speck(p / ivec2(5, 1)) + speck(p / ivec2(1, 4) + 977) + speck(p) - 1.5;
     vec3 c = u_paper * (1.0 + 0.010 * fibre);
-    float lines = max(u_strength.x * ruling(u_spacing.x),
-                      max(u_strength.y * ruling(u_spacing.y), u_strength.z * ruling(u_spacing.z)));
+    float lines = 0.0;
+    for (int i = 0; i < 5; ++i) {
+        lines = max(lines, u_rulings[i].y * ruling(u_rulings[i].x));
+    }
     c = mix(c, u_grid, lines);
     vec2 off = gl_FragCoord.xy / u_size - 0.5;
-    c *= 1.0 - 0.16 * smoothstep(0.15, 0.60, dot(off, off)) ;
+    c *= 1.0 - 0.16 * smoothstep(0.15, 0.60, dot(off, off));
     o_colour = vec4(c, 1.0);
 }
 )";

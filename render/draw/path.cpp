@@ -11,7 +11,8 @@ std::vector<Point> bezier(Point from, Point fromHandle, Point toHandle, Point to
     for (int i = 0; i <= count; ++i) {
         double const t = static_cast<double>(i) / count;
         double const u = 1 - t;
-        path.push_back(u * u * u * from + 3 * u * u * t * fromHandle + 3 * u * t * t * toHandle + t * t * t * to);
+        path.push_back(u * u * u * from + 3 * u * u * t * fromHandle + 3 * u * t * t * toHandle +
+                       t * t * t * to);
     }
     return path;
 }

@@ -13,13 +13,15 @@ namespace {
 
 void floats(GLuint location, GLint count, std::size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, sizeof(Instance), reinterpret_cast<void*>(offset));
+    glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, sizeof(Instance),
+                          reinterpret_cast<void*>(offset));
     glVertexAttribDivisor(location, 1);
 }
 
 void colour(GLuint location, std::size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Instance), reinterpret_cast<void*>(offset));
+    glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Instance),
+                          reinterpret_cast<void*>(offset));
     glVertexAttribDivisor(location, 1);
 }
 
@@ -31,9 +33,11 @@ void setColour(Program const& program, char const* uniform, Colour value) {
 } // namespace
 
 ShapeBatch::ShapeBatch()
-    : program_("shapes", {shaders::shapeVertex},
-               {shaders::shapeCommon, shaders::shapeDistance, shaders::shapeMaterial, shaders::shapeFragment}),
-      layout_(makeVertexArray()), instances_(makeBuffer()), corners_(makeBuffer()), cornerView_(makeTexture()) {
+    : program_(
+          "shapes", {shaders::shapeVertex},
+          {shaders::shapeCommon, shaders::shapeDistance, shaders::shapeMaterial, shaders::shapeFragment}),
+      layout_(makeVertexArray()), instances_(makeBuffer()), corners_(makeBuffer()),
+      cornerView_(makeTexture()) {
     glBindVertexArray(layout_.name());
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
     floats(0, 2, offsetof(Instance, centre));
@@ -57,9 +61,11 @@ void ShapeBatch::draw(std::span<Instance const> shapes, std::span<Corner const> 
     if (shapes.empty()) {
         return;
     }
-    // A fresh store every time, so that the driver need not wait for the last frame to be done with the old one.
+    // A fresh store every time, so that the driver need not wait for the last frame to be done with the old
+    // one.
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(shapes.size_bytes()), shapes.data(), GL_STREAM_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(shapes.size_bytes()), shapes.data(),
+                 GL_STREAM_DRAW);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     Corner const none{};
     auto const sent = corners.empty() ? std::span<Corner const>(&none, 1) : corners;

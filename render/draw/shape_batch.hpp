@@ -24,7 +24,8 @@ public:
     /// Throws RenderError if the driver does not take the shaders.
     ShapeBatch();
 
-    /// Draws the shapes in the order given over what the bound target shows. Leaves blending off and nothing bound.
+    /// Draws the shapes in the order given over what the bound target shows. Leaves blending off and nothing
+    /// bound.
     void draw(std::span<Instance const> shapes, std::span<Corner const> corners, BatchView const& view) const;
 
 private:

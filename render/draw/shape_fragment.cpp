@@ -1,4 +1,5 @@
-// From distance and material to a pixel: edge, dark outline, two tones, gloss, ghosts, selection, glow and shadow.
+// From distance and material to a pixel: edge, dark outline, two tones, gloss, ghosts, selection, glow and
+// shadow.
 #include "render/draw/shaders.hpp"
 
 namespace trembler::render::shaders {
@@ -52,7 +53,7 @@ vec4 solid(float d) {
         }
     }
     if (has(32u)) {
-        body.rgb = mix(body.rgb, vec3(1.0), 0.22);
+        body.rgb = mix(body.rgb, vec3(1.0), 0.16);
     }
     if (has(2u)) {
         body.a *= 0.50;

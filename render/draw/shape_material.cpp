@@ -1,5 +1,5 @@
-// What the materials look like. Patterns are computed, not stored, so they are crisp at any zoom; where a pattern
-// would be finer than a pixel it fades into its mean.
+// What the materials look like. Patterns are computed, not stored, so they are crisp at any zoom; where a
+// pattern would be finer than a pixel it fades into its mean.
 #include "render/draw/shaders.hpp"
 
 namespace trembler::render::shaders {
@@ -35,13 +35,15 @@ float band(float x, float at, float halfWidth) { return 1.0 - smoothstep(halfWid
 // Where this pixel lies across the shape as the light sees it, about -1..1; it stays when the shape turns.
 float across() { return dot(toView(v_local), vec2(0.80, -0.60)) / max(length(f_half), 1e-9) * 1.25; }
 
+// Long fine streaks along the part and one broad sheen without an edge; hard reflections are glass's alone.
 vec3 brushed(vec3 base, vec2 p, float shine) {
-    float fine = 26.0;
-    float streaks = noise(vec2(p.x * 1.1, p.y * fine)) + 0.6 * noise(vec2(p.x * 2.3 + 9.0, p.y * fine * 2.1));
-    vec3 c = base * (1.0 + (streaks - 0.8) * 0.16 * visible(fine / f_grain));
+    float fine = 18.0;
+    float streaks = noise(vec2(p.x * 0.9, p.y * fine)) + 0.7 * noise(vec2(p.x * 2.1 + 9.0, p.y * fine * 2.3));
+    vec3 c = base * (1.0 + (streaks - 0.85) * 0.30 * visible(fine / f_grain));
     float s = across();
-    c = mix(c, vec3(1.0), shine * (0.50 * band(s, -0.28, 0.20) + 0.28 * band(s, 0.08, 0.06)));
-    return mix(c, base * 0.72, 0.55 * smoothstep(0.25, 1.0, s));
+    float sheen = exp(-pow((s + 0.22) / 0.26, 2.0));
+    c = mix(c, vec3(1.0, 0.99, 0.97), shine * 0.62 * sheen);
+    return mix(c, base * 0.62, 0.60 * smoothstep(0.10, 1.0, s));
 }
 
 vec3 grained(vec3 base, vec2 p) {
@@ -57,7 +59,7 @@ vec3 grained(vec3 base, vec2 p) {
 vec3 speckled(vec3 base, vec2 p) {
     float clouds = noise(p * 2.1) - 0.5;
     vec3 c = base * (1.0 + 0.16 * clouds);
-    float count = 7.0;
+    float count = 4.5;
     ivec2 cell = ivec2(floor(p * count));
     float pick = cellValue(cell);
     vec2 middle = vec2(cellValue(cell + ivec2(31, 7)), cellValue(cell + ivec2(5, 77))) * 0.5 + 0.25;
@@ -69,7 +71,7 @@ vec3 speckled(vec3 base, vec2 p) {
 }
 
 vec3 stippled(vec3 base, vec2 p) {
-    float count = 6.0;
+    float count = 4.5;
     vec2 q = p * count;
     q.x += 0.5 * mod(floor(q.y), 2.0);
     float dots = coverage((length(fract(q) - 0.5) - 0.20) * f_grain / count);

@@ -32,7 +32,8 @@ struct Glow {
     float strength = 0.F; ///< 0..1, opacity at the shape's edge
 };
 
-/// Bodies made of several shapes look like one if all their rims are drawn first and all their insides after that.
+/// Bodies made of several shapes look like one if all their rims are drawn first and all their insides after
+/// that.
 enum class Layer : std::uint8_t { Whole, Rim, Inside };
 
 /// How a filled shape looks. Lengths in pixels are at UI scale 1.
@@ -42,12 +43,12 @@ struct Style {
     float outline = 2.F;                   ///< pixels, inside the shape's true edge; 0 for none
     std::optional<Colour> outlineColour{}; ///< else ink with a touch of the tint
     float alpha = 1.F;                     ///< 0..1, of everything
-    float height = 1.F;                    ///< how far it seems to stand above the paper: 0 casts no shadow, 1 is usual
-    double grain = 0;                      ///< metres, size of the material's pattern; 0 picks it by the shape's size
-    bool ghost = false;                    ///< not there yet: half transparent, dashed
-    bool forbidden = false;                ///< may not be there: hatched in the warning colour
-    bool selected = false;                 ///< ringed in the accent colour
-    bool hovered = false;                  ///< a little lighter
+    float height = 1.F;     ///< how far it seems to stand above the paper: 0 casts no shadow, 1 is usual
+    double grain = 0;       ///< metres, size of the material's pattern; 0 picks it by the shape's size
+    bool ghost = false;     ///< not there yet: half transparent, dashed
+    bool forbidden = false; ///< may not be there: hatched in the warning colour
+    bool selected = false;  ///< ringed in the accent colour
+    bool hovered = false;   ///< a little lighter
     Layer layer = Layer::Whole;
     Glow glow{};
 };
@@ -55,13 +56,13 @@ struct Style {
 /// How a line looks. It is as wide as the larger of `width` and `pixels`.
 struct Stroke {
     Colour colour = palette::ink;
-    double width = 0;                    ///< metres: grows with the zoom
-    float pixels = 0.F;                  ///< pixels at UI scale 1: the same at any zoom
-    float outline = 0.F;                 ///< pixels, dark rim inside the width
+    double width = 0;    ///< metres: grows with the zoom
+    float pixels = 0.F;  ///< pixels at UI scale 1: the same at any zoom
+    float outline = 0.F; ///< pixels, dark rim inside the width
     Colour outlineColour = palette::ink;
-    float alpha = 1.F;                   ///< 0..1
-    bool round = false;                  ///< shaded like a tube (wires) and not flat (overlays)
-    float height = 0.F;                  ///< as in Style
+    float alpha = 1.F;  ///< 0..1
+    bool round = false; ///< shaded like a tube (wires) and not flat (overlays)
+    float height = 0.F; ///< as in Style
     Glow glow{};
 };
 

@@ -12,9 +12,10 @@ Framebuffer::Framebuffer(Size size) : size_(size) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (size.width <= 0 || size.height <= 0 || size.width > largest || size.height > largest) {
-        throw RenderError("A picture of " + std::to_string(size.width) + " by " + std::to_string(size.height) +
-                          " pixels cannot be drawn: this graphics driver does 1 to " + std::to_string(largest) +
-                          " each way.");
+        throw RenderError("A picture of " + std::to_string(size.width) + " by " +
+                          std::to_string(size.height) +
+                          " pixels cannot be drawn: this graphics driver does 1 to " +
+                          std::to_string(largest) + " each way.");
     }
     texture_ = makeTexture();
     glBindTexture(GL_TEXTURE_2D, texture_.name());
@@ -47,6 +48,13 @@ Image Framebuffer::read() const {
     return image;
 }
 
+void clearBound(Colour colour) {
+    auto const channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.F; };
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(channel(colour.red), channel(colour.green), channel(colour.blue), channel(colour.alpha));
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
 Image readBoundPixels(Size size) {
     Image image(size);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -55,7 +63,8 @@ Image readBoundPixels(Size size) {
     auto const row = static_cast<std::ptrdiff_t>(size.width) * 4;
     // OpenGL's first row is the bottom one.
     for (int top = 0, bottom = size.height - 1; top < bottom; ++top, --bottom) {
-        std::swap_ranges(bytes.begin() + top * row, bytes.begin() + (top + 1) * row, bytes.begin() + bottom * row);
+        std::swap_ranges(bytes.begin() + top * row, bytes.begin() + (top + 1) * row,
+                         bytes.begin() + bottom * row);
     }
     for (std::size_t i = 3; i < bytes.size(); i += 4) {
         bytes[i] = 255;

@@ -1,7 +1,8 @@
-// A picture that OpenGL draws into instead of the screen: offscreen windows, screenshots of any size, the small
-// pictures of parts in the toolbox.
+// A picture that OpenGL draws into instead of the screen: offscreen windows, screenshots of any size, the
+// small pictures of parts in the toolbox.
 #pragma once
 
+#include "render/draw/colour.hpp"
 #include "render/gl/handle.hpp"
 #include "render/gl/image.hpp"
 
@@ -14,9 +15,11 @@ public:
     explicit Framebuffer(Size size);
 
     [[nodiscard]] Size size() const { return size_; }
-    /// What is drawn from now on goes here, over the whole area. The caller rebinds its own target afterwards.
+    /// What is drawn from now on goes here, over the whole area. The caller rebinds its own target
+    /// afterwards.
     void bind() const;
-    /// OpenGL's name of the picture, for ImGui::Image; its first row is the bottom one, so v runs from 1 to 0.
+    /// OpenGL's name of the picture, for ImGui::Image; its first row is the bottom one, so v runs from 1 to
+    /// 0.
     [[nodiscard]] unsigned texture() const { return texture_.name(); }
     /// Waits for the drawing to end and copies it.
     [[nodiscard]] Image read() const;
@@ -27,8 +30,11 @@ private:
     GlFramebuffer framebuffer_;
 };
 
-/// Copies the lower left `size` pixels of the bound target (waits for the drawing to end). Rows come out top down.
-/// Opacity comes out as 255: it is what a viewer of the screen sees.
+/// Fills the bound target with one colour, opacity included.
+void clearBound(Colour colour);
+
+/// Copies the lower left `size` pixels of the bound target (waits for the drawing to end). Rows come out top
+/// down. Opacity comes out as 255: it is what a viewer of the screen sees.
 [[nodiscard]] Image readBoundPixels(Size size);
 
 } // namespace trembler::render

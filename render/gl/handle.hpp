@@ -5,8 +5,8 @@
 
 namespace trembler::render {
 
-/// A move-only owner of one OpenGL name. Delete is a function that takes the name. Like everything that touches
-/// OpenGL it belongs to the thread of the window, and must go before the window does.
+/// A move-only owner of one OpenGL name. Delete is a function that takes the name. Like everything that
+/// touches OpenGL it belongs to the thread of the window, and must go before the window does.
 template <void (*Delete)(unsigned)>
 class GlHandle {
 public:

@@ -21,7 +21,8 @@ Pixel Image::at(int x, int y) const {
         throw std::out_of_range("There is no such pixel in the picture.");
     }
     auto const first =
-        (static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x)) * 4;
+        (static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x)) *
+        4;
     return {bytes_[first], bytes_[first + 1], bytes_[first + 2], bytes_[first + 3]};
 }
 
@@ -40,10 +41,11 @@ Image readPng(std::filesystem::path const& file) {
     int width = 0;
     int height = 0;
     int channels = 0;
-    std::unique_ptr<stbi_uc, void (*)(void*)> const bytes(stbi_load(file.c_str(), &width, &height, &channels, 4),
-                                                          stbi_image_free);
+    std::unique_ptr<stbi_uc, void (*)(void*)> const bytes(
+        stbi_load(file.c_str(), &width, &height, &channels, 4), stbi_image_free);
     if (!bytes) {
-        throw RenderError("The picture " + file.string() + " could not be read: " + stbi_failure_reason() + ".");
+        throw RenderError("The picture " + file.string() + " could not be read: " + stbi_failure_reason() +
+                          ".");
     }
     Image image({width, height});
     std::copy_n(bytes.get(), image.bytes().size(), image.bytes().begin());

@@ -33,7 +33,8 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> const& bytes() const { return bytes_; }
     [[nodiscard]] std::vector<std::uint8_t>& bytes() { return bytes_; }
 
-    /// The pixel in column x and row y, counted from the top left. Throws std::out_of_range outside the picture.
+    /// The pixel in column x and row y, counted from the top left. Throws std::out_of_range outside the
+    /// picture.
     [[nodiscard]] Pixel at(int x, int y) const;
 
     friend bool operator==(Image const&, Image const&) = default;
@@ -43,8 +44,8 @@ private:
     std::vector<std::uint8_t> bytes_;
 };
 
-/// Writes the picture as a PNG and replaces a file of that name. Throws RenderError if the file cannot be written
-/// or the picture is empty.
+/// Writes the picture as a PNG and replaces a file of that name. Throws RenderError if the file cannot be
+/// written or the picture is empty.
 void writePng(Image const& image, std::filesystem::path const& file);
 
 /// Reads a PNG (or anything else that stb_image knows) as RGBA. Throws RenderError if that does not work.

@@ -26,7 +26,8 @@ GlShader compile(std::string_view name, GLenum kind, std::initializer_list<std::
         GLsizei length = 0;
         glGetShaderInfoLog(shader.name(), static_cast<GLsizei>(log.size()), &length, log.data());
         log.resize(static_cast<std::size_t>(length));
-        throw RenderError("The graphics driver does not accept the shader '" + std::string(name) + "': " + log);
+        throw RenderError("The graphics driver does not accept the shader '" + std::string(name) +
+                          "': " + log);
     }
     return shader;
 }

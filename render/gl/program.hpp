@@ -12,8 +12,8 @@ namespace trembler::render {
 /// A linked shader program. Window thread only.
 class Program {
 public:
-    /// Compiles and links; each shader is the concatenation of its pieces, so that shaders can share functions.
-    /// `name` appears in messages. Throws RenderError with the driver's log.
+    /// Compiles and links; each shader is the concatenation of its pieces, so that shaders can share
+    /// functions. `name` appears in messages. Throws RenderError with the driver's log.
     Program(std::string_view name, std::initializer_list<std::string_view> vertex,
             std::initializer_list<std::string_view> fragment);
 

@@ -20,7 +20,8 @@ struct Family {
 
 constexpr std::array families{
     Family{"fonts-inter", "/usr/share/fonts/opentype/inter/Inter-Regular.otf",
-           "/usr/share/fonts/opentype/inter/Inter-SemiBold.otf", "/usr/share/fonts/opentype/inter/Inter-Bold.otf"},
+           "/usr/share/fonts/opentype/inter/Inter-SemiBold.otf",
+           "/usr/share/fonts/opentype/inter/Inter-Bold.otf"},
     Family{"fonts-dejavu-core", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
            "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf",
            "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"},
@@ -66,8 +67,9 @@ Fonts builtIn(float scale) {
     fonts.heading = sized(20);
     fonts.title = sized(39);
     fonts.builtIn = true;
-    fonts.message = "No letters were found, so these are built in and coarse: install the package fonts-inter or "
-                    "fonts-dejavu-core.";
+    fonts.message =
+        "No letters were found, so these are built in and coarse: install the package fonts-inter or "
+        "fonts-dejavu-core.";
     return fonts;
 }
 

@@ -10,9 +10,8 @@
 #else
 #include <backends/imgui_impl_sdl.h>
 #endif
-#include <backends/imgui_impl_opengl3.h>
-
 #include <algorithm>
+#include <backends/imgui_impl_opengl3.h>
 #include <cfloat>
 #include <cmath>
 
@@ -75,12 +74,13 @@ void Gui::followScale() {
 
 void Gui::feedMouse(InputEvents const& input) {
     auto& io = ImGui::GetIO();
-    // ImGui's SDL backend asks SDL for the real mouse and so misses pushed events (1.86), or mixes the two (1.90 under
-    // X11). Whatever it found out is replaced by what the events say.
+    // ImGui's SDL backend asks SDL for the real mouse and so misses pushed events (1.86), or mixes the two
+    // (1.90 under X11). Whatever it found out is replaced by what the events say.
 #if IMGUI_VERSION_NUM >= 18700
     auto& queue = ImGui::GetCurrentContext()->InputEventsQueue;
     for (int i = queue.Size - 1; i >= 0; --i) {
-        if (queue[i].Type == ImGuiInputEventType_MousePos || queue[i].Type == ImGuiInputEventType_MouseButton) {
+        if (queue[i].Type == ImGuiInputEventType_MousePos ||
+            queue[i].Type == ImGuiInputEventType_MouseButton) {
             queue.erase(queue.begin() + i);
         }
     }

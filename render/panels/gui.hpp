@@ -13,8 +13,8 @@ struct GuiOptions {
     bool steady = false; ///< nothing blinks: for pictures that are compared
 };
 
-/// One at a time, on the window's thread, gone before the window. ImGui's coordinates are the window's pixels. Nothing
-/// is written to disk (no ini file).
+/// One at a time, on the window's thread, gone before the window. ImGui's coordinates are the window's
+/// pixels. Nothing is written to disk (no ini file).
 class Gui {
 public:
     /// Throws RenderError if the backends cannot start on this window.

@@ -43,8 +43,9 @@ struct Theme {
 /// Sets ImGui's style for a UI scale: paper, ink, soft corners, no debugger's greys.
 void applyStyle(float scale);
 
-/// Empties ImGui's font atlas and loads the letters for a UI scale. Looks for Inter (package fonts-inter), then DejaVu
-/// (fonts-dejavu-core); whatever signs Inter lacks come from DejaVu. Never fails: see Fonts::message.
+/// Empties ImGui's font atlas and loads the letters for a UI scale. Looks for Inter (package fonts-inter),
+/// then DejaVu (fonts-dejavu-core); whatever signs Inter lacks come from DejaVu. Never fails: see
+/// Fonts::message.
 [[nodiscard]] Fonts loadFonts(float scale);
 
 } // namespace trembler::render

@@ -15,9 +15,9 @@ namespace trembler::render {
 
 enum class MouseButton : std::uint8_t { Left, Right, Middle };
 
-/// SDL's events of one frame and the state that follows from all of them so far. Nothing here asks SDL for the real
-/// mouse or keyboard: events that a test or a replay pushes count as the player's own. Positions are in the window's
-/// pixels from the top left. Thread of the window only.
+/// SDL's events of one frame and the state that follows from all of them so far. Nothing here asks SDL for
+/// the real mouse or keyboard: events that a test or a replay pushes count as the player's own. Positions are
+/// in the window's pixels from the top left. Thread of the window only.
 class InputEvents {
 public:
     /// The window must outlive this.

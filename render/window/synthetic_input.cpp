@@ -87,7 +87,8 @@ void pushText(Window const& window, std::string_view text) {
         auto event = eventFor(window, SDL_TEXTINPUT);
         auto count = std::min(text.size(), sizeof(event.text.text) - 1);
         // An event's text must not end inside of a character.
-        while (count < text.size() && count > 1 && (static_cast<unsigned char>(text[count]) & 0xC0U) == 0x80U) {
+        while (count < text.size() && count > 1 &&
+               (static_cast<unsigned char>(text[count]) & 0xC0U) == 0x80U) {
             --count;
         }
         std::copy_n(text.begin(), count, event.text.text);

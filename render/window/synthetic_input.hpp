@@ -8,8 +8,8 @@
 
 namespace trembler::render {
 
-// Positions are in the window's pixels, from the top left; each call queues events that the next InputEvents::poll
-// takes. Thread of the window only. They throw RenderError if SDL's queue is full.
+// Positions are in the window's pixels, from the top left; each call queues events that the next
+// InputEvents::poll takes. Thread of the window only. They throw RenderError if SDL's queue is full.
 
 void pushMouseMove(Window const& window, Point at);
 void pushMouseButton(Window const& window, MouseButton button, bool down, Point at, int clicks = 1);

@@ -72,20 +72,23 @@ void Window::startVideo(WindowMode mode) {
     if (mode == WindowMode::Offscreen) {
         SDL_ResetHint(SDL_HINT_VIDEODRIVER);
         if (!video_.started) {
-            // An SDL without that driver: a hidden window on the desktop does as well, as we draw into a picture.
+            // An SDL without that driver: a hidden window on the desktop does as well, as we draw into a
+            // picture.
             video_.started = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
         }
     }
     if (!video_.started) {
-        throw WindowError(mode == WindowMode::Visible ? WindowError::Kind::NoDisplay : WindowError::Kind::NoOpenGl,
-                          std::string("The window could not be opened: SDL found no video driver (") + SDL_GetError() +
-                              ").");
+        throw WindowError(mode == WindowMode::Visible ? WindowError::Kind::NoDisplay
+                                                      : WindowError::Kind::NoOpenGl,
+                          std::string("The window could not be opened: SDL found no video driver (") +
+                              SDL_GetError() + ").");
     }
     auto const* driver = SDL_GetCurrentVideoDriver();
     videoDriver_ = driver != nullptr ? driver : "";
     if (mode == WindowMode::Visible && showsNothing(videoDriver_)) {
         throw WindowError(WindowError::Kind::NoDisplay,
-                          "There is no display to open a window on (SDL could only offer its driver '" + videoDriver_ +
+                          "There is no display to open a window on (SDL could only offer its driver '" +
+                              videoDriver_ +
                               "', which shows nothing). Start the game from a desktop, or set DISPLAY or "
                               "WAYLAND_DISPLAY.");
     }
@@ -104,10 +107,11 @@ void Window::openWindow(WindowOptions const& options) {
                                    visible ? options.size.width : hiddenWindowSize,
                                    visible ? options.size.height : hiddenWindowSize, flags));
     if (!window_) {
-        throw WindowError(WindowError::Kind::NoOpenGl,
-                          std::string("A window with OpenGL could not be opened (") + SDL_GetError() +
-                              "). Trembler needs OpenGL 3.3: are the packages libgl1, libegl1 and libgl1-mesa-dri "
-                              "installed?");
+        throw WindowError(
+            WindowError::Kind::NoOpenGl,
+            std::string("A window with OpenGL could not be opened (") + SDL_GetError() +
+                "). Trembler needs OpenGL 3.3: are the packages libgl1, libegl1 and libgl1-mesa-dri "
+                "installed?");
     }
     if (visible) {
         SDL_SetWindowMinimumSize(window_.get(), 800, 450);
@@ -117,17 +121,19 @@ void Window::openWindow(WindowOptions const& options) {
 void Window::openContext() {
     context_.reset(SDL_GL_CreateContext(window_.get()));
     if (!context_) {
-        throw WindowError(WindowError::Kind::NoOpenGl,
-                          std::string("The graphics driver does not offer OpenGL 3.3 (") + SDL_GetError() +
-                              "). Trembler runs on any driver that does, Mesa's software one included: package "
-                              "libgl1-mesa-dri.");
+        throw WindowError(
+            WindowError::Kind::NoOpenGl,
+            std::string("The graphics driver does not offer OpenGL 3.3 (") + SDL_GetError() +
+                "). Trembler runs on any driver that does, Mesa's software one included: package "
+                "libgl1-mesa-dri.");
     }
     if (!openGlLibraryIsThere()) {
         throw WindowError(WindowError::Kind::NoOpenGl,
                           "The OpenGL library (libGL.so.1) is missing: install the package libgl1.");
     }
     if (epoxy_gl_version() < 33) {
-        throw WindowError(WindowError::Kind::NoOpenGl, "The graphics driver offers OpenGL " + glString(GL_VERSION) +
+        throw WindowError(WindowError::Kind::NoOpenGl, "The graphics driver offers OpenGL " +
+                                                           glString(GL_VERSION) +
                                                            ", but Trembler needs 3.3 or newer.");
     }
     renderer_ = glString(GL_RENDERER);
@@ -185,10 +191,7 @@ void Window::bind() {
 
 void Window::beginFrame(Colour clear) {
     bind();
-    auto const channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.F; };
-    glDisable(GL_SCISSOR_TEST);
-    glClearColor(channel(clear.red), channel(clear.green), channel(clear.blue), 1.F);
-    glClear(GL_COLOR_BUFFER_BIT);
+    clearBound(clear);
 }
 
 void Window::present() {

@@ -41,11 +41,11 @@ private:
     Kind kind_;
 };
 
-/// Owns SDL's video part, the window and the OpenGL context. Make one at a time, use it on the thread that made it
-/// (the main thread, for SDL's sake), and let it outlive everything else in render/.
+/// Owns SDL's video part, the window and the OpenGL context. Make one at a time, use it on the thread that
+/// made it (the main thread, for SDL's sake), and let it outlive everything else in render/.
 ///
-/// Offscreen, everything is drawn into a Framebuffer, so that pictures are the same with and without a display and
-/// any size works.
+/// Offscreen, everything is drawn into a Framebuffer, so that pictures are the same with and without a
+/// display and any size works.
 class Window {
 public:
     /// Throws WindowError; nothing of SDL is left behind then.
@@ -58,20 +58,22 @@ public:
 
     /// What there is to draw on, in pixels.
     [[nodiscard]] Size size() const;
-    /// Pixels per window point: SDL's mouse positions times this are pixels. More than 1 on some HiDPI desktops.
+    /// Pixels per window point: SDL's mouse positions times this are pixels. More than 1 on some HiDPI
+    /// desktops.
     [[nodiscard]] float pixelsPerPoint() const;
     /// The factor on every length of the interface, see uiScaleFor. Follows the window's size.
     [[nodiscard]] float uiScale() const;
     /// The player's own factor on uiScale (0.5 to 3).
     void setUiScaleWish(float wish) { uiScaleWish_ = wish; }
 
-    /// Changes the size (points when visible, pixels offscreen). Throws RenderError if offscreen cannot be that large.
+    /// Changes the size (points when visible, pixels offscreen). Throws RenderError if offscreen cannot be
+    /// that large.
     void resize(Size size);
     /// Whole screen at the desktop's own resolution, or back. Nothing happens offscreen.
     void setFullscreen(bool on);
 
-    /// Directs drawing here and clears it. Call it first in every frame, and again after drawing into a Framebuffer
-    /// of one's own with `bind` alone.
+    /// Directs drawing here and clears it. Call it first in every frame, and again after drawing into a
+    /// Framebuffer of one's own with `bind` alone.
     void beginFrame(Colour clear);
     void bind();
     /// Shows what was drawn. Offscreen it only finishes the drawing.

@@ -26,9 +26,10 @@ inline Canvas& canvas() {
     return theCanvas;
 }
 
-/// What `draw` draws on plain `back`, 100 pixels per metre with the origin in the middle unless a camera is given.
-inline Image picture(Size size, Colour back, std::function<void(Canvas&)> const& draw, CanvasOptions const& options = {},
-                     Camera camera = {}) {
+/// What `draw` draws on plain `back`, 100 pixels per metre with the origin in the middle unless a camera is
+/// given.
+inline Image picture(Size size, Colour back, std::function<void(Canvas&)> const& draw,
+                     CanvasOptions const& options = {}, Camera camera = {}) {
     window().resize(size);
     camera.viewport = size;
     auto& sheet = canvas();

@@ -7,8 +7,9 @@
 namespace trembler::render::test {
 namespace {
 
-constexpr std::array allMaterials{Material::Plain, Material::Metal, Material::Wood,    Material::Glass, Material::Rubber,
-                                  Material::Stone, Material::Plastic, Material::Copper, Material::Water};
+constexpr std::array allMaterials{Material::Plain,   Material::Metal,  Material::Wood,
+                                  Material::Glass,   Material::Rubber, Material::Stone,
+                                  Material::Plastic, Material::Copper, Material::Water};
 
 Camera sheetCamera(Size size) {
     Camera camera;
@@ -19,8 +20,8 @@ Camera sheetCamera(Size size) {
 
 void drawMaterials(Canvas& canvas) {
     canvas.paper();
-    std::array const hexagon{Point{0.5, 0},      Point{0.25, 0.43},  Point{-0.25, 0.43},
-                             Point{-0.5, 0},     Point{-0.25, -0.43}, Point{0.25, -0.43}};
+    std::array const hexagon{Point{0.5, 0},  Point{0.25, 0.43},   Point{-0.25, 0.43},
+                             Point{-0.5, 0}, Point{-0.25, -0.43}, Point{0.25, -0.43}};
     std::array const ramp{Point{-0.55, -0.35}, Point{0.55, -0.35}, Point{0.55, 0.35}};
     double x = -5.6;
     for (auto const material : allMaterials) {
@@ -50,14 +51,18 @@ void drawLines(Canvas& canvas) {
     canvas.polyline(live, liveStroke);
     canvas.beads(live, 0.3, 0.4, 0.035, palette::liveCore);
     canvas.polyline(bezier({1.2, 3}, {3.4, 3.4}, {0.4, 1.5}, {2.4, 1.6}, 24), wire(palette::copper));
-    canvas.polyline(coil({3, 2.3}, {6, 2.3}, 0.22, 9), Stroke{.colour = palette::steel, .width = 0.06, .outline = 1.4F, .height = 0.6F});
+    canvas.polyline(coil({3, 2.3}, {6, 2.3}, 0.22, 9),
+                    Stroke{.colour = palette::steel, .width = 0.06, .outline = 1.4F, .height = 0.6F});
     // A bar magnet with its field lines.
-    canvas.box({{-4, 0.4}, 0}, {0.9, 0.28}, 0.04, {.material = Material::Plastic, .tint = palette::southPole});
-    canvas.box({{-3.55, 0.4}, 0}, {0.45, 0.28}, 0.04, {.material = Material::Plastic, .tint = palette::northPole});
+    canvas.box({{-4, 0.4}, 0}, {0.9, 0.28}, 0.04,
+               {.material = Material::Plastic, .tint = palette::southPole});
+    canvas.box({{-3.55, 0.4}, 0}, {0.45, 0.28}, 0.04,
+               {.material = Material::Plastic, .tint = palette::northPole});
     for (int i = 1; i <= 3; ++i) {
         for (double const side : {1.0, -1.0}) {
             double const h = 0.7 * i * side;
-            auto const field = bezier({-3.1, 0.4}, {-2.4 + 0.2 * i, 0.4 + h}, {-5.6 - 0.2 * i, 0.4 + h}, {-4.9, 0.4}, 28);
+            auto const field =
+                bezier({-3.1, 0.4}, {-2.4 + 0.2 * i, 0.4 + h}, {-5.6 - 0.2 * i, 0.4 + h}, {-4.9, 0.4}, 28);
             canvas.polyline(field, {.colour = palette::fieldLine, .pixels = 1.8F, .alpha = 0.6F});
         }
     }
@@ -69,9 +74,11 @@ void drawLines(Canvas& canvas) {
                      {.colour = palette::force, .pixels = 4.5F, .outline = 1.2F});
     }
     for (int i = 0; i < 5; ++i) {
-        canvas.ring({2.6, 0.4}, 0.25 + 0.22 * i, {.colour = palette::sound, .pixels = 2.2F, .alpha = 1.F - 0.19F * static_cast<float>(i)});
+        canvas.ring({2.6, 0.4}, 0.25 + 0.22 * i,
+                    {.colour = palette::sound, .pixels = 2.2F, .alpha = 1.F - 0.19F * static_cast<float>(i)});
     }
-    canvas.arc({5, 0.4}, 0.7, 0.3, 4.2, {.colour = palette::accent, .width = 0.16, .outline = 1.6F, .round = true});
+    canvas.arc({5, 0.4}, 0.7, 0.3, 4.2,
+               {.colour = palette::accent, .width = 0.16, .outline = 1.6F, .round = true});
     canvas.glow({-5.3, -2.2}, 0.2, {palette::live, 0.8, 0.9F});
     canvas.circle({{-5.3, -2.2}, 0}, 0.25, {.material = Material::Glass, .tint = palette::liveCore});
     Style style{.material = Material::Wood};
@@ -100,7 +107,8 @@ void drawLines(Canvas& canvas) {
 void save(std::string const& name, void (*draw)(Canvas&)) {
     for (auto const size : {Size{1280, 720}, Size{3840, 2160}}) {
         window().resize(size);
-        auto const image = picture(size, palette::paper, draw, {.uiScale = window().uiScale(), .time = 1.0}, sheetCamera(size));
+        auto const image = picture(size, palette::paper, draw, {.uiScale = window().uiScale(), .time = 1.0},
+                                   sheetCamera(size));
         writePng(image, pictureFolder() / (name + "-" + std::to_string(size.height) + ".png"));
     }
 }

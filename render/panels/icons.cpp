@@ -1,0 +1,216 @@
+#include "render/panels/icons.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace trembler::render {
+
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+/// Draws in a square from -1 to 1, y down.
+class Pen {
+public:
+    Pen(ImDrawList& list, ImVec2 centre, float size, ImU32 colour)
+        : list_(list), centre_(centre), half_(0.5F * size), colour_(colour) {}
+
+    [[nodiscard]] ImVec2 at(float x, float y) const { return {centre_.x + half_ * x, centre_.y + half_ * y}; }
+    [[nodiscard]] float thick() const { return 0.24F * half_; }
+
+    void line(float x1, float y1, float x2, float y2) const {
+        list_.AddLine(at(x1, y1), at(x2, y2), colour_, thick());
+        dot(x1, y1, 0.12F);
+        dot(x2, y2, 0.12F);
+    }
+    void triangle(float x1, float y1, float x2, float y2, float x3, float y3) const {
+        // ImGui smooths the edges of clockwise triangles only (y is down).
+        bool const clockwise = (x2 - x1) * (y3 - y1) - (x3 - x1) * (y2 - y1) > 0.F;
+        list_.AddTriangleFilled(at(x1, y1), clockwise ? at(x2, y2) : at(x3, y3),
+                                clockwise ? at(x3, y3) : at(x2, y2), colour_);
+    }
+    void block(float x1, float y1, float x2, float y2, float rounding = 0.12F) const {
+        list_.AddRectFilled(at(x1, y1), at(x2, y2), colour_, rounding * half_);
+    }
+    void frame(float x1, float y1, float x2, float y2, float rounding) const {
+        list_.AddRect(at(x1, y1), at(x2, y2), colour_, rounding * half_, 0, thick());
+    }
+    void dot(float x, float y, float radius) const {
+        list_.AddCircleFilled(at(x, y), radius * half_, colour_);
+    }
+    void circle(float x, float y, float radius) const {
+        list_.AddCircle(at(x, y), radius * half_, colour_, 0, thick());
+    }
+    void arc(float x, float y, float radius, float from, float to) const {
+        list_.PathArcTo(at(x, y), radius * half_, from, to, 24);
+        list_.PathStroke(colour_, 0, thick());
+    }
+
+private:
+    ImDrawList& list_;
+    ImVec2 centre_;
+    float half_;
+    ImU32 colour_;
+};
+
+/// Three quarters of a circle with an arrow's head; `side` is 1 clockwise and -1 anticlockwise.
+void turn(Pen const& pen, float side) {
+    float const end = -0.5F * pi + side * 0.15F;
+    float const start = end - side * 1.55F * pi;
+    pen.arc(0, 0.08F, 0.66F, std::min(start, end), std::max(start, end));
+    pen.triangle(side * 0.10F, -0.98F, side * 0.10F, -0.18F, side * 0.66F, -0.58F);
+}
+
+void gear(Pen const& pen) {
+    pen.circle(0, 0, 0.50F);
+    for (int i = 0; i < 8; ++i) {
+        float const angle = static_cast<float>(i) * 0.25F * pi;
+        float const c = std::cos(angle);
+        float const s = std::sin(angle);
+        pen.line(0.62F * c, 0.62F * s, 0.84F * c, 0.84F * s);
+    }
+}
+
+void camera(Pen const& pen) {
+    pen.frame(-0.88F, -0.46F, 0.88F, 0.68F, 0.2F);
+    pen.block(-0.34F, -0.72F, 0.34F, -0.40F);
+    pen.circle(0, 0.11F, 0.30F);
+}
+
+void bulb(Pen const& pen) {
+    pen.arc(0, -0.2F, 0.56F, 0.75F * pi, 2.25F * pi);
+    pen.line(-0.38F, 0.22F, -0.26F, 0.48F);
+    pen.line(0.38F, 0.22F, 0.26F, 0.48F);
+    pen.line(-0.24F, 0.56F, 0.24F, 0.56F);
+    pen.line(-0.14F, 0.84F, 0.14F, 0.84F);
+}
+
+void question(Pen const& pen) {
+    pen.arc(0, -0.38F, 0.44F, -pi, 0.42F * pi);
+    pen.line(0.12F, 0.06F, 0, 0.34F);
+    pen.dot(0, 0.78F, 0.16F);
+}
+
+void eye(Pen const& pen) {
+    pen.arc(0, 0.56F, 1.06F, 1.18F * pi, 1.82F * pi);
+    pen.arc(0, -0.56F, 1.06F, 0.18F * pi, 0.82F * pi);
+    pen.dot(0, 0, 0.28F);
+}
+
+void magnet(Pen const& pen) {
+    pen.arc(0, -0.08F, 0.56F, pi, 2 * pi);
+    pen.line(-0.56F, -0.08F, -0.56F, 0.36F);
+    pen.line(0.56F, -0.08F, 0.56F, 0.36F);
+    pen.block(-0.72F, 0.56F, -0.40F, 0.86F, 0.04F);
+    pen.block(0.40F, 0.56F, 0.72F, 0.86F, 0.04F);
+}
+
+void bin(Pen const& pen) {
+    pen.line(-0.72F, -0.54F, 0.72F, -0.54F);
+    pen.line(-0.22F, -0.78F, 0.22F, -0.78F);
+    pen.line(-0.54F, -0.5F, -0.42F, 0.82F);
+    pen.line(0.54F, -0.5F, 0.42F, 0.82F);
+    pen.line(-0.42F, 0.82F, 0.42F, 0.82F);
+    pen.line(0, -0.18F, 0, 0.48F);
+}
+
+void drawTransport(Pen const& pen, Icon icon) {
+    switch (icon) {
+    case Icon::Play:
+        pen.triangle(-0.56F, -0.82F, -0.56F, 0.82F, 0.86F, 0);
+        break;
+    case Icon::Pause:
+        pen.block(-0.62F, -0.76F, -0.16F, 0.76F);
+        pen.block(0.16F, -0.76F, 0.62F, 0.76F);
+        break;
+    case Icon::Stop:
+        pen.block(-0.68F, -0.68F, 0.68F, 0.68F);
+        break;
+    case Icon::Step:
+        pen.triangle(-0.70F, -0.72F, -0.70F, 0.72F, 0.40F, 0);
+        pen.block(0.42F, -0.72F, 0.74F, 0.72F, 0.06F);
+        break;
+    case Icon::Record:
+        pen.dot(0, 0, 0.68F);
+        break;
+    case Icon::Reset:
+        pen.triangle(0.78F, -0.72F, 0.78F, 0.72F, -0.40F, 0);
+        pen.block(-0.74F, -0.72F, -0.42F, 0.72F, 0.06F);
+        break;
+    default:
+        break;
+    }
+}
+
+void drawSign(Pen const& pen, Icon icon) {
+    switch (icon) {
+    case Icon::Menu:
+        for (float const y : std::array{-0.55F, 0.F, 0.55F}) {
+            pen.line(-0.72F, y, 0.72F, y);
+        }
+        break;
+    case Icon::Back:
+        pen.line(0.34F, -0.68F, -0.36F, 0);
+        pen.line(-0.36F, 0, 0.34F, 0.68F);
+        break;
+    case Icon::Next:
+        pen.line(-0.34F, -0.68F, 0.36F, 0);
+        pen.line(0.36F, 0, -0.34F, 0.68F);
+        break;
+    case Icon::Tick:
+        pen.line(-0.70F, 0.06F, -0.20F, 0.56F);
+        pen.line(-0.20F, 0.56F, 0.74F, -0.52F);
+        break;
+    case Icon::Cross:
+        pen.line(-0.56F, -0.56F, 0.56F, 0.56F);
+        pen.line(-0.56F, 0.56F, 0.56F, -0.56F);
+        break;
+    case Icon::Plus:
+        pen.line(-0.70F, 0, 0.70F, 0);
+        pen.line(0, -0.70F, 0, 0.70F);
+        break;
+    case Icon::Flip:
+        pen.triangle(-0.18F, -0.70F, -0.18F, 0.70F, -0.88F, 0.70F);
+        pen.triangle(0.18F, -0.70F, 0.18F, 0.70F, 0.88F, 0.70F);
+        break;
+    case Icon::Bolt:
+        pen.triangle(0.28F, -0.92F, -0.56F, 0.14F, 0.12F, 0.14F);
+        pen.triangle(-0.28F, 0.92F, 0.56F, -0.14F, -0.12F, -0.14F);
+        break;
+    default:
+        break;
+    }
+}
+
+} // namespace
+
+void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour) {
+    Pen const pen(list, centre, size, colour);
+    switch (icon) {
+    case Icon::Camera:
+        return camera(pen);
+    case Icon::TurnLeft:
+        return turn(pen, -1);
+    case Icon::TurnRight:
+        return turn(pen, 1);
+    case Icon::Remove:
+        return bin(pen);
+    case Icon::Hint:
+        return bulb(pen);
+    case Icon::Why:
+        return question(pen);
+    case Icon::Settings:
+        return gear(pen);
+    case Icon::Eye:
+        return eye(pen);
+    case Icon::Magnet:
+        return magnet(pen);
+    default:
+        drawTransport(pen, icon);
+        drawSign(pen, icon);
+    }
+}
+
+} // namespace trembler::render

@@ -1,0 +1,34 @@
+// Short messages that come up at the edge of the window and go by themselves.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+namespace trembler::render {
+
+enum class ToastKind : std::uint8_t { News, Success, Trouble };
+
+/// Window thread only.
+class Toasts {
+public:
+    /// Shown for `seconds` (0.5 to 60, else clamped), under those that are there. The oldest goes when there
+    /// are five.
+    void add(std::string text, ToastKind kind = ToastKind::News, double seconds = 4);
+
+    /// Draws them at the top of the window and lets `seconds` pass; between Gui::beginFrame and endFrame.
+    void draw(double seconds);
+
+    [[nodiscard]] std::size_t count() const { return toasts_.size(); }
+
+private:
+    struct Toast {
+        std::string text;
+        ToastKind kind;
+        double left;
+        double age;
+    };
+    std::deque<Toast> toasts_;
+};
+
+} // namespace trembler::render

@@ -1,0 +1,30 @@
+// One compartment of the toolbox: a part's picture, its name and how many are left.
+#pragma once
+
+#include "render/draw/colour.hpp"
+
+namespace trembler::render {
+
+struct ToolboxTile {
+    char const* id = "";
+    char const* name = "";
+    int count = -1;       ///< how many are left; negative for as many as one likes
+    unsigned picture = 0; ///< an OpenGL texture, bottom row first (Framebuffer::texture); 0 for none
+    bool selected = false;
+    float side = 92.F; ///< pixels at UI scale 1
+};
+
+/// What the player does with a tile. `taken` is true in the frame in which the mouse goes down on it, so that
+/// a part can be dragged straight out into the world; a tile with none left is never taken.
+struct TileUse {
+    bool hovered = false;
+    bool taken = false;
+};
+
+/// Inside a card. Draws the tile at the cursor.
+TileUse toolboxTile(ToolboxTile const& tile);
+
+/// The colour behind a tile's picture: clear the Framebuffer with it.
+[[nodiscard]] Colour tileGround();
+
+} // namespace trembler::render
