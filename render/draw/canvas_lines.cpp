@@ -204,8 +204,10 @@ void Canvas::beads(std::span<Point const> path, double spacing, double phase, do
     // However small the spacing and long the path, the number of beads stays bounded.
     double const step = std::max({spacing, 1 / camera_.pixelsPerMetre, total / 5000});
     Style const bead{.tint = colour, .outline = 0.F, .height = 0.F};
-    for (double at = (phase - std::floor(phase)) * step; at <= total; at += step) {
-        circle({pointAlong(path, at), 0}, radius, bead);
+    double const first = (phase - std::floor(phase)) * step;
+    auto const count = static_cast<int>(std::floor((total - first) / step)) + 1;
+    for (int i = 0; i < count; ++i) {
+        circle({pointAlong(path, first + i * step), 0}, radius, bead);
     }
 }
 

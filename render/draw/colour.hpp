@@ -21,18 +21,23 @@ struct Colour {
             static_cast<std::uint8_t>(hex & 0xFFU), 255};
 }
 
+/// The nearest channel value, for 0 to 255.
+[[nodiscard]] constexpr std::uint8_t channelFrom(float value) {
+    float const up = value + 0.5F;
+    return static_cast<std::uint8_t>(up);
+}
+
 /// The same colour with the opacity multiplied by `factor` (clamped to 0..1).
 [[nodiscard]] constexpr Colour faded(Colour colour, float factor) {
     float const clamped = factor > 0.F ? (factor < 1.F ? factor : 1.F) : 0.F;
-    colour.alpha = static_cast<std::uint8_t>(static_cast<float>(colour.alpha) * clamped + 0.5F);
+    colour.alpha = channelFrom(static_cast<float>(colour.alpha) * clamped);
     return colour;
 }
 
 /// The colour that lies `share` (0..1) of the way from one to the other, opacity included.
 [[nodiscard]] constexpr Colour mix(Colour from, Colour to, float share) {
     auto const blend = [share](std::uint8_t a, std::uint8_t b) {
-        return static_cast<std::uint8_t>(static_cast<float>(a) * (1.F - share) +
-                                         static_cast<float>(b) * share + 0.5F);
+        return channelFrom(static_cast<float>(a) * (1.F - share) + static_cast<float>(b) * share);
     };
     return {blend(from.red, to.red), blend(from.green, to.green), blend(from.blue, to.blue),
             blend(from.alpha, to.alpha)};

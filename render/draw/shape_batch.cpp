@@ -11,17 +11,20 @@ namespace trembler::render {
 
 namespace {
 
+/// OpenGL takes a place in the bound buffer as a pointer.
+void const* inBuffer(std::size_t offset) {
+    return reinterpret_cast<void const*>(offset); // NOLINT(performance-no-int-to-ptr)
+}
+
 void floats(GLuint location, GLint count, std::size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, sizeof(Instance),
-                          reinterpret_cast<void*>(offset));
+    glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, sizeof(Instance), inBuffer(offset));
     glVertexAttribDivisor(location, 1);
 }
 
 void colour(GLuint location, std::size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Instance),
-                          reinterpret_cast<void*>(offset));
+    glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Instance), inBuffer(offset));
     glVertexAttribDivisor(location, 1);
 }
 
@@ -48,8 +51,7 @@ ShapeBatch::ShapeBatch()
     colour(5, offsetof(Instance, colour));
     colour(6, offsetof(Instance, edge));
     glEnableVertexAttribArray(7);
-    glVertexAttribIPointer(7, 4, GL_UNSIGNED_BYTE, sizeof(Instance),
-                           reinterpret_cast<void*>(offsetof(Instance, kind)));
+    glVertexAttribIPointer(7, 4, GL_UNSIGNED_BYTE, sizeof(Instance), inBuffer(offsetof(Instance, kind)));
     glVertexAttribDivisor(7, 1);
     floats(8, 1, offsetof(Instance, grain));
     glBindVertexArray(0);

@@ -15,7 +15,9 @@ using namespace palette;
 /// 0, 0.5 or 1 along each axis.
 ImVec2 pivotOf(Anchor anchor) {
     auto const index = static_cast<int>(anchor);
-    return {0.5F * static_cast<float>(index % 3), 0.5F * static_cast<float>(index / 3)};
+    int const column = index % 3;
+    int const row = index / 3;
+    return {0.5F * static_cast<float>(column), 0.5F * static_cast<float>(row)};
 }
 
 /// Towards the window's middle from the corner; none along an axis that is centred.

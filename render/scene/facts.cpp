@@ -1,0 +1,97 @@
+#include "render/scene/facts.hpp"
+
+#include <algorithm>
+
+namespace trembler::render {
+namespace {
+
+template <class P>
+P const* valueIn(Prototype const& prototype) {
+    for (auto const& value : prototype.values) {
+        if (value != nullptr && value->info().type == propertyInfo<P>().type) {
+            return &static_cast<ValueOf<P> const&>(*value).value;
+        }
+    }
+    return nullptr;
+}
+
+template <class P>
+P const* in(Column<P> const* column, ObjectId id) {
+    return column == nullptr ? nullptr : column->find(id);
+}
+
+bool has(ColumnBase const* column, ObjectId id) {
+    return column != nullptr && column->has(id);
+}
+
+int level(Facts const& facts) {
+    return facts.shape == nullptr ? 2 : (facts.fixed ? 0 : 1);
+}
+
+} // namespace
+
+FactsReader::FactsReader(World const& world)
+    : world_(world), positions_(world.store().findColumn<Position>()),
+      rotations_(world.store().findColumn<Rotation>()), shapes_(world.store().findColumn<Shape>()),
+      fixed_(world.store().findColumn<Fixed>()), conductors_(world.store().findColumn<Conductor>()),
+      sources_(world.store().findColumn<ElectricalSource>()),
+      returns_(world.store().findColumn<ElectricalReturn>()),
+      devices_(world.store().findColumn<ElectricalDevice>()), poles_(world.store().findColumn<MagneticPoles>()),
+      magnets_(world.store().findColumn<Magnet>()), strengths_(world.store().findColumn<MagneticStrength>()),
+      coils_(world.store().findColumn<Electromagnet>()), state_(world.find<ElectricalState>()),
+      substances_(world) {}
+
+Facts FactsReader::of(ObjectId id) const {
+    Facts facts;
+    facts.id = id;
+    facts.position = in(positions_, id);
+    facts.rotation = in(rotations_, id);
+    facts.shape = in(shapes_, id);
+    facts.fixed = has(fixed_, id);
+    facts.conductor = has(conductors_, id);
+    facts.source = has(sources_, id);
+    facts.earth = has(returns_, id);
+    facts.device = has(devices_, id);
+    facts.on = state_ != nullptr && state_->isOn(id);
+    facts.poles = in(poles_, id);
+    facts.magnet = in(magnets_, id);
+    facts.strength = in(strengths_, id);
+    facts.coil = in(coils_, id);
+    facts.substance = substances_.of(id).value_or(substanceWithoutLook(facts.fixed, facts.conductor));
+    return facts;
+}
+
+std::vector<Facts> FactsReader::drawOrder() const {
+    std::vector<Facts> all;
+    if (positions_ == nullptr) {
+        return all;
+    }
+    for (ObjectId const id : positions_->owners()) {
+        Facts const facts = of(id);
+        if (facts.visible()) {
+            all.push_back(facts);
+        }
+    }
+    std::stable_sort(all.begin(), all.end(), [](Facts const& a, Facts const& b) { return level(a) < level(b); });
+    return all;
+}
+
+Facts factsOf(Prototype const& prototype) {
+    Facts facts;
+    facts.position = valueIn<Position>(prototype);
+    facts.rotation = valueIn<Rotation>(prototype);
+    facts.shape = valueIn<Shape>(prototype);
+    facts.fixed = valueIn<Fixed>(prototype) != nullptr;
+    facts.conductor = valueIn<Conductor>(prototype) != nullptr;
+    facts.source = valueIn<ElectricalSource>(prototype) != nullptr;
+    facts.earth = valueIn<ElectricalReturn>(prototype) != nullptr;
+    facts.device = valueIn<ElectricalDevice>(prototype) != nullptr;
+    facts.poles = valueIn<MagneticPoles>(prototype);
+    facts.magnet = valueIn<Magnet>(prototype);
+    facts.strength = valueIn<MagneticStrength>(prototype);
+    facts.coil = valueIn<Electromagnet>(prototype);
+    facts.substance = substanceIn(prototype).value_or(substanceWithoutLook(facts.fixed, facts.conductor));
+    return facts;
+}
+
+} // namespace trembler::render
