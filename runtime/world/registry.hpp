@@ -50,6 +50,10 @@ struct ObjectRule {
     std::optional<std::string> (*check)(Store const&, ObjectId);
 };
 
+/// Takes over one of a level's "connections": lays it between two objects, before the first frame. Returns what is
+/// wrong with it and what was expected, in words, or nothing.
+using Connector = std::optional<std::string> (*)(Store&, ObjectId, ObjectId);
+
 /// Order of registration is part of the simulation: conflicting resolvers run, and calls are drained, in it.
 class Registry {
 public:
@@ -88,6 +92,9 @@ public:
 
     [[nodiscard]] std::vector<Store::Completion> const& completions() const { return completions_; }
     [[nodiscard]] std::span<ObjectRule const> rules() const { return rules_; }
+    /// Names the effect that understands a level's "connections"; the runtime does not.
+    void connector(Connector connector) { connector_ = connector; }
+    [[nodiscard]] Connector connector() const { return connector_; }
     [[nodiscard]] std::span<Registration const> components() const { return components_; }
     [[nodiscard]] std::span<HandOver const> handOvers() const { return handOvers_; }
     [[nodiscard]] std::span<Shortcut const> shortcuts() const { return shortcuts_; }
@@ -109,6 +116,7 @@ private:
     std::vector<Shortcut> shortcuts_;
     std::vector<Store::Completion> completions_;
     std::vector<ObjectRule> rules_;
+    Connector connector_ = nullptr;
 };
 
 /// True if two registered components serve the same need, so that a world constructs one of them: resolvers
