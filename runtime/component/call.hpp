@@ -53,14 +53,43 @@ concept InteractionCall = std::is_trivially_copyable_v<C> && requires(C const& c
     ((C::algebra != Algebra::least && C::algebra != Algebra::greatest) ||
      requires(C const& c) { { c.value() }; });
 
-template <InteractionCall... C>
-struct CallList {};
+namespace detail {
 
-/// The interface of a resolver to the interaction layer: `text` and `Calls`. Resolvers of one role swap.
+/// Says in words what a call lacks; InteractionCall alone would only say that it is none.
+template <class C>
+constexpr bool checkCall() {
+    static_assert(std::is_trivially_copyable_v<C>, "a call is plain data: it is recorded by copying its bytes");
+    static_assert(requires { { C::text } -> std::convertible_to<CallText>; }, "a call has its words: CallText text");
+    static_assert(requires(C const& c) { { c.objects() }; }, "a call says which objects it is about: objects()");
+    constexpr bool states = requires { { C::algebra } -> std::convertible_to<Algebra>; };
+    static_assert(states, "a call states its algebra, by which the order of calls does not matter (5.7.2)");
+    if constexpr (states) {
+        constexpr Algebra a = C::algebra;
+        static_assert(a == Algebra::sumOfRates || a == Algebra::sumOfAmounts ||
+                          requires(C const& c) { { c.key() }; },
+                      "a call whose algebra is not a sum says what it is about: key()");
+        static_assert(a != Algebra::countedSet ||
+                          requires(C const& c) { { c.delta() } -> std::convertible_to<int>; },
+                      "a call on a counted set says whether it adds or takes away: delta() (5.7.2)");
+        static_assert((a != Algebra::least && a != Algebra::greatest) || requires(C const& c) { { c.value() }; },
+                      "a call of which the least or the greatest counts has a value()");
+    }
+    return true;
+}
+
+} // namespace detail
+
+/// The interaction functions of a role.
+template <class... C>
+struct CallList {
+    static_assert((detail::checkCall<C>() && ...));
+};
+
+/// The interface of a resolver to the interaction layer: `name` and `Calls`. Resolvers of one role swap.
 template <class R>
 concept ResolverRole = requires {
     { R::name } -> std::convertible_to<std::string_view>;
-    typename R::Calls;
+    requires sizeof(typename R::Calls) > 0; // looks into the list, so that it is checked
 };
 
 /// The calls of one kind by one chunk of one interaction. Written by one thread at a time; no locks.

@@ -36,6 +36,25 @@ inline constexpr bool listed = false;
 template <class P, template <class...> class List, class... Q>
 inline constexpr bool listed<P, List<Q...>> = (std::is_same_v<P, Q> || ...);
 
+// Each place in a component's base takes its own word and no other list that happens to hold the same types:
+// a Provides<> where Derives<> belongs would let a derived property set change what a resolver owns.
+template <class List>
+inline constexpr bool isReads = false;
+template <class... P>
+inline constexpr bool isReads<Reads<P...>> = true;
+template <class List>
+inline constexpr bool isWrites = false;
+template <class... P>
+inline constexpr bool isWrites<Writes<P...>> = true;
+template <class List>
+inline constexpr bool isProvides = false;
+template <class... P>
+inline constexpr bool isProvides<Provides<P...>> = true;
+template <class List>
+inline constexpr bool isDerives = false;
+template <class... P>
+inline constexpr bool isDerives<Derives<P...>> = true;
+
 template <class List>
 inline constexpr bool anyDerived = false;
 template <class... P>
@@ -61,13 +80,6 @@ struct HomeOf<P> {
 };
 template <Property P>
 using Home = typename HomeOf<P>::Type;
-
-template <class List>
-struct HomesOf;
-template <template <class...> class List, class... P>
-struct HomesOf<List<P...>> {
-    using Type = std::tuple<Home<P>*...>;
-};
 
 } // namespace detail
 } // namespace trembler

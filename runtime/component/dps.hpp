@@ -11,10 +11,12 @@ namespace trembler {
 /// `using CalledFor = ...` and a `void update(Access&)`. It runs only when something that it reads has changed.
 template <class Self, class ReadsList, class DerivesList>
 class Dps : public Component {
+    static_assert(detail::isReads<ReadsList> && detail::isDerives<DerivesList>,
+                  "a derived property set declares Reads<...>, Derives<...>, and changes nothing else (5.5)");
     static_assert(!detail::anyDerived<ReadsList>, "a derived property set never reads another one (5.5)");
 
 public:
-    class Access : public detail::AccessBase {
+    class Access final : public detail::AccessBase {
     public:
         Access(Dps& self, FrameContext const& context) : AccessBase(context, self.sinks_), self_(self) {}
 
@@ -44,19 +46,28 @@ public:
             return slot.value();
         }
 
+        /// One of its derived properties as it stands, without marking it as changed: for finding out whether
+        /// there is anything to change.
+        template <class P>
+        [[nodiscard]] P const& derived() const {
+            static_assert(detail::listed<P, DerivesList>,
+                          "undeclared: the derived property is not in Derives<> of this derived property set");
+            return self_.derives_.template get<P>().value();
+        }
+
     private:
         Dps& self_;
     };
 
     Dps() : Component(describeSelf()) {}
 
-    void bind(Store& store, Channels&) override {
+    void bind(Store& store, Channels&) final {
         reads_.bind(store);
         derives_.bind(store);
     }
     [[nodiscard]] bool hasWork() const override { return first_ || reads_.changed(); }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
-    void run(FrameContext const& context) override {
+    void run(FrameContext const& context) final {
         openSinks(context, 1, Phase::dps);
         Access access(*this, context);
         static_cast<Self&>(*this).update(access);

@@ -16,6 +16,8 @@ namespace trembler {
 /// stand as they are, so to apply it again would change nothing.
 template <class Self, ResolverRole RoleType, class ReadsList>
 class Interaction : public Component {
+    static_assert(detail::isReads<ReadsList>, "an interaction declares Reads<...> and changes nothing (5.6)");
+
 public:
     using Role = RoleType;
     using Buffers = typename CallSource<Role>::Buffers;
@@ -48,7 +50,7 @@ public:
         std::size_t chunk_;
     };
 
-    class Access : public detail::AccessBase {
+    class Access final : public detail::AccessBase {
     public:
         Access(Interaction& self, FrameContext const& context)
             : AccessBase(context, self.sinks_), self_(self), first_(self, 0) {}
@@ -94,13 +96,13 @@ public:
 
     Interaction() : Component(describeSelf()) { source_.name = Self::text.name; }
 
-    void bind(Store& store, Channels& channels) override {
+    void bind(Store& store, Channels& channels) final {
         reads_.bind(store);
         channels.of<Role>().add(&source_);
     }
     [[nodiscard]] bool hasWork() const override { return first_ || reads_.changed(); }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
-    void run(FrameContext const& context) override {
+    void run(FrameContext const& context) final {
         source_.clearHeld();
         newTold_.assign(1, {});
         openSinks(context, 1, Phase::interaction);

@@ -12,13 +12,15 @@ namespace trembler {
 /// with although nothing around it changed (bodies that still move).
 template <class Self, ResolverRole RoleType, class ReadsList, class WritesList, class ProvidesList = Provides<>>
 class Resolver : public Component {
+    static_assert(detail::isReads<ReadsList> && detail::isWrites<WritesList> && detail::isProvides<ProvidesList>,
+                  "a resolver declares Reads<...>, Writes<...>, Provides<...>, in this order (5.4)");
     static_assert(detail::onlyObjectProperties<ReadsList>,
                   "a resolver reads object properties only (5.4); data of others reaches it through interactions");
 
 public:
     using Role = RoleType;
 
-    class Access : public detail::AccessBase {
+    class Access final : public detail::AccessBase {
     public:
         Access(Resolver& self, FrameContext const& context)
             : AccessBase(context, self.sinks_), self_(self) {}
@@ -78,11 +80,15 @@ public:
 
     Resolver() : Component(describeSelf()) {}
 
-    void bind(Store& store, Channels& channels) override {
+    void bind(Store& store, Channels& channels) final {
         reads_.bind(store);
         writes_.bind(store);
         provides_.bind(store);
         channel_ = &channels.of<Role>();
+        if constexpr (requires(Self& self) { self.bindStore(store); }) {
+            static_assert(Self::writesEverything, "only what declares to write everything is given the whole store");
+            static_cast<Self&>(*this).bindStore(store);
+        }
     }
     [[nodiscard]] bool hasWork() const override {
         if constexpr (requires(Self const& self) { self.restless(); }) {
@@ -93,7 +99,7 @@ public:
         return reads_.changed() || writes_.changed() || channel_->version() != seenCalls_;
     }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows() + writes_.rows(); }
-    void run(FrameContext const& context) override {
+    void run(FrameContext const& context) final {
         openSinks(context, 1, Phase::resolver);
         Access access(*this, context);
         static_cast<Self&>(*this).advance(access);

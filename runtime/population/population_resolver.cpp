@@ -9,11 +9,6 @@
 
 namespace trembler {
 
-void PopulationResolver::bind(Store& store, Channels& channels) {
-    Resolver::bind(store, channels);
-    store_ = &store;
-}
-
 void PopulationResolver::advance(Access& access) {
     if (changesStand_) {
         access.provide<PopulationChanges>() = {};

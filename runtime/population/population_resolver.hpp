@@ -33,7 +33,7 @@ public:
     static constexpr bool writesEverything = true;
     using CalledFor = NeedsAll<>;
 
-    void bind(Store& store, Channels& channels) override;
+    void bindStore(Store& store) { store_ = &store; }
     [[nodiscard]] bool restless() const { return changesStand_; }
     void advance(Access& access);
 
