@@ -13,7 +13,11 @@ function(trembler_compile_fail name source expected_regex)
   set(includes $<FILTER:$<TARGET_PROPERTY:trembler_physics,INTERFACE_INCLUDE_DIRECTORIES>,EXCLUDE,^$>)
   set(defines $<FILTER:$<TARGET_PROPERTY:trembler_physics,INTERFACE_COMPILE_DEFINITIONS>,EXCLUDE,^$>)
   # Carets are off because the quoted source line could match the expression by itself.
-  set(compile ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only -fno-diagnostics-show-caret
+  set(no_carets -fno-diagnostics-show-caret)
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    set(no_carets -fno-caret-diagnostics)
+  endif()
+  set(compile ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only ${no_carets}
     "$<$<BOOL:${includes}>:-I$<JOIN:${includes},$<SEMICOLON>-I>>"
     "$<$<BOOL:${defines}>:-D$<JOIN:${defines},$<SEMICOLON>-D>>")
   set(script ${PROJECT_SOURCE_DIR}/cmake/TremblerMustNotCompile.cmake)
@@ -28,3 +32,46 @@ function(trembler_compile_fail name source expected_regex)
 endfunction()
 
 trembler_compile_fail(sample sample.cpp "a sample refuses by design")
+
+trembler_compile_fail(resolver_undeclared_read resolver_undeclared_read.cpp
+  "undeclared read: the property is in neither Reads<> nor Writes<> of this resolver")
+trembler_compile_fail(resolver_undeclared_write resolver_undeclared_write.cpp
+  "undeclared write: the property is not in Writes<> of this resolver")
+trembler_compile_fail(resolver_undeclared_provide resolver_undeclared_provide.cpp
+  "undeclared: the resolver property is not in Provides<> of this resolver")
+trembler_compile_fail(resolver_reads_derived resolver_reads_derived.cpp
+  "a resolver reads object properties only")
+trembler_compile_fail(resolver_reads_resolver resolver_reads_resolver.cpp
+  "a resolver reads object properties only")
+trembler_compile_fail(resolver_offers_derived resolver_offers_derived.cpp
+  "a resolver declares Reads<...>, Writes<...>, Provides<...>")
+trembler_compile_fail(resolver_takes_the_store resolver_takes_the_store.cpp
+  "only what declares to write everything is given the whole store")
+
+trembler_compile_fail(dps_undeclared_read dps_undeclared_read.cpp
+  "undeclared read: the property is not in Reads<> of this derived property set")
+trembler_compile_fail(dps_writes dps_writes.cpp "a derived property set changes no property")
+trembler_compile_fail(dps_derives_undeclared dps_derives_undeclared.cpp
+  "undeclared: the derived property is not in Derives<> of this derived property set")
+trembler_compile_fail(dps_reads_dps dps_reads_dps.cpp "a derived property set never reads another one")
+trembler_compile_fail(dps_reads_dps_in_disguise dps_reads_dps_in_disguise.cpp
+  "a derived property set declares Reads<...>, Derives<...>, and changes nothing else")
+trembler_compile_fail(dps_changes_resolver_property dps_changes_resolver_property.cpp
+  "a derived property set declares Reads<...>, Derives<...>, and changes nothing else")
+# The compilers' own words: a function cannot carry a message of ours.
+trembler_compile_fail(dps_overrides_bind dps_overrides_bind.cpp
+  "overriding final function|overrides a 'final' function")
+
+trembler_compile_fail(interaction_undeclared_read interaction_undeclared_read.cpp
+  "undeclared read: the property is not in Reads<> of this interaction")
+trembler_compile_fail(interaction_writes interaction_writes.cpp
+  "an interaction changes no property. it calls its resolver")
+trembler_compile_fail(interaction_calls_second_resolver interaction_calls_second_resolver.cpp
+  "an interaction calls functions of its own resolver only")
+
+trembler_compile_fail(call_without_algebra call_without_algebra.cpp
+  "a call states its algebra, by which the order of calls does not matter")
+trembler_compile_fail(counted_set_without_delta counted_set_without_delta.cpp
+  "a call on a counted set says whether it adds or takes away: delta")
+trembler_compile_fail(any_of_without_key any_of_without_key.cpp
+  "a call whose algebra is not a sum says what it is about: key")

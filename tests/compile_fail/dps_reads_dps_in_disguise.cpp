@@ -1,0 +1,26 @@
+// A derived property set names its reads in a list that is not Reads<>, to get past the check of the last
+// case.
+#include "tests/compile_fail/kit.hpp"
+
+#include <tuple>
+
+namespace trembler {
+
+#ifdef TREMBLER_CONTROL
+using Wish = Reads<Heat, HotSpots>;
+#else
+using Wish = std::tuple<Heat, Shadow>;
+#endif
+struct Shine final : Dps<Shine, Wish, Derives<Glow>> {
+    static constexpr ComponentText text{.name = "Shine", .effect = "heat", .level = "", .work = "Glows."};
+    using CalledFor = NeedsAll<Heat>;
+    void update(Access& access) { access.derive<Glow>().watts.clear(); }
+};
+
+template <class C>
+Component* made() {
+    return new C;
+}
+template Component* made<Shine>();
+
+} // namespace trembler

@@ -1,0 +1,86 @@
+// The smallest world in which every rule of access can be broken: two object properties, a resolver property,
+// a derived property and two roles. Each case adds one component, which as the control obeys.
+#pragma once
+
+#include "runtime/component/dps.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/component/resolver.hpp"
+
+#include <array>
+
+namespace trembler {
+
+struct Heat {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Heat", "heat", "How warm the object is."};
+    double value = 0;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "value", .unit = "K", .meaning = "temperature"}, self.value);
+    }
+};
+
+struct Colour {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Colour", "colour", "What colour the object has."};
+    double hue = 0;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "value", .unit = "rad", .meaning = "hue"}, self.hue);
+    }
+};
+
+struct HotSpots {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Hot spots", "hot_spots", "The objects that are hot."};
+    std::vector<ObjectId> objects;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+struct Glow {
+    static constexpr PropertyKind kind = PropertyKind::derived;
+    static constexpr PropertyText text{"Glow", "glow", "How brightly each object glows."};
+    std::vector<double> watts;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+struct Shadow {
+    static constexpr PropertyKind kind = PropertyKind::derived;
+    static constexpr PropertyText text{"Shadow", "shadow", "Where each object's shadow falls."};
+    double area = 0;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+struct AddHeat {
+    static constexpr CallText text{"addHeat", "(object, power)", "Heats the object."};
+    static constexpr Algebra algebra = Algebra::sumOfRates;
+    ObjectId object;
+    double power = 0; ///< W
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+};
+struct Paint {
+    static constexpr CallText text{"paint", "(object)", "Paints the object."};
+    static constexpr Algebra algebra = Algebra::anyOf;
+    ObjectId object;
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+    [[nodiscard]] std::uint64_t key() const { return packed(object); }
+};
+
+struct HeatRole {
+    static constexpr std::string_view name = "Heat";
+    using Calls = CallList<AddHeat>;
+};
+struct PaintRole {
+    static constexpr std::string_view name = "Paint";
+    using Calls = CallList<Paint>;
+};
+
+} // namespace trembler
