@@ -1,5 +1,6 @@
 #include "physics/register_physics.hpp"
 
+#include "physics/electricity/register.hpp"
 #include "physics/gravity/register.hpp"
 #include "physics/magnetism/register.hpp"
 #include "runtime/population/population_resolver.hpp"
@@ -9,7 +10,8 @@ namespace trembler {
 
 void registerEverything(Registry& registry) {
     registerRuntime(registry);
-    // registerDynamics and registerElectricity belong here, in this order, before the others.
+    // registerDynamics belongs here, before the others.
+    registerElectricity(registry);
     registerGravity(registry);
     registerMagnetism(registry);
 }

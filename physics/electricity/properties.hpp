@@ -4,6 +4,7 @@
 #include "runtime/property/description.hpp"
 #include "runtime/trace/event.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,15 +13,17 @@ namespace trembler {
 /// Objects without it never enter the electricity graph.
 struct Conductor {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Conductor", "conductor", "True if the object can conduct electricity."};
-    /// A device made for one network, for example "mains", takes part in that one only (A.6.2: a battery cannot
-    /// power the laser of the power plant); empty: a plain conductor, part of whatever it touches.
+    static constexpr PropertyText text{"Conductor", "conductor",
+                                       "True if the object can conduct electricity."};
+    /// A device made for one network, for example "mains", takes part in that one only (A.6.2: a battery
+    /// cannot power the laser of the power plant); empty: a plain conductor, part of whatever it touches.
     std::string network;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "network", .unit = "", .meaning = "the only network it is made for; empty: any"},
-              self.network);
+        visit(
+            FieldInfo{.key = "network", .unit = "", .meaning = "the only network it is made for; empty: any"},
+            self.network);
     }
 };
 
@@ -33,8 +36,9 @@ struct ElectricalSource {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "network", .unit = "", .meaning = "name of the network; empty: the common one"},
-              self.network);
+        visit(
+            FieldInfo{.key = "network", .unit = "", .meaning = "name of the network; empty: the common one"},
+            self.network);
     }
 };
 
@@ -47,8 +51,9 @@ struct ElectricalReturn {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "network", .unit = "", .meaning = "name of the network; empty: the common one"},
-              self.network);
+        visit(
+            FieldInfo{.key = "network", .unit = "", .meaning = "name of the network; empty: the common one"},
+            self.network);
     }
 };
 
@@ -70,17 +75,20 @@ struct ElectricalState {
     struct Entry {
         ObjectId object; ///< invalid while no conductor has this index
         bool on = false;
-        EventId event;   ///< what was recorded when it last changed; none while nobody traces
+        EventId event; ///< what was recorded when it last changed; none while nobody traces
     };
-    std::vector<Entry> byIndex;          ///< by object index
-    std::vector<ObjectId> switchedOn;    ///< in the last update, ascending
-    std::vector<ObjectId> switchedOff;   ///< in the last update, ascending
+    std::vector<Entry> byIndex;       ///< by object index
+    std::vector<ObjectId> switchedOn; ///< in the last change, ascending
+    std::vector<ObjectId>
+        switchedOff;         ///< in the last change, ascending; objects that are gone are in neither
+    std::uint64_t frame = 0; ///< of the last change: the two lists are news in that frame only
 
     [[nodiscard]] bool isOn(ObjectId id) const {
         return id.index < byIndex.size() && byIndex[id.index].object == id && byIndex[id.index].on;
     }
     [[nodiscard]] EventId eventOf(ObjectId id) const {
-        return id.index < byIndex.size() && byIndex[id.index].object == id ? byIndex[id.index].event : EventId{};
+        return id.index < byIndex.size() && byIndex[id.index].object == id ? byIndex[id.index].event
+                                                                           : EventId{};
     }
 
     template <class Self, class Visitor>

@@ -1,0 +1,193 @@
+#include "physics/electricity/electricity_resolver.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <tuple>
+
+namespace trembler {
+namespace {
+
+// A reader that missed more than this looks at the whole graph; the number bounds memory, not correctness.
+constexpr std::size_t journalLimit = 4096;
+
+[[nodiscard]] std::vector<ObjectId> without(std::span<ObjectId const> these,
+                                            std::span<ObjectId const> those) {
+    std::vector<ObjectId> rest;
+    std::set_difference(these.begin(), these.end(), those.begin(), those.end(), std::back_inserter(rest));
+    return rest;
+}
+
+} // namespace
+
+void ElectricityResolver::advance(Access& access) {
+    touched_.clear();
+    followObjects(access);
+    carryOutCalls(access);
+    publish(access);
+    first_ = false;
+}
+
+void ElectricityResolver::followObjects(Access& access) {
+    std::array<std::uint64_t, 3> const versions{access.read<Conductor>().version(),
+                                                access.read<ElectricalSource>().version(),
+                                                access.read<ElectricalReturn>().version()};
+    if (!first_ && versions == seen_) {
+        return;
+    }
+    if (first_ || versions[0] != seen_[0]) {
+        followVertices(access);
+    }
+    followNetworks(access);
+    seen_ = versions;
+}
+
+// Conductors that appeared become vertices; those that disappeared leave the graph with their connections.
+void ElectricityResolver::followVertices(Access& access) {
+    std::span<ObjectId const> const now = access.read<Conductor>().owners();
+    std::vector<ObjectId> const missing = without(now, access.read<ElectricityGraph>().owners());
+    if (!missing.empty()) {
+        addVertices(access.write<ElectricityGraph>(), missing);
+    }
+    std::vector<ObjectId> const surplus = without(access.read<ElectricityGraph>().owners(), now);
+    if (!surplus.empty()) {
+        access.write<ElectricityGraph>().removeAll(surplus);
+    }
+    std::vector<ObjectId> const gone = without(vertices_, now);
+    if (first_ || !gone.empty()) {
+        dropLooseEnds(access);
+    }
+    for (ObjectId const id : gone) {
+        touch(id);
+    }
+    for (ObjectId const id : without(now, vertices_)) {
+        touch(id);
+    }
+    if (first_ || !gone.empty() || vertices_.size() != now.size()) {
+        vertices_.assign(now.begin(), now.end());
+    }
+}
+
+// The one walk over the whole graph. An object that is gone took its row along, so who was connected to it
+// can be found from the other ends only; it happens in frames in which a conductor disappeared.
+void ElectricityResolver::dropLooseEnds(Access& access) {
+    auto const& graph = access.read<ElectricityGraph>();
+    for (std::uint32_t r = 0; r < graph.size(); ++r) {
+        auto const loose = [&](ElectricityGraph::Connection const& c) { return !graph.has(c.to); };
+        auto const& connections = graph.values()[r].connections;
+        if (std::none_of(connections.begin(), connections.end(), loose)) {
+            continue;
+        }
+        ObjectId const owner = graph.owners()[r];
+        for (ElectricityGraph::Connection const& connection : connections) {
+            if (loose(connection)) {
+                touch(owner, access.event("disconnected", {owner, connection.to}, {}));
+            }
+        }
+        std::erase_if(access.write<ElectricityGraph>().values()[r].connections, loose);
+    }
+}
+
+// Whoever plays another part in the networks than before may switch others on or off.
+void ElectricityResolver::followNetworks(Access& access) {
+    std::vector<NetworkPart> now;
+    auto const& conductors = access.read<Conductor>();
+    for (std::size_t r = 0; r < conductors.size(); ++r) {
+        if (!conductors.values()[r].network.empty()) {
+            now.push_back(
+                {conductors.owners()[r], NetworkPart::Kind::conductor, conductors.values()[r].network});
+        }
+    }
+    auto const add = [&](auto const& column, NetworkPart::Kind kind) {
+        for (std::size_t r = 0; r < column.size(); ++r) {
+            now.push_back({column.owners()[r], kind, column.values()[r].network});
+        }
+    };
+    add(access.read<ElectricalSource>(), NetworkPart::Kind::source);
+    add(access.read<ElectricalReturn>(), NetworkPart::Kind::returning);
+    std::sort(now.begin(), now.end());
+    std::vector<NetworkPart> different;
+    std::set_symmetric_difference(now.begin(), now.end(), parts_.begin(), parts_.end(),
+                                  std::back_inserter(different));
+    for (NetworkPart const& part : different) {
+        touch(part.object);
+    }
+    parts_ = std::move(now);
+}
+
+void ElectricityResolver::carryOutCalls(Access& access) {
+    changes_.clear();
+    auto const& graph = access.read<ElectricityGraph>();
+    auto const note = [&](auto const& call, CallOrigin origin) {
+        if (call.a != call.b && graph.has(call.a) && graph.has(call.b)) { // non-conductors never enter
+            auto const [a, b] = std::minmax(call.a, call.b);
+            changes_.push_back({a, b, call.cause, call.delta(), origin.cause});
+        }
+    };
+    access.forCalls<AddConnection>(note);
+    access.forCalls<RemoveConnection>(note);
+    std::sort(changes_.begin(), changes_.end(), [](Change const& x, Change const& y) {
+        return std::tie(x.a, x.b, x.cause, x.event, x.delta) < std::tie(y.a, y.b, y.cause, y.event, y.delta);
+    });
+    for (auto from = changes_.begin(); from != changes_.end();) {
+        auto const to = std::find_if(from, changes_.end(),
+                                     [&](Change const& c) { return c.a != from->a || c.b != from->b; });
+        changePair(access, {from, to});
+        from = to;
+    }
+}
+
+// All that one frame has to say about one pair. Adding up before clamping makes the order of calls
+// irrelevant.
+void ElectricityResolver::changePair(Access& access, std::span<Change const> changes) {
+    ObjectId const a = changes.front().a;
+    ObjectId const b = changes.front().b;
+    ConnectionCounts const before = connectionBetween(access.read<ElectricityGraph>(), a, b);
+    std::array<std::int64_t, connectionCauses> sums{};
+    for (Change const& change : changes) {
+        sums[static_cast<std::size_t>(change.cause)] += change.delta;
+    }
+    ConnectionCounts after;
+    for (std::size_t c = 0; c < connectionCauses; ++c) {
+        std::int64_t const most = std::numeric_limits<std::int32_t>::max();
+        after.byCause[c] =
+            static_cast<std::int32_t>(std::clamp<std::int64_t>(before.byCause[c] + sums[c], 0, most));
+    }
+    if (after == before) {
+        return;
+    }
+    setConnection(access.write<ElectricityGraph>(), a, b, after);
+    if (after.connected() == before.connected()) {
+        return; // one reason more or less, but nothing new for whoever asks only whether
+    }
+    std::vector<EventId> causes;
+    for (Change const& change : changes) {
+        if ((change.delta > 0) == after.connected()) {
+            causes.push_back(change.event);
+        }
+    }
+    std::array const pair{a, b};
+    EventId const event = access.event(after.connected() ? "connected" : "disconnected", pair, causes);
+    touch(a, event);
+    touch(b, event);
+}
+
+void ElectricityResolver::publish(Access& access) {
+    if (!first_ && touched_.empty()) {
+        return;
+    }
+    GraphChanges& changes = access.provide<GraphChanges>();
+    if (first_ || changes.journal.size() > journalLimit) {
+        changes.journal.clear();
+        changes.forgotten = first_ ? changes.number + 1 : changes.number;
+    }
+    ++changes.number;
+    for (GraphChanges::Touched& touched : touched_) {
+        touched.number = changes.number;
+    }
+    if (!first_) {
+        changes.journal.insert(changes.journal.end(), touched_.begin(), touched_.end());
+    }
+}
+
+} // namespace trembler

@@ -1,0 +1,64 @@
+// The Electricity resolver (6.13.2): edits the electricity graph as instructed.
+#pragma once
+
+#include "physics/electricity/calls.hpp"
+#include "physics/electricity/graph.hpp"
+#include "physics/electricity/graph_changes.hpp"
+#include "physics/electricity/properties.hpp"
+#include "runtime/component/resolver.hpp"
+
+#include <array>
+
+namespace trembler {
+
+/// Light-weight: what a change means for who is on is the business of a derived property set. Objects that
+/// come and go are the one thing besides calls that changes the graph; a frame without either costs O(1).
+class ElectricityResolver final : public Resolver<ElectricityResolver, ElectricityRole,
+                                                  Reads<Conductor, ElectricalSource, ElectricalReturn>,
+                                                  Writes<ElectricityGraph>, Provides<GraphChanges>> {
+public:
+    static constexpr ComponentText text{.name = "Electricity",
+                                        .effect = "electricity",
+                                        .level = "",
+                                        .work =
+                                            "Manipulates the electricity graph as instructed: counts the "
+                                            "connections of each pair of conductors by cause. Connections to "
+                                            "objects that are gone go with them."};
+    using CalledFor = NeedsAny<Conductor>;
+    void advance(Access& access);
+
+private:
+    /// What an object is to the networks, where that is not simply "a plain conductor".
+    struct NetworkPart {
+        enum class Kind : std::uint8_t { conductor, source, returning };
+        ObjectId object;
+        Kind kind = Kind::conductor;
+        std::string network;
+        friend auto operator<=>(NetworkPart const&, NetworkPart const&) = default;
+    };
+    struct Change {
+        ObjectId a; ///< a < b
+        ObjectId b;
+        ConnectionCause cause = ConnectionCause::wire;
+        int delta = 0;
+        EventId event;
+    };
+
+    void followObjects(Access& access);
+    void followVertices(Access& access);
+    void followNetworks(Access& access);
+    void dropLooseEnds(Access& access);
+    void carryOutCalls(Access& access);
+    void changePair(Access& access, std::span<Change const> changes);
+    void publish(Access& access);
+    void touch(ObjectId object, EventId event = {}) { touched_.push_back({object, event, 0}); }
+
+    std::vector<ObjectId> vertices_;      // as of the last advance, ascending
+    std::vector<NetworkPart> parts_;      // as of the last advance, ascending
+    std::array<std::uint64_t, 3> seen_{}; // versions of the columns read
+    std::vector<GraphChanges::Touched> touched_;
+    std::vector<Change> changes_;
+    bool first_ = true;
+};
+
+} // namespace trembler

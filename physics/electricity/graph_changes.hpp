@@ -1,0 +1,38 @@
+// What has changed in the electricity graph, told to those who derive something from it.
+#pragma once
+
+#include "runtime/object/object_id.hpp"
+#include "runtime/property/description.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace trembler {
+
+/// A journal of changes, numbered, so that a reader that does not run in every frame, or has just been
+/// swapped in, knows what it missed.
+struct GraphChanges {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{
+        "Changes of G_E", "graph_changes",
+        "The vertices of the electricity graph that lately gained or lost a "
+        "connection, appeared, disappeared or changed their part in a network."};
+    struct Touched {
+        ObjectId object;          ///< may be gone
+        EventId event;            ///< "connected" or "disconnected"; none while nobody traces
+        std::uint64_t number = 0; ///< of the change
+    };
+    std::uint64_t number = 0;    ///< of the latest change; counts up with every advance that changed anything
+    std::uint64_t forgotten = 0; ///< the journal tells of the changes with a higher number only
+    std::vector<Touched> journal; ///< ascending by number
+
+    /// Whether `seen`, the number of the latest change that a reader knows, is recent enough for the journal
+    /// to tell the rest. If not, anything may have changed.
+    [[nodiscard]] bool remembers(std::uint64_t seen) const { return seen >= forgotten && seen <= number; }
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+} // namespace trembler

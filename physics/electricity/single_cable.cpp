@@ -1,0 +1,36 @@
+#include "physics/electricity/single_cable.hpp"
+
+#include <algorithm>
+
+namespace trembler {
+
+void markSingleCable(Circuit const& circuit, std::vector<std::uint8_t>& on) {
+    std::vector<std::uint32_t> reached;
+    std::vector<std::uint8_t> met;
+    for (auto source = circuit.sources.begin(); source != circuit.sources.end();) {
+        std::string_view const network = source->network;
+        met.assign(circuit.size(), 0);
+        reached.clear();
+        for (; source != circuit.sources.end() && source->network == network; ++source) {
+            met[source->vertex] = 1;
+            reached.push_back(source->vertex);
+        }
+        for (std::size_t open = 0; open < reached.size(); ++open) {
+            on[reached[open]] = 1;
+            for (std::uint32_t const v : circuit.neighboursOf(reached[open])) {
+                if (met[v] == 0 && circuit.takesPart(v, network)) {
+                    met[v] = 1;
+                    reached.push_back(v);
+                }
+            }
+        }
+    }
+}
+
+bool SingleCableElectricity::suits(Store const& store) {
+    auto const* const returns = store.findColumn<ElectricalReturn>();
+    static constexpr std::uint64_t never = 1; // the structure version of a column that never had a row
+    return returns == nullptr || returns->structureVersion() == never;
+}
+
+} // namespace trembler
