@@ -1,0 +1,304 @@
+#include "runtime/level/build_world.hpp"
+
+#include "runtime/level/joint_names.hpp"
+#include "runtime/level/references.hpp"
+#include "runtime/level/suggestion.hpp"
+#include "runtime/placement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace trembler {
+namespace {
+
+/// An object about to be created, and where its properties come from.
+struct Made {
+    std::string name;
+    PartDefinition const* part = nullptr;
+    PropertySet properties; ///< effective
+    PropertySet const* own = nullptr;
+    std::string path;     ///< in the level's file
+    bool inEntry = false; ///< its properties stand directly in its entry: joints and the world
+    bool isPlacement = false;
+    ObjectId id;
+};
+
+class Builder {
+public:
+    Builder(Registry const& registry, LevelFile const& level, PartLibrary const& library, Problems& problems)
+        : registry_(registry), level_(level), library_(library), problems_(problems) {}
+
+    void addWorld() {
+        Made made; // always there, so that ids do not depend on what the level states about it
+        made.name = "world";
+        made.properties = level_.world;
+        made.own = &level_.world;
+        made.path = "/world";
+        made.inEntry = true;
+        made_.push_back(std::move(made));
+    }
+
+    void addObjects() {
+        std::vector<LevelObject const*> sorted;
+        for (LevelObject const& object : level_.objects) {
+            sorted.push_back(&object);
+        }
+        std::sort(sorted.begin(), sorted.end(),
+                  [](LevelObject const* a, LevelObject const* b) { return a->name < b->name; });
+        for (LevelObject const* object : sorted) {
+            Made made;
+            made.name = object->name;
+            made.own = &object->properties;
+            made.path = object->path;
+            if (!object->part.empty()) {
+                made.part = library_.find(object->part);
+                if (made.part == nullptr) {
+                    problem(object->path.empty() ? "" : object->path + "/part",
+                            fmt::format("there is no part '{}'{}", object->part,
+                                        didYouMean(object->part, library_.names())),
+                            listed(library_.names()));
+                    continue;
+                }
+            }
+            made.properties = effectiveProperties(
+                made.part == nullptr ? PropertySet() : made.part->properties, object->properties);
+            made_.push_back(std::move(made));
+        }
+    }
+
+    void addJoints() {
+        std::vector<std::string> const names = jointNames(level_);
+        std::vector<std::size_t> order(names.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return names[a] < names[b]; });
+        for (std::size_t const i : order) {
+            Made made;
+            made.name = names[i];
+            made.own = &level_.joints[i].properties;
+            made.properties = level_.joints[i].properties;
+            made.path = level_.joints[i].path;
+            made.inEntry = true;
+            made_.push_back(std::move(made));
+        }
+    }
+
+    void addPlacements(std::span<Placement const> placements) {
+        std::vector<Placement> const sorted = inCanonicalOrder(placements);
+        std::vector<std::string> const names = placementNames(level_, placements);
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            Placement const& placement = sorted[i];
+            if (auto const refusal =
+                    checkPlacement(level_, library_, std::span(sorted).first(i), placement)) {
+                problem(placement.path, *refusal, "a placement that the level allows");
+                continue;
+            }
+            Made made;
+            made.name = names[i];
+            made.part = library_.find(placement.part);
+            made.properties = made.part->properties;
+            made.properties.set(Position{placement.at});
+            made.properties.set(Rotation{placement.angle});
+            made.path = placement.path;
+            made.isPlacement = true;
+            made_.push_back(std::move(made));
+        }
+    }
+
+    void checkToolbox() {
+        for (ToolboxEntry const& entry : level_.toolbox) {
+            if (library_.find(entry.part) == nullptr) {
+                problem(entry.path.empty() ? "" : entry.path + "/part",
+                        fmt::format("there is no part '{}'{}", entry.part,
+                                    didYouMean(entry.part, library_.names())),
+                        listed(library_.names()));
+            }
+        }
+    }
+
+    void create(Store& store) {
+        for (PartDefinition const* part : library_.all()) {
+            store.prototypes().add(part->prototype());
+        }
+        for (Made& made : made_) {
+            if (store.find(made.name).valid()) {
+                problem(made.path, fmt::format("the name '{}' is taken", made.name), "a name of its own");
+                continue;
+            }
+            made.id = store.create(made.name);
+        }
+        for (Made& made : made_) {
+            if (made.id.valid()) {
+                furnish(store, made);
+            }
+        }
+    }
+
+    void checkRules(Store const& store) {
+        for (Made const& made : made_) {
+            if (!made.id.valid()) {
+                continue;
+            }
+            for (ObjectRule const& rule : registry_.rules()) {
+                ColumnBase const* const column = store.findColumn(*rule.property);
+                if (column == nullptr || !column->has(made.id)) {
+                    continue;
+                }
+                if (auto const broken = rule.check(store, made.id)) {
+                    propertyProblem(made, *rule.property, "", fmt::format("{}: {}", made.name, *broken), "");
+                }
+            }
+        }
+    }
+
+    void connect(Store& store) {
+        std::vector<LevelConnection> sorted = level_.connections;
+        for (LevelConnection& connection : sorted) {
+            if (connection.b < connection.a) {
+                std::swap(connection.a, connection.b);
+            }
+        }
+        std::sort(sorted.begin(), sorted.end(), [](LevelConnection const& x, LevelConnection const& y) {
+            return std::tie(x.a, x.b) < std::tie(y.a, y.b);
+        });
+        if (!sorted.empty() && registry_.connector() == nullptr) {
+            problem("/connections", "no effect of this program knows connections", "no connections");
+            return;
+        }
+        for (LevelConnection const& connection : sorted) {
+            ObjectId const a = store.find(connection.a);
+            ObjectId const b = store.find(connection.b);
+            if (!a.valid() || !b.valid()) {
+                problem(connection.path,
+                        fmt::format("there is no object '{}'", a.valid() ? connection.b : connection.a),
+                        "the name of an object of this level");
+            } else if (auto const wrong = registry_.connector()(store, a, b)) {
+                problem(connection.path, *wrong, "");
+            }
+        }
+    }
+
+    void checkOverlaps(Store const& store, OverlapTest const& overlap) {
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            for (std::size_t j = 0; made_[i].isPlacement && j < i; ++j) {
+                if (made_[i].id.valid() && made_[j].id.valid() && overlap(store, made_[i].id, made_[j].id)) {
+                    problem(made_[i].path, fmt::format("'{}' overlaps '{}'", made_[i].name, made_[j].name),
+                            "a place where it is free");
+                }
+            }
+        }
+    }
+
+private:
+    void problem(std::string path, std::string message, std::string expected) {
+        if (problems_.hasRoom()) {
+            problems_.add(level_.diagnostic(std::move(path), std::move(message), std::move(expected)));
+        } else {
+            problems_.countOne();
+        }
+    }
+
+    /// A problem with an object's property, where that is stated: in the object's entry or in its part's
+    /// file.
+    void propertyProblem(Made const& made, PropertyInfo const& info, std::string const& inside,
+                         std::string message, std::string expected) {
+        std::string const key(info.text.key);
+        bool const own = made.own != nullptr && made.own->states(info);
+        if (!own && made.part != nullptr && made.part->document && made.part->properties.states(info)) {
+            JsonDocument const& document = *made.part->document;
+            bool const beside = document.root().contains(key);
+            if (problems_.hasRoom()) {
+                problems_.add(document.diagnostic(pointerTo(beside ? "" : "/properties", key) + inside,
+                                                  std::move(message), std::move(expected)));
+            } else {
+                problems_.countOne();
+            }
+            return;
+        }
+        std::string path = made.path;
+        if (!path.empty() && !made.isPlacement && key != "joint") {
+            bool const direct = made.inEntry || info.text.place != PropertyPlace::properties;
+            path = pointerTo(direct ? path : path + "/properties", key);
+        }
+        problem(path + inside, std::move(message), std::move(expected));
+    }
+
+    void furnish(Store& store, Made& made) {
+        for (PropertySet::Entry const& entry : made.properties.entries()) {
+            auto const value = entry.value->clone();
+            for (DanglingReference const& dangling : resolveReferences(*value, level_.names, store)) {
+                propertyProblem(made, *entry.info, dangling.path,
+                                fmt::format("there is no object '{}'{}", dangling.name,
+                                            didYouMean(dangling.name, objectNames())),
+                                "the name of an object of this level");
+            }
+            value->assignTo(store.column(*entry.info), made.id);
+        }
+    }
+
+    [[nodiscard]] std::vector<std::string> objectNames() const {
+        std::vector<std::string> names;
+        for (Made const& made : made_) {
+            names.push_back(made.name);
+        }
+        return names;
+    }
+
+    Registry const& registry_;
+    LevelFile const& level_;
+    PartLibrary const& library_;
+    Problems& problems_;
+    std::vector<Made> made_;
+};
+
+} // namespace
+
+PropertySet effectiveProperties(PropertySet const& part, PropertySet const& own) {
+    PropertySet all = part;
+    for (PropertySet::Entry const& entry : own.entries()) {
+        if (entry.value) {
+            all.set(entry.value->clone());
+        } else {
+            all.erase(*entry.info);
+        }
+    }
+    PropertySet present;
+    for (PropertySet::Entry const& entry : all.entries()) {
+        if (entry.value) {
+            present.set(entry.value->clone());
+        }
+    }
+    return present;
+}
+
+std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& level,
+                                  PartLibrary const& library, std::span<Placement const> placements,
+                                  WorldOptions options, OverlapTest const& overlap) {
+    Problems problems;
+    Builder builder(registry, level, library, problems);
+    builder.addWorld();
+    builder.addObjects();
+    builder.addJoints();
+    builder.addPlacements(placements);
+    builder.checkToolbox();
+    for (auto const& [effect, detail] : level.detail) {
+        options.detail.try_emplace(effect, detail);
+    }
+    auto world = std::make_unique<World>(registry, std::move(options));
+    builder.create(world->store());
+    problems.throwIfAny(); // rules may assume that references are good
+    builder.checkRules(world->store());
+    builder.connect(world->store());
+    problems.throwIfAny(); // and the completions, that rules are kept
+    world->start();
+    if (overlap) {
+        builder.checkOverlaps(world->store(), overlap);
+        problems.throwIfAny();
+    }
+    return world;
+}
+
+} // namespace trembler

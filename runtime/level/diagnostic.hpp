@@ -1,0 +1,54 @@
+// What is wrong with a file, and where: every problem of every input file is told in this form.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// One problem. Printed as `file:line:column: path: message; expected …`.
+struct Diagnostic {
+    std::string file;
+    std::size_t line = 0;   ///< from 1; 0: the file as a whole
+    std::size_t column = 0; ///< from 1, in characters
+    std::string path;       ///< JSON pointer (RFC 6901) to the value at fault; "" is the whole document
+    std::string message;
+    std::string expected; ///< what would have been right; may be empty
+
+    [[nodiscard]] std::string print() const;
+};
+
+/// Thrown for an input file that cannot be used. It carries everything that was found wrong with it.
+class InputError : public std::runtime_error {
+public:
+    explicit InputError(std::vector<Diagnostic> diagnostics);
+    [[nodiscard]] std::vector<Diagnostic> const& diagnostics() const { return diagnostics_; }
+
+private:
+    std::vector<Diagnostic> diagnostics_;
+};
+
+/// Gathers problems, so that the author of a file sees them all at once and not one per attempt.
+class Problems {
+public:
+    /// More than anybody reads; the rest is only counted.
+    static constexpr std::size_t most = 100;
+
+    void add(Diagnostic diagnostic);
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+    /// All that were added, also those beyond the most that are kept.
+    [[nodiscard]] std::size_t count() const { return count_; }
+    /// Whether a further problem would still be kept: finding its place costs a walk through the file.
+    [[nodiscard]] bool hasRoom() const { return kept_.size() < most; }
+    void countOne() { ++count_; }
+    /// Throws InputError, in order of the places in the files, if there is any problem.
+    void throwIfAny() const;
+
+private:
+    std::vector<Diagnostic> kept_;
+    std::size_t count_ = 0;
+};
+
+} // namespace trembler

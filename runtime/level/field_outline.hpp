@@ -1,0 +1,30 @@
+// What fields a property has, found out by visiting a value of it.
+#pragma once
+
+#include "runtime/property/property_value.hpp"
+
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+enum class FieldType { boolean, integer, number, vector, text, object, choice, list };
+
+struct FieldOutline {
+    FieldInfo info;
+    FieldType type;
+};
+
+/// The fields at the top of a value, in order. Which there are may depend on the value's choices.
+[[nodiscard]] std::vector<FieldOutline> outlineOf(PropertyValue& value);
+
+/// True for a property that files write bare: its one field has the key "value".
+[[nodiscard]] bool isBare(std::vector<FieldOutline> const& fields);
+
+/// True for a unit of angle or of angular speed: files state degrees.
+[[nodiscard]] bool isAngle(std::string_view unit);
+/// Radians to the degrees that files state, and back. Exactly inverse for every angle that a file can state.
+[[nodiscard]] double radians(double degrees);
+[[nodiscard]] double degrees(double radians);
+
+} // namespace trembler

@@ -1,0 +1,187 @@
+#include "runtime/level/json_document.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace trembler {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Builds the tree. Unlike the library's own builder it notices keys that stand twice and gives up in time.
+class Builder : public nlohmann::json_sax<Json> {
+public:
+    struct Flaw {
+        std::string path;
+        std::string message;
+        std::string expected;
+        std::optional<std::size_t> offset;
+        Spot spot = Spot::value;
+    };
+    [[nodiscard]] Json take() { return std::move(root_); }
+    [[nodiscard]] std::vector<Flaw> const& flaws() const { return flaws_; }
+
+    bool null() override { return put(nullptr); }
+    bool boolean(bool value) override { return put(value); }
+    bool number_integer(number_integer_t value) override { return put(value); }
+    bool number_unsigned(number_unsigned_t value) override { return put(value); }
+    bool number_float(number_float_t value, string_t const&) override { return put(value); }
+    bool string(string_t& value) override { return put(std::move(value)); }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override {
+        Level& level = open_.back();
+        level.key = name;
+        if (level.node->contains(name)) {
+            flaws_.push_back({pathOfNext(), fmt::format("the key '{}' stands here twice", name),
+                              "every key once", std::nullopt, Spot::lastKey});
+        }
+        return true;
+    }
+    bool parse_error(std::size_t position, std::string const&,
+                     nlohmann::detail::exception const& error) override {
+        std::string message = error.what();
+        if (std::size_t const at = message.find("syntax error"); at != std::string::npos) {
+            message = message.substr(at);
+        } else if (std::size_t const bracket = message.find("] "); bracket != std::string::npos) {
+            message = message.substr(bracket + 2);
+        }
+        std::string expected;
+        if (std::size_t const at = message.find("; expected "); at != std::string::npos) {
+            expected = message.substr(at + std::string_view("; expected ").size());
+            message.resize(at);
+        }
+        flaws_.push_back({"", message, expected, position == 0 ? 0 : position - 1, Spot::value});
+        return false;
+    }
+
+private:
+    struct Level {
+        Json* node;
+        std::string key; // of the member that comes next
+    };
+
+    [[nodiscard]] std::string pathOfNext() const {
+        std::string path;
+        for (Level const& level : open_) {
+            path = level.node->is_array() ? pointerTo(path, level.node->size()) : pointerTo(path, level.key);
+        }
+        return path;
+    }
+    Json* place(Json value) {
+        if (open_.empty()) {
+            root_ = std::move(value);
+            return &root_;
+        }
+        Level& level = open_.back();
+        if (level.node->is_array()) {
+            level.node->push_back(std::move(value));
+            return &level.node->back();
+        }
+        Json& member = (*level.node)[level.key];
+        member = std::move(value);
+        return &member;
+    }
+    template <class T>
+    bool put(T&& value) {
+        place(Json(std::forward<T>(value)));
+        return true;
+    }
+    bool open(Json container) {
+        if (open_.size() == JsonDocument::deepest) {
+            flaws_.push_back(
+                {pathOfNext(), "nested too deeply",
+                 fmt::format("at most {} lists and objects inside one another", JsonDocument::deepest),
+                 std::nullopt, Spot::value});
+            return false;
+        }
+        open_.push_back({place(std::move(container)), {}});
+        return true;
+    }
+    bool close() {
+        open_.pop_back();
+        return true;
+    }
+
+    Json root_;
+    std::vector<Level> open_; // pointers stay good: only the innermost container grows
+    std::vector<Flaw> flaws_;
+};
+
+[[noreturn]] void refuse(std::string file, std::string message, std::string expected) {
+    Diagnostic diagnostic;
+    diagnostic.file = std::move(file);
+    diagnostic.message = std::move(message);
+    diagnostic.expected = std::move(expected);
+    throw InputError({std::move(diagnostic)});
+}
+
+} // namespace
+
+JsonDocument::JsonDocument(std::string text, std::string file)
+    : text_(std::move(text)), file_(std::move(file)) {
+    if (text_.size() > largest) {
+        refuse(file_, fmt::format("has {} bytes", text_.size()), fmt::format("at most {}", largest));
+    }
+    Builder builder;
+    bool const whole = Json::sax_parse(text_, &builder);
+    if (whole && builder.flaws().empty()) {
+        root_ = builder.take();
+        return;
+    }
+    Problems problems;
+    for (auto const& flaw : builder.flaws()) {
+        if (!problems.hasRoom()) {
+            problems.countOne();
+            continue;
+        }
+        Diagnostic made = diagnostic(flaw.path, flaw.message, flaw.expected, flaw.spot);
+        if (flaw.offset) {
+            TextPlace const place = placeOf(text_, *flaw.offset);
+            made.line = place.line;
+            made.column = place.column;
+        }
+        problems.add(std::move(made));
+    }
+    problems.throwIfAny();
+    refuse(file_, "is not JSON", "one JSON value");
+}
+
+std::shared_ptr<JsonDocument const> JsonDocument::parse(std::string text, std::string file) {
+    return std::shared_ptr<JsonDocument const>(new JsonDocument(std::move(text), std::move(file)));
+}
+
+std::shared_ptr<JsonDocument const> JsonDocument::load(std::filesystem::path const& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        refuse(path.string(), "is a folder", "a file");
+    }
+    std::uintmax_t const size = std::filesystem::file_size(path, error);
+    if (error) {
+        refuse(path.string(), "cannot be read: " + error.message(), "");
+    }
+    if (size > largest) {
+        refuse(path.string(), fmt::format("has {} bytes", size), fmt::format("at most {}", largest));
+    }
+    std::ifstream in(path, std::ios::binary);
+    std::string text(static_cast<std::size_t>(size), '\0');
+    in.read(text.data(), static_cast<std::streamsize>(size));
+    if (!in) {
+        refuse(path.string(), "cannot be read", "");
+    }
+    return parse(std::move(text), path.string());
+}
+
+Diagnostic JsonDocument::diagnostic(std::string path, std::string message, std::string expected,
+                                    Spot spot) const {
+    TextPlace const place = placeOf(text_, locate(text_, path, spot));
+    return {file_, place.line, place.column, std::move(path), std::move(message), std::move(expected)};
+}
+
+} // namespace trembler

@@ -1,0 +1,21 @@
+// Old level files keep loading: each step turns one version of the format into the next.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <span>
+
+namespace trembler {
+
+struct LevelMigration {
+    int from;                               ///< turns `from` into `from` + 1
+    void (*step)(nlohmann::json& document); ///< must leave alone what it does not understand
+};
+
+/// All steps, ascending; the last one leads to levelVersion.
+[[nodiscard]] std::span<LevelMigration const> levelMigrations();
+
+/// Applies every step from the document's version on; `version` is what the file states.
+void migrate(nlohmann::json& document, int version);
+
+} // namespace trembler

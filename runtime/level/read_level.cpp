@@ -1,0 +1,407 @@
+#include "runtime/level/read_level.hpp"
+
+#include "runtime/level/migrations.hpp"
+#include "runtime/level/placing.hpp"
+#include "runtime/level/property_reader.hpp"
+#include "runtime/level/read_solutions.hpp"
+#include "runtime/level/suggestion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace trembler {
+namespace {
+
+constexpr double farthest = 1e6; // m, like Position
+
+class LevelReader {
+public:
+    LevelReader(Registry const& registry, LevelFile& level) : registry_(registry), level_(level) {}
+
+    void read(JsonNode const& node) {
+        MemberReader reader(node, "a level: an object with \"version\", \"title\", \"objects\" ...");
+        if (!reader.valid()) {
+            return;
+        }
+        reader.know("version"); // has been looked at before
+        if (auto const title = reader.required("title", "the name of the level, for people")) {
+            level_.title = title->name("a title").value_or("");
+        }
+        if (auto const text = reader.optional("text")) {
+            level_.text = text->text().value_or("");
+        }
+        if (auto const world = reader.optional("world")) {
+            readWorld(*world);
+        }
+        if (auto const objects = reader.optional("objects");
+            objects && objects->isArray("a list of objects")) {
+            for (std::size_t i = 0; i < objects->size(); ++i) {
+                readObject(objects->element(i));
+            }
+        }
+        if (auto const joints = reader.optional("joints"); joints && joints->isArray("a list of joints")) {
+            for (std::size_t i = 0; i < joints->size(); ++i) {
+                readJoint(joints->element(i));
+            }
+        }
+        if (auto const list = reader.optional("connections");
+            list && list->isArray("a list of pairs of names")) {
+            for (std::size_t i = 0; i < list->size(); ++i) {
+                readConnection(list->element(i));
+            }
+        }
+        if (auto const placing = reader.optional("placing"); placing && placing->isArray("a list of areas")) {
+            level_.placing.emplace();
+            for (std::size_t i = 0; i < placing->size(); ++i) {
+                readArea(placing->element(i));
+            }
+        }
+        if (auto const toolbox = reader.optional("toolbox"); toolbox && toolbox->isArray("a list of parts")) {
+            for (std::size_t i = 0; i < toolbox->size(); ++i) {
+                readToolboxEntry(toolbox->element(i));
+            }
+        }
+        if (auto const goals = reader.optional("goals"); goals && goals->isObject("a condition")) {
+            level_.goals = goals->value();
+        }
+        if (auto const hints = reader.optional("hints"); hints && hints->isArray("a list of texts")) {
+            for (std::size_t i = 0; i < hints->size(); ++i) {
+                level_.hints.push_back(hints->element(i).text().value_or(""));
+            }
+        }
+        if (auto const solutions = reader.optional("solutions")) {
+            level_.solutions = readSolutions(*solutions);
+        }
+        reader.finish();
+        checkConnections(node);
+        checkInputs(node);
+    }
+
+private:
+    void readWorld(JsonNode const& node) {
+        if (!node.isObject("an object with the properties of the world, \"bounds\" and \"detail\"")) {
+            return;
+        }
+        auto known = keysOf(registry_, PropertyPlace::world);
+        known.insert(known.end(), {"bounds", "detail"});
+        for (auto const& [key, value] : node.value().items()) {
+            JsonNode const member = node.member(key);
+            PropertyInfo const* const info = registry_.objectProperty(key);
+            if (key == "bounds") {
+                level_.bounds = readBox(member);
+            } else if (key == "detail") {
+                readDetail(member);
+            } else if (info != nullptr && info->text.place == PropertyPlace::world) {
+                readPropertyInto(level_.world, *info, member, &level_.names);
+            } else {
+                node.complainAboutKey(key, fmt::format("unknown key '{}'{}", key, didYouMean(key, known)),
+                                      listed(known));
+            }
+        }
+    }
+
+    void readDetail(JsonNode const& node) {
+        if (!node.isObject("an object {effect: detail level}")) {
+            return;
+        }
+        std::map<std::string, std::vector<std::string>> levels;
+        for (Registration const& registration : registry_.components()) {
+            ComponentText const& text = registration.info->text;
+            auto& of = levels[std::string(text.effect)];
+            if (!text.level.empty() && std::find(of.begin(), of.end(), text.level) == of.end()) {
+                of.emplace_back(text.level);
+            }
+        }
+        std::erase_if(levels, [](auto const& effect) { return effect.second.empty(); });
+        std::vector<std::string> effects;
+        for (auto const& [effect, of] : levels) {
+            effects.push_back(effect);
+        }
+        for (auto const& [effect, value] : node.value().items()) {
+            auto const known = levels.find(effect);
+            if (known == levels.end()) {
+                node.complainAboutKey(
+                    effect,
+                    fmt::format("no effect '{}' has detail levels{}", effect, didYouMean(effect, effects)),
+                    listed(effects));
+                continue;
+            }
+            std::vector<std::string_view> const names(known->second.begin(), known->second.end());
+            if (auto const index = node.member(effect).choice(names)) {
+                level_.detail[effect] = known->second[*index];
+            }
+        }
+    }
+
+    static std::optional<Box> readBox(JsonNode const& node) {
+        if (!node.value().is_array() || node.size() != 4) {
+            node.complainOfType(
+                "a list [x, y, width, height] of four numbers, in m, (x, y) the lower left corner");
+            return std::nullopt;
+        }
+        auto const x = node.element(0).number(-farthest, farthest);
+        auto const y = node.element(1).number(-farthest, farthest);
+        auto const width = node.element(2).number(1e-3, 2 * farthest);
+        auto const height = node.element(3).number(1e-3, 2 * farthest);
+        return x && y && width && height ? std::optional(Box{{*x, *y}, {*width, *height}}) : std::nullopt;
+    }
+
+    void readArea(JsonNode const& node) {
+        constexpr std::string_view expected =
+            "a box [x, y, width, height] or a polygon [[x, y], [x, y], [x, y], ...], in m";
+        if (!node.value().is_array() || node.size() < 3 ||
+            (!node.value()[0].is_array() && node.size() != 4)) {
+            node.complainOfType(std::string(expected));
+            return;
+        }
+        Area area;
+        if (!node.value()[0].is_array()) {
+            area.box = readBox(node);
+            if (!area.box) {
+                return;
+            }
+        } else {
+            for (std::size_t i = 0; i < node.size(); ++i) {
+                if (auto const corner = node.element(i).vector(-farthest, farthest)) {
+                    area.corners.push_back(*corner);
+                }
+            }
+        }
+        level_.placing->push_back(std::move(area));
+    }
+
+    /// Remembers a name; complains if it is taken.
+    void takeName(JsonNode const& node, std::string const& name) {
+        if (name == "world") {
+            node.complain("the name 'world' is taken", "another name: 'world' is the object under \"world\"");
+        } else if (auto const [at, isNew] = namePaths_.try_emplace(name, node.path()); !isNew) {
+            node.complain(fmt::format("the name '{}' is taken by {}", name, at->second), "a name of its own");
+        }
+    }
+
+    void readObject(JsonNode const& node) {
+        if (!node.isObject("an object {\"name\", \"part\" or \"properties\", \"at\", ...}")) {
+            return;
+        }
+        LevelObject object;
+        object.path = node.path();
+        auto const placementKeys = keysOf(registry_, PropertyPlace::placement);
+        std::vector<std::string> known{"name", "part", "properties"};
+        for (std::string const& key : placementKeys) {
+            if (key != "name") {
+                known.push_back(key);
+            }
+        }
+        if (!node.has("name")) {
+            node.complain("'name' is missing", "a name that no other object has");
+        }
+        for (auto const& [key, value] : node.value().items()) {
+            JsonNode const member = node.member(key);
+            if (key == "name") {
+                if (auto const name = member.name("a name")) {
+                    takeName(member, *name);
+                    object.name = *name;
+                }
+            } else if (key == "part") {
+                object.part = member.name("the name of a part").value_or("");
+            } else if (key == "properties") {
+                readProperties(object.properties, registry_, PropertyPlace::properties, member,
+                               &level_.names);
+            } else if (std::find(placementKeys.begin(), placementKeys.end(), key) != placementKeys.end()) {
+                readPropertyInto(object.properties, *registry_.objectProperty(key), member, &level_.names);
+            } else {
+                bool const isProperty = registry_.objectProperty(key) != nullptr;
+                node.complainAboutKey(key, fmt::format("unknown key '{}'{}", key, didYouMean(key, known)),
+                                      isProperty ? "properties under \"properties\"" : listed(known));
+            }
+        }
+        if (!object.name.empty()) {
+            level_.objects.push_back(std::move(object));
+        }
+    }
+
+    void readJoint(JsonNode const& node) {
+        PropertyInfo const* const info = registry_.objectProperty("joint");
+        if (info == nullptr) {
+            node.complain("no effect of this program knows joints", "no joints");
+            return;
+        }
+        LevelJoint joint;
+        joint.path = node.path();
+        if (node.has("name")) {
+            JsonNode const member = node.member("name");
+            if (auto const name = member.name("a name")) {
+                takeName(member, *name);
+                joint.name = *name;
+            }
+        }
+        std::array<std::string, 1> const others{"name"};
+        if (auto value = readPropertyBeside(*info, node, &level_.names, others)) {
+            joint.properties.set(std::move(value));
+            level_.joints.push_back(std::move(joint));
+        }
+    }
+
+    void readConnection(JsonNode const& node) {
+        if (!node.value().is_array() || node.size() != 2) {
+            node.complainOfType("a pair [\"object\", \"object\"] of names");
+            return;
+        }
+        auto const a = node.element(0).name("the name of an object");
+        auto const b = node.element(1).name("the name of an object");
+        if (a && b) {
+            level_.connections.push_back({*a, *b, node.path()});
+        }
+    }
+
+    void readToolboxEntry(JsonNode const& node) {
+        constexpr std::int64_t most = 1000;
+        MemberReader reader(node, "an object {\"part\", \"count\"}");
+        auto const part = reader.required("part", "the name of a part");
+        auto const count = reader.optional("count");
+        reader.finish();
+        auto const name = part ? part->name("the name of a part") : std::nullopt;
+        auto const number = count ? count->integer(1, most) : std::optional<std::int64_t>(1);
+        if (!name || !number) {
+            return;
+        }
+        for (ToolboxEntry const& other : level_.toolbox) {
+            if (other.part == *name) {
+                node.complain(fmt::format("'{}' already stands in {}", *name, other.path), "every part once");
+            }
+        }
+        level_.toolbox.push_back({*name, static_cast<int>(*number), node.path()});
+    }
+
+    [[nodiscard]] std::vector<std::string> allNames() const {
+        std::vector<std::string> names;
+        for (auto const& [name, path] : namePaths_) {
+            names.push_back(name);
+        }
+        return names;
+    }
+
+    void complainAt(JsonNode const& root, std::string const& path, std::string message,
+                    std::string expected) {
+        Problems& problems = root.problems();
+        if (problems.hasRoom()) {
+            problems.add(level_.document->diagnostic(path, std::move(message), std::move(expected)));
+        } else {
+            problems.countOne();
+        }
+    }
+
+    void checkConnections(JsonNode const& root) {
+        std::map<std::pair<std::string, std::string>, std::string> seen;
+        for (LevelConnection const& connection : level_.connections) {
+            bool known = true;
+            std::size_t end = 0;
+            for (std::string const* name : {&connection.a, &connection.b}) {
+                if (!namePaths_.contains(*name)) {
+                    complainAt(root, pointerTo(connection.path, end),
+                               fmt::format("there is no object '{}'{}", *name, didYouMean(*name, allNames())),
+                               "the name of an object of this level");
+                    known = false;
+                }
+                ++end;
+            }
+            if (!known) {
+                continue;
+            }
+            if (connection.a == connection.b) {
+                complainAt(root, connection.path, fmt::format("connects '{}' with itself", connection.a),
+                           "two different objects");
+                continue;
+            }
+            auto const pair = std::minmax(connection.a, connection.b);
+            auto const [at, isNew] = seen.try_emplace({pair.first, pair.second}, connection.path);
+            if (!isNew) {
+                complainAt(root, connection.path,
+                           fmt::format("'{}' and '{}' are already connected by {}", connection.a,
+                                       connection.b, at->second),
+                           "every connection once");
+            }
+        }
+    }
+
+    /// Inputs may name objects of the level, what the solution places, and what such objects bring forth.
+    void checkInputs(JsonNode const& root) {
+        for (Solution const& solution : level_.solutions) {
+            std::set<std::string> names;
+            for (auto const& [name, path] : namePaths_) {
+                names.insert(name);
+            }
+            for (std::string const& name : placementNames(level_, solution.placements)) {
+                names.insert(name);
+            }
+            std::vector<std::string> const known(names.begin(), names.end());
+            for (RecordedInput const& input : solution.inputs) {
+                for (std::string const* name : {&input.object, &input.other}) {
+                    bool const born = name->find(" of ") != std::string::npos; // "bullet of cannon 3"
+                    bool const joint = name->starts_with("joint ");            // a generated name
+                    if (!name->empty() && !names.contains(*name) && !born && !joint) {
+                        complainAt(root, input.path,
+                                   fmt::format("there is no object '{}'{}", *name, didYouMean(*name, known)),
+                                   "an object of the level, or one that the solution places");
+                    }
+                }
+            }
+        }
+    }
+
+    Registry const& registry_;
+    LevelFile& level_;
+    std::map<std::string, std::string> namePaths_;
+};
+
+} // namespace
+
+LevelFile readLevel(Registry const& registry, std::shared_ptr<JsonDocument const> document,
+                    Problems& problems) {
+    LevelFile level;
+    level.document = document;
+    JsonNode const root(*document, document->root(), "", problems);
+    if (!root.isObject("a level: an object with \"version\", \"title\", \"objects\" ...")) {
+        return level;
+    }
+    if (!root.has("version")) {
+        root.complain("'version' is missing", fmt::format("\"version\": {}", levelVersion));
+        return level;
+    }
+    JsonNode const versionNode = root.member("version");
+    auto const version = versionNode.integer(0, std::numeric_limits<std::int32_t>::max());
+    if (!version) {
+        return level;
+    }
+    if (*version > levelVersion) {
+        versionNode.complain(fmt::format("version {} was made by a newer program than this one", *version),
+                             fmt::format("at most {}", levelVersion));
+        return level;
+    }
+    nlohmann::json current;
+    if (*version < levelVersion) {
+        current = document->root();
+        migrate(current, static_cast<int>(*version));
+    }
+    // After a migration some paths are not in the text any more; their problems are shown at what is around
+    // them.
+    JsonNode const top(*document, *version < levelVersion ? current : document->root(), "", problems);
+    LevelReader(registry, level).read(top);
+    return level;
+}
+
+LevelFile readLevel(Registry const& registry, std::shared_ptr<JsonDocument const> document) {
+    Problems problems;
+    LevelFile level = readLevel(registry, std::move(document), problems);
+    problems.throwIfAny();
+    return level;
+}
+
+LevelFile loadLevel(Registry const& registry, std::filesystem::path const& path) {
+    return readLevel(registry, JsonDocument::load(path));
+}
+
+} // namespace trembler

@@ -1,0 +1,59 @@
+#include "runtime/level/references.hpp"
+
+#include "runtime/level/json_locator.hpp"
+
+namespace trembler {
+namespace {
+
+class ReferenceResolver final : public FieldVisitor {
+public:
+    ReferenceResolver(NameTable const& names, Store const& store) : names_(names), store_(store) {}
+
+    std::vector<DanglingReference> dangling;
+
+    void boolean(FieldInfo const&, bool&) override {}
+    void integer(FieldInfo const&, std::int32_t&) override {}
+    void number(FieldInfo const&, double&) override {}
+    void vector(FieldInfo const&, Vec2&) override {}
+    void text(FieldInfo const&, std::string&) override {}
+    void choice(FieldInfo const&, ChoiceField) override {}
+    void object(FieldInfo const& info, ObjectId& id) override {
+        if (!id.valid()) {
+            return;
+        }
+        std::string const name = names_.nameOf(id);
+        id = store_.find(name);
+        if (!id.valid()) {
+            dangling.push_back({pathOf(info), name});
+        }
+    }
+    void list(FieldInfo const& info, ListField& field) override {
+        std::string const outer = path_;
+        std::string const here = pathOf(info);
+        for (std::size_t i = 0; i < field.size(); ++i) {
+            path_ = pointerTo(here, i);
+            field.visitElement(i, *this);
+        }
+        path_ = outer;
+    }
+
+private:
+    [[nodiscard]] std::string pathOf(FieldInfo const& info) const {
+        return info.key == "value" ? path_ : pointerTo(path_, info.key);
+    }
+
+    NameTable const& names_;
+    Store const& store_;
+    std::string path_;
+};
+
+} // namespace
+
+std::vector<DanglingReference> resolveReferences(PropertyValue& value, NameTable const& names,
+                                                 Store const& store) {
+    ReferenceResolver resolver(names, store);
+    value.visit(resolver);
+    return std::move(resolver.dangling);
+}
+
+} // namespace trembler

@@ -1,0 +1,26 @@
+// "Did you mean ...?": the known word that is nearest to an unknown one.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler {
+
+/// The least number of insertions, deletions, changes and swaps of neighbours that turn one word into the
+/// other (optimal string alignment distance). O(length × length).
+[[nodiscard]] std::size_t editDistance(std::string_view a, std::string_view b);
+
+/// The nearest of the known words, if it is near enough to be what was meant; the first of equals.
+[[nodiscard]] std::optional<std::string> suggestion(std::string_view word,
+                                                    std::span<std::string const> known);
+
+/// ", did you mean 'friction'?" or nothing.
+[[nodiscard]] std::string didYouMean(std::string_view word, std::span<std::string const> known);
+
+/// "'a', 'b' or 'c'", shortened where there are very many.
+[[nodiscard]] std::string listed(std::span<std::string const> words);
+
+} // namespace trembler
