@@ -2,6 +2,7 @@
 
 #include "physics/electricity/register.hpp"
 #include "physics/gravity/register.hpp"
+#include "physics/look.hpp"
 #include "physics/magnetism/register.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/registry.hpp"
@@ -14,6 +15,7 @@ void registerEverything(Registry& registry) {
     registerElectricity(registry);
     registerGravity(registry);
     registerMagnetism(registry);
+    registerLook(registry);
 }
 
 } // namespace trembler

@@ -295,7 +295,6 @@ private:
     }
 
     void checkConnections(JsonNode const& root) {
-        std::map<std::pair<std::string, std::string>, std::string> seen;
         for (LevelConnection const& connection : level_.connections) {
             bool known = true;
             std::size_t end = 0;
@@ -308,21 +307,9 @@ private:
                 }
                 ++end;
             }
-            if (!known) {
-                continue;
-            }
-            if (connection.a == connection.b) {
+            if (known && connection.a == connection.b) {
                 complainAt(root, connection.path, fmt::format("connects '{}' with itself", connection.a),
                            "two different objects");
-                continue;
-            }
-            auto const pair = std::minmax(connection.a, connection.b);
-            auto const [at, isNew] = seen.try_emplace({pair.first, pair.second}, connection.path);
-            if (!isNew) {
-                complainAt(root, connection.path,
-                           fmt::format("'{}' and '{}' are already connected by {}", connection.a,
-                                       connection.b, at->second),
-                           "every connection once");
             }
         }
     }
