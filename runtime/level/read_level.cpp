@@ -33,6 +33,9 @@ public:
         if (auto const text = reader.optional("text")) {
             level_.text = text->text().value_or("");
         }
+        if (auto const demonstration = reader.optional("demonstration")) {
+            level_.demonstration = demonstration->boolean().value_or(false);
+        }
         if (auto const world = reader.optional("world")) {
             readWorld(*world);
         }
