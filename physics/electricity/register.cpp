@@ -3,6 +3,7 @@
 #include "physics/electricity/electricity_resolver.hpp"
 #include "physics/electricity/from_dynamics.hpp"
 #include "physics/electricity/from_player.hpp"
+#include "physics/electricity/initial_connections.hpp"
 #include "physics/electricity/single_cable.hpp"
 #include "physics/electricity/two_wire.hpp"
 #include "runtime/world/registry.hpp"
@@ -42,6 +43,7 @@ void registerElectricity(Registry& registry) {
     registry.component<ElectricityFromDynamics>();
     registry.component<ElectricityFromPlayer>();
     registry.property<ElectricalDevice>();
+    registry.connector(connectInitially);
     registry.rule({&propertyInfo<ElectricalSource>(), checkTerminal<ElectricalSource>});
     registry.rule({&propertyInfo<ElectricalReturn>(), checkTerminal<ElectricalReturn>});
 }
