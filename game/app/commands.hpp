@@ -1,0 +1,25 @@
+// The commands of the program, one function each. All return the exit status and never throw on bad input.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace trembler {
+
+inline constexpr int exitSolved = 0;
+inline constexpr int exitNotSolved = 1;
+inline constexpr int exitBadInput = 2;
+
+/// Adds a command to the program; when it is chosen, `result` becomes its exit status.
+void addPlayCommand(CLI::App& program, int& result);
+void addRunCommand(CLI::App& program, int& result);
+void addVerifyCommand(CLI::App& program, int& result);
+void addComponentsCommand(CLI::App& program, int& result);
+void addSchemaCommand(CLI::App& program, int& result);
+void addScreenshotCommand(CLI::App& program, int& result);
+
+/// Runs a command's work; says on standard error what is wrong with its input, if anything.
+[[nodiscard]] int guarded(std::function<int()> const& work);
+
+} // namespace trembler

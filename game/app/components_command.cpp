@@ -1,0 +1,53 @@
+// trembler components and trembler schema: what there is, described by itself.
+#include "game/app/commands.hpp"
+
+#include "game/core/workshop.hpp"
+#include "game/goals/level_schema.hpp"
+#include "physics/register_physics.hpp"
+#include "runtime/notation/notation.hpp"
+
+#include <iostream>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+namespace trembler {
+
+void addComponentsCommand(CLI::App& program, int& result) {
+    struct Arguments {
+        bool json = false;
+        bool markdown = false;
+    };
+    auto const arguments = std::make_shared<Arguments>();
+    CLI::App* const command =
+        program.add_subcommand("components", "Print every component in the thesis's notation, and the schedule");
+    CLI::Option* const json = command->add_flag("--json", arguments->json, "As one JSON object");
+    command->add_flag("--markdown", arguments->markdown, "As Markdown tables")->excludes(json);
+    command->callback([arguments, &result] {
+        result = guarded([&] {
+            Registry registry;
+            registerEverything(registry);
+            registry.check();
+            if (arguments->json) {
+                std::cout << notationJson(registry).dump(2) << "\n";
+            } else {
+                std::cout << (arguments->markdown ? notationMarkdown(registry) : notationText(registry));
+            }
+            return exitSolved;
+        });
+    });
+}
+
+void addSchemaCommand(CLI::App& program, int& result) {
+    CLI::App* const command = program.add_subcommand("schema", "Print the JSON Schema of a level file");
+    command->callback([&result] {
+        result = guarded([&] {
+            Registry registry;
+            registerEverything(registry);
+            std::cout << levelSchema(registry).dump(2) << "\n";
+            return exitSolved;
+        });
+    });
+}
+
+} // namespace trembler

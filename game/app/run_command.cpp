@@ -1,0 +1,157 @@
+// trembler run: a level without a window.
+#include "game/app/commands.hpp"
+
+#include "game/core/workshop.hpp"
+#include "game/session/runner.hpp"
+#include "game/session/solution_file.hpp"
+#include "physics/dynamics/settings.hpp"
+#include "runtime/level/read_level.hpp"
+
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace trembler {
+namespace {
+
+struct Arguments {
+    std::string level;
+    std::optional<std::uint64_t> frames;
+    std::string solution;
+    int threads = 1;
+    bool json = false;
+    std::string trace;
+    std::uint64_t hashEvery = 0;
+    std::vector<std::string> detail;
+    std::vector<std::string> periods;
+    std::optional<int> substeps;
+};
+
+// "NAME=VALUE" apart; the last '=' counts, as component titles may hold others.
+std::pair<std::string, std::string> assignment(std::string const& text, char const* option, char const* form) {
+    std::size_t const at = text.rfind('=');
+    if (at == std::string::npos || at == 0 || at + 1 == text.size()) {
+        throw std::invalid_argument(fmt::format("{} {}: expected {}", option, text, form));
+    }
+    return {text.substr(0, at), text.substr(at + 1)};
+}
+
+int asPeriod(std::string const& text, std::string const& value) {
+    std::size_t used = 0;
+    int period = 0;
+    try {
+        period = std::stoi(value, &used);
+    } catch (std::exception const&) {
+        used = 0;
+    }
+    if (used != value.size()) {
+        throw std::invalid_argument(fmt::format("--period {}: expected COMPONENT=N with a whole number N", text));
+    }
+    return period;
+}
+
+std::function<void(std::uint64_t)> progressOf(std::uint64_t frames) {
+    if (isatty(STDERR_FILENO) == 0) {
+        return {};
+    }
+    return [frames, next = std::uint64_t{600}](std::uint64_t done) mutable {
+        if (done >= next) {
+            std::cerr << fmt::format("\r{} of {} frames", done, frames) << std::flush;
+            next += 600;
+        }
+        if (done == frames && frames >= 600) {
+            std::cerr << "\r                              \r";
+        }
+    };
+}
+
+int runLevel(Arguments const& arguments) {
+    Workshop const workshop;
+    LevelFile level = loadLevel(workshop.registry, arguments.level);
+    if (arguments.substeps) {
+        DynamicsSettings settings;
+        if (auto const* const stated = level.world.find<DynamicsSettings>()) {
+            settings = *stated;
+        }
+        settings.substeps = *arguments.substeps;
+        level.world.set(settings);
+    }
+    WorldOptions options;
+    options.threads = arguments.threads;
+    options.trace = !arguments.trace.empty();
+    options.detail = level.detail;
+    for (std::string const& text : arguments.detail) {
+        auto const [effect, name] = assignment(text, "--detail", "EFFECT=LEVEL");
+        options.detail[effect] = name;
+    }
+    for (std::string const& text : arguments.periods) {
+        auto const [component, value] = assignment(text, "--period", "COMPONENT=N");
+        options.periods[component] = asPeriod(text, value);
+    }
+    std::optional<Solution> solution;
+    if (!arguments.solution.empty()) {
+        solution = findOrLoadSolution(workshop.registry, level, arguments.solution);
+    }
+    Session session(workshop.registry, workshop.parts, std::move(level), options);
+    RunOptions run;
+    run.frames = arguments.frames.value_or(600);
+    if (solution) {
+        session.load(*solution);
+        if (solution->frames && !arguments.frames) {
+            run.frames = static_cast<std::uint64_t>(*solution->frames);
+        }
+    }
+    run.hashEvery = arguments.hashEvery;
+    run.progress = progressOf(run.frames);
+    std::ofstream trace;
+    if (!arguments.trace.empty()) {
+        trace.open(arguments.trace);
+        if (!trace) {
+            throw std::invalid_argument(fmt::format("--trace {}: the file cannot be written", arguments.trace));
+        }
+        run.trace = &trace;
+    }
+    RunReport const report = trembler::run(session, arguments.level, run);
+    if (!arguments.trace.empty() && !trace.flush()) {
+        throw std::runtime_error(fmt::format("--trace {}: writing failed, the account is not complete",
+                                             arguments.trace));
+    }
+    if (arguments.json) {
+        std::cout << toJson(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
+    } else {
+        std::cout << toWords(report);
+    }
+    return report.solved ? exitSolved : exitNotSolved;
+}
+
+} // namespace
+
+void addRunCommand(CLI::App& program, int& result) {
+    auto const arguments = std::make_shared<Arguments>();
+    CLI::App* const command = program.add_subcommand(
+        "run", "Run a level without a window. Exit status: 0 solved, 1 not solved, 2 bad input.");
+    command->add_option("LEVEL", arguments->level, "Level file")->required();
+    command->add_option("--frames", arguments->frames, "Frames to run, 60 are one second (default: the solution's, "
+                                                       "else 600)")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{60'000'000}));
+    command->add_option("--solution", arguments->solution,
+                        "Name of a solution recorded in the level, or a file with one");
+    command->add_option("--threads", arguments->threads, "Threads; the result never depends on them")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    command->add_flag("--json", arguments->json, "Print one JSON object instead of words");
+    command->add_option("--trace", arguments->trace, "Write every event and its causes to a file, one JSON line each");
+    command->add_option("--hash-every", arguments->hashEvery, "Also print the state's hash at every Nth frame");
+    command->add_option("--detail", arguments->detail, "EFFECT=LEVEL, for example electricity=single-cable");
+    command->add_option("--period", arguments->periods,
+                        "COMPONENT=N: run a component in every Nth frame only, for example \"Dynamics Resolver=2\"");
+    command->add_option("--substeps", arguments->substeps, "Steps of the dynamics engine in a frame")
+        ->check(CLI::Range(1, 64));
+    command->callback([arguments, &result] { result = guarded([&] { return runLevel(*arguments); }); });
+}
+
+} // namespace trembler

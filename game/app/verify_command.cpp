@@ -1,0 +1,69 @@
+// trembler verify: is every level sound?
+#include "game/app/commands.hpp"
+
+#include "game/core/workshop.hpp"
+#include "game/session/verify.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace trembler {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> levelsUnder(fs::path const& path) {
+    if (!fs::is_directory(path)) {
+        return {path};
+    }
+    std::vector<fs::path> found;
+    for (fs::directory_entry const& entry : fs::recursive_directory_iterator(path)) {
+        bool const schema = entry.path().filename().string().ends_with(".schema.json");
+        if (entry.is_regular_file() && entry.path().extension() == ".json" && !schema) {
+            found.push_back(entry.path());
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+int verifyAll(std::vector<std::string> const& paths) {
+    Workshop const workshop;
+    std::vector<fs::path> levels;
+    for (std::string const& path : paths) {
+        std::vector<fs::path> const found = levelsUnder(path);
+        levels.insert(levels.end(), found.begin(), found.end());
+    }
+    if (paths.empty()) {
+        levels = workshop.levels();
+    }
+    bool sound = true;
+    for (fs::path const& level : levels) {
+        std::vector<std::string> const failures = verifyLevel(workshop, level);
+        for (std::string const& failure : failures) {
+            std::cout << failure << "\n";
+        }
+        if (failures.empty()) {
+            std::cout << workshop.shortName(level) << ": sound\n" << std::flush;
+        }
+        sound = sound && failures.empty();
+    }
+    return sound ? exitSolved : exitNotSolved;
+}
+
+} // namespace
+
+void addVerifyCommand(CLI::App& program, int& result) {
+    auto const paths = std::make_shared<std::vector<std::string>>();
+    CLI::App* const command = program.add_subcommand(
+        "verify", "Check levels: valid, not solved by an empty toolbox (unless it is a demonstration), every recorded "
+                  "solution does what it says, and always in the same way. A line per failure, exit status 1 if any.");
+    command->add_option("PATH", *paths, "Level files or folders (default: all levels)");
+    command->callback([paths, &result] { result = guarded([&] { return verifyAll(*paths); }); });
+}
+
+} // namespace trembler

@@ -1,0 +1,42 @@
+#include "game/session/fit.hpp"
+
+#include "physics/dynamics/overlap.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/property/for_each.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace trembler {
+
+std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts, Placement const& placement,
+                                           std::span<ObjectId const> ignored) {
+    PartDefinition const* const part = parts.find(placement.part);
+    Shape const* const shape = part == nullptr ? nullptr : part->properties.find<Shape>();
+    auto const* const shapes = world.store().findColumn<Shape>();
+    auto const* const positions = world.store().findColumn<Position>();
+    if (shape == nullptr || shapes == nullptr || positions == nullptr) {
+        return {};
+    }
+    PlacedShape const candidate{*shape, placement.at, placement.angle};
+    auto const [lower, upper] = extentOf(candidate);
+    std::optional<std::string> why;
+    forEach(
+        [&](ObjectId id, Shape const& other, Position const& position) {
+            if (why || std::find(ignored.begin(), ignored.end(), id) != ignored.end()) {
+                return;
+            }
+            Rotation const* const rotation = world.find<Rotation>(id);
+            PlacedShape const there{other, position.value, rotation == nullptr ? 0 : rotation->angle};
+            auto const [low, high] = extentOf(there);
+            bool const near = low.x < upper.x && lower.x < high.x && low.y < upper.y && lower.y < high.y;
+            if (near && overlap(candidate, there, allowedOverlap)) {
+                why = fmt::format("it would overlap the {}", world.store().nameOf(id));
+            }
+        },
+        *shapes, *positions);
+    return why;
+}
+
+} // namespace trembler

@@ -1,0 +1,32 @@
+// Unlimited undo and redo.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace trembler {
+
+/// A line of states with a cursor. Changing after undo forgets what was undone. Not thread-safe.
+template <class State>
+class History {
+public:
+    explicit History(State first = {}) : states_{std::move(first)} {}
+
+    [[nodiscard]] State const& now() const { return states_[cursor_]; }
+    void change(State next) {
+        states_.resize(cursor_ + 1);
+        states_.push_back(std::move(next));
+        ++cursor_;
+    }
+    [[nodiscard]] bool canUndo() const { return cursor_ > 0; }
+    [[nodiscard]] bool canRedo() const { return cursor_ + 1 < states_.size(); }
+    bool undo() { return canUndo() && (--cursor_, true); }
+    bool redo() { return canRedo() && (++cursor_, true); }
+
+private:
+    std::vector<State> states_;
+    std::size_t cursor_ = 0;
+};
+
+} // namespace trembler

@@ -1,0 +1,51 @@
+// What `trembler run` says of a run, in words and as JSON.
+#pragma once
+
+#include "runtime/world/world.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace trembler {
+
+/// One goal at the end of a run.
+struct GoalReport {
+    std::string id;
+    std::string text;
+    bool met = false;
+    std::optional<std::uint64_t> frame; ///< when it was met
+};
+
+/// A state hash on the way.
+struct HashAt {
+    std::uint64_t frame = 0;
+    std::uint64_t hash = 0;
+};
+
+struct RunReport {
+    std::string level;
+    std::uint64_t frames = 0;
+    double wallSeconds = 0; ///< for people to read; it never reaches the world
+    int threads = 1;
+    bool solved = false;
+    std::optional<std::uint64_t> solvedFrame;
+    std::vector<GoalReport> goals;
+    std::uint64_t stateHash = 0;
+    std::vector<HashAt> hashes;
+    std::vector<ComponentStatus> effects;
+
+    [[nodiscard]] double simulatedSeconds() const { return static_cast<double>(frames) * frameDuration; }
+};
+
+/// 16 hex digits.
+[[nodiscard]] std::string hashText(std::uint64_t hash);
+/// The object that --json prints; its keys are a contract.
+[[nodiscard]] nlohmann::ordered_json toJson(RunReport const& report);
+/// A few lines for people.
+[[nodiscard]] std::string toWords(RunReport const& report);
+
+} // namespace trembler

@@ -1,0 +1,79 @@
+// Threads never show: the same hash at every 60th frame on 1, 2, 3, 8 and 32 of them.
+#include "tests/determinism/level_runs.hpp"
+
+#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/shape.hpp"
+#include "physics/electricity/initial_connections.hpp"
+#include "physics/electricity/properties.hpp"
+#include "physics/gravity/properties.hpp"
+#include "physics/magnetism/properties.hpp"
+#include "runtime/level/read_level.hpp"
+#include "runtime/placement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+namespace trembler::determinism {
+namespace {
+
+TEST(ParallelDeterminism, EveryLevelIsTheSameOnAnyNumberOfThreads) {
+    for (auto const& path : workshop().levels()) {
+        LevelFile const level = loadLevel(workshop().registry, path);
+        auto const single = hashesOf(level, 1);
+        for (int const threads : {2, 3, 8, 32}) {
+            EXPECT_EQ(single, hashesOf(level, threads)) << path << " on " << threads << " threads";
+        }
+    }
+}
+
+// Large enough for several chunks per component: magnets, soft iron, circuits, a heap of bodies.
+std::vector<std::uint64_t> heapHashes(int threads) {
+    WorldOptions options;
+    options.threads = threads;
+    options.rowsWorthThreads = 0;
+    options.trace = threads % 2 == 0; // tracing must not show either
+    World world(workshop().registry, options);
+    Store& store = world.store();
+    store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
+    ObjectId const floor = store.create("floor");
+    store.column<Position>().set(floor, {{0, -1}});
+    store.column<Shape>().set(floor, {{boxPiece(400, 2)}});
+    store.column<Fixed>().set(floor, {});
+    for (int i = 0; i < 2500; ++i) {
+        ObjectId const id = store.create(fmt::format("thing {:04}", i));
+        store.column<Position>().set(id, {{(i % 250) * 1.1 - 137.0 + 0.01 * (i % 7), 0.5 + 1.05 * (i / 250)}});
+        store.column<Shape>().set(id, {{i % 3 == 0 ? circlePiece(0.4) : boxPiece(0.8, 0.8)}});
+        store.column<Mass>().set(id, {1.0 + i % 5});
+        store.column<Conductor>().set(id, {});
+        store.column<MagneticStrength>().set(id, {i % 10 == 0 ? 2000.0 : 0.0, 1500.0});
+        if (i % 10 == 0) {
+            store.column<MagneticPoles>().set(id, {PoleSet::both, {0.3, 0}, {-0.3, 0}});
+        }
+        if (i % 500 == 0) {
+            store.column<ElectricalSource>().set(id, {});
+        }
+        if (i % 500 == 250) {
+            store.column<ElectricalReturn>().set(id, {});
+        }
+    }
+    world.start();
+    std::vector<std::uint64_t> hashes;
+    for (int frame = 1; frame <= 30; ++frame) {
+        world.step();
+        if (frame % 10 == 0) {
+            hashes.push_back(world.stateHash());
+        }
+    }
+    return hashes;
+}
+
+TEST(ParallelDeterminism, AHeapOfEverythingIsTheSameOnAnyNumberOfThreads) {
+    auto const single = heapHashes(1);
+    for (int const threads : {2, 3, 8, 32}) {
+        EXPECT_EQ(single, heapHashes(threads)) << threads << " threads";
+    }
+}
+
+} // namespace
+} // namespace trembler::determinism
