@@ -163,11 +163,14 @@ void Canvas::arc(Point centre, double radius, double from, double sweep, Stroke 
     if (!(radius > 0) || !std::isfinite(from) || !std::isfinite(sweep)) {
         return;
     }
-    auto shape = placed(centre, 0, {radius + half, radius + half});
-    shape.kind = kindArc;
     double const turned = std::min(std::abs(sweep), 2 * std::numbers::pi);
     double const middle = std::remainder(from + 0.5 * sweep, 2 * std::numbers::pi);
-    shape.params = {narrow(radius), narrow(half), narrow(middle), narrow(0.5 * turned)};
+    auto shape = placed(centre, middle, {radius + half, radius + half});
+    shape.kind = kindArc;
+    // A full ring must have no end, not even by rounding.
+    bool const full = turned >= 2 * std::numbers::pi;
+    shape.params = {narrow(radius), narrow(half), full ? -2.F : narrow(std::cos(0.5 * turned)),
+                    full ? 0.F : narrow(std::sin(0.5 * turned))};
     strokeShape(shape, stroke, half);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace trembler::render {
@@ -9,9 +10,11 @@ namespace trembler::render {
 // Values of Instance::kind.
 inline constexpr std::uint8_t kindBox = 0;     ///< rounded box: also circle, capsule and single segment
 inline constexpr std::uint8_t kindPolygon = 1; ///< params: first corner, number of corners
-inline constexpr std::uint8_t kindArc = 2;     ///< params: radius, half thickness, middle angle, half sweep
+inline constexpr std::uint8_t kindArc =
+    2; ///< params: radius, half thickness, cosine and sine of half the sweep
 inline constexpr std::uint8_t kindChain =
     3; ///< one segment of a path: params: first, last point looked at, own
+inline constexpr std::size_t kindCount = 4;
 
 // Values of Instance::effect.
 inline constexpr std::uint8_t effectSolid = 0;
@@ -26,6 +29,9 @@ inline constexpr std::uint8_t flagForbidden = 4;
 inline constexpr std::uint8_t flagRim = 8;
 inline constexpr std::uint8_t flagInside = 16;
 inline constexpr std::uint8_t flagHovered = 32;
+
+/// How many values Instance::material has (enum Material).
+inline constexpr std::size_t materialCount = 9;
 
 /// Lengths in metres; positions relative to the camera's centre, so that 32 bits are enough far from the
 /// origin.

@@ -3,7 +3,7 @@
 
 namespace trembler::render::shaders {
 
-std::string_view const shapeCommon = R"(#version 330 core
+std::string_view const shapeCommon = R"(
 in vec2 v_local;
 in vec2 v_view;
 flat in vec2 f_axis;
@@ -62,15 +62,12 @@ float polygonDistance(vec2 p) {
 }
 
 float arcDistance(vec2 p) {
-    float radius = f_params.x;
-    vec2 middle = vec2(cos(f_params.z), sin(f_params.z));
-    // Folded at the middle of the arc, one end is enough.
-    vec2 q = vec2(dot(p, middle), abs(middle.x * p.y - middle.y * p.x));
-    float d = abs(length(q) - radius);
-    if (f_params.w < 3.14159 && atan(q.y, q.x) > f_params.w) {
-        d = length(q - radius * vec2(cos(f_params.w), sin(f_params.w)));
-    }
-    return d - f_params.y;
+    // The arc's middle lies on the x axis; folded there, one end is enough.
+    vec2 q = vec2(p.x, abs(p.y));
+    float away = length(q);
+    // Compared as cosines: no angle need be computed.
+    bool within = q.x >= f_params.z * away;
+    return (within ? abs(away - f_params.x) : length(q - f_params.x * f_params.zw)) - f_params.y;
 }
 
 // Distance to a path near one of its segments; far outside if another segment is nearer, because then that one draws
@@ -100,12 +97,15 @@ float chainDistance(vec2 p) {
 
 // p in the shape's own frame.
 float distanceTo(vec2 p) {
-    switch (f_bits.x) {
-    case 0u: return boxDistance(p);
-    case 1u: return polygonDistance(p);
-    case 2u: return arcDistance(p);
-    default: return chainDistance(v_view + toView(p - v_local));
-    }
+#if KIND == 0
+    return boxDistance(p);
+#elif KIND == 1
+    return polygonDistance(p);
+#elif KIND == 2
+    return arcDistance(p);
+#else
+    return chainDistance(v_view + toView(p - v_local));
+#endif
 }
 )";
 

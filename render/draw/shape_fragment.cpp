@@ -17,9 +17,9 @@ vec3 twoTone(vec3 c, float outline) {
     float depth = clamp(0.20 * small, 1.0 * u_pixel, 0.12 + 4.0 * u_pixel);
     float shade = 1.0 - coverage(distanceTo(v_local - light * depth) + outline);
     float lit = 1.0 - coverage(distanceTo(v_local + light * depth * 0.45) + outline);
-    bool gentle = f_bits.z == 3u || f_bits.z == 8u;
+    bool gentle = MATERIAL == 3 || MATERIAL == 8;
     c = mix(c, c * vec3(0.74, 0.72, 0.74), shade * (gentle ? 0.35 : 1.0));
-    float gloss = f_bits.z == 4u ? 0.12 : (f_bits.z == 2u || f_bits.z == 5u ? 0.26 : 0.42);
+    float gloss = MATERIAL == 4 ? 0.12 : (MATERIAL == 2 || MATERIAL == 5 ? 0.26 : 0.42);
     return mix(c, vec3(1.0, 0.99, 0.96), lit * gloss * (1.0 - shade));
 }
 
@@ -40,18 +40,19 @@ float stripes(float period) {
 
 vec4 solid(float d) {
     float outline = min(f_outline, 0.45 * min(f_half.x, f_half.y));
-    if (f_bits.x == 2u) {
-        outline = min(f_outline, 0.45 * f_params.y);
-    }
+#if KIND == 2
+    outline = min(f_outline, 0.45 * f_params.y);
+#endif
     vec4 edge = f_edge;
     vec4 body = f_colour;
-    if (f_bits.y == 0u) {
-        body = materialColour(body, v_local, d);
-        body.rgb = twoTone(body.rgb, outline);
-        if (f_bits.z == 6u) {
-            body.rgb = glossy(body.rgb, d);
-        }
-    }
+#if SHADED
+    body = materialColour(body, v_local, d);
+    body.rgb = twoTone(body.rgb, outline);
+#if MATERIAL == 6
+    body.rgb = glossy(body.rgb, d);
+#endif
+#endif
+#if MARKED
     if (has(32u)) {
         body.rgb = mix(body.rgb, vec3(1.0), 0.16);
     }
@@ -63,6 +64,7 @@ vec4 solid(float d) {
         body = mix(body, vec4(u_warning, max(body.a, 0.75)), 0.25 + 0.60 * stripes(13.0));
         edge = vec4(u_warning * 0.7, 1.0);
     }
+#endif
     body.rgb *= body.a;
     edge.rgb *= edge.a;
     if (has(8u)) {
@@ -87,19 +89,24 @@ vec4 selection(float d) {
 
 void main() {
     float d = distanceTo(v_local);
-    if (f_bits.y == 1u) {
-        // Not the signed distance: a falloff that went on inside the shape would show its edge as a dark rim.
-        float t = clamp(1.0 - max(d, 0.0) / f_outline, 0.0, 1.0);
-        o_colour = vec4(f_colour.rgb, 1.0) * (f_colour.a * t * t);
-    } else if (f_bits.y == 2u) {
-        float t = 1.0 - smoothstep(-f_outline, f_outline, d);
-        o_colour = vec4(f_colour.rgb, 1.0) * (f_colour.a * t);
-    } else {
-        o_colour = solid(d);
-        if (has(1u)) {
-            o_colour += selection(d) * (1.0 - o_colour.a);
-        }
+#if LIGHT
+    // A glow goes by the distance outside only: a falloff that went on inside would show the edge as a dark rim.
+    float glow = clamp(1.0 - max(d, 0.0) / f_outline, 0.0, 1.0);
+    float shadow = 1.0 - smoothstep(-f_outline, f_outline, d);
+    o_colour = vec4(f_colour.rgb, 1.0) * (f_colour.a * (f_bits.y == 1u ? glow * glow : shadow));
+#else
+#if !MARKED
+    if (d > u_pixel) {
+        discard; // lets software OpenGL skip the rest for whole blocks of pixels
     }
+#endif
+    o_colour = solid(d);
+#if MARKED
+    if (has(1u)) {
+        o_colour += selection(d) * (1.0 - o_colour.a);
+    }
+#endif
+#endif
 }
 )";
 

@@ -104,16 +104,23 @@ vec4 watery(vec4 base, vec2 view, float d) {
 vec4 materialColour(vec4 base, vec2 p, float d) {
     // Parts of different size get different pieces of the pattern.
     vec2 q = p / f_grain + f_half.yx * 3.7;
-    switch (f_bits.z) {
-    case 1u: return vec4(brushed(base.rgb, q, 0.75), base.a);
-    case 2u: return vec4(grained(base.rgb, q), base.a);
-    case 3u: return seeThrough(base, d);
-    case 4u: return vec4(stippled(base.rgb, q), base.a);
-    case 5u: return vec4(speckled(base.rgb, q), base.a);
-    case 7u: return vec4(brushed(base.rgb, q, 0.95), base.a);
-    case 8u: return watery(base, toView(p), d);
-    default: return base;
-    }
+#if MATERIAL == 1
+    return vec4(brushed(base.rgb, q, 0.75), base.a);
+#elif MATERIAL == 2
+    return vec4(grained(base.rgb, q), base.a);
+#elif MATERIAL == 3
+    return seeThrough(base, d);
+#elif MATERIAL == 4
+    return vec4(stippled(base.rgb, q), base.a);
+#elif MATERIAL == 5
+    return vec4(speckled(base.rgb, q), base.a);
+#elif MATERIAL == 7
+    return vec4(brushed(base.rgb, q, 0.95), base.a);
+#elif MATERIAL == 8
+    return watery(base, toView(p), d);
+#else
+    return base;
+#endif
 }
 )";
 
