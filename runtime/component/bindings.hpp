@@ -25,15 +25,19 @@ public:
     [[nodiscard]] bool changed() const {
         return [&]<std::size_t... I>(std::index_sequence<I...>) {
             return ((std::get<I>(homes_)->version() != seen_[I]) || ...);
-        }(std::index_sequence_for<P...>{});
+        }
+        (std::index_sequence_for<P...>{});
     }
     void markSeen() {
         [&]<std::size_t... I>(std::index_sequence<I...>) {
             ((seen_[I] = std::get<I>(homes_)->version()), ...);
-        }(std::index_sequence_for<P...>{});
+        }
+        (std::index_sequence_for<P...>{});
     }
     /// Rows over all object properties.
-    [[nodiscard]] std::size_t rows() const { return (std::size_t{0} + ... + rowsOf(std::get<Home<P>*>(homes_))); }
+    [[nodiscard]] std::size_t rows() const {
+        return (std::size_t{0} + ... + rowsOf(std::get<Home<P>*>(homes_)));
+    }
 
 private:
     static std::size_t rowsOf(ColumnBase const* column) { return column->size(); }
@@ -59,7 +63,7 @@ void forRanges(Executor& executor, std::size_t count, F&& f) {
 /// What the three kinds of access have in common.
 class AccessBase {
 public:
-    explicit AccessBase(FrameContext const& context, std::vector<EventSink>& sinks)
+    explicit AccessBase(FrameContext const& context, std::deque<EventSink>& sinks)
         : context_(context), sinks_(sinks) {}
 
     [[nodiscard]] std::uint64_t frame() const { return context_.frame; }
@@ -69,13 +73,14 @@ public:
     /// Records an event, or does nothing and returns no event while nobody traces. Not inside forRanges().
     EventId event(std::string_view what, std::initializer_list<ObjectId> objects,
                   std::initializer_list<EventId> causes) {
-        return event(what, std::span(objects.begin(), objects.size()), std::span(causes.begin(), causes.size()));
+        return event(what, std::span(objects.begin(), objects.size()),
+                     std::span(causes.begin(), causes.size()));
     }
     EventId event(std::string_view what, std::span<ObjectId const> objects, std::span<EventId const> causes) {
         return sinks_.empty() ? EventId{} : sinks_.front().record(what, objects, causes);
     }
-    /// Calls f(begin, end) for consecutive ranges that cover [0, count), perhaps at the same time. f must write
-    /// only what belongs to its range.
+    /// Calls f(begin, end) for consecutive ranges that cover [0, count), perhaps at the same time. f must
+    /// write only what belongs to its range.
     template <class F>
     void forRanges(std::size_t count, F&& f) {
         detail::forRanges(*context_.executor, count,
@@ -84,7 +89,7 @@ public:
 
 protected:
     FrameContext const& context_;
-    std::vector<EventSink>& sinks_;
+    std::deque<EventSink>& sinks_;
 };
 
 /// Fills in what calls for a component.

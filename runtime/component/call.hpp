@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -46,32 +47,47 @@ template <class C>
 concept InteractionCall = std::is_trivially_copyable_v<C> && requires(C const& c) {
     { C::text } -> std::convertible_to<CallText>;
     { C::algebra } -> std::convertible_to<Algebra>;
-    { c.objects() };
-} && (C::algebra == Algebra::sumOfRates || C::algebra == Algebra::sumOfAmounts ||
-      requires(C const& c) { { c.key() }; }) && (C::algebra != Algebra::countedSet ||
-      requires(C const& c) { { c.delta() } -> std::convertible_to<int>; }) &&
+    {c.objects()};
+} &&(C::algebra == Algebra::sumOfRates || C::algebra == Algebra::sumOfAmounts ||
+     requires(C const& c) { {c.key()}; }) &&
+    (C::algebra != Algebra::countedSet ||
+     requires(C const& c) {
+         { c.delta() } -> std::convertible_to<int>;
+     }) &&
     ((C::algebra != Algebra::least && C::algebra != Algebra::greatest) ||
-     requires(C const& c) { { c.value() }; });
+     requires(C const& c) { {c.value()}; });
 
 namespace detail {
 
 /// Says in words what a call lacks; InteractionCall alone would only say that it is none.
 template <class C>
 constexpr bool checkCall() {
-    static_assert(std::is_trivially_copyable_v<C>, "a call is plain data: it is recorded by copying its bytes");
-    static_assert(requires { { C::text } -> std::convertible_to<CallText>; }, "a call has its words: CallText text");
-    static_assert(requires(C const& c) { { c.objects() }; }, "a call says which objects it is about: objects()");
-    constexpr bool states = requires { { C::algebra } -> std::convertible_to<Algebra>; };
+    static_assert(std::is_trivially_copyable_v<C>,
+                  "a call is plain data: it is recorded by copying its bytes");
+    static_assert(
+        requires {
+            { C::text } -> std::convertible_to<CallText>;
+        },
+        "a call has its words: CallText text");
+    static_assert(
+        requires(C const& c) { {c.objects()}; }, "a call says which objects it is about: objects()");
+    constexpr bool states = requires {
+        { C::algebra } -> std::convertible_to<Algebra>;
+    };
     static_assert(states, "a call states its algebra, by which the order of calls does not matter (5.7.2)");
     if constexpr (states) {
         constexpr Algebra a = C::algebra;
-        static_assert(a == Algebra::sumOfRates || a == Algebra::sumOfAmounts ||
-                          requires(C const& c) { { c.key() }; },
-                      "a call whose algebra is not a sum says what it is about: key()");
-        static_assert(a != Algebra::countedSet ||
-                          requires(C const& c) { { c.delta() } -> std::convertible_to<int>; },
-                      "a call on a counted set says whether it adds or takes away: delta() (5.7.2)");
-        static_assert((a != Algebra::least && a != Algebra::greatest) || requires(C const& c) { { c.value() }; },
+        static_assert(
+            a == Algebra::sumOfRates || a == Algebra::sumOfAmounts || requires(C const& c) { {c.key()}; },
+            "a call whose algebra is not a sum says what it is about: key()");
+        static_assert(
+            a != Algebra::countedSet ||
+                requires(C const& c) {
+                    { c.delta() } -> std::convertible_to<int>;
+                },
+            "a call on a counted set says whether it adds or takes away: delta() (5.7.2)");
+        static_assert((a != Algebra::least && a != Algebra::greatest) ||
+                          requires(C const& c) { {c.value()}; },
                       "a call of which the least or the greatest counts has a value()");
     }
     return true;
@@ -132,9 +148,11 @@ template <ResolverRole Role>
 struct CallSource {
     using Buffers = typename detail::BuffersOf<typename Role::Calls>::Type;
 
-    std::string_view name;          ///< the interaction's
-    std::vector<Buffers> chunks{1}; ///< chunks never depend on the number of threads
-    std::uint64_t version = 1;      ///< counts up with every apply
+    std::string_view name; ///< the interaction's
+    /// Chunks never depend on the number of threads. A deque, as callers hold on to theirs while more are
+    /// added.
+    std::deque<Buffers> chunks = std::deque<Buffers>(1);
+    std::uint64_t version = 1; ///< counts up with every apply
 
     void clearHeld() { clearWhere(true); }
     void clearOnce() { clearWhere(false); }
@@ -176,8 +194,10 @@ public:
     void clearSources() override { sources_.clear(), ++changes_; }
     [[nodiscard]] std::span<CallSource<Role>* const> sources() const { return sources_; }
 
+    /// Differs whenever any source was applied, or the set of sources is another one. The two must not be
+    /// added up: a source that goes takes its count along, and the sum could come out as before.
     [[nodiscard]] std::uint64_t version() const override {
-        std::uint64_t sum = changes_;
+        std::uint64_t sum = changes_ << 40U;
         for (CallSource<Role> const* source : sources_) {
             sum += source->version;
         }

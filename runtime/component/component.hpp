@@ -5,7 +5,7 @@
 #include "runtime/schedule/executor.hpp"
 #include "runtime/trace/tracer.hpp"
 
-#include <functional>
+#include <deque>
 
 namespace trembler {
 
@@ -48,13 +48,13 @@ public:
     [[nodiscard]] virtual std::size_t workload() const = 0;
     virtual void run(FrameContext const& context) = 0;
     /// The sinks of its last run, in order of chunks.
-    [[nodiscard]] std::vector<EventSink>& sinks() { return sinks_; }
+    [[nodiscard]] std::deque<EventSink>& sinks() { return sinks_; }
 
 protected:
     void openSinks(FrameContext const& context, std::size_t chunks, Phase phase);
 
     ComponentInfo const& info_;
-    std::vector<EventSink> sinks_;
+    std::deque<EventSink> sinks_; // a deque: callers hold on to theirs while more are added
 };
 
 } // namespace trembler

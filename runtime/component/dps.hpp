@@ -8,7 +8,8 @@
 namespace trembler {
 
 /// Base of every derived property set. `Self` has `static constexpr ComponentText text`,
-/// `using CalledFor = ...` and a `void update(Access&)`. It runs only when something that it reads has changed.
+/// `using CalledFor = ...` and a `void update(Access&)`. It runs only when something that it reads has
+/// changed.
 template <class Self, class ReadsList, class DerivesList>
 class Dps : public Component {
     static_assert(detail::isReads<ReadsList> && detail::isDerives<DerivesList>,
@@ -39,8 +40,9 @@ public:
         /// another component that offers the same, left there.
         template <class P>
         [[nodiscard]] P& derive() {
-            static_assert(detail::listed<P, DerivesList>,
-                          "undeclared: the derived property is not in Derives<> of this derived property set");
+            static_assert(
+                detail::listed<P, DerivesList>,
+                "undeclared: the derived property is not in Derives<> of this derived property set");
             auto& slot = self_.derives_.template get<P>();
             slot.touch();
             return slot.value();
@@ -50,8 +52,9 @@ public:
         /// there is anything to change.
         template <class P>
         [[nodiscard]] P const& derived() const {
-            static_assert(detail::listed<P, DerivesList>,
-                          "undeclared: the derived property is not in Derives<> of this derived property set");
+            static_assert(
+                detail::listed<P, DerivesList>,
+                "undeclared: the derived property is not in Derives<> of this derived property set");
             return self_.derives_.template get<P>().value();
         }
 

@@ -16,11 +16,12 @@ enum class ComponentKind : std::uint8_t { resolver, dps, interaction };
 
 /// The words of a component and its place among its alternatives.
 struct ComponentText {
-    std::string_view name;    ///< for example "Linear Gravity"; an interaction's "Dynamics <- Gravity"
-    std::string_view effect;  ///< for example "gravity": what --detail names
-    std::string_view level;   ///< for example "linear": one of the effect's detail levels, "" if it has only one
-    std::string_view work;    ///< what it does on advance, update or apply
-    int cost = 0;             ///< among alternatives that suit a scene the one with the least cost is picked
+    std::string_view name;   ///< for example "Linear Gravity"; an interaction's "Dynamics <- Gravity"
+    std::string_view effect; ///< for example "gravity": what --detail names
+    std::string_view
+        level;             ///< for example "linear": one of the effect's detail levels, "" if it has only one
+    std::string_view work; ///< what it does on advance, update or apply
+    int cost = 0;          ///< among alternatives that suit a scene the one with the least cost is picked
 };
 
 struct CallInfo {
@@ -37,7 +38,8 @@ struct ComponentInfo {
     std::vector<PropertyInfo const*> writes{};
     bool writesEverything = false; ///< the Population resolver: objects come and go with all their properties
     std::vector<PropertyInfo const*> offers{}; ///< resolver properties of a resolver, derived ones of a DPS
-    std::optional<std::type_index> role{};    ///< of a resolver: its own; of an interaction: that of its resolver
+    std::optional<std::type_index>
+        role{}; ///< of a resolver: its own; of an interaction: that of its resolver
     std::string_view roleName{};
     std::vector<CallInfo> calls{}; ///< of a resolver: its interaction functions
     std::vector<PropertyInfo const*> neededAll{};

@@ -1,4 +1,5 @@
-// Layer 4 (5.6): an interaction is glue. It reads from all layers and calls functions of exactly one resolver.
+// Layer 4 (5.6): an interaction is glue. It reads from all layers and calls functions of exactly one
+// resolver.
 #pragma once
 
 #include "runtime/component/bindings.hpp"
@@ -70,23 +71,25 @@ public:
         void write() {
             static_assert(sizeof(P) == 0, "an interaction changes no property; it calls its resolver (5.6)");
         }
-        /// True when the component has just been constructed: changes since the last frame are then not enough,
-        /// it must look at everything.
+        /// True when the component has just been constructed: changes since the last frame are then not
+        /// enough, it must look at everything.
         [[nodiscard]] bool firstTime() const { return self_.first_; }
         /// Records a call; see Caller::call.
         template <class C>
         void call(C const& c, EventId cause = {}) {
             first_.call(c, cause);
         }
-        /// Calls f(caller, begin, end) for consecutive ranges that cover [0, count), perhaps at the same time.
+        /// Calls f(caller, begin, end) for consecutive ranges that cover [0, count), perhaps at the same
+        /// time.
         template <class F>
         void forChunks(std::size_t count, F&& f) {
             std::size_t const chunks = detail::chunkCount(count);
             self_.prepareChunks(chunks, context_);
-            detail::forRanges(*context_.executor, count, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                Caller caller(self_, chunk);
-                f(caller, begin, end);
-            });
+            detail::forRanges(*context_.executor, count,
+                              [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                                  Caller caller(self_, chunk);
+                                  f(caller, begin, end);
+                              });
         }
 
     private:
@@ -131,8 +134,8 @@ public:
     }
 
 private:
-    // A held call is an event only when it is new: "this will be done for every frame from now on and will not
-    // be mentioned again" (6.8.3). Later ones carry the first one's id.
+    // A held call is an event only when it is new: "this will be done for every frame from now on and will
+    // not be mentioned again" (6.8.3). Later ones carry the first one's id.
     using TellKey = std::pair<std::string_view, std::vector<ObjectId>>;
 
     template <class C>

@@ -10,25 +10,28 @@ namespace trembler {
 /// Base of every resolver. `Self` has `static constexpr ComponentText text`, `using CalledFor = ...`, a
 /// `void advance(Access&)`, and may have `bool restless() const`: true while it has work of its own to go on
 /// with although nothing around it changed (bodies that still move).
-template <class Self, ResolverRole RoleType, class ReadsList, class WritesList, class ProvidesList = Provides<>>
+template <class Self, ResolverRole RoleType, class ReadsList, class WritesList,
+          class ProvidesList = Provides<>>
 class Resolver : public Component {
-    static_assert(detail::isReads<ReadsList> && detail::isWrites<WritesList> && detail::isProvides<ProvidesList>,
+    static_assert(detail::isReads<ReadsList> && detail::isWrites<WritesList> &&
+                      detail::isProvides<ProvidesList>,
                   "a resolver declares Reads<...>, Writes<...>, Provides<...>, in this order (5.4)");
-    static_assert(detail::onlyObjectProperties<ReadsList>,
-                  "a resolver reads object properties only (5.4); data of others reaches it through interactions");
+    static_assert(
+        detail::onlyObjectProperties<ReadsList>,
+        "a resolver reads object properties only (5.4); data of others reaches it through interactions");
 
 public:
     using Role = RoleType;
 
     class Access final : public detail::AccessBase {
     public:
-        Access(Resolver& self, FrameContext const& context)
-            : AccessBase(context, self.sinks_), self_(self) {}
+        Access(Resolver& self, FrameContext const& context) : AccessBase(context, self.sinks_), self_(self) {}
 
         template <class P>
         [[nodiscard]] auto const& read() const {
-            static_assert(detail::listed<P, ReadsList> || detail::listed<P, WritesList>,
-                          "undeclared read: the property is in neither Reads<> nor Writes<> of this resolver");
+            static_assert(
+                detail::listed<P, ReadsList> || detail::listed<P, WritesList>,
+                "undeclared read: the property is in neither Reads<> nor Writes<> of this resolver");
             if constexpr (detail::listed<P, WritesList>) {
                 return self_.writes_.template get<P>();
             } else {
@@ -85,8 +88,9 @@ public:
         writes_.bind(store);
         provides_.bind(store);
         channel_ = &channels.of<Role>();
-        if constexpr (requires(Self& self) { self.bindStore(store); }) {
-            static_assert(Self::writesEverything, "only what declares to write everything is given the whole store");
+        if constexpr (requires(Self & self) { self.bindStore(store); }) {
+            static_assert(Self::writesEverything,
+                          "only what declares to write everything is given the whole store");
             static_cast<Self&>(*this).bindStore(store);
         }
     }
