@@ -19,7 +19,8 @@ struct Executor::Arena {
 };
 
 Executor::Executor(int threads)
-    : threads_(threads < 1 ? 1 : threads), arena_(threads_ > 1 ? std::make_unique<Arena>(threads_) : nullptr) {}
+    : threads_(threads < 1 ? 1 : threads),
+      arena_(threads_ > 1 ? std::make_unique<Arena>(threads_) : nullptr) {}
 
 Executor::~Executor() = default;
 

@@ -9,7 +9,8 @@
 
 namespace trembler {
 
-/// Rows of work per chunk. A constant, so that chunks, and with them the order of calls, never depend on threads.
+/// Rows of work per chunk. A constant, so that chunks, and with them the order of calls, never depend on
+/// threads.
 inline constexpr std::size_t chunkRows = 1024;
 
 /// A fixed number of threads (oneTBB). Its functions may be called from within its own tasks.
@@ -22,8 +23,8 @@ public:
     Executor& operator=(Executor const&) = delete;
 
     [[nodiscard]] int threads() const { return threads_; }
-    /// Calls f(i) for i in [0, count), in any order and at the same time; returns when all are done. The first
-    /// exception thrown by f is passed on.
+    /// Calls f(i) for i in [0, count), in any order and at the same time; returns when all are done. The
+    /// first exception thrown by f is passed on.
     void forIndices(std::size_t count, std::function<void(std::size_t)> const& f);
     /// Calls f(i) for every node such that f(i) starts after f of all its predecessors has ended. `edges` are
     /// pairs (before, after) with before < after.

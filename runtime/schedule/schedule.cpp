@@ -2,9 +2,9 @@
 
 #include "runtime/world/registry.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace trembler {
 namespace {
@@ -41,18 +41,25 @@ std::vector<Conflict> conflicts(ComponentInfo const& a, ComponentInfo const& b) 
     return all;
 }
 
-void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b, std::span<HandOver const> handOvers) {
-    // The resolver that writes everything only gives objects their first values and takes them away with their
-    // last: at birth it hands every property over to whoever simulates it.
+void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b,
+                         std::span<HandOver const> handOvers) {
+    if (a.writesEverything && b.writesEverything) {
+        throw RuleBroken(
+            fmt::format("the {} and the {} both write everything; objects come and go by one resolver",
+                        title(a), title(b)));
+    }
+    // The resolver that writes everything only gives objects their first values and takes them away with
+    // their last: at birth it hands every property over to whoever simulates it.
     for (PropertyInfo const* property : shared(a.writes, b.writes)) {
         bool const handedOver = std::any_of(handOvers.begin(), handOvers.end(), [&](HandOver const& h) {
             return h.property == property && ((h.first == a.text.name && h.second == b.text.name) ||
                                               (h.first == b.text.name && h.second == a.text.name));
         });
         if (!handedOver) {
-            throw RuleBroken(fmt::format("the {} and the {} both write {}. One property has one writer, unless a "
-                                         "hand-over of objects between the two is declared (7.1.5)",
-                                         title(a), title(b), property->text.name));
+            throw RuleBroken(
+                fmt::format("the {} and the {} both write {}. One property has one writer, unless a "
+                            "hand-over of objects between the two is declared (7.1.5)",
+                            title(a), title(b), property->text.name));
         }
     }
 }

@@ -2,10 +2,12 @@
 
 #include "runtime/schedule/schedule.hpp"
 
-#include <algorithm>
-#include <set>
-
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
 
 namespace trembler {
 namespace {
@@ -32,12 +34,49 @@ void checkShortcut(Registry const& registry, Shortcut const& shortcut) {
     if (interaction == nullptr || dps == nullptr) {
         throw RuleBroken("a shortcut (5.7.3) names a component that is not registered");
     }
+    if (interaction->kind != ComponentKind::interaction || dps->kind != ComponentKind::dps) {
+        throw RuleBroken(
+            fmt::format("{} cannot run inside the {}: a shortcut (5.7.3) puts an interaction into a "
+                        "derived property set",
+                        title(*interaction), title(*dps)));
+    }
     std::set<std::string_view> const offered = keys(dps->offers);
     for (PropertyInfo const* read : interaction->reads) {
         if (read->kind == PropertyKind::derived && !offered.contains(read->text.key)) {
-            throw RuleBroken(fmt::format("{} must not run inside the {}: it also reads {}, which that one does not "
-                                         "derive (5.7.3)",
-                                         title(*interaction), title(*dps), read->text.name));
+            throw RuleBroken(
+                fmt::format("{} must not run inside the {}: it also reads {}, which that one does not "
+                            "derive (5.7.3)",
+                            title(*interaction), title(*dps), read->text.name));
+        }
+    }
+}
+
+// An interaction has one turn in a frame: it may be inside several derived property sets only if a world
+// never has more than one of them.
+void checkShortcutsOfOne(Registry const& registry, Shortcut const& a, Shortcut const& b) {
+    if (a.interaction != b.interaction) {
+        return;
+    }
+    auto const infoOf = [&](std::type_index type) {
+        return std::find_if(registry.components().begin(), registry.components().end(),
+                            [&](Registration const& r) { return r.info->type == type; })
+            ->info;
+    };
+    if (a.dps == b.dps || !areAlternatives(*infoOf(a.dps), *infoOf(b.dps))) {
+        throw RuleBroken(
+            fmt::format("{} has shortcuts in the {} and in the {}, which may both be there (5.7.3)",
+                        title(*infoOf(a.interaction)), title(*infoOf(a.dps)), title(*infoOf(b.dps))));
+    }
+}
+
+// A file, a column and a slot know a property by its key, so a key means one property.
+void checkKeys(std::span<PropertyInfo const* const> properties) {
+    std::map<std::string_view, PropertyInfo const*> known;
+    for (PropertyInfo const* info : properties) {
+        auto const [at, isNew] = known.emplace(info->text.key, info);
+        if (!isNew && at->second->type != info->type) {
+            throw RuleBroken(fmt::format("the properties {} and {} share the key '{}'", at->second->text.name,
+                                         info->text.name, info->text.key));
         }
     }
 }
@@ -56,7 +95,8 @@ bool areAlternatives(ComponentInfo const& a, ComponentInfo const& b) {
 
 void Registry::add(Registration const& made) {
     components_.push_back(made);
-    for (auto const* list : {&made.info->reads, &made.info->writes, &made.info->neededAll, &made.info->neededAny}) {
+    for (auto const* list :
+         {&made.info->reads, &made.info->writes, &made.info->neededAll, &made.info->neededAny}) {
         for (PropertyInfo const* info : *list) {
             if (info->kind == PropertyKind::object) {
                 know(*info);
@@ -66,7 +106,8 @@ void Registry::add(Registration const& made) {
 }
 
 void Registry::know(PropertyInfo const& info) {
-    if (objectProperty(info.text.key) == nullptr) {
+    PropertyInfo const* const known = objectProperty(info.text.key);
+    if (known == nullptr || known->type != info.type) { // two of one key: check() refuses them
         properties_.push_back(&info);
     }
 }
@@ -85,6 +126,14 @@ PropertyInfo const* Registry::objectProperty(std::string_view key) const {
 }
 
 void Registry::check() const {
+    std::vector<PropertyInfo const*> slots;
+    for (Registration const& r : components_) {
+        slots.insert(slots.end(), r.info->offers.begin(), r.info->offers.end());
+        std::copy_if(r.info->reads.begin(), r.info->reads.end(), std::back_inserter(slots),
+                     [](PropertyInfo const* info) { return info->kind != PropertyKind::object; });
+    }
+    checkKeys(properties_);
+    checkKeys(slots);
     for (std::size_t i = 0; i < components_.size(); ++i) {
         for (std::size_t j = i + 1; j < components_.size(); ++j) {
             ComponentInfo const& a = *components_[i].info;
@@ -93,6 +142,13 @@ void Registry::check() const {
                 throw RuleBroken(fmt::format("two components are called {}", title(a)));
             }
             if (areAlternatives(a, b)) {
+                if (keys(a.offers) !=
+                    keys(b.offers)) { // possible for resolvers, which are alternatives by role
+                    throw RuleBroken(
+                        fmt::format("the {} and the {} are both the {} resolver, but do not offer the "
+                                    "same properties, so neither can stand in for the other",
+                                    title(a), title(b), a.roleName));
+                }
                 continue;
             }
             if (a.kind == ComponentKind::resolver && b.kind == ComponentKind::resolver) {
@@ -109,6 +165,11 @@ void Registry::check() const {
     }
     for (Shortcut const& shortcut : shortcuts_) {
         checkShortcut(*this, shortcut);
+    }
+    for (std::size_t i = 0; i < shortcuts_.size(); ++i) {
+        for (std::size_t j = i + 1; j < shortcuts_.size(); ++j) {
+            checkShortcutsOfOne(*this, shortcuts_[i], shortcuts_[j]);
+        }
     }
 }
 

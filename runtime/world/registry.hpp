@@ -50,8 +50,8 @@ struct ObjectRule {
     std::optional<std::string> (*check)(Store const&, ObjectId);
 };
 
-/// Takes over one of a level's "connections": lays it between two objects, before the first frame. Returns what is
-/// wrong with it and what was expected, in words, or nothing.
+/// Takes over one of a level's "connections": lays it between two objects, before the first frame. Returns
+/// what is wrong with it and what was expected, in words, or nothing.
 using Connector = std::optional<std::string> (*)(Store&, ObjectId, ObjectId);
 
 /// Order of registration is part of the simulation: conflicting resolvers run, and calls are drained, in it.
@@ -64,8 +64,8 @@ public:
     }
     template <class C>
     void component() {
-        Registration made{&C::describeSelf(), [] { return std::unique_ptr<Component>(std::make_unique<C>()); },
-                          nullptr};
+        Registration made{&C::describeSelf(),
+                          [] { return std::unique_ptr<Component>(std::make_unique<C>()); }, nullptr};
         if constexpr (requires(Store const& store) { C::suits(store); }) {
             made.suits = [](Store const& store) { return C::suits(store); };
         }
@@ -74,15 +74,16 @@ public:
         }
         add(made);
     }
-    /// Runs `I` directly after `X` has updated, inside the same task. Checked at start.
+    /// Runs `I` directly after `X` has updated, inside the same task. Checked at start. Several shortcuts of
+    /// one `I` must be in alternatives.
     template <class I, class X>
     void shortcut() {
         shortcuts_.push_back({typeid(I), typeid(X)});
     }
     template <ObjectProperty P, class First, class Second>
     void handOver(std::string why) {
-        handOvers_.push_back(
-            {&propertyInfo<P>(), std::string(First::text.name), std::string(Second::text.name), std::move(why)});
+        handOvers_.push_back({&propertyInfo<P>(), std::string(First::text.name),
+                              std::string(Second::text.name), std::move(why)});
     }
 
     /// Adds what an effect does to every new object; see Store::Completion.
@@ -102,8 +103,8 @@ public:
     [[nodiscard]] std::vector<PropertyInfo const*> objectProperties() const;
     /// The object property with that key, or nullptr.
     [[nodiscard]] PropertyInfo const* objectProperty(std::string_view key) const;
-    /// Throws RuleBroken if any rule is broken: double writers, half-overlapping alternatives, two components of
-    /// one name, unlawful shortcuts.
+    /// Throws RuleBroken if any rule is broken: double writers, half-overlapping alternatives, two components
+    /// of one name, two properties of one key, unlawful shortcuts.
     void check() const;
 
 private:
