@@ -17,7 +17,8 @@ struct EventId {
     friend constexpr auto operator<=>(EventId, EventId) = default;
 };
 
-enum class Phase : std::uint8_t { input, resolver, dps, interaction };
+/// Where in a frame an event belongs; `goal` is what the game notes after the frame.
+enum class Phase : std::uint8_t { resolver, dps, interaction, goal };
 
 struct Event {
     EventId id;

@@ -19,14 +19,14 @@ constexpr unsigned chunkShift = 18;
 
 std::string_view nameOf(Phase phase) {
     switch (phase) {
-    case Phase::input:
-        return "input";
     case Phase::resolver:
         return "resolver";
     case Phase::dps:
         return "dps";
     case Phase::interaction:
         return "interaction";
+    case Phase::goal:
+        return "goal";
     }
     return "";
 }

@@ -3,28 +3,22 @@
 #include "runtime/input/input_resolver.hpp"
 #include "runtime/schedule/schedule.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <set>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <utility>
+
 namespace trembler {
-namespace {
-
-// Below this many rows in a phase, waking other threads costs more than they can save (measured: a loop of
-// 1000 cheap items is fourteen times slower on two threads than on one).
-constexpr std::size_t rowsWorthThreads = 4096;
-
-} // namespace
-
 World::World(Registry const& registry, WorldOptions options)
     : registry_(registry), options_(std::move(options)), executor_(options_.threads),
       tracer_(options_.trace ? std::make_unique<Tracer>() : nullptr) {
     registry_.check();
     store_.setCompletions(registry_.completions());
-    for (ComponentKind const kind : {ComponentKind::resolver, ComponentKind::dps, ComponentKind::interaction}) {
+    for (ComponentKind const kind :
+         {ComponentKind::resolver, ComponentKind::dps, ComponentKind::interaction}) {
         for (Registration const& registration : registry_.components()) {
             if (registration.info->kind == kind) {
                 Entry entry;
@@ -37,21 +31,22 @@ World::World(Registry const& registry, WorldOptions options)
         }
     }
     auto const entryOf = [this](std::type_index type) {
-        return static_cast<std::size_t>(std::find_if(entries_.begin(), entries_.end(),
-                                                     [&](Entry const& e) { return e.status.info->type == type; }) -
-                                        entries_.begin());
+        return static_cast<std::size_t>(
+            std::find_if(entries_.begin(), entries_.end(),
+                         [&](Entry const& e) { return e.status.info->type == type; }) -
+            entries_.begin());
     };
     for (Shortcut const& shortcut : registry_.shortcuts()) {
         std::size_t const outer = entryOf(shortcut.dps);
         std::size_t const inner = entryOf(shortcut.interaction);
-        entries_[inner].insideOf = outer;
+        entries_[inner].insideOf.push_back(outer);
         entries_[outer].shortcuts.push_back(inner);
     }
     std::map<std::string, std::string> const asked = std::exchange(options_.detail, {});
     for (auto const& [effect, level] : asked) {
         setDetail(effect, level);
     }
-    std::map<std::string, int> const periods = options_.periods;
+    std::map<std::string, int> const periods = std::exchange(options_.periods, {});
     for (auto const& [component, period] : periods) {
         setPeriod(component, period);
     }
@@ -70,6 +65,7 @@ void World::start() {
 
 void World::step() {
     ++frame_;
+    notes_ = 0;
     runPhase(ComponentKind::resolver);
     if (tracer_) {
         gatherTrace(); // now, as components, and their events with them, may go in select()
@@ -84,7 +80,9 @@ void World::step() {
     }
 }
 
-std::uint64_t World::stateHash() const { return store_.hash(); }
+std::uint64_t World::stateHash() const {
+    return store_.hash();
+}
 
 void World::feed(PlayerInput const& input) {
     if (input_ != nullptr) {
@@ -135,13 +133,15 @@ std::size_t World::pick(std::vector<std::size_t> const& alternatives) const {
 
 std::vector<bool> World::wanted() const {
     std::vector<bool> chosen(entries_.size(), false);
+    auto const possible = [&](ComponentInfo const& info) {
+        return calledFor(info) &&
+               std::all_of(info.reads.begin(), info.reads.end(), [&](PropertyInfo const* read) {
+                   return read->kind == PropertyKind::object || hasProvider(*read, chosen);
+               });
+    };
     // Kinds come in the order in which they depend on one another: resolvers, DPS, interactions.
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         ComponentInfo const& info = *entries_[i].status.info;
-        bool possible = calledFor(info);
-        for (PropertyInfo const* read : info.reads) {
-            possible = possible && (read->kind == PropertyKind::object || hasProvider(*read, chosen));
-        }
         if (info.kind == ComponentKind::interaction) {
             bool resolverThere = false;
             for (std::size_t j = 0; j < entries_.size(); ++j) {
@@ -149,16 +149,16 @@ std::vector<bool> World::wanted() const {
                 resolverThere = resolverThere || (chosen[j] && other.kind == ComponentKind::resolver &&
                                                   other.role == info.role);
             }
-            chosen[i] = possible && resolverThere;
+            chosen[i] = possible(info) && resolverThere;
             continue;
         }
-        if (!possible) {
+        if (!possible(info)) {
             continue;
         }
         std::vector<std::size_t> alternatives;
         for (std::size_t j = 0; j < entries_.size(); ++j) {
             ComponentInfo const& other = *entries_[j].status.info;
-            if ((j == i || areAlternatives(info, other)) && calledFor(other)) {
+            if ((j == i || areAlternatives(info, other)) && possible(other)) {
                 alternatives.push_back(j);
             }
         }
@@ -175,6 +175,7 @@ void World::select() {
         if (chosen[i] && !entry.component) {
             entry.component = entry.registration->make();
             entry.lastFrame = frame_;
+            entry.status.activity = Activity::asleep; // until its first turn
             changed = true;
         } else if (!chosen[i] && entry.component) {
             if (dynamic_cast<InputResolver*>(entry.component.get()) == input_) {
@@ -237,56 +238,69 @@ void World::runEntry(Entry& entry) {
     entry.status.totalMicroseconds += took.count();
 }
 
+bool World::runsInside(Entry const& entry) const {
+    return std::any_of(entry.insideOf.begin(), entry.insideOf.end(),
+                       [this](std::size_t outer) { return entries_[outer].component != nullptr; });
+}
+
+// Runs a component, or lets it sleep if there is nothing for it to do.
+void World::giveTurn(Entry& entry) {
+    if (entry.component->hasWork()) {
+        runEntry(entry);
+        entry.status.activity = Activity::active;
+        return;
+    }
+    entry.status.activity = Activity::asleep;
+    entry.status.lastMicroseconds = 0;
+    if (entry.status.info->kind == ComponentKind::resolver) {
+        entry.lastFrame = frame_; // it slept through this time, there is none to catch up
+    }
+}
+
 void World::runPhase(ComponentKind kind) {
+    auto const hasTurn = [this](Entry const& entry) { return entry.component && due(entry); };
     std::vector<std::size_t> running;
     std::size_t rows = 0;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         Entry& entry = entries_[i];
-        if (entry.status.info->kind != kind || !entry.component || !due(entry)) {
-            continue;
+        if (entry.status.info->kind != kind || !entry.component || runsInside(entry)) {
+            continue; // what runs inside a derived property set has its turns there
         }
-        if (entry.insideOf && entries_[*entry.insideOf].component) {
-            continue; // had its turn inside its derived property set
-        }
-        // A resolver may be given work by one that runs before it, so it decides when its turn comes.
-        if (kind == ComponentKind::resolver || entry.component->hasWork()) {
-            running.push_back(i);
-            rows += entry.component->workload();
-        } else {
-            entry.status.activity = Activity::asleep;
-            entry.status.lastMicroseconds = 0;
-        }
-        for (std::size_t const inner : entry.shortcuts) {
-            if (entries_[inner].component && entries_[inner].component->hasWork() &&
-                (running.empty() || running.back() != i)) {
-                running.push_back(i);
+        bool runs = false;
+        auto const consider = [&](Entry& candidate) {
+            if (!hasTurn(candidate)) {
+                return;
             }
+            if (candidate.component->hasWork()) {
+                rows += candidate.component->workload();
+                runs = true;
+            } else if (kind == ComponentKind::resolver) {
+                runs = true; // it may be given work by one that runs before it, so it decides when its turn
+                             // comes
+            } else {
+                giveTurn(candidate);
+            }
+        };
+        consider(entry);
+        for (std::size_t const inner : entry.shortcuts) {
+            consider(entries_[inner]);
+        }
+        if (runs) {
+            running.push_back(i);
         }
     }
     auto const turn = [&](std::size_t n) {
         Entry& entry = entries_[running[n]];
-        if (entry.component->hasWork()) {
-            runEntry(entry);
-            entry.status.activity = Activity::active;
-        } else {
-            entry.status.activity = Activity::asleep;
-            entry.status.lastMicroseconds = 0;
-            if (entry.status.info->kind == ComponentKind::resolver) {
-                entry.lastFrame = frame_; // it slept through this time, there is none to catch up
-            }
+        if (hasTurn(entry)) {
+            giveTurn(entry);
         }
         for (std::size_t const inner : entry.shortcuts) {
-            Entry& shortcut = entries_[inner];
-            if (shortcut.component) {
-                bool const work = shortcut.component->hasWork();
-                shortcut.status.activity = work ? Activity::active : Activity::asleep;
-                if (work) {
-                    runEntry(shortcut);
-                }
+            if (hasTurn(entries_[inner])) {
+                giveTurn(entries_[inner]);
             }
         }
     };
-    if (executor_.threads() == 1 || running.size() <= 1 || rows < rowsWorthThreads) {
+    if (executor_.threads() == 1 || running.size() <= 1 || rows < options_.rowsWorthThreads) {
         for (std::size_t n = 0; n < running.size(); ++n) {
             turn(n);
         }
@@ -313,6 +327,18 @@ void World::gatherTrace() {
     }
 }
 
+EventId World::note(std::string_view component, std::string_view event, std::span<ObjectId const> objects,
+                    std::span<EventId const> causes) {
+    if (!tracer_) {
+        return {};
+    }
+    constexpr std::uint32_t afterAllComponents = 255;
+    EventSink sink(&store_, frame_, afterAllComponents, notes_++, Phase::goal, component);
+    EventId const id = sink.record(event, objects, causes);
+    tracer_->gather(sink);
+    return id;
+}
+
 void World::setDetail(std::string const& effect, std::string const& level) {
     std::set<std::string_view> effects;
     std::set<std::string_view> levels;
@@ -326,8 +352,8 @@ void World::setDetail(std::string const& effect, std::string const& level) {
         }
     }
     if (levels.empty()) {
-        throw std::invalid_argument(fmt::format("no effect '{}' has detail levels; those that have: {}", effect,
-                                                fmt::join(effects, ", ")));
+        throw std::invalid_argument(fmt::format("no effect '{}' has detail levels; those that have: {}",
+                                                effect, fmt::join(effects, ", ")));
     }
     if (level.empty()) {
         options_.detail.erase(effect);
@@ -348,16 +374,31 @@ void World::setPeriod(std::string const& componentTitle, int period) {
             fmt::format("the period of '{}' is {}; expected 1 to 3600 frames", componentTitle, period));
     }
     std::vector<std::string> titles;
+    std::vector<Entry*> named;
     for (Entry& entry : entries_) {
         titles.push_back(title(*entry.status.info));
-        if (titles.back() == componentTitle || entry.status.info->text.name == componentTitle) {
-            entry.status.period = period;
-            options_.periods[componentTitle] = period;
-            return;
+        if (titles.back() == componentTitle) {
+            named.assign(1, &entry); // a full title goes before a bare name
+            break;
+        }
+        if (entry.status.info->text.name == componentTitle) {
+            named.push_back(&entry);
         }
     }
-    throw std::invalid_argument(fmt::format("there is no component '{}'; there are: {}", componentTitle,
-                                            fmt::join(titles, ", ")));
+    if (named.size() > 1) {
+        titles.clear();
+        for (Entry const* entry : named) {
+            titles.push_back(title(*entry->status.info));
+        }
+        throw std::invalid_argument(
+            fmt::format("'{}' may mean any of these: {}", componentTitle, fmt::join(titles, ", ")));
+    }
+    if (named.empty()) {
+        throw std::invalid_argument(fmt::format("there is no component '{}'; there are: {}", componentTitle,
+                                                fmt::join(titles, ", ")));
+    }
+    named.front()->status.period = period;
+    options_.periods[title(*named.front()->status.info)] = period;
 }
 
 std::vector<ComponentStatus> World::status() const {

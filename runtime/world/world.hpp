@@ -19,10 +19,13 @@ namespace trembler {
 class InputResolver;
 
 struct WorldOptions {
-    int threads = 1;                            ///< >= 1; never changes a result
-    std::map<std::string, std::string> detail;  ///< effect -> detail level; others are picked by the scene
-    std::map<std::string, int> periods;         ///< component title -> every nth frame
-    bool trace = false;                         ///< gather events
+    int threads = 1;                           ///< >= 1; never changes a result
+    std::map<std::string, std::string> detail; ///< effect -> detail level; others are picked by the scene
+    std::map<std::string, int> periods;        ///< component title -> every nth frame
+    bool trace = false;                        ///< gather events
+    /// Below this many rows in a phase, waking other threads costs more than they can save (measured: a loop
+    /// of 1000 cheap items is fourteen times slower on two threads than on one). 0 forces threads, for tests.
+    std::size_t rowsWorthThreads = 4096;
 };
 
 /// How a component of the registry fares in a world.
@@ -35,8 +38,8 @@ struct ComponentStatus {
     double totalMicroseconds = 0; ///< over all turns; for people to look at, it never reaches the world
 };
 
-/// Life of a world: fill store(), start(), step() as often as wanted. Not thread-safe from outside; inside, it
-/// uses as many threads as its options say.
+/// Life of a world: fill store(), start(), step() as often as wanted. Not thread-safe from outside; inside,
+/// it uses as many threads as its options say.
 class World {
 public:
     /// `registry` must outlive the world. Throws RuleBroken if it breaks the methodology's rules and
@@ -62,7 +65,8 @@ public:
     void feed(PlayerInput const& input);
 
     /// Picks a detail level from the next frame on; "" leaves the choice to the scene again. Throws
-    /// std::invalid_argument, listing what there is, if the effect or the level is unknown. Between frames only.
+    /// std::invalid_argument, listing what there is, if the effect or the level is unknown. Between frames
+    /// only.
     void setDetail(std::string const& effect, std::string const& level);
     /// Runs a component in every nth frame only. Throws std::invalid_argument. Between frames only.
     void setPeriod(std::string const& componentTitle, int period);
@@ -81,6 +85,10 @@ public:
         auto const* const column = store_.findColumn<P>();
         return column == nullptr ? nullptr : column->find(id);
     }
+    /// Adds to the account, after a frame, what somebody outside found in it: a goal that was met. Does
+    /// nothing while nobody traces.
+    EventId note(std::string_view component, std::string_view event, std::span<ObjectId const> objects,
+                 std::span<EventId const> causes);
     /// The account so far, or nullptr if the options do not ask for one.
     [[nodiscard]] Tracer const* tracer() const { return tracer_.get(); }
 
@@ -90,8 +98,8 @@ private:
         std::unique_ptr<Component> component;
         ComponentStatus status;
         std::uint32_t rank = 0;
-        std::optional<std::size_t> insideOf; // the entry of the DPS that it is a shortcut in
-        std::vector<std::size_t> shortcuts;  // the entries that run inside this one
+        std::vector<std::size_t> insideOf;  // the entries of the DPS, alternatives, that it is a shortcut in
+        std::vector<std::size_t> shortcuts; // the entries that run inside this one
         std::uint64_t lastFrame = 0;
     };
 
@@ -102,8 +110,10 @@ private:
     [[nodiscard]] std::size_t pick(std::vector<std::size_t> const& alternatives) const;
     void bindAll();
     void runPhase(ComponentKind kind);
+    void giveTurn(Entry& entry);
     void runEntry(Entry& entry);
     [[nodiscard]] bool due(Entry const& entry) const;
+    [[nodiscard]] bool runsInside(Entry const& entry) const;
     void gatherTrace();
 
     Registry const& registry_;
@@ -115,6 +125,7 @@ private:
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each
     InputResolver* input_ = nullptr;
     std::uint64_t frame_ = 0;
+    std::uint32_t notes_ = 0; // of this frame
     std::uint64_t knownStructure_ = 0;
 };
 
