@@ -24,6 +24,12 @@ bool has(ColumnBase const* column, ObjectId id) {
     return column != nullptr && column->has(id);
 }
 
+void guessSubstance(Facts& facts) {
+    bool const attracted = facts.strength != nullptr && facts.strength->susceptibility > 0;
+    facts.substance = facts.look != nullptr ? facts.look->material
+                                            : substanceWithoutLook(facts.fixed, facts.conductor, attracted);
+}
+
 int level(Facts const& facts) {
     return facts.shape == nullptr ? 2 : (facts.fixed ? 0 : 1);
 }
@@ -36,10 +42,11 @@ FactsReader::FactsReader(World const& world)
       fixed_(world.store().findColumn<Fixed>()), conductors_(world.store().findColumn<Conductor>()),
       sources_(world.store().findColumn<ElectricalSource>()),
       returns_(world.store().findColumn<ElectricalReturn>()),
-      devices_(world.store().findColumn<ElectricalDevice>()), poles_(world.store().findColumn<MagneticPoles>()),
-      magnets_(world.store().findColumn<Magnet>()), strengths_(world.store().findColumn<MagneticStrength>()),
+      devices_(world.store().findColumn<ElectricalDevice>()),
+      poles_(world.store().findColumn<MagneticPoles>()), magnets_(world.store().findColumn<Magnet>()),
+      strengths_(world.store().findColumn<MagneticStrength>()),
       coils_(world.store().findColumn<Electromagnet>()), state_(world.find<ElectricalState>()),
-      substances_(world) {}
+      looks_(world.store().findColumn<Look>()) {}
 
 Facts FactsReader::of(ObjectId id) const {
     Facts facts;
@@ -57,7 +64,8 @@ Facts FactsReader::of(ObjectId id) const {
     facts.magnet = in(magnets_, id);
     facts.strength = in(strengths_, id);
     facts.coil = in(coils_, id);
-    facts.substance = substances_.of(id).value_or(substanceWithoutLook(facts.fixed, facts.conductor));
+    facts.look = in(looks_, id);
+    guessSubstance(facts);
     return facts;
 }
 
@@ -72,7 +80,8 @@ std::vector<Facts> FactsReader::drawOrder() const {
             all.push_back(facts);
         }
     }
-    std::stable_sort(all.begin(), all.end(), [](Facts const& a, Facts const& b) { return level(a) < level(b); });
+    std::stable_sort(all.begin(), all.end(),
+                     [](Facts const& a, Facts const& b) { return level(a) < level(b); });
     return all;
 }
 
@@ -90,7 +99,8 @@ Facts factsOf(Prototype const& prototype) {
     facts.magnet = valueIn<Magnet>(prototype);
     facts.strength = valueIn<MagneticStrength>(prototype);
     facts.coil = valueIn<Electromagnet>(prototype);
-    facts.substance = substanceIn(prototype).value_or(substanceWithoutLook(facts.fixed, facts.conductor));
+    facts.look = valueIn<Look>(prototype);
+    guessSubstance(facts);
     return facts;
 }
 

@@ -1,4 +1,5 @@
-// What drawing looks at in an object: its properties, whether it stands in a world or is still a part on the shelf.
+// What drawing looks at in an object: its properties, whether it stands in a world or is still a part on the
+// shelf.
 #pragma once
 
 #include "physics/dynamics/body.hpp"
@@ -6,7 +7,7 @@
 #include "physics/dynamics/shape.hpp"
 #include "physics/electricity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
-#include "render/scene/substance.hpp"
+#include "render/scene/appearance.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
 
@@ -28,10 +29,13 @@ struct Facts {
     Magnet const* magnet = nullptr;
     MagneticStrength const* strength = nullptr;
     Electromagnet const* coil = nullptr;
-    Substance substance = Substance::plain;
+    Look const* look = nullptr;
+    Substance substance = Substance::plastic; ///< as stated, else guessed
 
     /// It is shown by a symbol alone: it conducts but has no body.
-    [[nodiscard]] bool symbolOnly() const { return shape == nullptr && (source || earth || conductor || device); }
+    [[nodiscard]] bool symbolOnly() const {
+        return shape == nullptr && (source || earth || conductor || device);
+    }
     /// There is something of it to be seen at a place.
     [[nodiscard]] bool visible() const { return position != nullptr && (shape != nullptr || symbolOnly()); }
     /// Share of a magnet's strength that acts, 0 to 1.
@@ -40,14 +44,14 @@ struct Facts {
     }
 };
 
-/// Finds the columns once, so that asking for many objects is cheap. Valid until the world gains a new kind of
-/// property; make one per picture.
+/// Finds the columns once, so that asking for many objects is cheap. Valid until the world gains a new kind
+/// of property; make one per picture.
 class FactsReader {
 public:
     explicit FactsReader(World const& world);
     [[nodiscard]] Facts of(ObjectId id) const;
-    /// Every object of which there is something to see, from bottom to top: fixed ones, then those that move, then
-    /// symbols; in the order of ids within each.
+    /// Every object of which there is something to see, from bottom to top: fixed ones, then those that move,
+    /// then symbols; in the order of ids within each.
     [[nodiscard]] std::vector<Facts> drawOrder() const;
 
 private:
@@ -65,7 +69,7 @@ private:
     Column<MagneticStrength> const* strengths_;
     Column<Electromagnet> const* coils_;
     ElectricalState const* state_;
-    SubstanceReader substances_;
+    Column<Look> const* looks_;
 };
 
 /// The same of a part that is not in any world; it lies at the origin unless its values say otherwise.

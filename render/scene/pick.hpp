@@ -6,9 +6,10 @@
 
 namespace trembler::render {
 
-/// The topmost object under a point of the world, as drawScene draws it; if there is none, the one whose edge is
-/// nearest within `tolerance` metres (the later drawn of equals); otherwise an invalid id. Exact for all shapes.
-/// Give the tolerance as a few pixels: canvas.metres(6). Reads the world; any thread while nobody steps it.
+/// The topmost object under a point of the world, as drawScene draws it; if there is none, the one whose edge
+/// is nearest within `tolerance` metres (the later drawn of equals); otherwise an invalid id. Exact for all
+/// shapes. Give the tolerance as a few pixels: canvas.metres(6). Reads the world; any thread while nobody
+/// steps it.
 [[nodiscard]] ObjectId pick(World const& world, Point at, double tolerance = 0);
 
 /// Distance in metres from a point of the world to what is drawn of the object; negative inside.
@@ -21,8 +22,8 @@ namespace trembler::render {
 
 /// The rectangle around everything that is seen, for Camera::fit; empty for an empty world.
 [[nodiscard]] Extent sceneBounds(World const& world);
-/// The same, but of fixed bodies much larger than all the rest (a floor without end) only the part around the rest:
-/// what a player wants to see at the start.
+/// The same, but of fixed bodies much larger than all the rest (a floor without end) only the part around the
+/// rest: what a player wants to see at the start.
 [[nodiscard]] Extent sceneFocus(World const& world);
 
 } // namespace trembler::render

@@ -233,6 +233,19 @@ std::vector<Point> clipHalf(std::span<Point const> convex, Point at, Point norma
     return kept;
 }
 
+std::vector<Point> insetOutline(std::span<Point const> convex, double distance) {
+    std::vector<Point> left(convex.begin(), convex.end());
+    for (std::size_t i = 0; i < convex.size() && !left.empty(); ++i) {
+        Point const edge = convex[(i + 1) % convex.size()] - convex[i];
+        double const span = length(edge);
+        if (span > 0) {
+            Point const inwards{-edge.y / span, edge.x / span};
+            left = clipHalf(left, convex[i] + distance * inwards, inwards);
+        }
+    }
+    return left;
+}
+
 Point nearestOnEdge(Shape const& shape, Point target) {
     Point best;
     double least = std::numeric_limits<double>::infinity();

@@ -57,6 +57,9 @@ struct Extent {
 /// The part of a convex outline on the side of the line through `at` to which `normal` points; may be empty.
 [[nodiscard]] std::vector<Point> clipHalf(std::span<Point const> convex, Point at, Point normal);
 
+/// A convex outline with every side moved inwards by `distance` metres; empty if nothing is left.
+[[nodiscard]] std::vector<Point> insetOutline(std::span<Point const> convex, double distance);
+
 /// The point of a body's edge that is nearest to `target`; all in the object's frame. {0, 0} without pieces.
 [[nodiscard]] Point nearestOnEdge(Shape const& shape, Point target);
 

@@ -1,9 +1,11 @@
-#include "render/scene/substance.hpp"
+#include "render/scene/appearance.hpp"
+
+#include <charconv>
 
 namespace trembler::render {
 namespace {
 
-// Shades of the palette's materials that only scenes need.
+// Shades that only scenes need.
 constexpr Colour iron = rgb(0x767B80);
 constexpr Colour gold = rgb(0xDDA92B);
 constexpr Colour brick = rgb(0xB8694D);
@@ -33,31 +35,34 @@ Style styleOf(Substance substance) {
     case Substance::rubber:
         return {.material = Material::Rubber};
     case Substance::stone:
-        return {.material = Material::Stone, .tint = concrete};
+        return {.material = Material::Stone, .tint = concrete, .grain = 0.45};
     case Substance::brick:
-        return {.material = Material::Stone, .tint = brick};
+        return {.material = Material::Stone, .tint = brick, .grain = 0.3};
     case Substance::plastic:
         return {.material = Material::Plastic};
     case Substance::water:
         return {.material = Material::Water};
-    case Substance::plain:
-        break;
     }
     return {};
 }
 
-Substance substanceWithoutLook(bool fixed, bool conductor) {
+Substance substanceWithoutLook(bool fixed, bool conductor, bool attracted) {
+    if (attracted && !conductor) {
+        return Substance::iron;
+    }
     return conductor ? Substance::steel : (fixed ? Substance::stone : Substance::plastic);
 }
 
-SubstanceReader::SubstanceReader(World const&) {}
-
-std::optional<Substance> SubstanceReader::of(ObjectId) const {
-    return std::nullopt;
-}
-
-std::optional<Substance> substanceIn(Prototype const&) {
-    return std::nullopt;
+std::optional<Colour> colourFrom(std::string_view text) {
+    std::uint32_t value = 0;
+    if (text.size() != 7 || text[0] != '#') {
+        return std::nullopt;
+    }
+    auto const [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), value, 16);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+        return std::nullopt;
+    }
+    return rgb(value);
 }
 
 } // namespace trembler::render

@@ -1,0 +1,24 @@
+// From what things are said to be made of to how they are drawn.
+#pragma once
+
+#include "physics/look.hpp"
+#include "render/draw/style.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace trembler::render {
+
+/// What a thing is made of, in the words of the world; drawing's own Material is a pattern.
+using Substance = trembler::Material;
+
+/// Metals are bolted down and carry windings; other fixed things are hatched like the ground.
+[[nodiscard]] bool isMetal(Substance substance);
+/// Pattern and colour.
+[[nodiscard]] Style styleOf(Substance substance);
+/// The guess for an object that does not state its look; `attracted` by magnets.
+[[nodiscard]] Substance substanceWithoutLook(bool fixed, bool conductor, bool attracted);
+/// "#rrggbb"; nothing for anything else.
+[[nodiscard]] std::optional<Colour> colourFrom(std::string_view text);
+
+} // namespace trembler::render

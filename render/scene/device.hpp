@@ -1,0 +1,19 @@
+// What shows that an object is more than a body: windings, poles, bulbs, signs of electricity, bolts.
+#pragma once
+
+#include "render/draw/canvas.hpp"
+#include "render/scene/facts.hpp"
+#include "render/scene/poses.hpp"
+
+namespace trembler::render {
+
+/// The light around an object that is at work (a device with current, a magnet that pulls); none otherwise.
+[[nodiscard]] Glow deviceGlow(Facts const& facts);
+
+/// Draws over the object's shape. Of `style` it takes how the object stands to the player (ghost and so on).
+void drawDevice(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style);
+
+/// Where a wire that comes from `towards` (world) is fastened to the object, in the world.
+[[nodiscard]] Point terminalOf(Facts const& facts, Pose const& pose, Point towards);
+
+} // namespace trembler::render

@@ -1,0 +1,48 @@
+#include "render/scene/hatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace trembler::render {
+namespace {
+
+constexpr double mostLines = 400;
+
+} // namespace
+
+void hatch(Canvas& canvas, std::span<Point const> convex, Point origin, double angle, double spacing,
+           Stroke const& stroke) {
+    Point const along{std::cos(angle), std::sin(angle)};
+    Point const across{-along.y, along.x};
+    double first = std::numeric_limits<double>::infinity();
+    double last = -first;
+    for (Point const corner : convex) {
+        first = std::min(first, dot(corner - origin, across));
+        last = std::max(last, dot(corner - origin, across));
+    }
+    if (!(spacing > 0) || !std::isfinite(last - first)) {
+        return;
+    }
+    double const step = spacing * std::max(1.0, std::ceil((last - first) / (spacing * mostLines)));
+    for (double t = std::ceil(first / step); t * step < last; t += 1) {
+        if (auto const piece = clipLine(convex, origin + (t * step) * across, along)) {
+            canvas.line((*piece)[0], (*piece)[1], stroke);
+        }
+    }
+}
+
+void hatchShape(Canvas& canvas, Shape const& shape, Pose const& pose, float alpha) {
+    // In steps of doubling, so that zooming changes the hatching rarely and never lets it become a grey mass.
+    double const spacing = 0.09 * std::exp2(std::ceil(std::log2(std::max(1.0, canvas.metres(7) / 0.09))));
+    for (ShapePiece const& piece : shape.pieces) {
+        std::vector<Point> outline = insetOutline(outlineOf(piece), canvas.metres(2));
+        for (Point& corner : outline) {
+            corner = toWorld(pose, corner);
+        }
+        hatch(canvas, outline, pose.at, pose.angle + 0.25 * std::numbers::pi, spacing,
+              {.colour = palette::ink, .pixels = 1.2F, .alpha = 0.26F * alpha});
+    }
+}
+
+} // namespace trembler::render
