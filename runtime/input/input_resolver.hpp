@@ -12,17 +12,19 @@ namespace trembler {
 /// What the player's hand holds.
 struct Hand {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Hand", "hand", "The object that the player holds, and where it is pulled to."};
+    static constexpr PropertyText text{"Hand", "hand",
+                                       "The object that the player holds, and where it is pulled to."};
 
-    ObjectId object;     ///< invalid: the hand is empty
-    Vec2 localPoint;     ///< m, where it is held, in the object's own frame
-    Vec2 target;         ///< m, in the world
-    EventId event;       ///< the grab
+    ObjectId object; ///< invalid: the hand is empty
+    Vec2 localPoint; ///< m, where it is held, in the object's own frame
+    Vec2 target;     ///< m, in the world
+    EventId event;   ///< the grab
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "object", .unit = "", .meaning = "held object"}, self.object);
-        visit(FieldInfo{.key = "local_point", .unit = "m", .meaning = "where, in its own frame"}, self.localPoint);
+        visit(FieldInfo{.key = "local_point", .unit = "m", .meaning = "where, in its own frame"},
+              self.localPoint);
         visit(FieldInfo{.key = "target", .unit = "m", .meaning = "where it is pulled to"}, self.target);
     }
 };
@@ -30,8 +32,9 @@ struct Hand {
 /// What the player did with tools in this frame.
 struct PlayerCommands {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Player commands", "player_commands",
-                                       "Wires that the player cut and objects that the player removed this frame."};
+    static constexpr PropertyText text{
+        "Player commands", "player_commands",
+        "Wires that the player cut and objects that the player removed this frame."};
     struct Cut {
         ObjectId a;
         ObjectId b;
@@ -57,15 +60,20 @@ struct PlayerRole {
 class InputResolver final : public Resolver<InputResolver, PlayerRole, Reads<Position, Rotation>, Writes<>,
                                             Provides<Hand, PlayerCommands>> {
 public:
-    static constexpr ComponentText text{.name = "Player",
-                                        .effect = "player",
-                                        .level = "",
-                                        .work = "Takes over what the player did since the last frame: what the hand "
-                                                "holds and where it pulls, which wires were cut, what was removed."};
+    static constexpr ComponentText text{
+        .name = "Player",
+        .effect = "player",
+        .level = "",
+        .work = "Takes over what the player did since the last frame: what the hand "
+                "holds and where it pulls, which wires were cut, what was removed."};
     using CalledFor = NeedsAll<>;
 
-    /// Queues an input for the next frame. Not during a frame.
-    void feed(PlayerInput const& input) { queue_.push_back(input); }
+    /// Queues an input for the next frame; one at no finite point is ignored. Not during a frame.
+    void feed(PlayerInput const& input) {
+        if (isFinite(input.at)) {
+            queue_.push_back(input);
+        }
+    }
     [[nodiscard]] bool restless() const { return !queue_.empty() || commandsStand_; }
     /// Only what was fed makes work: objects that move by themselves do not concern the hand.
     [[nodiscard]] bool hasWork() const override { return restless(); }

@@ -9,7 +9,8 @@
 namespace trembler {
 
 /// Makes an object from a prototype. `key` identifies the birth: two calls with one key make one object, and
-/// keys, not the order of calls, decide about ids.
+/// keys, not the order of calls, decide about ids. A call for an unknown prototype, or with a number that is
+/// not finite, makes nothing.
 struct CreateObject {
     static constexpr CallText text{"createObject", "(part, position, angle, velocity, spin, key)",
                                    "Makes an object from a part definition; equal keys make one object."};

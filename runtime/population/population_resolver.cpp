@@ -3,9 +3,11 @@
 #include "runtime/placement.hpp"
 #include "runtime/world/registry.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace trembler {
 
@@ -14,26 +16,32 @@ void PopulationResolver::advance(Access& access) {
         access.provide<PopulationChanges>() = {};
         changesStand_ = false;
     }
-    std::vector<ObjectId> destroyed;
+    std::vector<std::pair<ObjectId, EventId>> deaths;
     access.forCalls<DestroyObject>([&](DestroyObject const& call, CallOrigin origin) {
-        bool const known = std::find(destroyed.begin(), destroyed.end(), call.object) != destroyed.end();
-        if (store_->alive(call.object) && !known) {
-            access.event("destroyed", {call.object}, {origin.cause});
-            destroyed.push_back(call.object);
+        if (store_->alive(call.object)) {
+            deaths.emplace_back(call.object, origin.cause);
         }
     });
-    struct Birth {
-        CreateObject call;
-        EventId cause;
-    };
     std::vector<Birth> births;
-    access.forCalls<CreateObject>(
-        [&](CreateObject const& call, CallOrigin origin) { births.push_back({call, origin.cause}); });
-    if (destroyed.empty() && births.empty()) {
+    access.forCalls<CreateObject>([&](CreateObject const& call, CallOrigin origin) {
+        // Named now, as the maker may go in this very frame.
+        births.push_back({call, origin.cause, store_->nameOf(call.maker)});
+    });
+    if (deaths.empty() && births.empty()) {
         return;
     }
     changesStand_ = true;
-    std::sort(destroyed.begin(), destroyed.end());
+    std::sort(deaths.begin(), deaths.end());
+    std::vector<ObjectId> destroyed;
+    for (std::size_t i = 0; i < deaths.size();) {
+        ObjectId const object = deaths[i].first;
+        std::vector<EventId> causes;
+        for (; i < deaths.size() && deaths[i].first == object; ++i) {
+            causes.push_back(deaths[i].second);
+        }
+        access.event("destroyed", std::array{object}, causes);
+        destroyed.push_back(object);
+    }
     store_->destroy(destroyed);
     access.provide<PopulationChanges>().destroyed = std::move(destroyed);
 
@@ -43,16 +51,18 @@ void PopulationResolver::advance(Access& access) {
                              [](Birth const& a, Birth const& b) { return a.call.key() == b.call.key(); }),
                  births.end());
     for (Birth const& birth : births) {
-        create(access, birth.call, birth.cause);
+        create(access, birth);
     }
 }
 
-void PopulationResolver::create(Access& access, CreateObject const& call, EventId cause) {
+void PopulationResolver::create(Access& access, Birth const& birth) {
+    CreateObject const& call = birth.call;
     Prototype const* const prototype = store_->prototypes().find(call.prototype);
-    if (prototype == nullptr || !isFinite(call.position) || !isFinite(call.velocity)) {
+    if (prototype == nullptr || !isFinite(call.position) || !std::isfinite(call.angle) ||
+        !isFinite(call.velocity) || !std::isfinite(call.spin)) {
         return;
     }
-    std::string const stem = fmt::format("{} of {}", prototype->name, store_->nameOf(call.maker));
+    std::string const stem = fmt::format("{} of {}", prototype->name, birth.maker);
     std::string name = fmt::format("{} {}", stem, call.number);
     for (int again = 2; store_->find(name).valid(); ++again) {
         name = fmt::format("{} {} ({})", stem, call.number, again);
@@ -64,7 +74,7 @@ void PopulationResolver::create(Access& access, CreateObject const& call, EventI
     store_->column<Velocity>().set(id, {call.velocity});
     store_->column<AngularVelocity>().set(id, {call.spin});
     store_->complete(id);
-    access.event("created", {id}, {cause});
+    access.event("created", {id}, {birth.cause});
     access.provide<PopulationChanges>().created.push_back(id);
 }
 

@@ -11,8 +11,9 @@ namespace trembler {
 /// Who came and who went in this frame.
 struct PopulationChanges {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Population changes", "population_changes",
-                                       "The objects that were created and those that were destroyed this frame."};
+    static constexpr PropertyText text{
+        "Population changes", "population_changes",
+        "The objects that were created and those that were destroyed this frame."};
     std::vector<ObjectId> created;
     std::vector<ObjectId> destroyed; ///< ids that no longer name anything
 
@@ -25,11 +26,12 @@ struct PopulationChanges {
 class PopulationResolver final
     : public Resolver<PopulationResolver, PopulationRole, Reads<>, Writes<>, Provides<PopulationChanges>> {
 public:
-    static constexpr ComponentText text{.name = "Population",
-                                        .effect = "population",
-                                        .level = "",
-                                        .work = "Destroys and creates objects as requested. Ids follow from the keys "
-                                                "of the births, so they depend on no order and no thread."};
+    static constexpr ComponentText text{
+        .name = "Population",
+        .effect = "population",
+        .level = "",
+        .work = "Destroys and creates objects as requested. Ids follow from the keys "
+                "of the births, so they depend on no order and no thread."};
     static constexpr bool writesEverything = true;
     using CalledFor = NeedsAll<>;
 
@@ -38,7 +40,12 @@ public:
     void advance(Access& access);
 
 private:
-    void create(Access& access, CreateObject const& call, EventId cause);
+    struct Birth {
+        CreateObject call;
+        EventId cause;
+        std::string maker; // its name
+    };
+    void create(Access& access, Birth const& birth);
 
     Store* store_ = nullptr;
     bool changesStand_ = false;
