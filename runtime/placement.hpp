@@ -14,7 +14,10 @@ struct Position {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "m", .meaning = "centre of the object", .minimum = -1e6,
+        visit(FieldInfo{.key = "value",
+                        .unit = "m",
+                        .meaning = "centre of the object",
+                        .minimum = -1e6,
                         .maximum = 1e6},
               self.value);
     }
@@ -22,14 +25,17 @@ struct Position {
 
 struct Rotation {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Rotation", "angle_deg", "An angle describing the rotation of the object.",
-                                       PropertyPlace::placement};
+    static constexpr PropertyText text{
+        "Rotation", "angle_deg", "An angle describing the rotation of the object.", PropertyPlace::placement};
     double angle = 0;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "rad", .meaning = "anticlockwise from the x axis",
-                        .minimum = -1e6, .maximum = 1e6},
+        visit(FieldInfo{.key = "value",
+                        .unit = "rad",
+                        .meaning = "anticlockwise from the x axis",
+                        .minimum = -1e6,
+                        .maximum = 1e6},
               self.angle);
     }
 };
@@ -42,7 +48,10 @@ struct Velocity {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "m/s", .meaning = "of the centre of mass", .minimum = -1e4,
+        visit(FieldInfo{.key = "value",
+                        .unit = "m/s",
+                        .meaning = "of the centre of mass",
+                        .minimum = -1e4,
                         .maximum = 1e4},
               self.value);
     }
@@ -56,9 +65,10 @@ struct AngularVelocity {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "rad/s", .meaning = "anticlockwise", .minimum = -1e4,
-                        .maximum = 1e4},
-              self.value);
+        visit(
+            FieldInfo{
+                .key = "value", .unit = "rad/s", .meaning = "anticlockwise", .minimum = -1e4, .maximum = 1e4},
+            self.value);
     }
 };
 

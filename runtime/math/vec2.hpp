@@ -23,14 +23,26 @@ struct Vec2 {
     friend constexpr bool operator==(Vec2 a, Vec2 b) = default;
 };
 
-[[nodiscard]] constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+[[nodiscard]] constexpr double dot(Vec2 a, Vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
 /// The z component of the cross product: positive when b lies anticlockwise of a.
-[[nodiscard]] constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+[[nodiscard]] constexpr double cross(Vec2 a, Vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
 /// a turned by a quarter anticlockwise.
-[[nodiscard]] constexpr Vec2 perpendicular(Vec2 a) { return {-a.y, a.x}; }
-[[nodiscard]] constexpr double lengthSquared(Vec2 a) { return dot(a, a); }
-[[nodiscard]] inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
-[[nodiscard]] inline bool isFinite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+[[nodiscard]] constexpr Vec2 perpendicular(Vec2 a) {
+    return {-a.y, a.x};
+}
+[[nodiscard]] constexpr double lengthSquared(Vec2 a) {
+    return dot(a, a);
+}
+[[nodiscard]] inline double length(Vec2 a) {
+    return std::sqrt(dot(a, a));
+}
+[[nodiscard]] inline bool isFinite(Vec2 a) {
+    return std::isfinite(a.x) && std::isfinite(a.y);
+}
 /// a turned anticlockwise by `angle` (rad).
 [[nodiscard]] inline Vec2 rotated(Vec2 a, double angle) {
     double const c = std::cos(angle);

@@ -18,14 +18,16 @@ public:
     /// Frees the id. Returns false, and does nothing, if it names no living object.
     bool destroy(ObjectId id);
     [[nodiscard]] bool alive(ObjectId id) const {
-        return id.index < slots_.size() && slots_[id.index].alive && slots_[id.index].generation == id.generation;
+        return id.index < slots_.size() && slots_[id.index].alive &&
+               slots_[id.index].generation == id.generation;
     }
     [[nodiscard]] std::size_t size() const { return living_; }
     /// One past the highest index ever used.
     [[nodiscard]] std::size_t indexBound() const { return slots_.size(); }
     /// The living object at an index, or an invalid id.
     [[nodiscard]] ObjectId at(std::uint32_t index) const {
-        return index < slots_.size() && slots_[index].alive ? ObjectId{index, slots_[index].generation} : ObjectId{};
+        return index < slots_.size() && slots_[index].alive ? ObjectId{index, slots_[index].generation}
+                                                            : ObjectId{};
     }
 
 private:

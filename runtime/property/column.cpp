@@ -20,8 +20,9 @@ std::uint32_t ColumnBase::insertOwner(ObjectId id) {
     if (rows_.size() <= id.index) {
         rows_.resize(id.index + std::size_t{1}, absent);
     }
-    auto const at = owners_.empty() || owners_.back() < id ? owners_.end()
-                                                           : std::lower_bound(owners_.begin(), owners_.end(), id);
+    auto const at = owners_.empty() || owners_.back() < id
+                        ? owners_.end()
+                        : std::lower_bound(owners_.begin(), owners_.end(), id);
     auto const row = static_cast<std::uint32_t>(at - owners_.begin());
     owners_.insert(at, id);
     for (std::size_t r = row; r < owners_.size(); ++r) {
@@ -55,6 +56,7 @@ std::vector<std::uint32_t> ColumnBase::eraseOwners(std::span<ObjectId const> ids
         return {};
     }
     std::sort(gone.begin(), gone.end());
+    gone.erase(std::unique(gone.begin(), gone.end()), gone.end());
     std::vector<std::uint32_t> kept;
     kept.reserve(owners_.size() - gone.size());
     std::size_t next = 0;

@@ -42,7 +42,8 @@ public:
         return r != absent && owners_[r].generation == id.generation ? r : absent;
     }
 
-    /// Counts up whenever a value may have changed; whoever read an equal version before has nothing new to see.
+    /// Counts up whenever a value may have changed; whoever read an equal version before has nothing new to
+    /// see.
     [[nodiscard]] std::uint64_t version() const { return version_; }
     /// Counts up when rows come or go.
     [[nodiscard]] std::uint64_t structureVersion() const { return structureVersion_; }
@@ -58,7 +59,7 @@ public:
     virtual void addDefault(ObjectId id) = 0;
     /// Takes the property away. Does nothing if the object has none.
     virtual void remove(ObjectId id) = 0;
-    /// Takes it away from many objects in one pass; ascending ids.
+    /// Takes it away from many objects in one pass. Those that have none, and repeats, are ignored.
     virtual void removeAll(std::span<ObjectId const> ids) = 0;
     virtual void visit(ObjectId id, FieldVisitor& visitor) = 0;
     /// Visits a copy of the value, so that the visitor can change nothing.
@@ -156,6 +157,7 @@ public:
         hash.integer(size());
         hash.bytes(owners().data(), owners().size_bytes());
         if constexpr (hashableAsBytes<P>) {
+            assert(fieldBytes() == sizeof(P) && "padding must not reach the hash");
             hash.bytes(values_.data(), values_.size() * sizeof(P));
         } else {
             for (P const& value : values_) {
@@ -165,6 +167,13 @@ public:
     }
 
 private:
+    static std::size_t fieldBytes() {
+        std::size_t sum = 0;
+        P const sample{};
+        P::describe(sample, [&](FieldInfo const&, auto const& field) { sum += sizeof field; });
+        return sum;
+    }
+
     std::vector<P> values_;
 };
 

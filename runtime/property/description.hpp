@@ -18,7 +18,8 @@ namespace trembler {
 /// Where a property belongs, which decides who may read and who may change it.
 enum class PropertyKind {
     object,   ///< plain data of one object, one column each; changed by resolvers
-    resolver, ///< data of one resolver as a whole (5.4), for example who touches whom; changed by that resolver
+    resolver, ///< data of one resolver as a whole (5.4), for example who touches whom; changed by that
+              ///< resolver
     derived,  ///< computed by one derived property set (5.5) from the other two
 };
 
@@ -62,14 +63,16 @@ concept Property = requires {
     { P::text } -> std::convertible_to<PropertyText>;
 };
 template <class P>
-concept ObjectProperty = Property<P> && (P::kind == PropertyKind::object);
+concept ObjectProperty = Property<P> &&(P::kind == PropertyKind::object);
 template <class P>
-concept ResolverProperty = Property<P> && (P::kind == PropertyKind::resolver);
+concept ResolverProperty = Property<P> &&(P::kind == PropertyKind::resolver);
 template <class P>
-concept DerivedProperty = Property<P> && (P::kind == PropertyKind::derived);
+concept DerivedProperty = Property<P> &&(P::kind == PropertyKind::derived);
 
 /// A struct inside a property, for example one corner of a shape: it has describe() but no kind.
 template <class T>
-concept Described = requires(T& t) { T::describe(t, [](FieldInfo const&, auto&) {}); };
+concept Described = requires(T& t) {
+    T::describe(t, [](FieldInfo const&, auto&) {});
+};
 
 } // namespace trembler

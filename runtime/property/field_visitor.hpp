@@ -15,7 +15,8 @@ public:
     virtual void resize(std::size_t count) = 0;
     /// True if an element is a struct with fields of its own, false if it is one bare value.
     [[nodiscard]] virtual bool elementsHaveFields() const = 0;
-    /// Visits the fields of one element; a bare value is visited as a single field with key "value".
+    /// Visits the fields of one element; a bare value is visited as a single field with key "value", and the
+    /// unit, meaning and range that the list's description gives.
     virtual void visitElement(std::size_t index, FieldVisitor& visitor) = 0;
 };
 
@@ -47,7 +48,7 @@ void dispatch(FieldVisitor& visitor, FieldInfo const& info, T& value);
 template <class T>
 class VectorField final : public ListField {
 public:
-    explicit VectorField(std::vector<T>& values) : values_(values) {}
+    VectorField(std::vector<T>& values, FieldInfo const& info) : values_(values), info_(info) {}
     [[nodiscard]] std::size_t size() const override { return values_.size(); }
     void resize(std::size_t count) override { values_.resize(count); }
     [[nodiscard]] bool elementsHaveFields() const override { return Described<T>; }
@@ -56,12 +57,16 @@ public:
             T::describe(values_[index],
                         [&](FieldInfo const& info, auto& field) { dispatch(visitor, info, field); });
         } else {
-            dispatch(visitor, FieldInfo{.key = "value", .unit = "", .meaning = ""}, values_[index]);
+            FieldInfo element = info_;
+            element.key = "value";
+            element.required = false;
+            dispatch(visitor, element, values_[index]);
         }
     }
 
 private:
     std::vector<T>& values_;
+    FieldInfo const& info_;
 };
 
 template <class T>
@@ -89,9 +94,10 @@ void dispatch(FieldVisitor& visitor, FieldInfo const& info, T& value) {
         visitor.choice(info, {index, choiceNames<T>});
         value = static_cast<T>(index);
     } else {
-        static_assert(isVector<T>, "a field is bool, int32, double, Vec2, string, ObjectId, an enumeration or "
-                                   "a vector of these or of described structs");
-        VectorField<typename T::value_type> list(value);
+        static_assert(isVector<T>,
+                      "a field is bool, int32, double, Vec2, string, ObjectId, an enumeration or "
+                      "a vector of these or of described structs");
+        VectorField<typename T::value_type> list(value, info);
         visitor.list(info, list);
     }
 }
@@ -101,7 +107,8 @@ void dispatch(FieldVisitor& visitor, FieldInfo const& info, T& value) {
 /// Visits every field of `property`.
 template <class P>
 void visitFields(P& property, FieldVisitor& visitor) {
-    P::describe(property, [&](FieldInfo const& info, auto& field) { detail::dispatch(visitor, info, field); });
+    P::describe(property,
+                [&](FieldInfo const& info, auto& field) { detail::dispatch(visitor, info, field); });
 }
 
 } // namespace trembler

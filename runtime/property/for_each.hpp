@@ -17,9 +17,9 @@ template <class... C>
 
 } // namespace detail
 
-/// Calls f(ObjectId, P&...) for every object in all the columns, in ascending order of objects, for those whose
-/// rows in the first column lie in [begin, end). Pass the rarest property first: it is the one walked when
-/// the owners differ. When all columns have the same owners this is a plain loop over arrays.
+/// Calls f(ObjectId, P&...) for every object in all the columns, in ascending order of objects, for those
+/// whose rows in the first column lie in [begin, end). Pass the rarest property first: it is the one walked
+/// when the owners differ. When all columns have the same owners this is a plain loop over arrays.
 template <class F, class First, class... Rest>
 void forEachInRows(std::size_t begin, std::size_t end, F&& f, First& first, Rest&... rest) {
     ObjectId const* const owners = first.owners().data();
@@ -44,7 +44,8 @@ void forEachInRows(std::size_t begin, std::size_t end, F&& f, First& first, Rest
         if (complete) {
             [&]<std::size_t... I>(std::index_sequence<I...>) {
                 f(id, first.values()[i], rest.values()[rows[I]]...);
-            }(std::index_sequence_for<Rest...>{});
+            }
+            (std::index_sequence_for<Rest...>{});
         }
     }
 }

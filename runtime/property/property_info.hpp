@@ -19,8 +19,8 @@ struct PropertyInfo {
     std::type_index type;
     PropertyKind kind;
     PropertyText text;
-    std::unique_ptr<ColumnBase> (*makeColumn)();  ///< object properties only
-    std::unique_ptr<SlotBase> (*makeSlot)();      ///< resolver and derived properties only
+    std::unique_ptr<ColumnBase> (*makeColumn)();   ///< object properties only
+    std::unique_ptr<SlotBase> (*makeSlot)();       ///< resolver and derived properties only
     std::unique_ptr<PropertyValue> (*makeValue)(); ///< object properties only: a value outside any column
 };
 
@@ -38,7 +38,9 @@ template <Property P>
         PropertyInfo made{typeid(P), P::kind, P::text, nullptr, nullptr, nullptr};
         if constexpr (ObjectProperty<P>) {
             made.makeColumn = []() -> std::unique_ptr<ColumnBase> { return std::make_unique<Column<P>>(); };
-            made.makeValue = []() -> std::unique_ptr<PropertyValue> { return std::make_unique<ValueOf<P>>(); };
+            made.makeValue = []() -> std::unique_ptr<PropertyValue> {
+                return std::make_unique<ValueOf<P>>();
+            };
         } else {
             made.makeSlot = []() -> std::unique_ptr<SlotBase> { return std::make_unique<Slot<P>>(); };
         }

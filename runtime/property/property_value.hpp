@@ -21,7 +21,9 @@ public:
     ValueOf() = default;
     explicit ValueOf(P initial) : value(std::move(initial)) {}
     [[nodiscard]] PropertyInfo const& info() const override { return propertyInfo<P>(); }
-    [[nodiscard]] std::unique_ptr<PropertyValue> clone() const override { return std::make_unique<ValueOf>(value); }
+    [[nodiscard]] std::unique_ptr<PropertyValue> clone() const override {
+        return std::make_unique<ValueOf>(value);
+    }
     void visit(FieldVisitor& visitor) override { visitFields(value, visitor); }
     void assignTo(ColumnBase& column, ObjectId id) const override {
         assert(column.info().type == info().type);

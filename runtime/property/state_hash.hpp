@@ -12,7 +12,8 @@ struct XXH3_state_s;
 
 namespace trembler {
 
-/// Feeds values into XXH3-64. Numbers go in by their bits, so 0.0 and -0.0 differ, as they may behave differently.
+/// Feeds values into XXH3-64. Numbers go in by their bits, so 0.0 and -0.0 differ, as they may behave
+/// differently.
 class StateHash {
 public:
     StateHash();
