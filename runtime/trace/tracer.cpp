@@ -2,20 +2,27 @@
 
 #include "runtime/world/store.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cassert>
 #include <ostream>
 #include <set>
+#include <stdexcept>
 
 namespace trembler {
 namespace {
 
-// frame : 26 | component : 8 | chunk : 12 | sequence : 18, most significant first, so ids sort as they happen.
+// frame : 26 | component : 8 | chunk : 12 | sequence : 18, most significant first, so ids sort as they
+// happen.
 constexpr unsigned frameShift = 38;
 constexpr unsigned componentShift = 30;
 constexpr unsigned chunkShift = 18;
+constexpr std::uint64_t frameLimit = std::uint64_t{1} << 26U;
+constexpr std::uint32_t componentLimit = 1U << 8U;
+constexpr std::uint32_t chunkLimit = 1U << 12U;
+constexpr std::size_t sequenceLimit = std::size_t{1} << 18U;
 
 std::string_view nameOf(Phase phase) {
     switch (phase) {
@@ -39,11 +46,20 @@ EventSink::EventSink(Store const* store, std::uint64_t frame, std::uint32_t comp
       base_((frame << frameShift) | (std::uint64_t{component} << componentShift) |
             (std::uint64_t{chunk} << chunkShift)),
       phase_(phase), component_(name) {
-    assert(component < 256 && chunk < 4096);
+    if (component >= componentLimit || chunk >= chunkLimit || frame >= frameLimit) {
+        throw std::length_error(
+            fmt::format("an account of at most {} components, {} chunks of 1024 rows and {} frames "
+                        "can be kept; turn tracing off",
+                        componentLimit, chunkLimit, frameLimit));
+    }
 }
 
 EventId EventSink::record(std::string_view event, std::span<ObjectId const> objects,
                           std::span<EventId const> causes) {
+    if (events_.size() + 1 >= sequenceLimit) {
+        throw std::length_error(fmt::format("{} records more than {} events in one frame; turn tracing off",
+                                            component_, sequenceLimit));
+    }
     Event made;
     made.id = EventId{base_ + events_.size() + 1};
     made.frame = frame_;
