@@ -1,5 +1,6 @@
 #include "physics/register_physics.hpp"
 
+#include "physics/dynamics/register.hpp"
 #include "physics/electricity/register.hpp"
 #include "physics/gravity/register.hpp"
 #include "physics/look.hpp"
@@ -11,7 +12,7 @@ namespace trembler {
 
 void registerEverything(Registry& registry) {
     registerRuntime(registry);
-    // registerDynamics belongs here, before the others.
+    registerDynamics(registry);
     registerElectricity(registry);
     registerGravity(registry);
     registerMagnetism(registry);

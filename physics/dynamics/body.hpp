@@ -10,14 +10,15 @@ namespace trembler {
 
 struct Mass {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Mass", "mass",
-                                       "The mass of the object. Where none is stated it follows from the density."};
+    static constexpr PropertyText text{
+        "Mass", "mass", "The mass of the object. Where none is stated it follows from the density."};
     double value = 1;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "kg", .meaning = "whole mass", .minimum = 1e-6, .maximum = 1e9},
-              self.value);
+        visit(
+            FieldInfo{.key = "value", .unit = "kg", .meaning = "whole mass", .minimum = 1e-6, .maximum = 1e9},
+            self.value);
     }
 };
 
@@ -28,16 +29,19 @@ struct Density {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "kg/m³", .meaning = "in a world that is 0.1 m deep",
-                        .minimum = 1e-3, .maximum = 1e6},
+        visit(FieldInfo{.key = "value",
+                        .unit = "kg/m³",
+                        .meaning = "in a world that is 0.1 m deep",
+                        .minimum = 1e-3,
+                        .maximum = 1e6},
               self.value);
     }
 };
 
 struct Friction {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Friction", "friction",
-                                       "Coulomb's coefficient of the surface; a pair has the geometric mean."};
+    static constexpr PropertyText text{
+        "Friction", "friction", "Coulomb's coefficient of the surface; a pair has the geometric mean."};
     double coefficient = 0.5;
 
     template <class Self, class Visitor>
@@ -49,13 +53,17 @@ struct Friction {
 
 struct Restitution {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Restitution", "restitution",
-                                       "Speed after an impact over speed before it; a pair has the larger one."};
+    static constexpr PropertyText text{
+        "Restitution", "restitution",
+        "Speed after an impact over speed before it; a pair has the larger one."};
     double coefficient = 0;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "", .meaning = "0: none of it, 1: all of it", .minimum = 0,
+        visit(FieldInfo{.key = "value",
+                        .unit = "",
+                        .meaning = "0: none of it, 1: all of it",
+                        .minimum = 0,
                         .maximum = 1},
               self.coefficient);
     }
@@ -73,7 +81,8 @@ struct Fixed {
 /// Marks what is so fast that it would otherwise jump through thin bodies that move.
 struct Bullet {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Bullet", "bullet", "The object's path, not only its places, is tested for hits."};
+    static constexpr PropertyText text{"Bullet", "bullet",
+                                       "The object's path, not only its places, is tested for hits."};
 
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
@@ -92,13 +101,20 @@ struct CollisionGroups {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "category", .unit = "", .meaning = "bit set", .minimum = 0, .maximum = 0xffff},
               self.category);
-        visit(FieldInfo{.key = "mask", .unit = "", .meaning = "bit set of categories that it hits", .minimum = 0,
+        visit(FieldInfo{.key = "mask",
+                        .unit = "",
+                        .meaning = "bit set of categories that it hits",
+                        .minimum = 0,
                         .maximum = 0xffff},
               self.mask);
-        visit(FieldInfo{.key = "group", .unit = "", .meaning = "overrules the two if shared and not 0",
-                        .minimum = -32768, .maximum = 32767},
+        visit(FieldInfo{.key = "group",
+                        .unit = "",
+                        .meaning = "overrules the two if shared and not 0",
+                        .minimum = -32768,
+                        .maximum = 32767},
               self.group);
     }
+    friend bool operator==(CollisionGroups const&, CollisionGroups const&) = default;
 };
 
 /// How strongly motion dies away by itself.
@@ -110,11 +126,16 @@ struct Damping {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "linear", .unit = "1/s", .meaning = "of the velocity", .minimum = 0, .maximum = 1e3},
-              self.linear);
-        visit(FieldInfo{.key = "angular", .unit = "1/s", .meaning = "of the turning", .minimum = 0, .maximum = 1e3},
-              self.angular);
+        visit(
+            FieldInfo{
+                .key = "linear", .unit = "1/s", .meaning = "of the velocity", .minimum = 0, .maximum = 1e3},
+            self.linear);
+        visit(
+            FieldInfo{
+                .key = "angular", .unit = "1/s", .meaning = "of the turning", .minimum = 0, .maximum = 1e3},
+            self.angular);
     }
+    friend bool operator==(Damping const&, Damping const&) = default;
 };
 
 } // namespace trembler

@@ -12,7 +12,8 @@ namespace trembler {
 inline constexpr double negligibleForce = 1e-3;
 
 struct AddForce {
-    static constexpr CallText text{"addForce", "(object, force)", "Adds the force (N) at the centre of mass."};
+    static constexpr CallText text{"addForce", "(object, force)",
+                                   "Adds the force (N) at the centre of mass."};
     static constexpr Algebra algebra = Algebra::sumOfRates;
     static constexpr double negligible = negligibleForce;
     ObjectId object;

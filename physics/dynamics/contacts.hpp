@@ -26,9 +26,10 @@ struct TouchingPair {
 /// All three ascending by pair. What begins and ends within one frame counts as neither.
 struct Contacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"C_C, C_N, C_P", "contacts",
-                                       "The pairs of objects that touch, those that began to touch in this frame and "
-                                       "those that ceased to."};
+    static constexpr PropertyText text{
+        "C_C, C_N, C_P", "contacts",
+        "The pairs of objects that touch, those that began to touch in this frame and "
+        "those that ceased to."};
     std::vector<TouchingPair> current; ///< C_C
     std::vector<TouchingPair> begun;   ///< C_N
     std::vector<TouchingPair> ended;   ///< C_P; an object in it may be gone

@@ -11,11 +11,12 @@ namespace trembler {
 /// reading less lets it sleep while things move: the forces it stands by stay as they are.
 class DynamicsFromGravity final : public Interaction<DynamicsFromGravity, DynamicsRole, Reads<GravityForce>> {
 public:
-    static constexpr ComponentText text{.name = "Dynamics <- Gravity",
-                                        .effect = "gravity",
-                                        .level = "",
-                                        .work = "Applies the force due to gravity to each object at its centre of "
-                                                "mass."};
+    static constexpr ComponentText text{
+        .name = "Dynamics <- Gravity",
+        .effect = "gravity",
+        .level = "",
+        .work = "Applies the force due to gravity to each object at its centre of "
+                "mass."};
     using CalledFor = NeedsAll<>;
     void apply(Access& access) {
         auto const& forces = access.read<GravityForce>().forces;

@@ -12,11 +12,12 @@ namespace trembler {
 class DynamicsFromMagneticForces final
     : public Interaction<DynamicsFromMagneticForces, DynamicsRole, Reads<MagneticForce, Fixed>> {
 public:
-    static constexpr ComponentText text{.name = "Dynamics <- Magnetic Forces",
-                                        .effect = "magnetism",
-                                        .level = "",
-                                        .work = "Adds all the forces calculated in the Magnetic Forces DPS at the "
-                                                "magnetic poles, or at the centre of what has none."};
+    static constexpr ComponentText text{
+        .name = "Dynamics <- Magnetic Forces",
+        .effect = "magnetism",
+        .level = "",
+        .work = "Adds all the forces calculated in the Magnetic Forces DPS at the "
+                "magnetic poles, or at the centre of what has none."};
     using CalledFor = NeedsAll<>;
     void apply(Access& access) {
         auto const& forces = access.read<MagneticForce>().forces;

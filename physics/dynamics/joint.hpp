@@ -12,33 +12,34 @@ template <>
 inline constexpr std::array<std::string_view, 9> choiceNames<JointForm>{
     "hinge", "weld", "slider", "distance", "rope", "pulley", "gear", "wheel", "spring"};
 
-/// Ties object `a` to object `b`; without `b`, to the world. Which fields count depends on the form.
+/// Ties object `a` to object `b`; without `b`, to the world. Which fields count depends on the form. Angles,
+/// shifts and motor speeds are those of `a` as seen from `b`.
 struct Joint {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Joint", "joint", "Ties two objects together, or one to the world."};
 
     JointForm form = JointForm::hinge;
     ObjectId a;
-    ObjectId b;                ///< invalid: the world
-    Vec2 at;                   ///< m, in the world at the start: the pin, or the end at `a`
-    Vec2 atB;                  ///< m, in the world at the start: the end at `b` (distance, rope, spring, pulley)
-    Vec2 axis{1, 0};           ///< direction in the world at the start (slider, wheel)
-    bool limited = false;      ///< hinge, slider: keep between lower and upper
-    double lower = 0;          ///< rad or m
-    double upper = 0;          ///< rad or m
-    bool motor = false;        ///< hinge, slider, wheel
-    double motorSpeed = 0;     ///< rad/s or m/s
-    double motorStrength = 0;  ///< N m or N at most
-    double length = 0;         ///< m; 0: as it is at the start (distance, rope, spring)
-    double stiffness = 0;      ///< N/m (spring, wheel); 0 for a rigid distance
-    double dampingRate = 0;    ///< N s/m (spring, wheel)
-    double ratio = 1;          ///< pulley, gear
-    Vec2 groundA;              ///< m, pulley: where the rope of `a` runs over
-    Vec2 groundB;              ///< m, pulley: where the rope of `b` runs over
-    ObjectId jointA;           ///< gear: the hinge or slider joint of `a`
-    ObjectId jointB;           ///< gear: the hinge or slider joint of `b`
-    bool collide = false;      ///< whether the tied objects can hit each other
-    double breakForce = 0;     ///< N at which it breaks; 0: never
+    ObjectId b;            ///< invalid: the world
+    Vec2 at;               ///< m, in the world at the start: the pin, or the end at `a`
+    Vec2 atB;              ///< m, in the world at the start: the end at `b` (distance, rope, spring, pulley)
+    Vec2 axis{1, 0};       ///< direction in the world at the start (slider, wheel)
+    bool limited = false;  ///< hinge, slider, wheel (along its axis): keep between lower and upper
+    double lower = 0;      ///< rad or m
+    double upper = 0;      ///< rad or m
+    bool motor = false;    ///< hinge, slider, wheel
+    double motorSpeed = 0; ///< rad/s (hinge, wheel) or m/s (slider)
+    double motorStrength = 0; ///< N m or N at most
+    double length = 0;        ///< m; 0: as it is at the start (distance, rope, spring)
+    double stiffness = 0;     ///< N/m (spring, wheel)
+    double dampingRate = 0;   ///< N s/m (spring, wheel)
+    double ratio = 1;         ///< pulley: rope of a + ratio * rope of b, gear: a + ratio * b stays as it is
+    Vec2 groundA;             ///< m, pulley: where the rope of `a` runs over
+    Vec2 groundB;             ///< m, pulley: where the rope of `b` runs over
+    ObjectId jointA;          ///< gear: the hinge or slider joint of `a`
+    ObjectId jointB;          ///< gear: the hinge or slider joint of `b`
+    bool collide = false;     ///< whether the tied objects can hit each other
+    double breakForce = 0;    ///< N at which it breaks; 0: never
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -46,55 +47,101 @@ struct Joint {
         visit(FieldInfo{.key = "form", .unit = "", .meaning = "kind of joint", .required = true}, self.form);
         visit(FieldInfo{.key = "a", .unit = "", .meaning = "first object", .required = true}, self.a);
         visit(FieldInfo{.key = "b", .unit = "", .meaning = "second object; the world if left out"}, self.b);
-        visit(FieldInfo{.key = "at", .unit = "m", .meaning = "pin, or end at a, in the world", .minimum = -far,
+        visit(FieldInfo{.key = "at",
+                        .unit = "m",
+                        .meaning = "pin, or end at a, in the world",
+                        .minimum = -far,
                         .maximum = far},
               self.at);
-        visit(FieldInfo{.key = "at_b", .unit = "m", .meaning = "end at b, in the world", .minimum = -far,
+        visit(FieldInfo{.key = "at_b",
+                        .unit = "m",
+                        .meaning = "end at b, in the world",
+                        .minimum = -far,
                         .maximum = far},
               self.atB);
-        visit(FieldInfo{.key = "axis", .unit = "", .meaning = "direction of sliding, in the world", .minimum = -far,
+        visit(FieldInfo{.key = "axis",
+                        .unit = "",
+                        .meaning = "direction of sliding, in the world",
+                        .minimum = -far,
                         .maximum = far},
               self.axis);
-        visit(FieldInfo{.key = "limited", .unit = "", .meaning = "keeps between lower and upper"}, self.limited);
-        bool const turns = self.form == JointForm::hinge;
-        visit(FieldInfo{.key = turns ? "lower_deg" : "lower", .unit = turns ? "rad" : "m",
-                        .meaning = "least angle or shift", .minimum = -far, .maximum = far},
+        visit(FieldInfo{.key = "limited", .unit = "", .meaning = "keeps between lower and upper"},
+              self.limited);
+        bool const turns = self.form == JointForm::hinge; // limits are angles
+        bool const spins = turns || self.form == JointForm::wheel;
+        visit(FieldInfo{.key = turns ? "lower_deg" : "lower",
+                        .unit = turns ? "rad" : "m",
+                        .meaning = "least angle or shift",
+                        .minimum = -far,
+                        .maximum = far},
               self.lower);
-        visit(FieldInfo{.key = turns ? "upper_deg" : "upper", .unit = turns ? "rad" : "m",
-                        .meaning = "greatest angle or shift", .minimum = -far, .maximum = far},
+        visit(FieldInfo{.key = turns ? "upper_deg" : "upper",
+                        .unit = turns ? "rad" : "m",
+                        .meaning = "greatest angle or shift",
+                        .minimum = -far,
+                        .maximum = far},
               self.upper);
         visit(FieldInfo{.key = "motor", .unit = "", .meaning = "driven by a motor"}, self.motor);
-        visit(FieldInfo{.key = turns ? "motor_speed_deg" : "motor_speed", .unit = turns ? "rad/s" : "m/s",
-                        .meaning = "wanted speed", .minimum = -far, .maximum = far},
+        visit(FieldInfo{.key = spins ? "motor_speed_deg" : "motor_speed",
+                        .unit = spins ? "rad/s" : "m/s",
+                        .meaning = "wanted speed",
+                        .minimum = -far,
+                        .maximum = far},
               self.motorSpeed);
-        visit(FieldInfo{.key = "motor_strength", .unit = turns ? "N m" : "N", .meaning = "at most", .minimum = 0,
+        visit(FieldInfo{.key = "motor_strength",
+                        .unit = spins ? "N m" : "N",
+                        .meaning = "at most",
+                        .minimum = 0,
                         .maximum = 1e9},
               self.motorStrength);
-        visit(FieldInfo{.key = "length", .unit = "m", .meaning = "0: as it is at the start", .minimum = 0,
+        visit(FieldInfo{.key = "length",
+                        .unit = "m",
+                        .meaning = "0: as it is at the start",
+                        .minimum = 0,
                         .maximum = far},
               self.length);
-        visit(FieldInfo{.key = "stiffness", .unit = "N/m", .meaning = "of a spring", .minimum = 0, .maximum = 1e9},
-              self.stiffness);
-        visit(FieldInfo{.key = "damping_rate", .unit = "N s/m", .meaning = "of a spring", .minimum = 0,
+        visit(
+            FieldInfo{
+                .key = "stiffness", .unit = "N/m", .meaning = "of a spring", .minimum = 0, .maximum = 1e9},
+            self.stiffness);
+        visit(FieldInfo{.key = "damping_rate",
+                        .unit = "N s/m",
+                        .meaning = "of a spring",
+                        .minimum = 0,
                         .maximum = 1e9},
               self.dampingRate);
-        visit(FieldInfo{.key = "ratio", .unit = "", .meaning = "of a pulley or a gear", .minimum = -1e3,
+        visit(FieldInfo{.key = "ratio",
+                        .unit = "",
+                        .meaning = "of a pulley or a gear",
+                        .minimum = -1e3,
                         .maximum = 1e3},
               self.ratio);
-        visit(FieldInfo{.key = "ground_a", .unit = "m", .meaning = "where the rope of a runs over", .minimum = -far,
+        visit(FieldInfo{.key = "ground_a",
+                        .unit = "m",
+                        .meaning = "where the rope of a runs over",
+                        .minimum = -far,
                         .maximum = far},
               self.groundA);
-        visit(FieldInfo{.key = "ground_b", .unit = "m", .meaning = "where the rope of b runs over", .minimum = -far,
+        visit(FieldInfo{.key = "ground_b",
+                        .unit = "m",
+                        .meaning = "where the rope of b runs over",
+                        .minimum = -far,
                         .maximum = far},
               self.groundB);
-        visit(FieldInfo{.key = "joint_a", .unit = "", .meaning = "hinge or slider of a, for a gear"}, self.jointA);
-        visit(FieldInfo{.key = "joint_b", .unit = "", .meaning = "hinge or slider of b, for a gear"}, self.jointB);
+        visit(FieldInfo{.key = "joint_a", .unit = "", .meaning = "hinge or slider of a, for a gear"},
+              self.jointA);
+        visit(FieldInfo{.key = "joint_b", .unit = "", .meaning = "hinge or slider of b, for a gear"},
+              self.jointB);
         visit(FieldInfo{.key = "collide", .unit = "", .meaning = "the tied objects can hit each other"},
               self.collide);
-        visit(FieldInfo{.key = "break_force", .unit = "N", .meaning = "breaks at this force; 0: never",
-                        .minimum = 0, .maximum = 1e12},
+        visit(FieldInfo{.key = "break_force",
+                        .unit = "N",
+                        .meaning = "breaks at this force; 0: never",
+                        .minimum = 0,
+                        .maximum = 1e12},
               self.breakForce);
     }
+    friend bool operator==(Joint const&, Joint const&) = default;
 };
 
 } // namespace trembler

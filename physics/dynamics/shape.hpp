@@ -10,7 +10,8 @@ namespace trembler {
 
 enum class ShapeForm : int { circle, box, polygon, capsule };
 template <>
-inline constexpr std::array<std::string_view, 4> choiceNames<ShapeForm>{"circle", "box", "polygon", "capsule"};
+inline constexpr std::array<std::string_view, 4> choiceNames<ShapeForm>{"circle", "box", "polygon",
+                                                                        "capsule"};
 
 /// One convex piece. Which of the measures count depends on the form.
 struct ShapePiece {
@@ -25,24 +26,40 @@ struct ShapePiece {
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "form", .unit = "", .meaning = "kind of piece", .required = true}, self.form);
-        visit(FieldInfo{.key = "at", .unit = "m", .meaning = "centre in the object's frame", .minimum = -1e3,
+        visit(FieldInfo{.key = "at",
+                        .unit = "m",
+                        .meaning = "centre in the object's frame",
+                        .minimum = -1e3,
                         .maximum = 1e3},
               self.at);
-        visit(FieldInfo{.key = "angle_deg", .unit = "rad", .meaning = "turned anticlockwise in the object's frame",
-                        .minimum = -1e3, .maximum = 1e3},
+        visit(FieldInfo{.key = "angle_deg",
+                        .unit = "rad",
+                        .meaning = "turned anticlockwise in the object's frame",
+                        .minimum = -1e3,
+                        .maximum = 1e3},
               self.angle);
-        visit(FieldInfo{.key = "radius", .unit = "m", .meaning = "of a circle, or of a capsule's ends",
-                        .minimum = 0.005, .maximum = 1e3},
+        visit(FieldInfo{.key = "radius",
+                        .unit = "m",
+                        .meaning = "of a circle, or of a capsule's ends",
+                        .minimum = 0.005,
+                        .maximum = 1e3},
               self.radius);
-        visit(FieldInfo{.key = "width", .unit = "m", .meaning = "of a box; the whole length of a capsule",
-                        .minimum = 0.01, .maximum = 1e4},
+        visit(FieldInfo{.key = "width",
+                        .unit = "m",
+                        .meaning = "of a box; the whole length of a capsule",
+                        .minimum = 0.01,
+                        .maximum = 1e4},
               self.width);
         visit(FieldInfo{.key = "height", .unit = "m", .meaning = "of a box", .minimum = 0.01, .maximum = 1e4},
               self.height);
-        visit(FieldInfo{.key = "corners", .unit = "m", .meaning = "of a convex polygon, anticlockwise",
-                        .minimum = -1e3, .maximum = 1e3},
+        visit(FieldInfo{.key = "corners",
+                        .unit = "m",
+                        .meaning = "of a convex polygon, anticlockwise",
+                        .minimum = -1e3,
+                        .maximum = 1e3},
               self.corners);
     }
+    friend bool operator==(ShapePiece const&, ShapePiece const&) = default;
 };
 
 /// One piece, or several that are rigidly one (a compound).
@@ -53,8 +70,10 @@ struct Shape {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "", .meaning = "convex pieces", .required = true}, self.pieces);
+        visit(FieldInfo{.key = "value", .unit = "", .meaning = "convex pieces", .required = true},
+              self.pieces);
     }
+    friend bool operator==(Shape const&, Shape const&) = default;
 };
 
 [[nodiscard]] ShapePiece circlePiece(double radius, Vec2 at = {});

@@ -1,0 +1,304 @@
+#include "physics/dynamics/box2d/box2d_engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace trembler {
+namespace {
+
+constexpr std::uintptr_t groundData = ~std::uintptr_t{0};
+
+// What drifts freely, however slowly, does not come to rest by itself: above these it must not fall asleep.
+constexpr double driftAcceleration = 1e-4; // m/s²
+constexpr double driftSpeed = 1e-4;        // m/s
+constexpr double driftSpin = 1e-3;         // rad/s
+
+} // namespace
+
+Box2dEngine::Box2dEngine(double scale) : scale_(scale), world_(b2Vec2_zero) {
+    world_.SetAutoClearForces(false); // loads stand for all substeps
+    world_.SetContactListener(this);
+    b2BodyDef def;
+    def.userData.pointer = groundData;
+    ground_ = world_.CreateBody(&def);
+}
+
+Box2dEngine::~Box2dEngine() {
+    world_.SetContactListener(nullptr);
+}
+
+SlotIndex Box2dEngine::slotOf(b2Body const* body) const {
+    // GetUserData() is const only from 2.4.2 on.
+    std::uintptr_t const data = const_cast<b2Body*>(body)->GetUserData().pointer;
+    return data == groundData ? noSlot : static_cast<SlotIndex>(data);
+}
+
+void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
+    if (bodies_.size() <= slot) {
+        bodies_.resize(slot + std::size_t{1});
+        awake_.resize(slot + std::size_t{1}, 0);
+        movedMarks_.resize(slot + std::size_t{1}, 0);
+    }
+    b2BodyDef def;
+    def.type = spec.fixed ? b2_staticBody : b2_dynamicBody;
+    def.position = toEngine(spec.motion.centre);
+    def.angle = static_cast<float>(spec.motion.angle);
+    if (!spec.fixed) {
+        def.linearVelocity = toEngine(spec.motion.velocity);
+        def.angularVelocity = static_cast<float>(spec.motion.spin);
+        def.linearDamping = static_cast<float>(spec.damping.linear);
+        def.angularDamping = static_cast<float>(spec.damping.angular);
+        def.bullet = spec.bullet;
+    }
+    def.userData.pointer = slot;
+    b2Body* const body = world_.CreateBody(&def);
+    bodies_[slot] = {
+        .body = body, .object = spec.object, .force = b2Vec2_zero, .torque = 0, .restlessJoints = 0};
+    addFixtures(*body, spec, scale_);
+    if (!spec.fixed) {
+        b2MassData mass;
+        mass.mass = static_cast<float>(spec.mass);
+        mass.center = b2Vec2_zero;
+        mass.I = static_cast<float>(spec.mass * spec.spread.inertiaPerMass * scale_ * scale_);
+        body->SetMassData(&mass);
+        awake_[slot] = 1;
+        anyAwake_ = true;
+    }
+}
+
+void Box2dEngine::removeBody(SlotIndex slot) {
+    world_.DestroyBody(bodies_[slot].body);
+    bodies_[slot] = {};
+    awake_[slot] = 0;
+    disturbed_ = true; // Box2D has woken those that touched it
+}
+
+void Box2dEngine::place(SlotIndex slot, Motion const& motion) {
+    b2Body& body = *bodies_[slot].body;
+    body.SetTransform(toEngine(motion.centre), static_cast<float>(motion.angle));
+    body.SetLinearVelocity(toEngine(motion.velocity));
+    body.SetAngularVelocity(static_cast<float>(motion.spin));
+    for (b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+        wakeAll(edge->other);
+    }
+    wakeAll(&body);
+}
+
+bool Box2dEngine::isAt(SlotIndex slot, Motion const& motion) const {
+    b2Body const& body = *bodies_[slot].body;
+    if (!(body.GetPosition() == toEngine(motion.centre)) ||
+        body.GetAngle() != static_cast<float>(motion.angle)) {
+        return false;
+    }
+    return body.GetType() == b2_staticBody || (body.GetLinearVelocity() == toEngine(motion.velocity) &&
+                                               body.GetAngularVelocity() == static_cast<float>(motion.spin));
+}
+
+void Box2dEngine::setLoads(std::span<Load const> loads) {
+    loadWoken();
+    world_.ClearForces();
+    for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
+        BodyEntry& entry = bodies_[slot];
+        if (entry.body == nullptr) {
+            continue;
+        }
+        Load const load = slot < loads.size() ? loads[slot] : Load{};
+        entry.force = toEngine(load.force);
+        entry.torque = static_cast<float>(load.torque * scale_ * scale_);
+        if (awake_[slot] != 0) {
+            entry.body->ApplyForceToCenter(entry.force, false);
+            entry.body->ApplyTorque(entry.torque, false);
+        }
+    }
+}
+
+void Box2dEngine::wake(SlotIndex slot) {
+    wakeAll(bodies_[slot].body);
+}
+
+void Box2dEngine::wakeAll(b2Body* body) {
+    wakeStack_.push_back(body);
+    while (!wakeStack_.empty()) {
+        b2Body& next = *wakeStack_.back();
+        wakeStack_.pop_back();
+        SlotIndex const slot = slotOf(&next);
+        if (next.GetType() != b2_dynamicBody || slot == noSlot || awake_[slot] != 0) {
+            continue;
+        }
+        next.SetAwake(true);
+        next.ApplyForceToCenter(bodies_[slot].force, false);
+        next.ApplyTorque(bodies_[slot].torque, false);
+        awake_[slot] = 1;
+        anyAwake_ = true;
+        for (b2ContactEdge* edge = next.GetContactList(); edge != nullptr; edge = edge->next) {
+            if (edge->contact->IsTouching() && edge->contact->IsEnabled()) {
+                wakeStack_.push_back(edge->other);
+            }
+        }
+        for (b2JointEdge* edge = next.GetJointList(); edge != nullptr; edge = edge->next) {
+            wakeStack_.push_back(edge->other);
+        }
+    }
+}
+
+// Box2D wakes bodies by itself too: when what they rested on is destroyed, or when sleep is forbidden.
+void Box2dEngine::loadWoken() {
+    if (!std::exchange(disturbed_, false)) {
+        return;
+    }
+    for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
+        b2Body* const body = bodies_[slot].body;
+        if (body != nullptr && awake_[slot] == 0 && body->GetType() == b2_dynamicBody && body->IsAwake()) {
+            wakeAll(body);
+        }
+    }
+}
+
+void Box2dEngine::keepAwake(SlotIndex slot, int change) {
+    BodyEntry& entry = bodies_[slot];
+    entry.restlessJoints += change;
+    if (entry.body->GetType() == b2_dynamicBody &&
+        entry.body->IsSleepingAllowed() != (entry.restlessJoints == 0)) {
+        wakeAll(entry.body);
+        entry.body->SetSleepingAllowed(entry.restlessJoints == 0);
+    }
+}
+
+void Box2dEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
+    wake(slot);
+    b2Body& body = *bodies_[slot].body;
+    float const limit = static_cast<float>(maximumSpeed * scale_) * body.GetMass();
+    b2Vec2 push = toEngine(impulse);
+    if (push.Length() > limit) {
+        push *= limit / push.Length();
+    }
+    body.ApplyLinearImpulse(push, toEngine(point), true);
+    float const spin = static_cast<float>(maximumSpeed);
+    body.SetAngularVelocity(b2Clamp(body.GetAngularVelocity(), -spin, spin));
+}
+
+void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
+    if (world_.GetAllowSleeping() != settings.sleeping) {
+        world_.SetAllowSleeping(settings.sleeping);
+        disturbed_ = true;
+    }
+    loadWoken();
+    moved_.clear();
+    std::fill(movedMarks_.begin(), movedMarks_.end(), std::uint8_t{0});
+    for (JointEntry& entry : joints_) {
+        entry.force = {};
+    }
+    float const h = static_cast<float>(duration / settings.substeps);
+    for (int substep = 0; substep < settings.substeps; ++substep) {
+        world_.Step(h, settings.velocityIterations, settings.positionIterations);
+        bool const last = substep + 1 == settings.substeps;
+        anyAwake_ = false;
+        for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
+            BodyEntry& entry = bodies_[slot];
+            if (awake_[slot] == 0) {
+                continue;
+            }
+            movedMarks_[slot] = 1;
+            if (!entry.body->IsAwake()) {
+                awake_[slot] = 0;
+            } else {
+                anyAwake_ = true;
+                if (last && drifts(entry)) {
+                    entry.body->SetAwake(true); // starts its time to fall asleep anew
+                }
+            }
+        }
+        for (JointEntry& entry : joints_) {
+            if (entry.joint != nullptr) {
+                entry.force += fromEngine(entry.joint->GetReactionForce(1 / h)) / settings.substeps;
+            }
+        }
+    }
+    noteMoved();
+}
+
+bool Box2dEngine::drifts(BodyEntry const& entry) const {
+    b2Body& body = *entry.body;
+    float const tolerance = b2_linearSleepTolerance;
+    if (body.GetLinearVelocity().LengthSquared() > tolerance * tolerance) {
+        return false; // too fast to fall asleep anyway
+    }
+    if (body.GetJointList() != nullptr) {
+        return false;
+    }
+    for (b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+        if (edge->contact->IsTouching()) {
+            return false;
+        }
+    }
+    return length(fromEngine(entry.force)) > driftAcceleration * static_cast<double>(body.GetMass()) ||
+           length(fromEngine(body.GetLinearVelocity())) > driftSpeed ||
+           std::abs(static_cast<double>(body.GetAngularVelocity())) > driftSpin;
+}
+
+void Box2dEngine::noteMoved() {
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        if (movedMarks_[slot] != 0) {
+            b2Body const& body = *bodies_[slot].body;
+            moved_.push_back(
+                {slot,
+                 {fromEngine(body.GetPosition()), static_cast<double>(body.GetAngle()),
+                  fromEngine(body.GetLinearVelocity()), static_cast<double>(body.GetAngularVelocity())}});
+        }
+    }
+}
+
+void Box2dEngine::BeginContact(b2Contact* contact) {
+    noteTouch(contact, 1);
+}
+
+void Box2dEngine::EndContact(b2Contact* contact) {
+    noteTouch(contact, -1);
+}
+
+void Box2dEngine::noteTouch(b2Contact* contact, int delta) {
+    b2Body* const bodies[2] = {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()};
+    ObjectId const a = bodies_[slotOf(bodies[0])].object;
+    ObjectId const b = bodies_[slotOf(bodies[1])].object;
+    touches_.push_back(a < b ? TouchChange{a, b, delta} : TouchChange{b, a, delta});
+    for (b2Body* const body : bodies) {
+        if (body->IsAwake()) {
+            wakeAll(body); // Box2D has just woken it: a touch has begun or ended
+        }
+    }
+}
+
+void Box2dEngine::addContactPatches(std::vector<ContactPatch>& patches) const {
+    for (b2Contact const* contact = world_.GetContactList(); contact != nullptr;
+         contact = contact->GetNext()) {
+        b2Manifold const& manifold = *contact->GetManifold();
+        if (!contact->IsTouching() || manifold.pointCount == 0) {
+            continue;
+        }
+        b2WorldManifold world;
+        contact->GetWorldManifold(&world);
+        ContactPatch patch;
+        patch.a = bodies_[slotOf(contact->GetFixtureA()->GetBody())].object;
+        patch.b = bodies_[slotOf(contact->GetFixtureB()->GetBody())].object;
+        double const sign = patch.a < patch.b ? 1 : -1;
+        if (sign < 0) {
+            std::swap(patch.a, patch.b);
+        }
+        patch.normal = sign * Vec2{static_cast<double>(world.normal.x), static_cast<double>(world.normal.y)};
+        patch.count = manifold.pointCount;
+        for (int i = 0; i < manifold.pointCount; ++i) {
+            auto const n = static_cast<std::size_t>(i);
+            patch.points[n] = fromEngine(world.points[i]);
+            patch.normalImpulse[n] = static_cast<double>(manifold.points[i].normalImpulse) / scale_;
+            patch.tangentImpulse[n] = static_cast<double>(manifold.points[i].tangentImpulse) / scale_;
+        }
+        patches.push_back(patch);
+    }
+}
+
+std::unique_ptr<Engine> makeBox2dEngine(double scale) {
+    return std::make_unique<Box2dEngine>(scale);
+}
+
+} // namespace trembler

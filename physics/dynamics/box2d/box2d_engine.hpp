@@ -1,0 +1,89 @@
+// Box2D 2.4 behind the engine interface.
+//
+// Box2D's own gravity is off: gravity is a force like any other. Its body's origin is the centre of mass, so
+// that its reckoning of moments about another origin, in single precision, never loses them.
+#pragma once
+
+#include "physics/dynamics/engine.hpp"
+
+#include <box2d/box2d.h>
+
+namespace trembler {
+
+class Box2dEngine final : public Engine, private b2ContactListener {
+public:
+    explicit Box2dEngine(double scale);
+    ~Box2dEngine() override;
+
+    void addBody(SlotIndex slot, BodySpec const& spec) override;
+    void removeBody(SlotIndex slot) override;
+    void addJoint(SlotIndex slot, JointSpec const& spec) override;
+    void removeJoint(SlotIndex slot) override;
+    void place(SlotIndex slot, Motion const& motion) override;
+    [[nodiscard]] bool isAt(SlotIndex slot, Motion const& motion) const override;
+    void setLoads(std::span<Load const> loads) override;
+    void wake(SlotIndex slot) override;
+    void applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) override;
+    [[nodiscard]] std::span<std::uint8_t const> awake() const override { return awake_; }
+    [[nodiscard]] bool anyAwake() const override { return anyAwake_ || disturbed_; }
+    void step(double duration, DynamicsSettings const& settings) override;
+    [[nodiscard]] std::span<MovedBody const> moved() const override { return moved_; }
+    [[nodiscard]] std::vector<TouchChange>& touchChanges() override { return touches_; }
+    void addContactPatches(std::vector<ContactPatch>& patches) const override;
+    [[nodiscard]] Vec2 jointForce(SlotIndex slot) const override { return joints_[slot].force; }
+
+private:
+    struct BodyEntry {
+        b2Body* body = nullptr;
+        ObjectId object;
+        b2Vec2 force = b2Vec2_zero; // in engine units
+        float torque = 0;
+        int restlessJoints = 0; // motors that must not fall asleep
+    };
+    struct JointEntry {
+        b2Joint* joint = nullptr;
+        SlotIndex a = noSlot;
+        SlotIndex b = noSlot;
+        bool restless = false;
+        Vec2 force; // N, mean over the last step()
+    };
+
+    void BeginContact(b2Contact* contact) override;
+    void EndContact(b2Contact* contact) override;
+    void noteTouch(b2Contact* contact, int delta);
+    /// Wakes the body and all that it rests on or is tied to, as Box2D itself does within its step, but with
+    /// their loads, which Box2D drops when a body falls asleep.
+    void wakeAll(b2Body* body);
+    void loadWoken();
+    void keepAwake(SlotIndex slot, int change);
+    void noteMoved();
+    [[nodiscard]] bool drifts(BodyEntry const& entry) const;
+    [[nodiscard]] b2Vec2 toEngine(Vec2 v) const {
+        return {static_cast<float>(v.x * scale_), static_cast<float>(v.y * scale_)};
+    }
+    [[nodiscard]] Vec2 fromEngine(b2Vec2 v) const {
+        return {static_cast<double>(v.x) / scale_, static_cast<double>(v.y) / scale_};
+    }
+    [[nodiscard]] SlotIndex slotOf(b2Body const* body) const;
+    [[nodiscard]] b2Joint* makeJoint(JointSpec const& spec);
+
+    double scale_;
+    b2World world_;
+    b2Body* ground_ = nullptr; // what joints to the world hold on to
+    std::vector<BodyEntry> bodies_;
+    std::vector<JointEntry> joints_;
+    std::vector<std::uint8_t> awake_; // by slot: awake, and its load is with Box2D
+    bool anyAwake_ = false;
+    bool disturbed_ = false; // Box2D may have woken bodies that awake_ does not know of
+    std::vector<MovedBody> moved_;
+    std::vector<std::uint8_t> movedMarks_;
+    std::vector<TouchChange> touches_;
+    std::vector<b2Body*> wakeStack_;
+};
+
+/// Adds the pieces of a shape to a Box2D body whose origin is at `centre` of the object's frame.
+void addFixtures(b2Body& body, BodySpec const& spec, double scale);
+
+[[nodiscard]] std::unique_ptr<Engine> makeBox2dEngine(double scale);
+
+} // namespace trembler

@@ -1,0 +1,55 @@
+// The columns that Dynamics works with.
+#pragma once
+
+#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/joint_anchors.hpp"
+#include "physics/dynamics/settings.hpp"
+#include "physics/dynamics/shape.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/property/column.hpp"
+
+namespace trembler {
+
+struct DynamicsColumns {
+    Column<Shape> const& shape;
+    Column<Mass> const& mass;
+    Column<Fixed> const& fixed;
+    Column<Bullet> const& bullet;
+    Column<Friction> const& friction;
+    Column<Restitution> const& restitution;
+    Column<CollisionGroups> const& groups;
+    Column<Damping> const& damping;
+    Column<Joint> const& joint;
+    Column<JointAnchors> const& anchors;
+    Column<DynamicsSettings> const& settings;
+    Column<Position> const& position;
+    Column<Rotation> const& rotation;
+    Column<Velocity> const& velocity;
+    Column<AngularVelocity> const& spin;
+
+    /// Changes with whatever makes a body what it is, where it is apart.
+    [[nodiscard]] std::uint64_t bodiesVersion() const {
+        return shape.version() + mass.version() + fixed.version() + bullet.version() + friction.version() +
+               restitution.version() + groups.version() + damping.version();
+    }
+    [[nodiscard]] std::uint64_t jointsVersion() const { return joint.version() + anchors.version(); }
+    [[nodiscard]] std::uint64_t motionVersion() const {
+        return position.version() + rotation.version() + velocity.version() + spin.version();
+    }
+    /// Changes when any object gains or loses a place or a velocity.
+    [[nodiscard]] std::uint64_t motionStructure() const {
+        return position.structureVersion() + rotation.structureVersion() + velocity.structureVersion() +
+               spin.structureVersion();
+    }
+    [[nodiscard]] DynamicsSettings worldSettings() const {
+        return settings.empty() ? DynamicsSettings{} : settings.values().front();
+    }
+};
+
+/// An object that the simulation must leave out, and why.
+struct Refusal {
+    ObjectId object;
+    std::string why;
+};
+
+} // namespace trembler

@@ -1,0 +1,51 @@
+#include "physics/dynamics/joint_anchors.hpp"
+
+#include "runtime/placement.hpp"
+#include "runtime/world/store.hpp"
+
+namespace trembler {
+namespace {
+
+struct Frame {
+    Vec2 origin;
+    double angle = 0;
+
+    [[nodiscard]] Vec2 local(Vec2 point) const { return rotated(point - origin, -angle); }
+};
+
+} // namespace
+
+void completeJoint(Store& store, ObjectId id) {
+    Joint const* const joint = store.column<Joint>().find(id);
+    if (joint == nullptr || store.column<JointAnchors>().has(id)) {
+        return;
+    }
+    auto const frameOf = [&](ObjectId object, Frame& frame) {
+        Position const* const position = store.column<Position>().find(object);
+        Rotation const* const rotation = store.column<Rotation>().find(object);
+        frame = {position == nullptr ? Vec2{} : position->value, rotation == nullptr ? 0 : rotation->angle};
+        return position != nullptr;
+    };
+    Frame a;
+    Frame b;
+    if (!frameOf(joint->a, a) || (joint->b.valid() && !frameOf(joint->b, b))) {
+        return;
+    }
+    bool const twoEnds = joint->form == JointForm::distance || joint->form == JointForm::rope ||
+                         joint->form == JointForm::spring || joint->form == JointForm::pulley;
+    JointAnchors anchors;
+    anchors.onA = a.local(joint->at);
+    anchors.onB = b.local(twoEnds ? joint->atB : joint->at);
+    double const axisLength = length(joint->axis);
+    anchors.axis = axisLength > 0 ? rotated(joint->axis / axisLength, -b.angle) : Vec2{1, 0};
+    anchors.referenceAngle = a.angle - b.angle;
+    if (joint->form == JointForm::pulley) {
+        anchors.length = length(joint->at - joint->groundA);
+        anchors.lengthB = length(joint->atB - joint->groundB);
+    } else if (twoEnds) {
+        anchors.length = joint->length > 0 ? joint->length : length(joint->atB - joint->at);
+    }
+    store.column<JointAnchors>().set(id, anchors);
+}
+
+} // namespace trembler

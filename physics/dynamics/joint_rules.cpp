@@ -1,0 +1,116 @@
+#include "physics/dynamics/joint_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace trembler {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+bool allFinite(Joint const& joint) {
+    std::array<double, 8> const numbers{joint.lower,  joint.upper,     joint.motorSpeed,  joint.motorStrength,
+                                        joint.length, joint.stiffness, joint.dampingRate, joint.ratio};
+    for (double const number : numbers) {
+        if (!std::isfinite(number)) {
+            return false;
+        }
+    }
+    return isFinite(joint.at) && isFinite(joint.atB) && isFinite(joint.axis) && isFinite(joint.groundA) &&
+           isFinite(joint.groundB) && std::isfinite(joint.breakForce);
+}
+
+Fault faultInGear(Joint const& joint, JointPartners const& partners) {
+    auto const turnsOrSlides = [](Joint const* other) {
+        return other != nullptr && (other->form == JointForm::hinge || other->form == JointForm::slider);
+    };
+    if (!turnsOrSlides(partners.jointA) || !turnsOrSlides(partners.jointB)) {
+        return "a gear couples two joints; expected joint_a and joint_b to name a hinge or a slider each";
+    }
+    if (joint.jointA == joint.jointB || partners.jointA->a == partners.jointB->a) {
+        return "a gear couples the motion of two objects; expected the joints that it names to have "
+               "different "
+               "objects a";
+    }
+    if (partners.jointA->a != joint.a || (joint.b.valid() && partners.jointB->a != joint.b)) {
+        return "a gear's a and b must be the objects a of the joints that joint_a and joint_b name";
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+Fault faultIn(Joint const& joint, JointPartners const& partners) {
+    if (!partners.aIsBody) {
+        return "its object a has no sound shape or no place; expected an object that can move";
+    }
+    if (joint.b.valid() && joint.b == joint.a) {
+        return "it ties an object to itself; expected two different objects, or no b for the world";
+    }
+    if (joint.b.valid() && !partners.bIsBody) {
+        return "its object b has no sound shape or no place; expected an object with both, or no b for the "
+               "world";
+    }
+    if (partners.aFixed && (!joint.b.valid() || partners.bFixed) && joint.form != JointForm::gear) {
+        return "it ties together what is fixed; expected at least one object that moves";
+    }
+    if (!allFinite(joint)) {
+        return "one of its numbers is not finite";
+    }
+    if (joint.limited && joint.lower > joint.upper) {
+        return fmt::format("its lower limit, {}, is above its upper one, {}", joint.lower, joint.upper);
+    }
+    if (joint.breakForce < 0 || joint.motorStrength < 0 || joint.length < 0 || joint.stiffness < 0 ||
+        joint.dampingRate < 0) {
+        return "a strength, length, stiffness or damping of it is below 0";
+    }
+    switch (joint.form) {
+    case JointForm::slider:
+    case JointForm::wheel:
+        if (!(length(joint.axis) > 1e-6)) {
+            return "its axis has no direction; expected, for example, [1, 0]";
+        }
+        if (joint.form == JointForm::slider || joint.stiffness > 0) {
+            return std::nullopt;
+        }
+        return "a wheel is held by a spring; expected a stiffness above 0 N/m";
+    case JointForm::spring:
+        return joint.stiffness > 0 ? std::nullopt : Fault("a spring needs a stiffness above 0 N/m");
+    case JointForm::pulley:
+        if (!joint.b.valid()) {
+            return "a pulley's rope has two ends; expected an object b";
+        }
+        if (!(joint.ratio > 1e-3)) {
+            return fmt::format("its ratio is {}; expected more than 0.001 for a pulley", joint.ratio);
+        }
+        if (length(joint.at - joint.groundA) < 1e-3 || length(joint.atB - joint.groundB) < 1e-3) {
+            return "an end of its rope lies on the pulley that it runs over; expected at least 0.001 m "
+                   "between";
+        }
+        return std::nullopt;
+    case JointForm::gear:
+        if (std::abs(joint.ratio) < 1e-3) {
+            return fmt::format("its ratio is {}; expected at least 0.001 or at most -0.001 for a gear",
+                               joint.ratio);
+        }
+        return faultInGear(joint, partners);
+    case JointForm::distance:
+        if (!(joint.length > 0) && length(joint.at - joint.atB) < 1e-3) {
+            return "its ends coincide; expected a length of at least 0.001 m (or a hinge instead)";
+        }
+        return std::nullopt;
+    case JointForm::rope:
+        if (!(joint.length > 0) && length(joint.at - joint.atB) < 1e-3) {
+            return "its ends coincide and it has no length; expected a length of at least 0.001 m";
+        }
+        return std::nullopt;
+    case JointForm::hinge:
+    case JointForm::weld:
+        return std::nullopt;
+    }
+    return "it has an unknown form";
+}
+
+} // namespace trembler

@@ -1,0 +1,31 @@
+// What acts on bodies from outside: sums of held calls, and the rule by which they wake sleepers.
+#pragma once
+
+#include "physics/dynamics/bodies.hpp"
+
+namespace trembler {
+
+/// Sums are made in the order in which calls are drained, which depends on no thread.
+class LoadTable {
+public:
+    /// Starts new sums.
+    void clear(std::size_t slots);
+    void add(SlotIndex slot, Vec2 force, double torque) {
+        loads_[slot].force += force;
+        loads_[slot].torque += torque;
+    }
+    /// Ends the sums: hands them to the engine, and wakes sleepers whose load has changed since they fell
+    /// asleep by more than a five-hundredth of it and a millionth of their weight. A five-hundredth of the
+    /// weight would speed a body up by 0.02 m/s², which is what an engine that puts bodies to sleep cannot
+    /// tell from rest anyway.
+    void apply(std::span<Body const> bodies, Engine& engine);
+    /// Remembers the load under which bodies have fallen asleep. After each step.
+    void noteSleepers(Engine const& engine);
+
+private:
+    std::vector<Load> loads_;
+    std::vector<Load> atRest_; // under which a body fell asleep
+    std::vector<std::uint8_t> asleep_;
+};
+
+} // namespace trembler

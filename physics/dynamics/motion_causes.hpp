@@ -1,0 +1,64 @@
+// Why things move, and what tears joints: resolver properties for those who ask.
+#pragma once
+
+#include "physics/dynamics/joint.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace trembler {
+
+/// What has made each object move of late: forces, impulses and contacts, those passed on through joints and
+/// contacts included. Kept only while somebody traces and somebody reads it.
+struct MotionCauses {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Causes of motion", "motion_causes",
+                                       "The recent events that made each object move."};
+    struct Entry {
+        ObjectId object;
+        std::vector<EventId> causes; ///< ascending
+    };
+    std::vector<Entry> entries; ///< ascending by object
+
+    /// The causes of an object's motion; none if there are none.
+    [[nodiscard]] std::vector<EventId> of(ObjectId object) const {
+        auto const at = std::lower_bound(entries.begin(), entries.end(), object,
+                                         [](Entry const& entry, ObjectId id) { return entry.object < id; });
+        return at == entries.end() || at->object != object ? std::vector<EventId>{} : at->causes;
+    }
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// The force with which each joint holds, as a mean over the last frame in which anything moved.
+struct JointForces {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Joint forces", "joint_forces",
+                                       "The force with which each joint holds."};
+    struct Entry {
+        ObjectId joint;
+        Vec2 force; ///< N
+    };
+    std::vector<Entry> entries; ///< ascending by joint
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// The joints that were loaded beyond what they bear in this frame.
+struct OverloadedJoints {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Overloaded joints", "overloaded_joints",
+                                       "The joints whose force exceeded their breaking force this frame."};
+    struct Entry {
+        ObjectId joint;
+        EventId event; ///< "joint overloaded"; none while nobody traces
+    };
+    std::vector<Entry> entries; ///< ascending by joint
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+} // namespace trembler

@@ -1,0 +1,53 @@
+#include "physics/dynamics/register.hpp"
+
+#include "physics/dynamics/box2d/box2d_dynamics.hpp"
+#include "physics/dynamics/breaking.hpp"
+#include "physics/dynamics/completion.hpp"
+#include "physics/dynamics/hand.hpp"
+#include "physics/dynamics/joint_rules.hpp"
+#include "physics/dynamics/shape_rules.hpp"
+#include "runtime/world/registry.hpp"
+
+namespace trembler {
+namespace {
+
+std::optional<std::string> checkShape(Store const& store, ObjectId id) {
+    return faultIn(*store.findColumn<Shape>()->find(id));
+}
+
+std::optional<std::string> checkJoint(Store const& store, ObjectId id) {
+    Joint const& joint = *store.findColumn<Joint>()->find(id);
+    auto const find = [&]<class P>(ObjectId object, P const*) -> P const* {
+        auto const* const column = store.findColumn<P>();
+        return column == nullptr ? nullptr : column->find(object);
+    };
+    auto const isBody = [&](ObjectId object) {
+        Shape const* const shape = find(object, static_cast<Shape const*>(nullptr));
+        return shape != nullptr && !faultIn(*shape) &&
+               find(object, static_cast<Position const*>(nullptr)) != nullptr;
+    };
+    auto const isFixed = [&](ObjectId object) {
+        return find(object, static_cast<Fixed const*>(nullptr)) != nullptr;
+    };
+    return faultIn(joint, {.aIsBody = isBody(joint.a),
+                           .bIsBody = isBody(joint.b),
+                           .aFixed = isFixed(joint.a),
+                           .bFixed = isFixed(joint.b),
+                           .jointA = find(joint.jointA, static_cast<Joint const*>(nullptr)),
+                           .jointB = find(joint.jointB, static_cast<Joint const*>(nullptr))});
+}
+
+} // namespace
+
+void registerDynamics(Registry& registry) {
+    registry.property<Density>();
+    registry.rule({&propertyInfo<Shape>(), checkShape});
+    registry.rule({&propertyInfo<Joint>(), checkJoint});
+    registry.completion(completeBody);
+    registry.completion(completeJoint);
+    registry.component<Box2dDynamics>();
+    registry.component<DynamicsFromPlayer>();
+    registry.component<PopulationFromDynamics>();
+}
+
+} // namespace trembler

@@ -1,0 +1,54 @@
+// Bodies, joints, loads and contacts around an engine: all of Dynamics that depends neither on which engine
+// it is nor on how a resolver gets at its properties.
+#pragma once
+
+#include "physics/dynamics/causes.hpp"
+#include "physics/dynamics/loads.hpp"
+#include "physics/dynamics/touching.hpp"
+
+#include <memory>
+
+namespace trembler {
+
+class Simulation {
+public:
+    explicit Simulation(EngineMaker maker) : maker_(maker) {}
+
+    /// Brings bodies and joints into line with the columns. Cheap while these have not changed. Objects that
+    /// are not sound are left out and returned, each time it has had to look at them.
+    [[nodiscard]] std::vector<Refusal> follow(DynamicsColumns const& columns);
+    /// True if loads must be summed anew, because bodies came or went.
+    [[nodiscard]] bool loadsStale() const { return loadsStale_; }
+    void startLoads() { loads_.clear(bodies_.bodies().size()); }
+    void endLoads();
+    /// Moves everything on by `duration` (s); returns false if all is at rest and nothing was done.
+    bool step(double duration);
+    /// To be told after the moved bodies have been written into the columns: these versions are its own
+    /// doing.
+    void noteWritten(DynamicsColumns const& columns) { motionVersion_ = columns.motionVersion(); }
+
+    [[nodiscard]] Engine& engine() { return *engine_; }
+    [[nodiscard]] bool anyAwake() const { return engine_ && engine_->anyAwake(); }
+    [[nodiscard]] BodyTable const& bodies() const { return bodies_; }
+    [[nodiscard]] JointTable const& joints() const { return joints_; }
+    [[nodiscard]] LoadTable& loads() { return loads_; }
+    [[nodiscard]] TouchBook& touching() { return touching_; }
+    [[nodiscard]] CauseBook& causes() { return causes_; }
+
+private:
+    EngineMaker maker_;
+    std::unique_ptr<Engine> engine_;
+    DynamicsSettings settings_;
+    BodyTable bodies_;
+    JointTable joints_;
+    LoadTable loads_;
+    TouchBook touching_;
+    CauseBook causes_;
+    bool loadsStale_ = true;
+    std::uint64_t bodiesVersion_ = 0;
+    std::uint64_t jointsVersion_ = 0;
+    std::uint64_t motionVersion_ = 0;
+    std::uint64_t motionStructure_ = 0;
+};
+
+} // namespace trembler

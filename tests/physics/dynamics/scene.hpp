@@ -1,0 +1,109 @@
+// Small worlds of rigid bodies for tests, with a constant gravity of their own.
+#pragma once
+
+#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/calls.hpp"
+#include "physics/dynamics/contacts.hpp"
+#include "physics/dynamics/joint.hpp"
+#include "physics/dynamics/register.hpp"
+#include "physics/dynamics/settings.hpp"
+#include "physics/dynamics/shape.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/population/population_resolver.hpp"
+#include "runtime/world/world.hpp"
+
+#include <memory>
+#include <string>
+
+namespace trembler::test {
+
+/// Forces by the test's own hand: what an object has in this column pulls at it for as long as it stands.
+struct Pull {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Pull", "test_pull", "A force, for tests."};
+    Vec2 force;        ///< N, at the centre of mass
+    Vec2 acceleration; ///< m/s², times the mass
+    double torque = 0; ///< N m
+    Vec2 pointForce;   ///< N, at `point`
+    Vec2 point;        ///< m, in the world
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// Impulses that are carried out once, whenever `serial` changes.
+struct Kick {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Kick", "test_kick", "An impulse, for tests."};
+    Vec2 impulse; ///< N s
+    Vec2 point;   ///< m, in the world
+    int serial = 0;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+class DynamicsFromPull final : public Interaction<DynamicsFromPull, DynamicsRole, Reads<Pull, Mass>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Dynamics <- Pull", .effect = "test", .level = "", .work = "Applies pulls."};
+    using CalledFor = NeedsAll<Pull>;
+    void apply(Access& access);
+};
+
+class DynamicsFromKick final : public Interaction<DynamicsFromKick, DynamicsRole, Reads<Kick>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Dynamics <- Kick", .effect = "test", .level = "", .work = "Applies kicks."};
+    using CalledFor = NeedsAll<Kick>;
+    void apply(Access& access);
+
+private:
+    std::map<ObjectId, int> seen_;
+};
+
+/// A world with Dynamics, and with pulls and kicks, but without any other physics.
+class Scene {
+public:
+    explicit Scene(bool trace = false, DynamicsSettings settings = {});
+
+    /// Constant downward acceleration for every body added from now on.
+    double gravity = 9.81;
+
+    ObjectId body(std::string const& name, ShapePiece piece, Vec2 at, double angle = 0);
+    ObjectId body(std::string const& name, Shape shape, Vec2 at, double angle = 0);
+    ObjectId fixed(std::string const& name, ShapePiece piece, Vec2 at, double angle = 0);
+    ObjectId joint(std::string const& name, Joint joint);
+    template <class P>
+    void give(ObjectId id, P property) {
+        world->store().column<P>().set(id, std::move(property));
+    }
+    template <class P>
+    [[nodiscard]] P& of(ObjectId id) {
+        auto& column = world->store().column<P>();
+        column.touch();
+        return column[id];
+    }
+    /// Runs frames; the first call starts the world.
+    void run(int frames);
+
+    [[nodiscard]] Vec2 at(ObjectId id) const { return world->find<Position>(id)->value; }
+    [[nodiscard]] Vec2 velocity(ObjectId id) const { return world->find<Velocity>(id)->value; }
+    [[nodiscard]] double angle(ObjectId id) const { return world->find<Rotation>(id)->angle; }
+    [[nodiscard]] double spin(ObjectId id) const { return world->find<AngularVelocity>(id)->value; }
+    [[nodiscard]] double mass(ObjectId id) const { return world->find<Mass>(id)->value; }
+    [[nodiscard]] Contacts const& contacts() const { return *world->find<Contacts>(); }
+    [[nodiscard]] bool touching(ObjectId a, ObjectId b) const;
+    [[nodiscard]] Activity dynamics() const;
+
+    Registry registry;
+    std::unique_ptr<World> world;
+
+private:
+    bool started_ = false;
+};
+
+/// Everything that Scene registers.
+void registerScene(Registry& registry);
+
+} // namespace trembler::test
