@@ -34,6 +34,13 @@ std::optional<std::string> checkTerminal(Store const& store, ObjectId id) {
     return std::nullopt;
 }
 
+// Every conductor is a vertex from its birth on, even where it is the one that calls for the resolver.
+void makeVertex(Store& store, ObjectId id) {
+    if (store.column<Conductor>().has(id)) {
+        store.column<ElectricityGraph>().addDefault(id);
+    }
+}
+
 } // namespace
 
 void registerElectricity(Registry& registry) {
@@ -43,6 +50,7 @@ void registerElectricity(Registry& registry) {
     registry.component<ElectricityFromDynamics>();
     registry.component<ElectricityFromPlayer>();
     registry.property<ElectricalDevice>();
+    registry.completion(makeVertex);
     registry.connector(connectInitially);
     registry.rule({&propertyInfo<ElectricalSource>(), checkTerminal<ElectricalSource>});
     registry.rule({&propertyInfo<ElectricalReturn>(), checkTerminal<ElectricalReturn>});

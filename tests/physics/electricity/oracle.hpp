@@ -1,0 +1,43 @@
+// Who is on, found without blocks and without walking incrementally: what the detail levels are compared
+// with.
+#pragma once
+
+#include "tests/physics/electricity/circuit_world.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace trembler::test {
+
+/// A test's own account of a world: conductors, their parts in networks, and counted connections.
+struct Oracle {
+    struct Part {
+        std::string network;                  ///< of the conductor
+        std::optional<std::string> source;    ///< network
+        std::optional<std::string> returning; ///< network
+    };
+    using Pair = std::pair<ObjectId, ObjectId>; ///< first < second
+    std::map<ObjectId, Part> parts;
+    std::map<Pair, std::array<int, connectionCauses>> counts;
+
+    /// What one frame's calls do: net change per pair and cause, then never below zero.
+    void carryOut(std::vector<Script::Line> const& lines);
+    void destroy(ObjectId id);
+    [[nodiscard]] bool connected(ObjectId a, ObjectId b) const;
+
+    /// On by flood fill from the sources, over disjoint sets.
+    [[nodiscard]] std::set<ObjectId> onBySingleCable() const;
+    /// On by flow: an object is on if in some network one unit can flow from it to the source and one to the
+    /// return, through no other object twice.
+    [[nodiscard]] std::set<ObjectId> onByTwoWire() const;
+
+private:
+    [[nodiscard]] std::set<std::string> networks() const;
+    [[nodiscard]] bool takesPart(ObjectId id, std::string const& network) const;
+    [[nodiscard]] bool flowsFrom(ObjectId id, std::string const& network) const;
+};
+
+} // namespace trembler::test
