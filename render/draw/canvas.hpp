@@ -18,7 +18,7 @@ struct CanvasOptions {
     bool shadows = true; ///< leave them out on software OpenGL: they double the cost of a frame
 };
 
-/// Collects shapes between begin and end and draws them in that order, in one call. Only soft shadows come
+/// Collects shapes between begin and end and draws them in that order, in few calls. Only soft shadows come
 /// earlier: those of one sheet (see `newSheet`) lie under all of its shapes, so that touching parts do not
 /// darken each other.
 ///
@@ -37,7 +37,8 @@ public:
     void paper();
     /// What follows lies on top, with shadows on what came before (a part that is being dragged).
     void newSheet();
-    /// Draws what was collected.
+    /// Draws what was collected. Throws RenderError if the driver refuses a shader that is needed for the
+    /// first time.
     void end();
 
     /// Half extents; corners rounded by `cornerRadius` (within the extents, clamped to the smaller one).
