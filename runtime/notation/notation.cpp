@@ -2,10 +2,10 @@
 
 #include "runtime/schedule/schedule.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace trembler {
 namespace {
@@ -42,14 +42,15 @@ std::string calledFor(ComponentInfo const& info) {
 }
 
 std::string shortcutNote(Registry const& registry, ComponentInfo const& info) {
+    std::string places;
     for (Shortcut const& shortcut : registry.shortcuts()) {
         for (Registration const& other : registry.components()) {
             if (shortcut.interaction == info.type && shortcut.dps == other.info->type) {
-                return "directly after the " + title(*other.info) + " (shortcut of 5.7.3)";
+                places += (places.empty() ? "directly after the " : " or the ") + title(*other.info);
             }
         }
     }
-    return {};
+    return places.empty() ? places : places + " (shortcut of 5.7.3)";
 }
 
 Box boxOf(Registry const& registry, ComponentInfo const& info) {
@@ -95,7 +96,8 @@ std::vector<ComponentInfo const*> resolversOf(Registry const& registry) {
 std::string reason(ComponentInfo const& a, ComponentInfo const& b) {
     std::string text;
     for (Conflict const& conflict : conflicts(a, b)) {
-        std::string_view const property = conflict.property == nullptr ? "everything" : conflict.property->text.name;
+        std::string_view const property =
+            conflict.property == nullptr ? "everything" : conflict.property->text.name;
         text += text.empty() ? "" : ", ";
         switch (conflict.kind) {
         case Conflict::Kind::bothWrite:
@@ -149,8 +151,8 @@ std::string scheduleText(Registry const& registry, std::string_view bullet) {
             if (mayRunTogether(*resolvers[i], *resolvers[j])) {
                 text += fmt::format("{}{} beside {}\n", bullet, title(*resolvers[i]), title(*resolvers[j]));
             } else {
-                text += fmt::format("{}{} before {}: {}\n", bullet, title(*resolvers[i]), title(*resolvers[j]),
-                                    reason(*resolvers[i], *resolvers[j]));
+                text += fmt::format("{}{} before {}: {}\n", bullet, title(*resolvers[i]),
+                                    title(*resolvers[j]), reason(*resolvers[i], *resolvers[j]));
             }
         }
     }
@@ -174,7 +176,8 @@ std::string notationBox(Registry const& registry, Registration const& component)
         text += "Interaction functions:\n";
         for (CallInfo const& call : *box.calls) {
             std::string const head = fmt::format("  {} - ", signature(call));
-            text += head + wrapped(fmt::format("{} [{}]", call.text.meaning, nameOf(call.algebra)), 4, width - 30) +
+            text += head +
+                    wrapped(fmt::format("{} [{}]", call.text.meaning, nameOf(call.algebra)), 4, width - 30) +
                     "\n";
         }
     }
@@ -204,8 +207,8 @@ std::string notationMarkdown(Registry const& registry) {
             text += fmt::format("| {} | {} |\n", row.label, escaped(row.text));
         }
         for (CallInfo const& call : *box.calls) {
-            text += fmt::format("| `{}` | {} *{}* |\n", escaped(signature(call)), escaped(std::string(call.text.meaning)),
-                                nameOf(call.algebra));
+            text += fmt::format("| `{}` | {} *{}* |\n", escaped(signature(call)),
+                                escaped(std::string(call.text.meaning)), nameOf(call.algebra));
         }
         text += "\n";
     }

@@ -3,9 +3,9 @@
 
 #include "runtime/world/registry.hpp"
 
-#include <string>
-
 #include <nlohmann/json_fwd.hpp>
+
+#include <string>
 
 namespace trembler {
 
