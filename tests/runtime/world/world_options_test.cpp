@@ -1,0 +1,181 @@
+// Detail levels and periods by name: swaps in a running world, and errors that say what there is.
+#include "tests/runtime/world/heat.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace trembler {
+namespace {
+
+using namespace heat;
+
+std::string messageOf(std::function<void()> const& f) {
+    try {
+        f();
+    } catch (std::invalid_argument const& error) {
+        return error.what();
+    }
+    return "(nothing was thrown)";
+}
+void expectMentions(std::string const& message, std::initializer_list<char const*> words) {
+    for (char const* word : words) {
+        EXPECT_NE(message.find(word), std::string::npos) << "'" << word << "' in: " << message;
+    }
+}
+
+Registry& levels() {
+    static Registry registry = [] {
+        Registry made;
+        made.component<Stove>();
+        made.component<Furnace>();
+        made.component<ExactGlow>();
+        made.component<RoughGlow>();
+        made.component<HeatFromFuel>();
+        return made;
+    }();
+    return registry;
+}
+
+ObjectId hotThing(World& world, std::string const& name, double heat) {
+    ObjectId const id = world.store().create(name);
+    world.store().column<Heat>().set(id, {heat});
+    return id;
+}
+
+TEST(WorldOptions, TheCheapestLevelThatSuitsTheSceneIsPicked) {
+    World world(levels());
+    hotThing(world, "a", 1);
+    hotThing(world, "b", 1);
+    world.start();
+    world.step();
+    EXPECT_EQ(statusOf(world, "Rough Glow").activity, Activity::active);
+    EXPECT_EQ(statusOf(world, "Exact Glow").activity, Activity::absent);
+    EXPECT_EQ(statusOf(world, "Stove").updates, 1U);
+    EXPECT_EQ(statusOf(world, "Furnace").updates, 0U);
+    hotThing(world, "c", 1); // one too many for the rough one
+    world.step();
+    EXPECT_EQ(statusOf(world, "Rough Glow").activity, Activity::absent);
+    EXPECT_EQ(statusOf(world, "Exact Glow").activity, Activity::active);
+    EXPECT_EQ(world.find<Glow>()->updatesByRough, 1) << "the slot was kept";
+    EXPECT_EQ(world.find<Glow>()->total, 3);
+}
+
+TEST(WorldOptions, ASwapKeepsTheSlotAndTakesEffectInTheNextFrame) {
+    World world(levels());
+    hotThing(world, "a", 5);
+    world.start();
+    for (int i = 0; i < 4; ++i) {
+        world.step();
+    }
+    EXPECT_EQ(world.find<Glow>()->updatesByRough, 1);
+    world.setDetail("glow", "exact");
+    EXPECT_EQ(world.find<Glow>()->updatesByRough, 1);
+    EXPECT_EQ(world.find<Glow>()->total, 5);
+    EXPECT_EQ(statusOf(world, "Rough Glow").activity, Activity::absent);
+    world.step();
+    EXPECT_EQ(world.find<Glow>()->updatesByExact, 1)
+        << "a new component has its first turn though nothing changed";
+    world.setDetail("glow", "");
+    world.step();
+    EXPECT_EQ(world.find<Glow>()->updatesByRough, 2) << "the choice is the scene's again";
+}
+
+TEST(WorldOptions, ASwappedResolverCarriesOnWithHeldCallsAndItsOwnSlot) {
+    World world(levels());
+    ObjectId const coal = hotThing(world, "coal", 0);
+    world.store().column<Fuel>().set(coal, {60});
+    world.start();
+    world.step();
+    world.step(); // the stove carries out the held call once and then sleeps: nothing is new
+    world.step();
+    EXPECT_DOUBLE_EQ(world.find<Heat>(coal)->value, 1);
+    int const advances = world.find<StoveLog>()->advances;
+    world.setDetail("heat", "furnace");
+    for (int i = 0; i < 10; ++i) {
+        world.step();
+    }
+    EXPECT_EQ(world.find<StoveLog>()->advances, advances + 10);
+    EXPECT_EQ(world.find<StoveLog>()->held, 1);
+    EXPECT_NEAR(world.find<Heat>(coal)->value, 11, 1e-12);
+    EXPECT_EQ(statusOf(world, "Heat <- Fuel").updates, 1U) << "the interaction did not have to say it again";
+}
+
+TEST(WorldOptions, LevelsAskedForAtTheStartAreObeyed) {
+    World world(levels(), {.threads = 1, .detail = {{"glow", "exact"}}, .periods = {}});
+    hotThing(world, "a", 1);
+    world.start();
+    world.step();
+    EXPECT_EQ(statusOf(world, "Exact Glow").updates, 1U);
+    EXPECT_EQ(world.options().detail.at("glow"), "exact");
+}
+
+TEST(WorldOptions, UnknownLevelsAndEffectsAreRefusedWithWhatThereIs) {
+    World world(levels());
+    expectMentions(messageOf([&] { world.setDetail("glow", "fine"); }), {"glow", "fine", "exact", "rough"});
+    expectMentions(messageOf([&] { world.setDetail("glwo", "exact"); }), {"glwo", "glow", "heat"});
+    expectMentions(messageOf([] {
+                       World w(levels(), {.threads = 1, .detail = {{"glow", "x"}}, .periods = {}});
+                   }),
+                   {"exact", "rough"});
+    EXPECT_TRUE(world.options().detail.empty()) << "a refused level leaves no trace";
+}
+
+TEST(WorldOptions, UnknownComponentsAndPeriodsAreRefusedWithWhatThereIs) {
+    World world(levels());
+    expectMentions(messageOf([&] { world.setPeriod("Stov", 2); }),
+                   {"Stov", "Stove Resolver", "Exact Glow DPS", "(Heat <- Fuel) Interaction"});
+    expectMentions(messageOf([&] { world.setPeriod("Stove", 0); }), {"Stove", "0", "1 to 3600"});
+    expectMentions(messageOf([&] { world.setPeriod("Stove", 3601); }), {"3601"});
+    world.setPeriod("Stove", 7);
+    EXPECT_EQ(statusOf(world, "Stove").period, 7);
+    world.setPeriod("(Heat <- Fuel) Interaction", 2);
+    EXPECT_EQ(statusOf(world, "Heat <- Fuel").period, 2);
+}
+
+struct StoveGlow final : Dps<StoveGlow, Reads<Fuel>, Derives<>> {
+    static constexpr ComponentText text{.name = "Stove", .effect = "glow", .level = "", .work = "Nothing."};
+    using CalledFor = NeedsAll<Fuel>;
+    void update(Access&) {}
+};
+
+TEST(WorldOptions, ANameOfTwoComponentsIsNoPeriodsName) {
+    Registry registry;
+    registry.component<Stove>();
+    registry.component<StoveGlow>();
+    World world(registry);
+    expectMentions(messageOf([&] { world.setPeriod("Stove", 2); }), {"Stove Resolver", "Stove DPS"});
+    world.setPeriod("Stove DPS", 2);
+    std::vector<ComponentStatus> const status = world.status();
+    EXPECT_EQ(status[0].period, 1);
+    EXPECT_EQ(status[1].period, 2);
+}
+
+// Alternatives of which only one can have what it reads.
+struct NeedsGlowLog {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Nobody's", "nobodys", "What no resolver provides."};
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+struct CheapButBlind final : Dps<CheapButBlind, Reads<Heat, NeedsGlowLog>, Derives<Glow>> {
+    static constexpr ComponentText text{
+        .name = "Blind Glow", .effect = "glow", .level = "blind", .work = "Guesses.", .cost = -1};
+    using CalledFor = NeedsAny<Heat>;
+    void update(Access& access) { access.derive<Glow>().total = -1; }
+};
+
+TEST(WorldOptions, AnAlternativeWhoseReadsNobodyProvidesIsNotPicked) {
+    Registry registry;
+    registry.component<CheapButBlind>();
+    registry.component<ExactGlow>();
+    World world(registry);
+    hotThing(world, "a", 2);
+    world.start();
+    world.step();
+    ASSERT_NE(world.find<Glow>(), nullptr);
+    EXPECT_EQ(world.find<Glow>()->total, 2);
+}
+
+} // namespace
+} // namespace trembler
