@@ -70,7 +70,9 @@ private:
     [[nodiscard]] std::string pathOfNext() const {
         std::string path;
         for (Level const& level : open_) {
-            path = level.node->is_array() ? pointerTo(path, level.node->size()) : pointerTo(path, level.key);
+            bool const innermost = &level == &open_.back();
+            path = level.node->is_array() ? pointerTo(path, level.node->size() - (innermost ? 0 : 1))
+                                          : pointerTo(path, level.key);
         }
         return path;
     }

@@ -127,7 +127,7 @@ public:
     }
     void choice(FieldInfo const& info, ChoiceField) override {
         std::string const key(info.key);
-        if (!info.required && initial_.contains(key) && written_[key] == initial_[key]) {
+        if (!info.required && initial_.contains(key) && same(written_[key], initial_[key])) {
             written_.erase(key);
         }
     }
@@ -140,7 +140,7 @@ public:
             return;
         }
         if (!field.elementsHaveFields()) {
-            if (!info.required && initial_.contains(key) && written_[key] == initial_[key]) {
+            if (!info.required && initial_.contains(key) && same(written_[key], initial_[key])) {
                 written_.erase(key);
             }
             return;
@@ -159,9 +159,12 @@ public:
     }
 
 private:
+    /// 0 and -0 are equal as numbers, but not the same.
+    static bool same(Json const& a, Json const& b) { return a.dump() == b.dump(); }
+
     void prune(FieldInfo const& info) {
         std::string const key(info.key);
-        if (!info.required && written_[key] == structured_[key]) {
+        if (!info.required && same(written_[key], structured_[key])) {
             written_.erase(key);
         }
     }
