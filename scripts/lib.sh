@@ -55,7 +55,8 @@ compile() {
     cmake --build "$directory" --parallel "$jobs" --target "$@" 2>&1 | progress "$log" || status=$?
     grep -F 'warning:' "$log" >>"$directory/warnings.txt" || true
     if ((status != 0)); then
-        grep -vE '^\[[0-9]+/[0-9]+\]' "$log" | head -n 100 || true
+        # What failed, without the warnings of what did not.
+        awk '/^\[[0-9]+\/[0-9]+\]/ { shown = 0 } /^FAILED: |^ninja: error/ { shown = 1 } shown' "$log" | head -n 100
         echo "The build failed; all of it is in $log"
     fi
     return "$status"
