@@ -56,7 +56,7 @@ compile() {
     grep -F 'warning:' "$log" >>"$directory/warnings.txt" || true
     if ((status != 0)); then
         # What failed, without the warnings of what did not.
-        awk '/^\[[0-9]+\/[0-9]+\]/ { shown = 0 } /^FAILED: |^ninja: error/ { shown = 1 } shown' "$log" | head -n 100
+        awk '/^\[[0-9]+\/[0-9]+\]/ { shown = 0 } /^FAILED: |^ninja: error/ { shown = 1 } shown' "$log" | head -n 100 || true
         echo "The build failed; all of it is in $log"
     fi
     return "$status"
