@@ -129,8 +129,9 @@ void CircuitWorld::disconnect(std::string const& a, std::string const& b, Connec
 void CircuitWorld::touch(std::vector<std::pair<std::string, std::string>> const& pairs) {
     Touching touching;
     for (auto const& [first, second] : pairs) {
-        auto const [a, b] = std::minmax((*this)[first], (*this)[second]);
-        touching.pairs.push_back({a, b, {}});
+        ObjectId const a = (*this)[first];
+        ObjectId const b = (*this)[second];
+        touching.pairs.push_back({std::min(a, b), std::max(a, b), {}});
     }
     std::sort(touching.pairs.begin(), touching.pairs.end());
     store().column<Touching>().set(director_, std::move(touching));
