@@ -11,13 +11,13 @@ constexpr double mostLines = 400;
 
 } // namespace
 
-void hatch(Canvas& canvas, std::span<Point const> convex, Point origin, double angle, double spacing,
+void hatch(Canvas& canvas, std::span<Point const> outline, Point origin, double angle, double spacing,
            Stroke const& stroke) {
     Point const along{std::cos(angle), std::sin(angle)};
     Point const across{-along.y, along.x};
     double first = std::numeric_limits<double>::infinity();
     double last = -first;
-    for (Point const corner : convex) {
+    for (Point const corner : outline) {
         first = std::min(first, dot(corner - origin, across));
         last = std::max(last, dot(corner - origin, across));
     }
@@ -25,9 +25,24 @@ void hatch(Canvas& canvas, std::span<Point const> convex, Point origin, double a
         return;
     }
     double const step = spacing * std::max(1.0, std::ceil((last - first) / (spacing * mostLines)));
+    std::vector<double> crossings;
     for (double t = std::ceil(first / step); t * step < last; t += 1) {
-        if (auto const piece = clipLine(convex, origin + (t * step) * across, along)) {
-            canvas.line((*piece)[0], (*piece)[1], stroke);
+        double const height = t * step;
+        crossings.clear();
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            Point const a = outline[i] - origin;
+            Point const b = outline[(i + 1) % outline.size()] - origin;
+            double const heightA = dot(a, across);
+            double const heightB = dot(b, across);
+            if ((heightA <= height) != (heightB <= height)) { // a corner counts for one of its two sides
+                double const share = (height - heightA) / (heightB - heightA);
+                crossings.push_back(dot(a + share * (b - a), along));
+            }
+        }
+        std::sort(crossings.begin(), crossings.end());
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+            Point const base = origin + height * across;
+            canvas.line(base + crossings[i] * along, base + crossings[i + 1] * along, stroke);
         }
     }
 }

@@ -1,24 +1,26 @@
 #include "render/scene/scene_view.hpp"
 
 #include "render/scene/body.hpp"
+#include "render/scene/joints.hpp"
+#include "render/scene/overlay_contacts.hpp"
+#include "render/scene/overlay_electricity.hpp"
+#include "render/scene/overlay_magnetism.hpp"
+#include "render/scene/overlay_motion.hpp"
 
 namespace trembler::render {
+namespace {
 
-void SceneView::start(World const&) {
-    poses_.forget();
+void drawGround(Canvas& canvas, SceneOptions const& options) {
+    for (Area const& area : options.placing) {
+        drawPlacingArea(canvas, area);
+    }
+    for (GoalRegion const& goal : options.goals) {
+        drawGoalRegion(canvas, goal);
+    }
 }
 
-void SceneView::remember(World const& world) {
-    poses_.remember(world);
-}
-
-Pose SceneView::poseOf(World const& world, ObjectId id, double alpha) const {
-    return poses_.of(FactsReader(world).of(id), alpha);
-}
-
-void SceneView::draw(Canvas& canvas, World const& world, SceneOptions const& options) const {
-    FactsReader const reader(world);
-    auto const place = [&](Facts const& facts) { return poses_.of(facts, options.alpha); };
+void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
+                 SceneOptions const& options) {
     bool moving = false;
     for (Facts const& facts : reader.drawOrder()) {
         if (!moving && !(facts.fixed && facts.shape != nullptr)) {
@@ -26,11 +28,49 @@ void SceneView::draw(Canvas& canvas, World const& world, SceneOptions const& opt
             moving = true;
         }
         drawObject(canvas, facts, place(facts),
-                   {.selected = facts.id == options.selected && facts.id.valid(),
-                    .hovered = facts.id == options.hovered && facts.id.valid()});
+                   {.selected = facts.id == options.selected, .hovered = facts.id == options.hovered});
     }
+}
+
+// In order from the ground up; another overlay (rings of sound, for one) is one more line here.
+void drawOverlays(Canvas& canvas, World const& world, FactsReader const& reader,
+                  std::vector<Link> const& links, PoseOf const& place, Overlays const& overlays) {
+    if (overlays.fieldLines) {
+        drawFieldLines(canvas, world);
+    }
+    if (overlays.electricity) {
+        drawElectricity(canvas, reader, links, place);
+    }
+    if (overlays.contacts) {
+        drawContacts(canvas, world);
+    }
+    if (overlays.motion) {
+        drawMotion(canvas, world, reader, place);
+    }
+    if (overlays.forces) {
+        drawMagneticForces(canvas, world);
+    }
+}
+
+} // namespace
+
+Pose SceneView::poseOf(World const& world, ObjectId id, double alpha) const {
+    return poses_.of(FactsReader(world).of(id), alpha);
+}
+
+void SceneView::draw(Canvas& canvas, World const& world, SceneOptions const& options) const {
+    FactsReader const reader(world);
+    PoseOf const place = [&](Facts const& facts) { return poses_.of(facts, options.alpha); };
+    std::vector<Link> const links = linksOf(world);
+    drawGround(canvas, options);
     canvas.newSheet();
-    drawWires(canvas, reader, linksOf(world), place, options.time);
+    drawObjects(canvas, reader, place, options);
+    canvas.newSheet();
+    drawJoints(canvas, world, reader, place);
+    drawWires(canvas, reader, links, place, options.time);
+    canvas.newSheet();
+    drawOverlays(canvas, world, reader, links, place, options.overlays);
+    drawHand(canvas, world, reader, place);
 }
 
 void drawScene(Canvas& canvas, World const& world, SceneOptions const& options) {

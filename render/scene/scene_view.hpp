@@ -2,27 +2,51 @@
 #pragma once
 
 #include "render/draw/canvas.hpp"
+#include "render/scene/areas.hpp"
+#include "render/scene/labels.hpp"
 #include "render/scene/pick.hpp"
 #include "render/scene/wires.hpp"
 
+#include <span>
+
 namespace trembler::render {
+
+/// What is shown besides the things themselves; everything is off unless asked for.
+struct Overlays {
+    bool electricity = false; ///< the graph, its live parts lit
+    bool forces = false;      ///< magnetic ones
+    bool fieldLines = false;  ///< of all magnets that act
+    bool contacts = false;
+    bool motion = false; ///< centres of mass and velocities
+};
 
 struct SceneOptions {
     double time = 0;     ///< s, moves the beads of current; no other effect
     double alpha = 1;    ///< share of the way from the frame before to the present one (SceneView only)
     ObjectId selected{}; ///< invalid: none
-    ObjectId hovered{};
+    ObjectId hovered{};  ///< invalid: none
+    Overlays overlays{};
+    std::span<Area const> placing{};     ///< where parts may be placed
+    std::span<GoalRegion const> goals{}; ///< that a goal asks about
 };
 
 /// Draws a world. Holds what drawing must remember from frame to frame, and nothing of the world itself.
+/// Window thread only, while nobody steps the world; never changes it.
+///
+/// Per display frame: canvas.begin(camera); canvas.paper(); view.draw(canvas, world, ...); then what the game
+/// draws on top (drawGhost); canvas.end(); and in the panels' pass a worldLabel() for each of
+/// view.labels(...).
 class SceneView {
 public:
-    /// Call it when a world begins (also again): forgets the old one.
-    void start(World const& world);
-    /// Call it directly before each World::step.
-    void remember(World const& world);
-    /// Between Canvas::begin and end; Canvas::paper is the caller's. Never changes the world.
+    /// Call it when a world begins, or begins again: forgets the old one.
+    void start() { poses_.forget(); }
+    /// Call it directly before each World::step, where frames are to be drawn in between.
+    void remember(World const& world) { poses_.remember(world); }
     void draw(Canvas& canvas, World const& world, SceneOptions const& options = {}) const;
+    /// The words on the objects, where draw() puts the objects.
+    [[nodiscard]] std::vector<SceneLabel> labels(World const& world, double alpha = 1) const {
+        return sceneLabels(world, poses_, alpha);
+    }
     /// Where the object is drawn.
     [[nodiscard]] Pose poseOf(World const& world, ObjectId id, double alpha = 1) const;
 

@@ -170,29 +170,6 @@ Extent extentOf(Shape const& shape, Pose const& body) {
     return around;
 }
 
-Point centroidOf(Shape const& shape) {
-    Point sum;
-    double area = 0;
-    for (ShapePiece const& piece : shape.pieces) {
-        double const weight = areaOf(piece);
-        Point middle;
-        if (piece.form == ShapeForm::polygon && piece.corners.size() >= 3) {
-            // The centroid of a polygon from the shoelace formula's triangles (Bourke 1988).
-            double twice = 0;
-            for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-                Point const a = toPoint(piece.corners[i]);
-                Point const b = toPoint(piece.corners[(i + 1) % piece.corners.size()]);
-                twice += crossOf(a, b);
-                middle = middle + crossOf(a, b) * (a + b);
-            }
-            middle = (twice != 0 ? 1 / (3 * twice) : 0) * middle;
-        }
-        sum = sum + weight * toWorld(poseIn(piece), middle);
-        area += weight;
-    }
-    return area > 0 ? (1 / area) * sum : Point{};
-}
-
 std::optional<std::array<Point, 2>> clipLine(std::span<Point const> convex, Point at, Point direction) {
     double from = -std::numeric_limits<double>::infinity();
     double to = std::numeric_limits<double>::infinity();

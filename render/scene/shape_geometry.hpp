@@ -1,6 +1,7 @@
 // Geometry of shapes as drawing and picking need it: outlines, distances, extents, cuts.
 #pragma once
 
+#include "physics/dynamics/mass_properties.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "render/draw/geometry.hpp"
 
@@ -47,8 +48,10 @@ struct Extent {
 [[nodiscard]] Extent extentOf(ShapePiece const& piece, Pose const& body);
 [[nodiscard]] Extent extentOf(Shape const& shape, Pose const& body);
 
-/// Centre of mass of an even density, in the object's frame; overlaps count twice, as they do in Dynamics.
-[[nodiscard]] Point centroidOf(Shape const& shape);
+/// Centre of mass of an even density, in the object's frame.
+[[nodiscard]] inline Point centroidOf(Shape const& shape) {
+    return toPoint(centreOfMass(shape));
+}
 
 /// What lies of a line inside a convex outline: from and to, in order of `direction`; nothing if they do not
 /// meet.

@@ -1,0 +1,31 @@
+// Places on the sheet: where parts may be placed, and what a goal asks about.
+#pragma once
+
+#include "render/draw/canvas.hpp"
+#include "render/scene/shape_geometry.hpp"
+#include "runtime/level/level.hpp"
+
+#include <vector>
+
+namespace trembler::render {
+
+/// The area's corners in the world.
+[[nodiscard]] std::vector<Point> outlineOf(Area const& area);
+/// The smallest rectangle around it.
+[[nodiscard]] Extent extentOf(Area const& area);
+
+/// Softly hatched: parts may be placed here. Draw it under everything else.
+void drawPlacingArea(Canvas& canvas, Area const& area);
+
+/// A region that a goal is about.
+struct GoalRegion {
+    Area area;
+    bool met = false; ///< the goal is reached at present
+};
+
+/// A dashed outline over a faint tint.
+void drawGoalRegion(Canvas& canvas, GoalRegion const& goal);
+/// Where the goal's words belong: the middle of its upper edge. For worldLabel().
+[[nodiscard]] Point labelAnchor(GoalRegion const& goal);
+
+} // namespace trembler::render

@@ -1,0 +1,86 @@
+#include "render/scene/overlay_electricity.hpp"
+
+#include "render/scene/dashes.hpp"
+#include "render/scene/shape_geometry.hpp"
+#include "render/scene/signs.hpp"
+
+#include <array>
+
+namespace trembler::render {
+namespace {
+
+Point vertexOf(Facts const& facts, Pose const& pose) {
+    return facts.shape == nullptr ? pose.at : toWorld(pose, extentOf(*facts.shape, {}).centre());
+}
+
+void drawEdge(Canvas& canvas, Link const& link, Point a, Point b) {
+    bool const wire = link.counts.of(ConnectionCause::wire) > 0;
+    Stroke stroke{.colour = link.live ? palette::live : palette::inkSoft,
+                  .pixels = link.live ? 6.F : 3.F,
+                  .outline = link.live ? 1.4F : 0.F,
+                  .outlineColour = palette::ink};
+    if (link.live) {
+        stroke.glow = {palette::live, canvas.metres(9), 0.8F};
+    }
+    std::array const ends{a, b};
+    if (wire) {
+        canvas.polyline(ends, stroke);
+    } else {
+        dashed(canvas, ends, false, canvas.metres(9), canvas.metres(6), stroke);
+    }
+    Point const along = b - a;
+    if (link.live && length(along) > canvas.metres(60)) {
+        Point const unit = ((link.forward ? 1 : -1) / length(along)) * along;
+        Point const middle = 0.5 * (a + b);
+        canvas.arrow(middle - canvas.metres(9) * unit, middle + canvas.metres(11) * unit,
+                     {.colour = palette::ink, .pixels = 3.6F});
+    }
+}
+
+void drawVertex(Canvas& canvas, Facts const& facts, Point at) {
+    Style const disc{.outline = 1.8F, .height = 0.F};
+    double const large = canvas.metres(13);
+    if (facts.source) {
+        drawBadge(canvas, Sign::plus, {at, 0}, large, facts.on, disc);
+    } else if (facts.earth) {
+        drawBadge(canvas, Sign::earth, {at, 0}, large, facts.on, disc);
+    } else if (facts.device || facts.coil != nullptr) {
+        drawBadge(canvas, Sign::flash, {at, 0}, large, facts.on, disc);
+    } else {
+        Style dot = disc;
+        dot.tint = facts.on ? palette::live : palette::paperLight;
+        if (facts.on) {
+            dot.glow = {palette::live, canvas.metres(8), 0.8F};
+        }
+        canvas.circle({at, 0}, canvas.metres(7), dot);
+    }
+}
+
+} // namespace
+
+void drawVeil(Canvas& canvas, float alpha) {
+    Camera const& camera = canvas.camera();
+    Point const half{0.6 * camera.viewport.width / camera.pixelsPerMetre,
+                     0.6 * camera.viewport.height / camera.pixelsPerMetre};
+    canvas.box({camera.centre, 0}, half, 0,
+               {.tint = palette::paper, .outline = 0.F, .alpha = alpha, .height = 0.F});
+}
+
+void drawElectricity(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
+                     PoseOf const& poseOf) {
+    drawVeil(canvas, 0.5F);
+    for (Link const& link : links) {
+        Facts const a = reader.of(link.a);
+        Facts const b = reader.of(link.b);
+        if (a.visible() && b.visible()) {
+            drawEdge(canvas, link, vertexOf(a, poseOf(a)), vertexOf(b, poseOf(b)));
+        }
+    }
+    for (Facts const& facts : reader.drawOrder()) {
+        if (facts.conductor || facts.source || facts.earth) {
+            drawVertex(canvas, facts, vertexOf(facts, poseOf(facts)));
+        }
+    }
+}
+
+} // namespace trembler::render

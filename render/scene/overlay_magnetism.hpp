@@ -1,0 +1,21 @@
+// Magnetism over the scene: the forces that act, and the field that they come from.
+#pragma once
+
+#include "render/draw/canvas.hpp"
+#include "runtime/world/world.hpp"
+
+namespace trembler::render {
+
+/// Length in metres at which an arrow shows a force of so many newtons: logarithmic, as forces span decades.
+/// 0 for no force (and for what is not finite); one decade above `leastForce` is as long as `decade` metres.
+[[nodiscard]] double arrowLength(double newtons, double decade);
+/// N; forces below it have arrows of nearly no length.
+inline constexpr double leastForce = 0.01;
+
+/// An arrow at each point where a magnetic force acts.
+void drawMagneticForces(Canvas& canvas, World const& world);
+
+/// Field lines of all active poles within about the view, with arrows from north to south.
+void drawFieldLines(Canvas& canvas, World const& world);
+
+} // namespace trembler::render
