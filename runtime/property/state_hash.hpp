@@ -29,7 +29,7 @@ public:
                              std::is_same_v<T, ObjectId>) {
             bytes(&v, sizeof v);
         } else if constexpr (Described<T> || Property<T>) {
-            T::describe(v, [this](FieldInfo const&, auto const& field) { value(field); });
+            T::describe(v, [this](FieldInfo const&, auto const& field) { this->value(field); });
         } else {
             integer(v.size());
             for (auto const& element : v) {

@@ -154,7 +154,7 @@ void checkGraph(CircuitWorld& circuit, Oracle const& oracle) {
         RC_ASSERT(oracle.parts.contains(a));
         auto const& row = graph.values()[r].connections;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            RC_ASSERT(i == 0 || row[i - 1].to < row[i].to);
+            RC_ASSERT((i == 0 || row[i - 1].to < row[i].to)); // RapidCheck would evaluate both
             RC_ASSERT(row[i].counts.connected());
             RC_ASSERT(connectionBetween(circuit.store(), row[i].to, a) == row[i].counts); // symmetric
             ++connections;
@@ -174,8 +174,8 @@ void checkState(CircuitWorld& circuit, Oracle const& oracle, std::set<ObjectId> 
                 std::set<ObjectId>& before) {
     auto const* const state = circuit.world().find<ElectricalState>();
     if (oracle.parts.empty()) {
-        RC_ASSERT(state == nullptr || std::none_of(state->byIndex.begin(), state->byIndex.end(),
-                                                   [](auto const& entry) { return entry.object.valid(); }));
+        RC_ASSERT((state == nullptr || std::none_of(state->byIndex.begin(), state->byIndex.end(),
+                                                    [](auto const& entry) { return entry.object.valid(); })));
         before.clear();
         return;
     }
