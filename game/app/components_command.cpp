@@ -1,15 +1,14 @@
 // trembler components and trembler schema: what there is, described by itself.
 #include "game/app/commands.hpp"
-
 #include "game/core/workshop.hpp"
 #include "game/goals/level_schema.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/notation/notation.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <iostream>
 #include <memory>
-
-#include <nlohmann/json.hpp>
 
 namespace trembler {
 
@@ -19,8 +18,8 @@ void addComponentsCommand(CLI::App& program, int& result) {
         bool markdown = false;
     };
     auto const arguments = std::make_shared<Arguments>();
-    CLI::App* const command =
-        program.add_subcommand("components", "Print every component in the thesis's notation, and the schedule");
+    CLI::App* const command = program.add_subcommand(
+        "components", "Print every component in the thesis's notation, and the schedule");
     CLI::Option* const json = command->add_flag("--json", arguments->json, "As one JSON object");
     command->add_flag("--markdown", arguments->markdown, "As Markdown tables")->excludes(json);
     command->callback([arguments, &result] {

@@ -1,5 +1,4 @@
 #include "game/app/commands.hpp"
-
 #include "runtime/level/diagnostic.hpp"
 
 #include <iostream>

@@ -6,16 +6,17 @@
 
 int main(int argc, char** argv) {
     int result = trembler::exitSolved;
-    CLI::App program{"Trembler: a world in which physics, not scripts, makes things work.\n"
-                     "\n"
-                     "  trembler play                                          the game\n"
-                     "  trembler play levels/first/1-first-contact.json        one level\n"
-                     "  trembler run LEVEL --solution NAME                     replay a recorded solution, no window\n"
-                     "  trembler run LEVEL --trace account.jsonl               and write down what led to what\n"
-                     "  trembler verify                                        check every level\n"
-                     "  trembler components                                    what there is, and in which order it runs\n"
-                     "\n"
-                     "Each command has its own --help."};
+    CLI::App program{
+        "Trembler: a world in which physics, not scripts, makes things work.\n"
+        "\n"
+        "  trembler play                                          the game\n"
+        "  trembler play levels/first/1-first-contact.json        one level\n"
+        "  trembler run LEVEL --solution NAME                     replay a recorded solution, no window\n"
+        "  trembler run LEVEL --trace account.jsonl               and write down what led to what\n"
+        "  trembler verify                                        check every level\n"
+        "  trembler components                                    what there is, and in which order it runs\n"
+        "\n"
+        "Each command has its own --help."};
     program.require_subcommand(1);
     trembler::addPlayCommand(program, result);
     trembler::addRunCommand(program, result);

@@ -1,19 +1,18 @@
 // trembler run: a level without a window.
 #include "game/app/commands.hpp"
-
 #include "game/core/workshop.hpp"
 #include "game/session/runner.hpp"
 #include "game/session/solution_file.hpp"
 #include "physics/dynamics/settings.hpp"
 #include "runtime/level/read_level.hpp"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <unistd.h>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace trembler {
 namespace {
@@ -32,7 +31,8 @@ struct Arguments {
 };
 
 // "NAME=VALUE" apart; the last '=' counts, as component titles may hold others.
-std::pair<std::string, std::string> assignment(std::string const& text, char const* option, char const* form) {
+std::pair<std::string, std::string> assignment(std::string const& text, char const* option,
+                                               char const* form) {
     std::size_t const at = text.rfind('=');
     if (at == std::string::npos || at == 0 || at + 1 == text.size()) {
         throw std::invalid_argument(fmt::format("{} {}: expected {}", option, text, form));
@@ -49,7 +49,8 @@ int asPeriod(std::string const& text, std::string const& value) {
         used = 0;
     }
     if (used != value.size()) {
-        throw std::invalid_argument(fmt::format("--period {}: expected COMPONENT=N with a whole number N", text));
+        throw std::invalid_argument(
+            fmt::format("--period {}: expected COMPONENT=N with a whole number N", text));
     }
     return period;
 }
@@ -111,17 +112,19 @@ int runLevel(Arguments const& arguments) {
     if (!arguments.trace.empty()) {
         trace.open(arguments.trace);
         if (!trace) {
-            throw std::invalid_argument(fmt::format("--trace {}: the file cannot be written", arguments.trace));
+            throw std::invalid_argument(
+                fmt::format("--trace {}: the file cannot be written", arguments.trace));
         }
         run.trace = &trace;
     }
     RunReport const report = trembler::run(session, arguments.level, run);
     if (!arguments.trace.empty() && !trace.flush()) {
-        throw std::runtime_error(fmt::format("--trace {}: writing failed, the account is not complete",
-                                             arguments.trace));
+        throw std::runtime_error(
+            fmt::format("--trace {}: writing failed, the account is not complete", arguments.trace));
     }
     if (arguments.json) {
-        std::cout << toJson(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
+        std::cout << toJson(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                  << "\n";
     } else {
         std::cout << toWords(report);
     }
@@ -135,8 +138,10 @@ void addRunCommand(CLI::App& program, int& result) {
     CLI::App* const command = program.add_subcommand(
         "run", "Run a level without a window. Exit status: 0 solved, 1 not solved, 2 bad input.");
     command->add_option("LEVEL", arguments->level, "Level file")->required();
-    command->add_option("--frames", arguments->frames, "Frames to run, 60 are one second (default: the solution's, "
-                                                       "else 600)")
+    command
+        ->add_option("--frames", arguments->frames,
+                     "Frames to run, 60 are one second (default: the solution's, "
+                     "else 600)")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{60'000'000}));
     command->add_option("--solution", arguments->solution,
                         "Name of a solution recorded in the level, or a file with one");
@@ -144,11 +149,14 @@ void addRunCommand(CLI::App& program, int& result) {
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     command->add_flag("--json", arguments->json, "Print one JSON object instead of words");
-    command->add_option("--trace", arguments->trace, "Write every event and its causes to a file, one JSON line each");
-    command->add_option("--hash-every", arguments->hashEvery, "Also print the state's hash at every Nth frame");
+    command->add_option("--trace", arguments->trace,
+                        "Write every event and its causes to a file, one JSON line each");
+    command->add_option("--hash-every", arguments->hashEvery,
+                        "Also print the state's hash at every Nth frame");
     command->add_option("--detail", arguments->detail, "EFFECT=LEVEL, for example electricity=single-cable");
-    command->add_option("--period", arguments->periods,
-                        "COMPONENT=N: run a component in every Nth frame only, for example \"Dynamics Resolver=2\"");
+    command->add_option(
+        "--period", arguments->periods,
+        "COMPONENT=N: run a component in every Nth frame only, for example \"Dynamics Resolver=2\"");
     command->add_option("--substeps", arguments->substeps, "Steps of the dynamics engine in a frame")
         ->check(CLI::Range(1, 64));
     command->callback([arguments, &result] { result = guarded([&] { return runLevel(*arguments); }); });

@@ -1,15 +1,14 @@
 // trembler verify: is every level sound?
 #include "game/app/commands.hpp"
-
 #include "game/core/workshop.hpp"
 #include "game/session/verify.hpp"
+
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <unistd.h>
-
-#include <fmt/format.h>
 
 namespace trembler {
 namespace {
@@ -60,8 +59,9 @@ int verifyAll(std::vector<std::string> const& paths) {
 void addVerifyCommand(CLI::App& program, int& result) {
     auto const paths = std::make_shared<std::vector<std::string>>();
     CLI::App* const command = program.add_subcommand(
-        "verify", "Check levels: valid, not solved by an empty toolbox (unless it is a demonstration), every recorded "
-                  "solution does what it says, and always in the same way. A line per failure, exit status 1 if any.");
+        "verify",
+        "Check levels: valid, not solved by an empty toolbox (unless it is a demonstration), every recorded "
+        "solution does what it says, and always in the same way. A line per failure, exit status 1 if any.");
     command->add_option("PATH", *paths, "Level files or folders (default: all levels)");
     command->callback([paths, &result] { result = guarded([&] { return verifyAll(*paths); }); });
 }

@@ -23,8 +23,8 @@ fs::path homeFolder() {
         return stated;
     }
     std::error_code error;
-    for (fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path(); folder.has_relative_path();
-         folder = folder.parent_path()) {
+    for (fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+         folder.has_relative_path(); folder = folder.parent_path()) {
         if (hasFiles(folder)) {
             return folder;
         }
@@ -40,7 +40,8 @@ Workshop::Workshop() : home(homeFolder()) {
 std::vector<fs::path> Workshop::levels() const {
     std::vector<fs::path> found;
     std::error_code error;
-    for (fs::recursive_directory_iterator at(home / "levels", error), end; !error && at != end; at.increment(error)) {
+    for (fs::recursive_directory_iterator at(home / "levels", error), end; !error && at != end;
+         at.increment(error)) {
         fs::path const& path = at->path();
         bool const schema = path.filename().string().ends_with(".schema.json");
         if (at->is_regular_file(error) && path.extension() == ".json" && !schema) {

@@ -10,8 +10,8 @@
 
 namespace trembler {
 
-/// The folder that holds assets/ and levels/: $TREMBLER_HOME if set, else the first one upwards from the running
-/// program that has both, else the one that the program was built from.
+/// The folder that holds assets/ and levels/: $TREMBLER_HOME if set, else the first one upwards from the
+/// running program that has both, else the one that the program was built from.
 [[nodiscard]] std::filesystem::path homeFolder();
 
 struct Workshop {

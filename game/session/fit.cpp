@@ -4,14 +4,14 @@
 #include "runtime/placement.hpp"
 #include "runtime/property/for_each.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace trembler {
 
-std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts, Placement const& placement,
-                                           std::span<ObjectId const> ignored) {
+std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts,
+                                           Placement const& placement, std::span<ObjectId const> ignored) {
     PartDefinition const* const part = parts.find(placement.part);
     Shape const* const shape = part == nullptr ? nullptr : part->properties.find<Shape>();
     auto const* const shapes = world.store().findColumn<Shape>();

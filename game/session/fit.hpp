@@ -11,11 +11,12 @@
 
 namespace trembler {
 
-/// How far, in m, two parts may overlap where they are placed: what looks like touching must be allowed to touch.
+/// How far, in m, two parts may overlap where they are placed: what looks like touching must be allowed to
+/// touch.
 inline constexpr double allowedOverlap = 0.01;
 
-/// Names what a part would overlap in the world as it stands, in words for the player; nothing if it has room.
-/// Objects in `ignored`, for example the part itself while it is being moved, do not count.
+/// Names what a part would overlap in the world as it stands, in words for the player; nothing if it has
+/// room. Objects in `ignored`, for example the part itself while it is being moved, do not count.
 [[nodiscard]] std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts,
                                                          Placement const& placement,
                                                          std::span<ObjectId const> ignored);

@@ -8,16 +8,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json orNull(std::optional<std::uint64_t> const& value) { return value ? Json(*value) : Json(nullptr); }
+Json orNull(std::optional<std::uint64_t> const& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
 
 } // namespace
 
-std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+std::string hashText(std::uint64_t hash) {
+    return fmt::format("{:016x}", hash);
+}
 
 Json toJson(RunReport const& report) {
     Json goals = Json::array();
     for (GoalReport const& goal : report.goals) {
-        goals.push_back({{"id", goal.id}, {"met", goal.met}, {"frame", orNull(goal.frame)}, {"text", goal.text}});
+        goals.push_back(
+            {{"id", goal.id}, {"met", goal.met}, {"frame", orNull(goal.frame)}, {"text", goal.text}});
     }
     Json effects = Json::array();
     for (ComponentStatus const& status : report.effects) {

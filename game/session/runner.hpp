@@ -10,7 +10,7 @@
 namespace trembler {
 
 struct RunOptions {
-    std::uint64_t frames = 600;    ///< at most
+    std::uint64_t frames = 600; ///< at most
     bool stopWhenSolved = false;
     std::uint64_t hashEvery = 0;   ///< 0: only the last
     std::ostream* trace = nullptr; ///< where the account goes, JSON lines

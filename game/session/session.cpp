@@ -2,10 +2,10 @@
 
 #include "game/session/fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
-
-#include <fmt/format.h>
 
 namespace trembler {
 namespace {
@@ -20,7 +20,8 @@ std::vector<Placement> placementsOf(std::vector<PlacedPart> const& placed) {
 }
 
 auto withNumber(std::vector<PlacedPart>& placed, int number) {
-    return std::find_if(placed.begin(), placed.end(), [&](PlacedPart const& p) { return p.number == number; });
+    return std::find_if(placed.begin(), placed.end(),
+                        [&](PlacedPart const& p) { return p.number == number; });
 }
 
 } // namespace
@@ -54,21 +55,22 @@ void Session::rebuild() {
 std::vector<ToolboxSlot> Session::toolbox() const {
     std::vector<ToolboxSlot> slots;
     for (ToolboxEntry const& entry : level_.toolbox) {
-        auto const used = std::count_if(placed().begin(), placed().end(), [&](PlacedPart const& p) {
-            return p.placement.part == entry.part;
-        });
+        auto const used = std::count_if(placed().begin(), placed().end(),
+                                        [&](PlacedPart const& p) { return p.placement.part == entry.part; });
         slots.push_back({entry.part, entry.count, entry.count - static_cast<int>(used)});
     }
     return slots;
 }
 
 ObjectId Session::objectOf(int number) const {
-    auto const at = std::find_if(objects_.begin(), objects_.end(), [&](auto const& p) { return p.first == number; });
+    auto const at =
+        std::find_if(objects_.begin(), objects_.end(), [&](auto const& p) { return p.first == number; });
     return at == objects_.end() ? ObjectId{} : at->second;
 }
 
 std::optional<int> Session::numberOf(ObjectId object) const {
-    auto const at = std::find_if(objects_.begin(), objects_.end(), [&](auto const& p) { return p.second == object; });
+    auto const at =
+        std::find_if(objects_.begin(), objects_.end(), [&](auto const& p) { return p.second == object; });
     return at == objects_.end() ? std::optional<int>{} : at->first;
 }
 
@@ -221,9 +223,11 @@ RecordedInput Session::named(PlayerInput const& input) const {
 }
 
 std::optional<PlayerInput> Session::resolved(RecordedInput const& input) const {
-    PlayerInput found{input.kind, world_->store().find(input.object), world_->store().find(input.other), input.at};
+    PlayerInput found{input.kind, world_->store().find(input.object), world_->store().find(input.other),
+                      input.at};
     // What was grabbed or cut then may not exist any more in a run that took another course.
-    bool const known = (input.object.empty() || found.object.valid()) && (input.other.empty() || found.other.valid());
+    bool const known =
+        (input.object.empty() || found.object.valid()) && (input.other.empty() || found.other.valid());
     return known ? std::optional<PlayerInput>{found} : std::nullopt;
 }
 
@@ -272,6 +276,8 @@ void Session::setPeriod(std::string const& component, int period) {
     options_.periods = world_->options().periods;
 }
 
-bool Session::solved() const { return judge_->solved(); }
+bool Session::solved() const {
+    return judge_->solved();
+}
 
 } // namespace trembler

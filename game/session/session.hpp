@@ -21,7 +21,8 @@ enum class SessionMode : std::uint8_t {
     paused,
 };
 
-/// A part that the player placed. The number names it for as long as the session lives, through undo and redo.
+/// A part that the player placed. The number names it for as long as the session lives, through undo and
+/// redo.
 struct PlacedPart {
     int number = 0;
     Placement placement;
@@ -40,8 +41,8 @@ struct Verdict {
     std::string why;
 };
 
-/// Headless: the window, the command line and the tests all play through it. The world is rebuilt from the level
-/// and the placements whenever these change, so stop() puts everything back exactly as it was placed.
+/// Headless: the window, the command line and the tests all play through it. The world is rebuilt from the
+/// level and the placements whenever these change, so stop() puts everything back exactly as it was placed.
 /// Not thread-safe.
 class Session {
 public:
@@ -54,7 +55,8 @@ public:
     [[nodiscard]] LevelFile const& level() const { return level_; }
     [[nodiscard]] PartLibrary const& parts() const { return parts_; }
     [[nodiscard]] SessionMode mode() const { return mode_; }
-    /// The world as it is now; while building, as it will start. Valid until the next call that changes anything.
+    /// The world as it is now; while building, as it will start. Valid until the next call that changes
+    /// anything.
     [[nodiscard]] World const& world() const { return *world_; }
 
     // Building. All of these do nothing, and say so, unless mode() is building.
@@ -96,7 +98,8 @@ public:
 
     /// Placements and inputs so far, as a solution that can be recorded in the level.
     [[nodiscard]] Solution record(std::string name) const;
-    /// Places a solution's parts and will feed its inputs at their frames. Throws InputError if it does not fit.
+    /// Places a solution's parts and will feed its inputs at their frames. Throws InputError if it does not
+    /// fit.
     void load(Solution const& solution);
 
     /// Detail level and period of the running world and of all later ones; see World.

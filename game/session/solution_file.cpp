@@ -2,11 +2,11 @@
 
 #include "runtime/level/read_solutions.hpp"
 
-#include <filesystem>
-#include <stdexcept>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <stdexcept>
 
 namespace trembler {
 

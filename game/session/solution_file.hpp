@@ -4,14 +4,15 @@
 #include "runtime/level/level.hpp"
 #include "runtime/world/registry.hpp"
 
-#include <string>
-
 #include <nlohmann/json_fwd.hpp>
+
+#include <string>
 
 namespace trembler {
 
-/// The solution of that name in the level; else the file of that name, which holds one solution as a level file
-/// would. Throws InputError, or std::invalid_argument, listing the level's solutions, if there is neither.
+/// The solution of that name in the level; else the file of that name, which holds one solution as a level
+/// file would. Throws InputError, or std::invalid_argument, listing the level's solutions, if there is
+/// neither.
 [[nodiscard]] Solution findOrLoadSolution(Registry const& registry, LevelFile const& level,
                                           std::string const& nameOrFile);
 /// A solution as it stands in a level file.

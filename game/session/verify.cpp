@@ -58,7 +58,8 @@ std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::
                                            handsOff.solvedFrame.value_or(0)));
         }
         if (!handsOff.solved && level.demonstration) {
-            failures.push_back(fmt::format("{}: a demonstration, but hands off it does not reach its goals", name));
+            failures.push_back(
+                fmt::format("{}: a demonstration, but hands off it does not reach its goals", name));
         }
         if (!sameHashes(handsOff, runOnce(workshop, level, nullptr, 3))) {
             failures.push_back(fmt::format("{}: hands off, 1 and 3 threads end in different states", name));
@@ -66,13 +67,14 @@ std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::
         for (Solution const& solution : level.solutions) {
             RunReport const report = runOnce(workshop, level, &solution, 1);
             if (report.solved != solution.solves) {
-                failures.push_back(fmt::format("{}: solution '{}' was recorded as {} but {}", name, solution.name,
-                                               solution.solves ? "solving the level" : "not solving the level",
-                                               report.solved ? "solves it" : "does not"));
+                failures.push_back(
+                    fmt::format("{}: solution '{}' was recorded as {} but {}", name, solution.name,
+                                solution.solves ? "solving the level" : "not solving the level",
+                                report.solved ? "solves it" : "does not"));
             }
             if (!sameHashes(report, runOnce(workshop, level, &solution, 2))) {
-                failures.push_back(fmt::format("{}: solution '{}' ends in different states on 1 and 2 threads", name,
-                                               solution.name));
+                failures.push_back(fmt::format(
+                    "{}: solution '{}' ends in different states on 1 and 2 threads", name, solution.name));
             }
         }
     } catch (InputError const& error) {

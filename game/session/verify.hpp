@@ -9,9 +9,10 @@
 
 namespace trembler {
 
-/// What is wrong with a level, a line each; empty if it is sound: it loads; with an empty toolbox it is not solved
-/// within 60 s (a demonstration: it is); each recorded solution fits and ends as recorded; and every run, repeated on
-/// another number of threads, ends in the same state. Takes seconds.
-[[nodiscard]] std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::path const& level);
+/// What is wrong with a level, a line each; empty if it is sound: it loads; with an empty toolbox it is not
+/// solved within 60 s (a demonstration: it is); each recorded solution fits and ends as recorded; and every
+/// run, repeated on another number of threads, ends in the same state. Takes seconds.
+[[nodiscard]] std::vector<std::string> verifyLevel(Workshop const& workshop,
+                                                   std::filesystem::path const& level);
 
 } // namespace trembler

@@ -9,7 +9,11 @@ void LinearGravity::update(Access& access) {
     auto const& masses = access.read<Mass>();
     auto& forces = access.derive<GravityForce>().forces;
     forces.clear();
-    forEach([&](ObjectId id, Mass const& mass) { forces.push_back({id, mass.value * acceleration}); }, masses);
+    forEach(
+        [&](ObjectId id, Mass const& mass) {
+            forces.push_back({id, mass.value * acceleration});
+        },
+        masses);
 }
 
 } // namespace trembler

@@ -13,7 +13,8 @@ public:
     static constexpr ComponentText text{.name = "Linear Gravity",
                                         .effect = "gravity",
                                         .level = "linear",
-                                        .work = "Exports mass times the world's acceleration for each object.",
+                                        .work =
+                                            "Exports mass times the world's acceleration for each object.",
                                         .cost = 1};
     using CalledFor = NeedsAll<GravityField, Mass>;
     void update(Access& access);

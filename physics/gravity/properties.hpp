@@ -10,14 +10,17 @@ namespace trembler {
 /// The world's gravity: Mars is one number in one place (3.3.3).
 struct GravityField {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Gravity", "gravity", "The acceleration due to gravity all over the world.",
-                                       PropertyPlace::world};
+    static constexpr PropertyText text{
+        "Gravity", "gravity", "The acceleration due to gravity all over the world.", PropertyPlace::world};
     Vec2 acceleration;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "m/s²", .meaning = "acceleration; [0, -9.81] on Earth",
-                        .minimum = -1e4, .maximum = 1e4},
+        visit(FieldInfo{.key = "value",
+                        .unit = "m/s²",
+                        .meaning = "acceleration; [0, -9.81] on Earth",
+                        .minimum = -1e4,
+                        .maximum = 1e4},
               self.acceleration);
     }
 };
@@ -26,17 +29,24 @@ struct GravityField {
 struct GravityLaw {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Law of gravity", "gravity_law",
-                                       "How masses attract one another under real gravity.", PropertyPlace::world};
+                                       "How masses attract one another under real gravity.",
+                                       PropertyPlace::world};
     double constant = 6.6743e-11;
     double softening = 0.01;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "constant", .unit = "N m²/kg²", .meaning = "Newton's constant, or a toy world's",
-                        .minimum = 0, .maximum = 1e12},
+        visit(FieldInfo{.key = "constant",
+                        .unit = "N m²/kg²",
+                        .meaning = "Newton's constant, or a toy world's",
+                        .minimum = 0,
+                        .maximum = 1e12},
               self.constant);
-        visit(FieldInfo{.key = "softening", .unit = "m", .meaning = "keeps the force finite at zero distance",
-                        .minimum = 1e-6, .maximum = 1e6},
+        visit(FieldInfo{.key = "softening",
+                        .unit = "m",
+                        .meaning = "keeps the force finite at zero distance",
+                        .minimum = 1e-6,
+                        .maximum = 1e6},
               self.softening);
     }
 };

@@ -12,10 +12,11 @@ namespace trembler {
 class MagneticsFromElectricity final
     : public Interaction<MagneticsFromElectricity, MagneticsRole, Reads<ElectricalState, Electromagnet>> {
 public:
-    static constexpr ComponentText text{.name = "Magnetics <- Electricity",
-                                        .effect = "magnetism",
-                                        .level = "",
-                                        .work = "Keeps every electromagnet enabled whose electrical state is on."};
+    static constexpr ComponentText text{
+        .name = "Magnetics <- Electricity",
+        .effect = "magnetism",
+        .level = "",
+        .work = "Keeps every electromagnet enabled whose electrical state is on."};
     using CalledFor = NeedsAll<Electromagnet>;
     void apply(Access& access) {
         auto const& state = access.read<ElectricalState>();

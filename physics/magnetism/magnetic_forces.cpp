@@ -63,7 +63,8 @@ void MagneticForces::update(Access& access) {
             for (Pole const& pole : poles_) {
                 if (pole.object != self.object) {
                     // A soft object is drawn to either pole: as if of the opposite sign.
-                    double const own = isPole ? self.strength : (pole.strength > 0 ? -self.strength : self.strength);
+                    double const own =
+                        isPole ? self.strength : (pole.strength > 0 ? -self.strength : self.strength);
                     Vec2 const force = poleForce(pole.at - self.at, own, pole.strength);
                     total += force;
                     if (lengthSquared(force) > strongest) {
@@ -84,9 +85,9 @@ void MagneticForces::update(Access& access) {
             forces[i] = {self.object, self.at, total, causeOf(from)};
         }
     });
-    std::stable_sort(forces.begin(), forces.end(), [](MagneticForce::Entry const& a, MagneticForce::Entry const& b) {
-        return a.object < b.object;
-    });
+    std::stable_sort(
+        forces.begin(), forces.end(),
+        [](MagneticForce::Entry const& a, MagneticForce::Entry const& b) { return a.object < b.object; });
 }
 
 } // namespace trembler

@@ -7,27 +7,28 @@
 
 namespace trembler {
 
-/// Every pair of poles: F = µ0/4π · q1 q2 r / (r² + s²)^(3/2) (Gilbert's model, softened), like poles repel. What
-/// is susceptible is attracted by any pole, at its centre, as if it were a pole of that strength and of the
-/// opposite sign; the thesis's simplification of induced magnetism (6.6).
+/// Every pair of poles: F = µ0/4π · q1 q2 r / (r² + s²)^(3/2) (Gilbert's model, softened), like poles repel.
+/// What is susceptible is attracted by any pole, at its centre, as if it were a pole of that strength and of
+/// the opposite sign; the thesis's simplification of induced magnetism (6.6).
 class MagneticForces final
     : public Dps<MagneticForces,
                  Reads<Position, Rotation, MagneticPoles, MagneticStrength, Magnet, MagnetSwitching>,
                  Derives<MagneticForce>> {
 public:
-    static constexpr ComponentText text{.name = "Magnetic Forces",
-                                        .effect = "magnetism",
-                                        .level = "pairwise",
-                                        .work = "For each pair of magnets, calculates the attracting and repelling "
-                                                "forces and exports the accumulated value.",
-                                        .cost = 1};
+    static constexpr ComponentText text{
+        .name = "Magnetic Forces",
+        .effect = "magnetism",
+        .level = "pairwise",
+        .work = "For each pair of magnets, calculates the attracting and repelling "
+                "forces and exports the accumulated value.",
+        .cost = 1};
     using CalledFor = NeedsAll<Magnet, MagneticStrength, Position>;
     void update(Access& access);
 
 private:
     struct Pole {
         ObjectId object;
-        Vec2 at;        ///< m, in the world
+        Vec2 at;         ///< m, in the world
         double strength; ///< A m; north positive
     };
     void gather(Access& access);

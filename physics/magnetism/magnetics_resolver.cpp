@@ -9,9 +9,8 @@ namespace trembler {
 
 void MagneticsResolver::advance(Access& access) {
     std::map<ObjectId, EventId> enabled;
-    access.forCalls<EnableMagnet>([&](EnableMagnet const& call, CallOrigin origin) {
-        enabled.try_emplace(call.object, origin.cause);
-    });
+    access.forCalls<EnableMagnet>(
+        [&](EnableMagnet const& call, CallOrigin origin) { enabled.try_emplace(call.object, origin.cause); });
     cooling_ = false;
     // First find what changes, so that a frame in which nothing does leaves the column's version alone.
     struct Change {

@@ -10,11 +10,12 @@ namespace trembler {
 class MagneticsResolver final : public Resolver<MagneticsResolver, MagneticsRole, Reads<Electromagnet>,
                                                 Writes<Magnet>, Provides<MagnetSwitching>> {
 public:
-    static constexpr ComponentText text{.name = "Magnetics",
-                                        .effect = "magnetism",
-                                        .level = "",
-                                        .work = "Switches electromagnets as requested by the interaction functions: "
-                                                "on at once, off over a few frames of cooling down."};
+    static constexpr ComponentText text{
+        .name = "Magnetics",
+        .effect = "magnetism",
+        .level = "",
+        .work = "Switches electromagnets as requested by the interaction functions: "
+                "on at once, off over a few frames of cooling down."};
     using CalledFor = NeedsAny<Magnet>;
 
     [[nodiscard]] bool restless() const { return cooling_; }

@@ -10,25 +10,31 @@
 
 namespace trembler {
 
-/// Length, in m, that softens every magnetic force: F ~ r / (r² + s²)^(3/2), finite (and zero) at distance zero
-/// and within 1 % of the inverse square from 0.61 m on. About the size of the parts that touch.
+/// Length, in m, that softens every magnetic force: F ~ r / (r² + s²)^(3/2), finite (and zero) at distance
+/// zero and within 1 % of the inverse square from 0.61 m on. About the size of the parts that touch.
 inline constexpr double magneticSoftening = 0.05;
 
 struct MagneticStrength {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Magnetic strength", "magnetic_strength",
-                                       "The magnetic strength of the object and its susceptibility to magnetic "
-                                       "forces."};
+    static constexpr PropertyText text{
+        "Magnetic strength", "magnetic_strength",
+        "The magnetic strength of the object and its susceptibility to magnetic "
+        "forces."};
     double strength = 0;
     double susceptibility = 0;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "strength", .unit = "A m", .meaning = "of each of its poles, as a magnet",
-                        .minimum = 0, .maximum = 1e8},
+        visit(FieldInfo{.key = "strength",
+                        .unit = "A m",
+                        .meaning = "of each of its poles, as a magnet",
+                        .minimum = 0,
+                        .maximum = 1e8},
               self.strength);
-        visit(FieldInfo{.key = "susceptibility", .unit = "A m",
-                        .meaning = "pole strength with which any magnet's pole attracts it", .minimum = 0,
+        visit(FieldInfo{.key = "susceptibility",
+                        .unit = "A m",
+                        .meaning = "pole strength with which any magnet's pole attracts it",
+                        .minimum = 0,
                         .maximum = 1e8},
               self.susceptibility);
     }
@@ -41,18 +47,26 @@ inline constexpr std::array<std::string_view, 4> choiceNames<PoleSet>{"none", "n
 /// Zero poles: something that magnets can move. One: a monopole, cheaper. Two: a conventional magnet.
 struct MagneticPoles {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Magnetic poles", "magnetic_poles", "The location of the magnetic poles."};
+    static constexpr PropertyText text{"Magnetic poles", "magnetic_poles",
+                                       "The location of the magnetic poles."};
     PoleSet poles = PoleSet::none;
     Vec2 north;
     Vec2 south;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "poles", .unit = "", .meaning = "which poles it has", .required = true}, self.poles);
-        visit(FieldInfo{.key = "north", .unit = "m", .meaning = "in the object's frame", .minimum = -1e3,
+        visit(FieldInfo{.key = "poles", .unit = "", .meaning = "which poles it has", .required = true},
+              self.poles);
+        visit(FieldInfo{.key = "north",
+                        .unit = "m",
+                        .meaning = "in the object's frame",
+                        .minimum = -1e3,
                         .maximum = 1e3},
               self.north);
-        visit(FieldInfo{.key = "south", .unit = "m", .meaning = "in the object's frame", .minimum = -1e3,
+        visit(FieldInfo{.key = "south",
+                        .unit = "m",
+                        .meaning = "in the object's frame",
+                        .minimum = -1e3,
                         .maximum = 1e3},
               self.south);
     }
@@ -60,16 +74,20 @@ struct MagneticPoles {
 
 struct Magnet {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Magnet on/off", "magnet",
-                                       "If it is off, the magnet exerts no force. An electromagnet that is switched "
-                                       "off cools down over a few frames."};
+    static constexpr PropertyText text{
+        "Magnet on/off", "magnet",
+        "If it is off, the magnet exerts no force. An electromagnet that is switched "
+        "off cools down over a few frames."};
     bool on = true;
     double level = 1;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "on", .unit = "", .meaning = "whether it is switched on"}, self.on);
-        visit(FieldInfo{.key = "level", .unit = "", .meaning = "share of its strength that acts", .minimum = 0,
+        visit(FieldInfo{.key = "level",
+                        .unit = "",
+                        .meaning = "share of its strength that acts",
+                        .minimum = 0,
                         .maximum = 1},
               self.level);
     }
@@ -83,8 +101,11 @@ struct Electromagnet {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "cool_down", .unit = "frames", .meaning = "until its force is gone once it is off",
-                        .minimum = 1, .maximum = 600},
+        visit(FieldInfo{.key = "cool_down",
+                        .unit = "frames",
+                        .meaning = "until its force is gone once it is off",
+                        .minimum = 1,
+                        .maximum = 600},
               self.coolDown);
     }
 };

@@ -1,21 +1,20 @@
-// The same bits from every compiler and every optimisation level: hashes that are kept in the repository. After
-// a change that is meant to change the simulation: TREMBLER_UPDATE_GOLDEN=1 test_determinism, and say why in the
-// commit.
+// The same bits from every compiler and every optimisation level: hashes that are kept in the repository.
+// After a change that is meant to change the simulation: TREMBLER_UPDATE_GOLDEN=1 test_determinism, and say
+// why in the commit.
+#include "runtime/level/read_level.hpp"
 #include "tests/determinism/level_runs.hpp"
 
-#include "runtime/level/read_level.hpp"
-
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <fstream>
 
-#include <nlohmann/json.hpp>
-
 namespace trembler::determinism {
 namespace {
 
-std::filesystem::path const goldenFile = std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/determinism/golden.json";
+std::filesystem::path const goldenFile =
+    std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/determinism/golden.json";
 
 TEST(Golden, HashesOfEveryLevelAreThoseOnRecord) {
     nlohmann::ordered_json now;

@@ -16,7 +16,9 @@ inline constexpr std::uint64_t every = 60;
 
 /// One workshop for the whole test program.
 [[nodiscard]] Workshop const& workshop();
-/// Hashes at every 60th frame of a level, hands off or with a solution, by "hands off" or the solution's name.
-[[nodiscard]] std::map<std::string, std::vector<std::string>> hashesOf(LevelFile const& level, int threads = 1);
+/// Hashes at every 60th frame of a level, hands off or with a solution, by "hands off" or the solution's
+/// name.
+[[nodiscard]] std::map<std::string, std::vector<std::string>> hashesOf(LevelFile const& level,
+                                                                       int threads = 1);
 
 } // namespace trembler::determinism

@@ -2,11 +2,10 @@
 #include "tests/determinism/level_runs.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdio>
-
-#include <nlohmann/json.hpp>
 
 namespace trembler::determinism {
 namespace {

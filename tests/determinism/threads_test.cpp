@@ -1,6 +1,4 @@
 // Threads never show: the same hash at every 60th frame on 1, 2, 3, 8 and 32 of them.
-#include "tests/determinism/level_runs.hpp"
-
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "physics/electricity/initial_connections.hpp"
@@ -9,10 +7,10 @@
 #include "physics/magnetism/properties.hpp"
 #include "runtime/level/read_level.hpp"
 #include "runtime/placement.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/determinism/level_runs.hpp"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 namespace trembler::determinism {
 namespace {
@@ -42,7 +40,8 @@ std::vector<std::uint64_t> heapHashes(int threads) {
     store.column<Fixed>().set(floor, {});
     for (int i = 0; i < 2500; ++i) {
         ObjectId const id = store.create(fmt::format("thing {:04}", i));
-        store.column<Position>().set(id, {{(i % 250) * 1.1 - 137.0 + 0.01 * (i % 7), 0.5 + 1.05 * (i / 250)}});
+        store.column<Position>().set(id,
+                                     {{(i % 250) * 1.1 - 137.0 + 0.01 * (i % 7), 0.5 + 1.05 * (i / 250)}});
         store.column<Shape>().set(id, {{i % 3 == 0 ? circlePiece(0.4) : boxPiece(0.8, 0.8)}});
         store.column<Mass>().set(id, {1.0 + i % 5});
         store.column<Conductor>().set(id, {});
