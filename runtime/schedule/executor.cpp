@@ -6,15 +6,31 @@
 #include <tbb/task_arena.h>
 
 #include <deque>
+#include <mutex>
 
 namespace trembler {
 
+namespace {
+
+// More threads than cores are allowed on purpose: the determinism tests ask for 32 on two. oneTBB allows the
+// whole process what the most modest of its controls says, so there is only one, which grows with the largest
+// executor.
+void allow(int threads) {
+    static std::mutex mutex;
+    static std::unique_ptr<tbb::global_control> allowance;
+    std::lock_guard const lock(mutex);
+    auto const wanted = static_cast<std::size_t>(threads);
+    constexpr auto parallelism = tbb::global_control::max_allowed_parallelism;
+    if (tbb::global_control::active_value(parallelism) < wanted) {
+        allowance.reset();
+        allowance = std::make_unique<tbb::global_control>(parallelism, wanted);
+    }
+}
+
+} // namespace
+
 struct Executor::Arena {
-    explicit Arena(int threads)
-        : allowance(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
-          arena(threads) {}
-    // More threads than cores are allowed on purpose: the determinism tests ask for 32 on two.
-    tbb::global_control allowance;
+    explicit Arena(int threads) : arena((allow(threads), threads)) {}
     tbb::task_arena arena;
 };
 
