@@ -5,10 +5,12 @@
 #include <rapidcheck.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 namespace trembler {
 namespace {
@@ -133,6 +135,18 @@ TEST(ExecutorThreads, TwoExecutorsOfDifferentSizesGetOnTogether) {
     Executor large(32);
     std::atomic<int> sum{0};
     large.forIndices(100, [&](std::size_t) { small->forIndices(10, [&](std::size_t) { ++sum; }); });
+    // A modest executor does not hold the other one back: three of its tasks can wait for one another.
+    std::atomic<int> here{0};
+    std::atomic<int> met{0};
+    large.forIndices(3, [&](std::size_t) {
+        ++here;
+        auto const deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (here.load() < 3 && std::chrono::steady_clock::now() < deadline) {
+            std::this_thread::yield();
+        }
+        met += here.load() == 3 ? 1 : 0;
+    });
+    EXPECT_EQ(met.load(), 3);
     small.reset();
     large.forIndices(100, [&](std::size_t) { ++sum; });
     EXPECT_EQ(sum.load(), 1100);

@@ -1,0 +1,191 @@
+// The rules that types alone cannot see: refused at start, by name.
+#include "runtime/placement.hpp"
+#include "runtime/population/population_resolver.hpp"
+#include "tests/runtime/world/heat.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler {
+namespace {
+
+using namespace heat;
+
+std::string refusalOf(Registry const& registry) {
+    try {
+        registry.check();
+    } catch (RuleBroken const& error) {
+        return error.what();
+    }
+    return "(accepted)";
+}
+void expectRefusal(Registry const& registry, std::initializer_list<char const*> words) {
+    std::string const why = refusalOf(registry);
+    EXPECT_NE(why, "(accepted)");
+    for (char const* word : words) {
+        EXPECT_NE(why.find(word), std::string::npos) << "'" << word << "' in: " << why;
+    }
+    EXPECT_THROW(World{registry}, RuleBroken) << "no world runs on it";
+}
+
+// A role and a resolver for each number, so that tests can have as many as they like.
+template <int n>
+struct RoleOf {
+    static constexpr std::string_view name = "Role";
+    using Calls = CallList<>;
+};
+template <int n>
+inline constexpr std::string_view letter = n == 0   ? "A"
+                                           : n == 1 ? "B"
+                                                    : "C";
+template <int n, class Writing, class Providing = Provides<>, int role = n>
+struct ResolverOf final
+    : Resolver<ResolverOf<n, Writing, Providing, role>, RoleOf<role>, Reads<>, Writing, Providing> {
+    static constexpr ComponentText text{
+        .name = letter<n>, .effect = "test", .level = letter<n>, .work = "Nothing."};
+    using CalledFor = NeedsAll<>;
+    using Access = typename Resolver<ResolverOf, RoleOf<role>, Reads<>, Writing, Providing>::Access;
+    void advance(Access&) {}
+};
+using WritesHeatA = ResolverOf<0, Writes<Heat>>;
+using WritesHeatB = ResolverOf<1, Writes<Fuel, Heat>>;
+using WritesFuelC = ResolverOf<2, Writes<Fuel>>;
+
+TEST(RegistryRules, TwoWritersOfOnePropertyAreRefusedByName) {
+    Registry registry;
+    registry.component<WritesHeatA>();
+    registry.component<WritesHeatB>();
+    expectRefusal(registry, {"A Resolver", "B Resolver", "both write Heat", "7.1.5"});
+}
+
+TEST(RegistryRules, ADeclaredHandOverAllowsTwoWriters) {
+    Registry registry;
+    registry.component<WritesHeatA>();
+    registry.component<WritesHeatB>();
+    registry.handOver<Heat, WritesHeatB, WritesHeatA>(
+        "what burns is B's, what glows is A's"); // in either order
+    EXPECT_EQ(refusalOf(registry), "(accepted)");
+    // It holds for that property and that pair only.
+    registry.component<WritesFuelC>();
+    expectRefusal(registry, {"B Resolver", "C Resolver", "both write Fuel"});
+}
+
+TEST(RegistryRules, AHandOverOfAnotherPropertyDoesNotHelp) {
+    Registry registry;
+    registry.component<WritesHeatA>();
+    registry.component<WritesHeatB>();
+    registry.handOver<Fuel, WritesHeatA, WritesHeatB>("not what both write");
+    expectRefusal(registry, {"both write Heat"});
+}
+
+TEST(RegistryRules, AlternativesOfOneRoleMayWriteTheSame) {
+    Registry registry;
+    registry.component<Stove>();
+    registry.component<Furnace>();
+    EXPECT_EQ(refusalOf(registry), "(accepted)");
+}
+
+TEST(RegistryRules, ResolversOfOneRoleMustOfferTheSame) {
+    Registry registry;
+    registry.component<ResolverOf<0, Writes<>, Provides<StoveLog>, 7>>();
+    registry.component<ResolverOf<1, Writes<>, Provides<>, 7>>();
+    expectRefusal(registry, {"A Resolver", "B Resolver", "do not offer the same"});
+}
+
+TEST(RegistryRules, TwoResolversOfferingOnePropertyAreRefused) {
+    Registry registry;
+    registry.component<ResolverOf<0, Writes<>, Provides<StoveLog>>>();
+    registry.component<ResolverOf<1, Writes<>, Provides<StoveLog>>>();
+    expectRefusal(registry, {"A Resolver", "B Resolver", "Stove log"});
+}
+
+struct Aura {
+    static constexpr PropertyKind kind = PropertyKind::derived;
+    static constexpr PropertyText text{"Aura", "aura", "What glows around things."};
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+struct GlowAndAura final : Dps<GlowAndAura, Reads<Heat>, Derives<Glow, Aura>> {
+    static constexpr ComponentText text{
+        .name = "Glow and Aura", .effect = "glow", .level = "both", .work = "Both."};
+    using CalledFor = NeedsAny<Heat>;
+    void update(Access&) {}
+};
+
+TEST(RegistryRules, HalfOverlappingAlternativesAreRefused) {
+    Registry registry;
+    registry.component<ExactGlow>();
+    registry.component<GlowAndAura>();
+    expectRefusal(registry, {"Exact Glow DPS", "Glow and Aura DPS", "Glow", "not the same set"});
+}
+
+struct SameTitle final : Dps<SameTitle, Reads<Heat>, Derives<Glow>> {
+    static constexpr ComponentText text{
+        .name = "Exact Glow", .effect = "glow", .level = "again", .work = "Again."};
+    using CalledFor = NeedsAny<Heat>;
+    void update(Access&) {}
+};
+
+TEST(RegistryRules, TwoComponentsOfOneTitleAreRefused) {
+    Registry registry;
+    registry.component<ExactGlow>();
+    registry.component<SameTitle>();
+    expectRefusal(registry, {"two components are called Exact Glow DPS"});
+    Registry twice;
+    twice.component<Stove>();
+    twice.component<Stove>();
+    expectRefusal(twice, {"two components are called Stove Resolver"});
+}
+
+struct OtherHeat {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Other heat", "heat", "Another property with the key of Heat."};
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+TEST(RegistryRules, TwoPropertiesOfOneKeyAreRefused) {
+    Registry registry;
+    registry.component<ExactGlow>();
+    registry.property<OtherHeat>();
+    expectRefusal(registry, {"Heat", "Other heat", "'heat'"});
+}
+
+struct SecondPopulation final : Resolver<SecondPopulation, RoleOf<9>, Reads<>, Writes<>> {
+    static constexpr ComponentText text{
+        .name = "Second Population", .effect = "test", .level = "", .work = "All."};
+    static constexpr bool writesEverything = true;
+    using CalledFor = NeedsAll<>;
+    void advance(Access&) {}
+};
+
+TEST(RegistryRules, OnlyOneResolverWritesEverything) {
+    Registry registry;
+    registerRuntime(registry);
+    registry.component<SecondPopulation>();
+    expectRefusal(registry, {"Population Resolver", "Second Population Resolver", "both write everything"});
+}
+
+TEST(Registry, KnowsEveryObjectPropertyOfItsComponentsByKey) {
+    Registry registry;
+    registry.component<Stove>();
+    registry.component<HeatFromFuel>();
+    registry.property<Position>();
+    std::vector<PropertyInfo const*> const known = registry.objectProperties();
+    EXPECT_EQ(known, (std::vector<PropertyInfo const*>{&propertyInfo<Position>(), &propertyInfo<Fuel>(),
+                                                       &propertyInfo<Heat>()})); // at, fuel, heat
+    EXPECT_EQ(registry.objectProperty("fuel"), &propertyInfo<Fuel>());
+    EXPECT_EQ(registry.objectProperty("stove_log"), nullptr) << "a resolver property belongs to no object";
+    EXPECT_EQ(registry.objectProperty("hea"), nullptr);
+}
+
+TEST(Registry, TakesPeriodsAndSuitabilityFromTheComponent) {
+    Registry registry;
+    registry.component<RoughGlow>();
+    registry.component<ExactGlow>();
+    EXPECT_NE(registry.components()[0].suits, nullptr);
+    EXPECT_EQ(registry.components()[1].suits, nullptr);
+    EXPECT_EQ(registry.components()[1].period, 1);
+}
+
+} // namespace
+} // namespace trembler
