@@ -3,6 +3,7 @@
 #include "runtime/level/migrations.hpp"
 #include "runtime/level/placing.hpp"
 #include "runtime/level/property_reader.hpp"
+#include "runtime/level/read_area.hpp"
 #include "runtime/level/read_solutions.hpp"
 #include "runtime/level/suggestion.hpp"
 
@@ -14,8 +15,6 @@
 
 namespace trembler {
 namespace {
-
-constexpr double farthest = 1e6; // m, like Position
 
 class LevelReader {
 public:
@@ -59,7 +58,9 @@ public:
         if (auto const placing = reader.optional("placing"); placing && placing->isArray("a list of areas")) {
             level_.placing.emplace();
             for (std::size_t i = 0; i < placing->size(); ++i) {
-                readArea(placing->element(i));
+                if (auto area = readArea(placing->element(i))) {
+                    level_.placing->push_back(std::move(*area));
+                }
             }
         }
         if (auto const toolbox = reader.optional("toolbox"); toolbox && toolbox->isArray("a list of parts")) {
@@ -137,43 +138,6 @@ private:
                 level_.detail[effect] = known->second[*index];
             }
         }
-    }
-
-    static std::optional<Box> readBox(JsonNode const& node) {
-        if (!node.value().is_array() || node.size() != 4) {
-            node.complainOfType(
-                "a list [x, y, width, height] of four numbers, in m, (x, y) the lower left corner");
-            return std::nullopt;
-        }
-        auto const x = node.element(0).number(-farthest, farthest);
-        auto const y = node.element(1).number(-farthest, farthest);
-        auto const width = node.element(2).number(1e-3, 2 * farthest);
-        auto const height = node.element(3).number(1e-3, 2 * farthest);
-        return x && y && width && height ? std::optional(Box{{*x, *y}, {*width, *height}}) : std::nullopt;
-    }
-
-    void readArea(JsonNode const& node) {
-        constexpr std::string_view expected =
-            "a box [x, y, width, height] or a polygon [[x, y], [x, y], [x, y], ...], in m";
-        if (!node.value().is_array() || node.size() < 3 ||
-            (!node.value()[0].is_array() && node.size() != 4)) {
-            node.complainOfType(std::string(expected));
-            return;
-        }
-        Area area;
-        if (!node.value()[0].is_array()) {
-            area.box = readBox(node);
-            if (!area.box) {
-                return;
-            }
-        } else {
-            for (std::size_t i = 0; i < node.size(); ++i) {
-                if (auto const corner = node.element(i).vector(-farthest, farthest)) {
-                    area.corners.push_back(*corner);
-                }
-            }
-        }
-        level_.placing->push_back(std::move(area));
     }
 
     /// Remembers a name; complains if it is taken.

@@ -1,0 +1,77 @@
+// A condition at work on a world: the objects it speaks of, and what it remembers from frame to frame.
+#pragma once
+
+#include "game/goals/condition.hpp"
+#include "runtime/world/world.hpp"
+
+#include <map>
+#include <span>
+#include <vector>
+
+namespace trembler {
+
+/// Turns selectors into objects of a world and complains about what cannot be.
+class ObjectFinder {
+public:
+    ObjectFinder(LevelFile const& level, World const& world, Problems& problems);
+    /// All objects that the selector names, ascending; `it` stands for "it".
+    [[nodiscard]] std::vector<ObjectId> find(Selector const& selector, ObjectId it) const;
+    /// Complains if an object that is named outright does not have the property; `why` says what it lacks it
+    /// for.
+    void mustHave(Selector const& selector, PropertyInfo const& property, std::string_view why) const;
+    [[nodiscard]] World const& world() const { return world_; }
+
+private:
+    LevelFile const& level_;
+    World const& world_;
+    Problems& problems_;
+    std::map<std::string, std::vector<ObjectId>> byPart_;
+};
+
+class ConditionState {
+public:
+    /// `condition` must outlive it.
+    ConditionState(Condition const& condition, ObjectFinder const& finder, ObjectId it);
+
+    void update(World const& world);
+    [[nodiscard]] bool met() const { return met_; }
+    /// 0 to 1: how much of it is done.
+    [[nodiscard]] double progress() const { return met_ ? 1 : progress_; }
+    /// Of a sequence.
+    [[nodiscard]] std::size_t stepsDone() const { return steps_; }
+    [[nodiscard]] std::span<ConditionState const> children() const { return children_; }
+
+    /// Adds the events that make it true, or false if `truth` is false.
+    void collectCauses(World const& world, bool truth, std::vector<EventId>& events) const;
+    void collectObjects(std::vector<ObjectId>& objects) const;
+    /// Forgets how long it has been held.
+    void restart();
+
+private:
+    [[nodiscard]] bool holds(World const& world);
+    [[nodiscard]] bool inside(World const& world);
+    [[nodiscard]] bool touching(World const& world);
+    [[nodiscard]] bool moved(World const& world);
+    [[nodiscard]] bool counted();
+    void advanceSequence(World const& world);
+    [[nodiscard]] double wayOf(World const& world, std::size_t subject) const;
+    void collectContacts(World const& world, bool truth, std::vector<EventId>& events) const;
+
+    Condition const* condition_;
+    std::vector<ObjectId> subjects_;
+    std::vector<ObjectId> objects_;
+    std::vector<Vec2> starts_; // m, of the subjects (moved)
+    std::vector<ConditionState> children_;
+
+    bool met_ = false;
+    bool base_ = false; // whether it holds, leaving aside for how long
+    double progress_ = 0;
+    int needed_ = 1; // frames that it must hold
+    int held_ = 0;   // frames that it has held
+    std::size_t steps_ = 0;
+    bool blocked_ = false;            // sequence: the next step already held when its turn came
+    std::vector<EventId> stepCauses_; // sequence: of the steps that are done
+    EventId ended_;                   // touching: when the last contact ended
+};
+
+} // namespace trembler

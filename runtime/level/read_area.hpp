@@ -1,0 +1,14 @@
+// Reading areas of the plane: a level's bounds, where placing is allowed, where something has to get to.
+#pragma once
+
+#include "runtime/level/json_node.hpp"
+#include "runtime/level/level.hpp"
+
+namespace trembler {
+
+/// [x, y, width, height] in m, (x, y) the lower left corner.
+[[nodiscard]] std::optional<Box> readBox(JsonNode const& node);
+/// A box, or a polygon [[x, y], ...] of at least three corners.
+[[nodiscard]] std::optional<Area> readArea(JsonNode const& node);
+
+} // namespace trembler
