@@ -168,12 +168,15 @@ void Box2dEngine::keepAwake(SlotIndex slot, int change) {
 void Box2dEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
     wake(slot);
     b2Body& body = *bodies_[slot].body;
-    float const limit = static_cast<float>(maximumSpeed * scale_) * body.GetMass();
-    b2Vec2 push = toEngine(impulse);
-    if (push.Length() > limit) {
-        push *= limit / push.Length();
+    double const limit = maximumSpeed * static_cast<double>(body.GetMass());
+    double const size = std::hypot(impulse.x, impulse.y);
+    if (size > limit) {
+        impulse *= limit / size;
     }
-    body.ApplyLinearImpulse(push, toEngine(point), true);
+    // Far from the body's centre only its turning counts, and that is limited below.
+    double const reach = maximumDistance;
+    point = {std::clamp(point.x, -reach, reach), std::clamp(point.y, -reach, reach)};
+    body.ApplyLinearImpulse(toEngine(impulse), toEngine(point), true);
     float const spin = static_cast<float>(maximumSpeed);
     body.SetAngularVelocity(b2Clamp(body.GetAngularVelocity(), -spin, spin));
 }
@@ -190,6 +193,7 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
         entry.force = {};
     }
     float const h = static_cast<float>(duration / settings.substeps);
+    substep_ = h;
     for (int substep = 0; substep < settings.substeps; ++substep) {
         world_.Step(h, settings.velocityIterations, settings.positionIterations);
         bool const last = substep + 1 == settings.substeps;
@@ -255,6 +259,22 @@ void Box2dEngine::BeginContact(b2Contact* contact) {
 
 void Box2dEngine::EndContact(b2Contact* contact) {
     noteTouch(contact, -1);
+}
+
+float Box2dEngine::speedGain(b2Body const* body) const {
+    SlotIndex const slot = slotOf(body);
+    float const mass = body->GetMass();
+    return slot == noSlot || !(mass > 0) ? 0 : bodies_[slot].force.Length() * substep_ / mass;
+}
+
+// What a strong pull presses on something gains, in every substep, a speed that looks like an impact; bouncing
+// that back would go on for ever. Only speed that the pull cannot explain bounces.
+void Box2dEngine::PreSolve(b2Contact* contact, b2Manifold const*) {
+    if (contact->GetRestitution() > 0) {
+        float const explained =
+            2 * (speedGain(contact->GetFixtureA()->GetBody()) + speedGain(contact->GetFixtureB()->GetBody()));
+        contact->SetRestitutionThreshold(std::max(b2FixtureDef().restitutionThreshold, explained));
+    }
 }
 
 void Box2dEngine::noteTouch(b2Contact* contact, int delta) {

@@ -50,6 +50,7 @@ private:
 
     void BeginContact(b2Contact* contact) override;
     void EndContact(b2Contact* contact) override;
+    void PreSolve(b2Contact* contact, b2Manifold const* before) override;
     void noteTouch(b2Contact* contact, int delta);
     /// Wakes the body and all that it rests on or is tied to, as Box2D itself does within its step, but with
     /// their loads, which Box2D drops when a body falls asleep.
@@ -58,6 +59,8 @@ private:
     void keepAwake(SlotIndex slot, int change);
     void noteMoved();
     [[nodiscard]] bool drifts(BodyEntry const& entry) const;
+    /// The speed that its load gives a body within one substep, in engine units.
+    [[nodiscard]] float speedGain(b2Body const* body) const;
     [[nodiscard]] b2Vec2 toEngine(Vec2 v) const {
         return {static_cast<float>(v.x * scale_), static_cast<float>(v.y * scale_)};
     }
@@ -73,6 +76,7 @@ private:
     std::vector<BodyEntry> bodies_;
     std::vector<JointEntry> joints_;
     std::vector<std::uint8_t> awake_; // by slot: awake, and its load is with Box2D
+    float substep_ = 0; // s
     bool anyAwake_ = false;
     bool disturbed_ = false; // Box2D may have woken bodies that awake_ does not know of
     std::vector<MovedBody> moved_;
