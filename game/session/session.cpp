@@ -1,6 +1,7 @@
 #include "game/session/session.hpp"
 
 #include "game/session/fit.hpp"
+#include "runtime/level/build_world.hpp"
 
 #include <fmt/format.h>
 
@@ -91,6 +92,7 @@ Verdict Session::check(Placement const& placement, std::optional<int> ignoring) 
 }
 
 bool Session::change(Placed next) {
+    script_.clear(); // a solution that was loaded is not the player's any more
     history_.change(std::move(next));
     try {
         rebuild();
@@ -209,6 +211,21 @@ void Session::feedRecorded() {
                 feed(*known);
             }
         }
+    }
+}
+
+void Session::noteGoals() {
+    if (world_->tracer() == nullptr) {
+        return;
+    }
+    for (std::size_t const goal : judge_->newlyMet()) {
+        std::vector<ObjectId> const objects = judge_->objects(goal);
+        std::vector<EventId> const causes = judge_->causes(*world_, goal);
+        world_->note("Goals", "goal met: " + judge_->status()[goal].id, objects, causes);
+    }
+    if (judge_->solvedFrame() == world_->frame()) {
+        std::vector<EventId> const causes = judge_->causes(*world_);
+        world_->note("Goals", "solved", {}, causes);
     }
 }
 
