@@ -112,6 +112,32 @@ TEST(ElectricityLifecycle, ConnectionsGoWithTheirObjects) {
     EXPECT_FALSE(circuit.isOn(bridge));
 }
 
+TEST(ElectricityLifecycle, WhoPlaysAnotherPartInTheNetworksSwitchesOthers) {
+    CircuitWorld circuit;
+    circuit.source("S", "mains");
+    circuit.returning("T", "mains");
+    circuit.wire({{"S", "lamp", "T"}});
+    circuit.start();
+    circuit.world().step();
+    ASSERT_EQ(circuit.on(), (Names{"S", "T", "lamp"}));
+    circuit.store().column<Conductor>().set(circuit["lamp"], {"battery"});
+    circuit.world().step();
+    EXPECT_EQ(circuit.on(), Names{});
+    circuit.store().column<Conductor>().set(circuit["lamp"], {"mains"});
+    circuit.world().step();
+    EXPECT_EQ(circuit.on(), (Names{"S", "T", "lamp"}));
+    circuit.store().column<ElectricalReturn>().set(circuit["T"], {"battery"});
+    circuit.world().step();
+    EXPECT_EQ(circuit.on(), Names{});
+    circuit.store().column<ElectricalReturn>().set(circuit["T"], {"mains"});
+    circuit.store().column<ElectricalSource>().remove(circuit["S"]);
+    circuit.world().step();
+    EXPECT_EQ(circuit.on(), Names{});
+    circuit.store().column<ElectricalSource>().set(circuit["lamp"], {"mains"});
+    circuit.world().step();
+    EXPECT_EQ(circuit.on(), (Names{"T", "lamp"}));
+}
+
 TEST(ElectricityLifecycle, AWireStraightFromSourceToReturnAndOneThatIsBoth) {
     CircuitWorld circuit;
     circuit.source("S");
