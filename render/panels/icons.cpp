@@ -116,8 +116,60 @@ void bin(Pen const& pen) {
     pen.line(0, -0.18F, 0, 0.48F);
 }
 
+/// An arrow that curves back; `side` is -1 for undo and 1 for redo.
+void curvedArrow(Pen const& pen, float side) {
+    float const from = side < 0 ? -0.5F * pi : 0.5F * pi;
+    pen.arc(0.12F * -side, 0.12F, 0.52F, from, from + pi);
+    pen.line(side * 0.30F, -0.40F, side * -0.12F, -0.40F);
+    pen.line(side * -0.12F, 0.64F, side * 0.62F, 0.64F);
+    pen.triangle(side * 0.86F, -0.40F, side * 0.26F, -0.86F, side * 0.26F, 0.06F);
+}
+
+void scissors(Pen const& pen) {
+    pen.line(-0.52F, -0.80F, 0.36F, 0.42F);
+    pen.line(0.52F, -0.80F, -0.36F, 0.42F);
+    pen.circle(-0.46F, 0.62F, 0.26F);
+    pen.circle(0.46F, 0.62F, 0.26F);
+}
+
+/// Two bodies that touch, and the mark where they do.
+void contact(Pen const& pen) {
+    pen.circle(-0.44F, 0.26F, 0.42F);
+    pen.circle(0.44F, 0.26F, 0.42F);
+    pen.line(0, -0.34F, 0, -0.80F);
+    pen.line(-0.34F, -0.30F, -0.56F, -0.66F);
+    pen.line(0.34F, -0.30F, 0.56F, -0.66F);
+}
+
+void gauge(Pen const& pen) {
+    pen.arc(0, 0.30F, 0.82F, pi, 2 * pi);
+    pen.line(0, 0.30F, 0.40F, -0.16F);
+    pen.line(-0.82F, 0.62F, 0.82F, 0.62F);
+}
+
+void corners(Pen const& pen) {
+    for (float const x : std::array{-1.F, 1.F}) {
+        for (float const y : std::array{-1.F, 1.F}) {
+            pen.line(x * 0.78F, y * 0.78F, x * 0.34F, y * 0.78F);
+            pen.line(x * 0.78F, y * 0.78F, x * 0.78F, y * 0.34F);
+        }
+    }
+    pen.dot(0, 0, 0.2F);
+}
+
+void lines(Pen const& pen) {
+    for (float const y : std::array{-0.56F, 0.F, 0.56F}) {
+        pen.dot(-0.70F, y, 0.15F);
+        pen.line(-0.34F, y, 0.76F, y);
+    }
+}
+
 void drawTransport(Pen const& pen, Icon icon) {
     switch (icon) {
+    case Icon::FastForward:
+        pen.triangle(-0.90F, -0.68F, -0.90F, 0.68F, 0.02F, 0);
+        pen.triangle(0.02F, -0.68F, 0.02F, 0.68F, 0.94F, 0);
+        break;
     case Icon::Play:
         pen.triangle(-0.56F, -0.82F, -0.56F, 0.82F, 0.86F, 0);
         break;
@@ -207,6 +259,20 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colo
         return eye(pen);
     case Icon::Magnet:
         return magnet(pen);
+    case Icon::Undo:
+        return curvedArrow(pen, -1);
+    case Icon::Redo:
+        return curvedArrow(pen, 1);
+    case Icon::List:
+        return lines(pen);
+    case Icon::Scissors:
+        return scissors(pen);
+    case Icon::Contact:
+        return contact(pen);
+    case Icon::Gauge:
+        return gauge(pen);
+    case Icon::Fit:
+        return corners(pen);
     default:
         drawTransport(pen, icon);
         drawSign(pen, icon);

@@ -32,6 +32,14 @@ enum class Icon : std::uint8_t {
     Eye,
     Magnet,
     Bolt,
+    FastForward,
+    Undo,
+    Redo,
+    List,
+    Scissors,
+    Contact,
+    Gauge,
+    Fit,
 };
 
 /// Draws the icon within a square of `size` pixels around `centre`.

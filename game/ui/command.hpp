@@ -1,0 +1,37 @@
+// What a player can ask for, whether by key or by button.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace trembler::ui {
+
+enum class Command : std::uint8_t {
+    runOrStop,
+    pauseOrGo,
+    step,
+    fastForward, ///< a switch
+    undo,
+    redo,
+    allBack, ///< asks once
+    electricity,
+    magnetism,
+    contacts,
+    names,
+    components,
+    cut,
+    record,
+    picture,
+    fit,
+    hint,
+    inspect,
+    menu,
+    levels,
+    help,
+    fullscreen,
+    nextLevel,
+    watchAgain,
+    keepPlaying,
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,63 @@
+// Where the cards of a picture lie: the mouse asks it, and tests see that nothing lies on anything else.
+#pragma once
+
+#include "render/draw/geometry.hpp"
+#include "render/panels/cards.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler::ui {
+
+/// A rectangle of the window, pixels from the top left.
+struct Rect {
+    render::Point low;
+    render::Point high;
+
+    [[nodiscard]] bool contains(render::Point p) const {
+        return p.x >= low.x && p.x < high.x && p.y >= low.y && p.y < high.y;
+    }
+    [[nodiscard]] bool overlaps(Rect const& other) const {
+        return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+    }
+    [[nodiscard]] render::Point middle() const { return 0.5 * (low + high); }
+};
+
+/// Something on the screen that has a name: a card, or a button on one.
+struct Placed {
+    std::string name;
+    Rect rect;
+    double overflow = 0; ///< pixels by which a card's content is wider or higher than the card
+};
+
+/// Cards and buttons of the last complete picture and of the one that is being made. Window thread only.
+class Layout {
+public:
+    void beginFrame();
+    /// render::beginCard, remembering where it lies.
+    void beginCard(char const* name, char const* title, render::CardOptions const& options = {});
+    void endCard();
+    /// Remembers the ImGui item that was made last.
+    void item(std::string name);
+
+    /// Of the last complete picture.
+    [[nodiscard]] std::vector<Placed> const& cards() const { return cards_; }
+    [[nodiscard]] std::vector<Placed> const& items() const { return items_; }
+    [[nodiscard]] std::optional<Rect> card(std::string_view name) const { return find(cards_, name); }
+    [[nodiscard]] std::optional<Rect> item(std::string_view name) const { return find(items_, name); }
+    /// The card under a point, "" if there is none.
+    [[nodiscard]] std::string_view cardAt(render::Point point) const;
+
+private:
+    static std::optional<Rect> find(std::vector<Placed> const& all, std::string_view name);
+
+    std::string open_;
+    std::vector<Placed> cards_;
+    std::vector<Placed> items_;
+    std::vector<Placed> nextCards_;
+    std::vector<Placed> nextItems_;
+};
+
+} // namespace trembler::ui

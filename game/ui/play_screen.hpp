@@ -1,0 +1,113 @@
+// A level on the screen: building, running, looking on.
+#pragma once
+
+#include "game/session/session.hpp"
+#include "game/ui/camera_control.hpp"
+#include "game/ui/command.hpp"
+#include "game/ui/components_panel.hpp"
+#include "game/ui/desk.hpp"
+#include "game/ui/frame_clock.hpp"
+#include "game/ui/hand_tool.hpp"
+#include "game/ui/inspector.hpp"
+#include "game/ui/placing_tool.hpp"
+#include "game/ui/play_cards.hpp"
+#include "game/ui/replay.hpp"
+#include "render/scene/scene_view.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace trembler::ui {
+
+/// What the screen cannot do by itself.
+enum class PlayWish : std::uint8_t { none, menu, levels, help, nextLevel, fullscreen };
+
+/// Window thread only; the desk must outlive it.
+class PlayScreen {
+public:
+    /// Throws InputError if the level cannot be read or built.
+    PlayScreen(Desk& desk, std::filesystem::path file, WorldOptions const& options);
+
+    /// One picture's worth of the player's doing and of the world's time: between Gui::beginFrame and draw().
+    PlayWish update(double seconds);
+    /// As long as the menu is open: nothing moves.
+    void updateBehindMenu();
+    /// The world, into the window: after Window::beginFrame, before Gui::endFrame.
+    void draw();
+    /// A picture is complete: films and single pictures are taken here, before Window::present.
+    void takePictures();
+
+    /// Everything as it was when the level was opened: parts in the toolbox, the world at rest.
+    void restart();
+    void carryOut(Command command);
+
+    [[nodiscard]] Session const& session() const { return session_; }
+    [[nodiscard]] Session& session() { return session_; }
+    [[nodiscard]] std::filesystem::path const& file() const { return file_; }
+    [[nodiscard]] PlayState const& state() const { return state_; }
+    [[nodiscard]] PlacingTool const& placing() const { return placing_; }
+    [[nodiscard]] HandTool const& hand() const { return hand_; }
+    [[nodiscard]] Inspector const& inspector() const { return inspector_; }
+    [[nodiscard]] ComponentsPanel const& components() const { return components_; }
+    [[nodiscard]] render::Camera const& camera() const { return view_.camera(); }
+    /// Middle of the handle that turns the selected part, m.
+    [[nodiscard]] std::optional<Vec2> handle() const;
+
+private:
+    [[nodiscard]] bool building() const { return session_.mode() == SessionMode::building; }
+    void drawCards();
+    void readKeys();
+    void readControlKeys();
+    void readBuildingKeys();
+    [[nodiscard]] Pointer readPointer();
+    void lookAround(Pointer const& pointer);
+    void useTools(Pointer const& pointer, double seconds);
+    void useHand(Pointer const& pointer, double seconds);
+    void usePlacing(Pointer const& pointer);
+    void runOrStop();
+    void stop();
+    void stepOnce();
+    void advance(double seconds);
+    void watchAgain();
+    void askAllBack();
+    void toggleRecording();
+    void noteSuccess();
+    void inspect(ObjectId object);
+    void worldChanged();
+    [[nodiscard]] Margins margins() const;
+    [[nodiscard]] render::Extent subject() const;
+    [[nodiscard]] render::Overlays overlays() const;
+    void drawSelection() const;
+    void drawGhost() const;
+    void drawLabels() const;
+    void drawBlades() const;
+    /// How far the display is between the last two frames.
+    [[nodiscard]] double alpha() const;
+
+    Desk& desk_;
+    std::filesystem::path file_;
+    Session session_;
+    PlacingTool placing_;
+    HandTool hand_;
+    Inspector inspector_;
+    ComponentsPanel components_;
+    CameraControl view_;
+    FrameClock clock_;
+    Replay replay_;
+    render::SceneView scene_;
+    PlayState state_;
+    PlayWish wish_ = PlayWish::none;
+    Pointer pointer_;
+    ObjectId hovered_;
+    render::Point pressedAt_;
+    render::Point rightPressedAt_;
+    bool rightOnPaper_ = false;
+    bool leftOnPaper_ = false;
+    bool counted_ = false;    // this run's success has been told
+    bool stepped_ = false;    // the world moved on in this picture
+    bool wantPicture_ = false;
+    bool takenNow_ = false;   // a part left the toolbox in this picture
+    double askedFor_ = 0;     // s
+};
+
+} // namespace trembler::ui

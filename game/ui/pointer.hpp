@@ -1,0 +1,32 @@
+// The mouse as the tools see it: in pixels and in metres, and whether a card lies under it.
+#pragma once
+
+#include "render/draw/geometry.hpp"
+#include "runtime/math/vec2.hpp"
+
+namespace trembler::ui {
+
+/// How far, in pixels at UI scale 1, a pressed mouse may stray before a click becomes a drag.
+inline constexpr double dragThreshold = 5;
+
+struct Pointer {
+    render::Point screen; ///< pixels
+    Vec2 world;           ///< m
+    double pixel = 0.01;  ///< m that a pixel at UI scale 1 is
+    double uiScale = 1;
+    bool overCard = false;    ///< some panel lies under it
+    bool overToolbox = false; ///< and it is the toolbox
+    bool pressed = false;     ///< left button, in this picture
+    bool released = false;
+    bool held = false;
+    bool twice = false;    ///< pressed for a double click
+    bool rightClicked = false; ///< pressed and released without a drag
+    double wheel = 0;      ///< notches
+    bool fine = false;     ///< Shift: small steps
+    bool free = false;     ///< Ctrl or Alt: no grid
+
+    /// Pixels at UI scale 1 between here and another place on the screen.
+    [[nodiscard]] double strayed(render::Point from) const { return render::length(screen - from) / uiScale; }
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,44 @@
+// What the program remembers of a player from one day to the next: settings, and which levels are solved.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace trembler::ui {
+
+struct Settings {
+    float uiScale = 1.F; ///< the player's own factor, 0.5 to 3
+    bool shadows = true;
+    bool fullscreen = false;
+    bool names = false; ///< names of objects in the world
+};
+
+/// Written at once whenever it changes. A file that cannot be read or written is no reason to stop playing: the
+/// profile is then simply empty, or not kept.
+class Profile {
+public:
+    /// `file` empty: nothing is read or written (tests).
+    explicit Profile(std::filesystem::path file = {});
+
+    [[nodiscard]] Settings const& settings() const { return settings_; }
+    void setSettings(Settings const& settings);
+    [[nodiscard]] bool solved(std::string const& levelId) const { return solved_.count(levelId) != 0; }
+    /// True if it was not marked before.
+    bool markSolved(std::string const& levelId);
+    [[nodiscard]] bool stated() const { return stated_; } ///< there was a file: these are the player's own settings
+
+    /// $XDG_DATA_HOME/trembler/profile.json, or below ~/.local/share; empty if there is no home.
+    [[nodiscard]] static std::filesystem::path usualFile();
+
+private:
+    void read();
+    void write() const;
+
+    std::filesystem::path file_;
+    Settings settings_;
+    std::set<std::string> solved_;
+    bool stated_ = false;
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,71 @@
+#include "game/ui/screenshot.hpp"
+
+#include "game/session/solution_file.hpp"
+#include "game/ui/camera_control.hpp"
+#include "game/ui/play_cards.hpp"
+#include "game/ui/scene_words.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/gui.hpp"
+#include "runtime/level/read_level.hpp"
+
+#include <algorithm>
+
+namespace trembler::ui {
+
+using namespace render;
+
+Image pictureOf(Window& window, Workshop const&, Session const& session, PictureOptions const& options) {
+    Gui gui(window, {.steady = true});
+    InputEvents const input(window); // nobody is there
+    Canvas canvas;
+    Layout layout;
+    World const& world = session.world();
+    auto const scale = static_cast<double>(window.uiScale());
+    bool const goals = options.card && !session.level().title.empty();
+    CameraControl view;
+    Extent const subject = sceneFocus(world);
+    view.setSubject(subject.empty() ? subject : subject.widened(0.05 * length(subject.half())));
+    double const left = goals ? scale * (goalCardWidth + 2 * static_cast<double>(cardGap)) : scale * cardGap;
+    double const rest = scale * static_cast<double>(cardGap);
+    view.setView(window.size(), {left, rest, rest, rest});
+    Image image;
+    SceneView const scene;
+    PlayState state;
+    // ImGui knows the size of a card only after it has laid it out once.
+    for (int pass = 0; pass < 3; ++pass) {
+        gui.beginFrame(input, 1.0 / 60);
+        layout.beginFrame();
+        if (goals) {
+            drawGoalCard(layout, session, state);
+        }
+        window.beginFrame(palette::paper);
+        canvas.begin(view.camera(), {.uiScale = window.uiScale(), .time = world.time(), .shadows = options.shadows});
+        canvas.paper();
+        scene.draw(canvas, world, {.time = world.time(), .overlays = options.overlays});
+        canvas.end();
+        drawSceneWords(view.camera(), world, scene, 1, options.names);
+        gui.endFrame();
+        image = window.readPixels();
+        window.present();
+    }
+    return image;
+}
+
+void screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
+    Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, options.level), options.world);
+    if (!options.solution.empty()) {
+        session.load(findOrLoadSolution(workshop.registry, session.level(), options.solution));
+    } else if (options.firstSolution && !session.level().solutions.empty()) {
+        session.load(session.level().solutions.front());
+    }
+    for (std::uint64_t done = 0; done < options.frame; ++done) {
+        session.step();
+        if (options.progress) {
+            options.progress(done + 1);
+        }
+    }
+    Window window({.size = options.size, .mode = WindowMode::Offscreen});
+    writePng(pictureOf(window, workshop, session, options.picture), options.file);
+}
+
+} // namespace trembler::ui

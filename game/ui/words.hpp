@@ -1,0 +1,175 @@
+// Everything that the window says, in one place and in British English.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace trembler::ui::words {
+
+// The program.
+inline constexpr char const* programName = "Trembler";
+inline constexpr char const* tagline = "Switches, magnets, currents and weights. Nothing here follows a script: "
+                                       "whatever works, works because it would.";
+inline constexpr char const* firstSteps = "First steps";
+inline constexpr char const* looseLevels = "Levels";
+inline constexpr char const* noLevels = "There are no levels in this folder:";
+inline constexpr char const* quit = "Quit";
+inline constexpr char const* levels = "Levels";
+inline constexpr char const* settings = "Settings";
+inline constexpr char const* back = "Back";
+inline constexpr char const* cannotPlay = "This level cannot be played:";
+
+// Running.
+inline constexpr char const* run = "Run";
+inline constexpr char const* stop = "Stop";
+inline constexpr char const* runTip = "Let the world run (Space)";
+inline constexpr char const* stopTip = "Stop and put everything back as it was placed (Space)";
+inline constexpr char const* pauseTip = "Pause (P)";
+inline constexpr char const* resumeTip = "Go on (P)";
+inline constexpr char const* stepTip = "One frame, a sixtieth of a second (F)";
+inline constexpr char const* fastTip = "Four times as fast (hold Tab)";
+inline constexpr char const* undoTip = "Undo (Ctrl+Z)";
+inline constexpr char const* redoTip = "Redo (Ctrl+Shift+Z)";
+inline constexpr char const* allBackTip = "Put all parts back into the toolbox (Backspace)";
+inline constexpr char const* allBackAsk = "Put all back?";
+inline constexpr char const* allBackAgain = "Once more, and all parts go back into the toolbox. Undo brings them back.";
+inline constexpr char const* allBackDone = "All parts are back in the toolbox";
+
+// Tools.
+inline constexpr char const* electricityTip = "Show the electricity graph (1)";
+inline constexpr char const* magnetismTip = "Show magnetic forces and field lines (2)";
+inline constexpr char const* contactsTip = "Show contacts (3)";
+inline constexpr char const* namesTip = "Show names (N)";
+inline constexpr char const* componentsTip = "Components of the simulation (C)";
+inline constexpr char const* cutTip = "Cut a wire (X)";
+inline constexpr char const* recordTip = "Record frames as pictures (R)";
+inline constexpr char const* recordStopTip = "End the recording (R)";
+inline constexpr char const* pictureTip = "Take a picture (F12)";
+inline constexpr char const* fitTip = "Show everything (Home)";
+inline constexpr char const* menuTip = "Menu (Esc)";
+inline constexpr char const* levelsTip = "Levels (L)";
+inline constexpr char const* helpTip = "Keys (F1)";
+inline constexpr char const* closeTip = "Close";
+
+// Toolbox and placing.
+inline constexpr char const* toolbox = "Toolbox";
+inline constexpr char const* toolboxHint = "Drag a part into the world. Wheel or Q and E turn it.";
+inline constexpr char const* dropHere = "Let go here to put it back";
+inline constexpr char const* nothingInToolbox = "This level has no toolbox: run it and see.";
+inline constexpr char const* placeHere = "parts may go here";
+
+// Goal, hints, success.
+inline constexpr char const* goal = "Goal";
+inline constexpr char const* noGoal = "There is nothing to reach here. Try things out.";
+inline constexpr char const* hint = "Hint";
+inline constexpr char const* nextHint = "Another hint";
+inline constexpr char const* hintTip = "Show a hint (H)";
+inline constexpr char const* noHints = "There is no hint for this level.";
+inline constexpr char const* solved = "It works!";
+inline constexpr char const* nextLevel = "Next level";
+inline constexpr char const* watchAgain = "Watch again";
+inline constexpr char const* keepPlaying = "Keep playing";
+inline constexpr char const* lastLevel = "That was the last level.";
+
+// Menu and settings.
+inline constexpr char const* paused = "Paused";
+inline constexpr char const* resume = "Resume";
+inline constexpr char const* restart = "Start the level again";
+inline constexpr char const* levelList = "Choose a level";
+inline constexpr char const* toTitle = "Title screen";
+inline constexpr char const* uiSize = "Size of letters and buttons";
+inline constexpr char const* shadows = "Soft shadows";
+inline constexpr char const* shadowsTip = "Look better, cost time on a computer without a graphics card";
+inline constexpr char const* fullscreen = "Fill the whole screen (F11)";
+inline constexpr char const* keys = "Keys";
+
+// Inspector.
+inline constexpr char const* rightNow = "Right now";
+inline constexpr char const* inHand = "in your hand";
+inline constexpr char const* inHandMeaning = "whether you hold it";
+inline constexpr char const* speed = "speed";
+inline constexpr char const* speedMeaning = "of its centre of mass";
+inline constexpr char const* electricity = "electricity";
+inline constexpr char const* electricityOn = "on";
+inline constexpr char const* electricityOff = "off";
+inline constexpr char const* electricityMeaning = "whether it is part of a working circuit";
+inline constexpr char const* connectedTo = "connected to";
+inline constexpr char const* connectedMeaning = "by wires and contacts that conduct";
+inline constexpr char const* touches = "touches";
+inline constexpr char const* touchesMeaning = "whom it touches at this moment";
+inline constexpr char const* weight = "weight";
+inline constexpr char const* weightMeaning = "the force of gravity on it";
+inline constexpr char const* magneticPull = "magnetic force";
+inline constexpr char const* magneticMeaning = "the sum of all magnetic forces on it";
+inline constexpr char const* objectIsGone = "It is not in the world at the moment.";
+inline constexpr char const* yes = "yes";
+inline constexpr char const* no = "no";
+inline constexpr char const* nothingStated = "–";
+
+// Components.
+inline constexpr char const* components = "Components";
+inline constexpr char const* component = "component";
+inline constexpr char const* state = "state";
+inline constexpr char const* period = "every";
+inline constexpr char const* periodTip = "Runs in every nth frame. Drag to change, double-click to type.";
+inline constexpr char const* timePerFrame = "time, µs";
+inline constexpr char const* active = "active";
+inline constexpr char const* asleep = "asleep";
+inline constexpr char const* absent = "absent";
+inline constexpr char const* resolvers = "Resolvers";
+inline constexpr char const* derivedSets = "Derived property sets";
+inline constexpr char const* interactions = "Interactions";
+inline constexpr char const* showAbsent = "Also show what this scene does not call for";
+inline constexpr char const* automatic = "as the scene needs it";
+
+/// A key and what it does.
+struct KeyHelp {
+    char const* keys;
+    char const* does;
+};
+inline constexpr KeyHelp keyHelp[] = {
+    {"Space", "run and stop"},
+    {"P", "pause"},
+    {"F", "one frame"},
+    {"Tab", "hold: four times as fast"},
+    {"wheel, Q, E", "turn the part in hand (Shift: 1°)"},
+    {"arrows", "move the selected part (Shift: finer)"},
+    {"Ctrl, Alt", "hold: place without the grid"},
+    {"Delete", "put the part back"},
+    {"right click", "put a part back, let go"},
+    {"Ctrl+Z, Ctrl+Y", "undo, redo"},
+    {"Backspace", "put all parts back"},
+    {"wheel", "zoom; drag the paper to move it"},
+    {"Home", "show everything"},
+    {"I", "inspect the selected part"},
+    {"1, 2, 3, N", "electricity, magnetism, contacts, names"},
+    {"X", "cut a wire"},
+    {"H", "hint"},
+    {"C or F3", "components"},
+    {"R", "record frames"},
+    {"F12, Ctrl+S", "take a picture"},
+    {"L, Esc", "levels, menu"},
+};
+
+[[nodiscard]] std::string cannotWrite(std::string const& path, std::string const& why);
+[[nodiscard]] std::string pictureTaken(std::string const& path);
+[[nodiscard]] std::string recordingTo(std::string const& folder);
+[[nodiscard]] std::string recorded(int frames, std::string const& folder);
+[[nodiscard]] std::string andMore(std::size_t count);
+[[nodiscard]] std::string automaticNow(std::string const& level);
+[[nodiscard]] std::string hintOf(std::size_t shown, std::size_t total);
+[[nodiscard]] std::string solvedWith(double seconds, int parts);
+[[nodiscard]] std::string count(int number, char const* one, char const* many);
+[[nodiscard]] std::string wireCut(std::string const& a, std::string const& b);
+[[nodiscard]] std::string cutThis(std::string const& a, std::string const& b);
+[[nodiscard]] std::string seconds(double time);
+/// An arrow for the nearest of eight directions; `angle` in rad, anticlockwise from the right.
+[[nodiscard]] std::string direction(double angle);
+/// The first letter large.
+[[nodiscard]] std::string capital(std::string text);
+/// Broken into lines of at most `width` characters at spaces.
+[[nodiscard]] std::string wrapped(std::string const& text, std::size_t width);
+
+} // namespace trembler::ui::words
