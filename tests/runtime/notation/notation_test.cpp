@@ -1,0 +1,130 @@
+// The notation against the thesis's own boxes (6.13): what is printed is what the types declare.
+#include "runtime/notation/notation.hpp"
+#include "tests/runtime/schedule/apportionment.hpp"
+#include "tests/runtime/world/heat.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace trembler {
+namespace {
+
+struct Kit {
+    Registry registry;
+    Kit() { apportionment::registerApportionment(registry); }
+    [[nodiscard]] Registration const& named(std::string_view wanted) const {
+        return *std::find_if(registry.components().begin(), registry.components().end(),
+                             [&](Registration const& r) { return title(*r.info) == wanted; });
+    }
+    [[nodiscard]] std::string box(std::string_view wanted) const {
+        return notationBox(registry, named(wanted));
+    }
+};
+
+// What a box says under a label, with line breaks undone.
+std::string under(std::string const& box, std::string const& label) {
+    std::istringstream lines(box);
+    std::string text;
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind(label + ":", 0) == 0) {
+            inside = true;
+            line.erase(0, label.size() + 1);
+        } else if (inside && line[0] != ' ') {
+            break;
+        }
+        if (inside) {
+            std::size_t const start = line.find_first_not_of(' ');
+            text += (text.empty() ? "" : " ") + (start == std::string::npos ? "" : line.substr(start));
+        }
+    }
+    return text;
+}
+
+TEST(Notation, PrintsTheDynamicsResolverAsTheThesisDoes) {
+    std::string const box = Kit().box("Dynamics Resolver");
+    EXPECT_EQ(under(box, "Properties read"),
+              "{Position, Velocity, Angular Velocity, Rotation, Shape, Mass, Liquid}");
+    EXPECT_EQ(under(box, "Properties written"), "{Position, Velocity, Angular Velocity, Rotation}");
+    EXPECT_EQ(under(box, "Resolver properties"), "{C_C, C_N, C_P}");
+    EXPECT_NE(under(box, "Work on advance()").find("both collision detection and rigid body simulation"),
+              std::string::npos);
+    EXPECT_NE(box.find("addForceToPoint(object, point, force) - Adds the specified force to the object"),
+              std::string::npos)
+        << box;
+    EXPECT_NE(box.find("[sum, held]"), std::string::npos) << "every call states its algebra";
+}
+
+TEST(Notation, PrintsEmptySetsDerivedPropertiesAndCalls) {
+    Kit const kit;
+    EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Properties read"), "∅");
+    EXPECT_EQ(under(kit.box("Linear Gravity DPS"), "Derived properties"), "{F_G}");
+    EXPECT_EQ(under(kit.box("Real Gravity DPS"), "Derived properties"), "{F_G}")
+        << "exactly the same set (6.13.3)";
+    EXPECT_EQ(under(kit.box("Real Gravity DPS"), "Properties read"), "{Position, Mass}");
+    EXPECT_EQ(under(kit.box("Real Gravity DPS"), "Detail level"), "gravity = real");
+    std::string const box = kit.box("(Dynamics <- Gravity) Interaction");
+    EXPECT_EQ(under(box, "Properties read"), "{Position, F_G}");
+    EXPECT_EQ(under(box, "Calls"), "Dynamics Resolver");
+    EXPECT_EQ(under(kit.box("Buoyancy Resolver"), "Called for by"), "objects with all of {Liquid}");
+    EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Called for by"), "objects with any of {Magnetic poles}");
+}
+
+TEST(Notation, LinesStayWithinTheBox) {
+    std::istringstream lines(notationText(Kit().registry));
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 130U) << line; // bytes; the few symbols are longer in UTF-8
+    }
+}
+
+TEST(Notation, PrintsTheSchedule) {
+    std::string const text = notationText(Kit().registry);
+    EXPECT_NE(text.find("Electricity Resolver beside Magnetics Resolver"), std::string::npos);
+    EXPECT_NE(text.find("Dynamics Resolver beside Electricity Resolver"), std::string::npos);
+    EXPECT_NE(
+        text.find("Dynamics Resolver before Buoyancy Resolver: Position is written, then read, Rotation is "
+                  "written, then read"),
+        std::string::npos)
+        << text.substr(text.find("Schedule of a frame"));
+    EXPECT_NE(text.find("all derived property sets beside one another"), std::string::npos);
+    EXPECT_NE(text.find("all interactions beside one another"), std::string::npos);
+}
+
+TEST(Notation, PrintsMarkdownWithABoxForEveryComponent) {
+    Kit const kit;
+    std::string const text = notationMarkdown(kit.registry);
+    for (Registration const& r : kit.registry.components()) {
+        EXPECT_NE(text.find("### " + title(*r.info) + "\n"), std::string::npos);
+    }
+    EXPECT_NE(text.find("## Schedule of a frame"), std::string::npos);
+}
+
+TEST(Notation, PrintsJsonThatSaysTheSame) {
+    Kit const kit;
+    nlohmann::json const all = nlohmann::json::parse(notationJson(kit.registry).dump());
+    ASSERT_EQ(all["components"].size(), kit.registry.components().size());
+    nlohmann::json const& dynamics = all["components"][0];
+    EXPECT_EQ(dynamics["title"], "Dynamics Resolver");
+    EXPECT_EQ(dynamics["kind"], "resolver");
+    EXPECT_EQ(dynamics["writes"], (nlohmann::json{"Position", "Velocity", "Angular Velocity", "Rotation"}));
+    EXPECT_EQ(dynamics["calls"][0]["name"], "addForceToPoint");
+    EXPECT_EQ(dynamics["calls"][0]["algebra"], "sum, held");
+    ASSERT_EQ(all["schedule"]["edges"].size(), 1U);
+    EXPECT_EQ(all["schedule"]["edges"][0]["before"], "Dynamics Resolver");
+    EXPECT_EQ(all["schedule"]["edges"][0]["after"], "Buoyancy Resolver");
+    EXPECT_EQ(all["schedule"]["beside"].size(), 5U); // of six pairs of resolvers
+}
+
+TEST(Notation, LeavesAlternativesOutOfTheSchedule) {
+    Registry registry;
+    registry.component<heat::Stove>();
+    registry.component<heat::Furnace>();
+    EXPECT_EQ(notationText(registry).find("Stove Resolver before"), std::string::npos);
+    EXPECT_EQ(notationText(registry).find("Stove Resolver beside"), std::string::npos);
+}
+
+} // namespace
+} // namespace trembler
