@@ -35,9 +35,9 @@ Style styleOf(Substance substance) {
     case Substance::rubber:
         return {.material = Material::Rubber};
     case Substance::stone:
-        return {.material = Material::Stone, .tint = concrete, .grain = 0.45};
+        return {.material = Material::Stone, .tint = concrete, .grain = 0.32};
     case Substance::brick:
-        return {.material = Material::Stone, .tint = brick, .grain = 0.3};
+        return {.material = Material::Stone, .tint = brick, .grain = 0.1};
     case Substance::plastic:
         return {.material = Material::Plastic};
     case Substance::water:

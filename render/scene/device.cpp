@@ -1,6 +1,7 @@
 #include "render/scene/device.hpp"
 
 #include "render/scene/body.hpp"
+#include "render/scene/compound.hpp"
 #include "render/scene/magnet.hpp"
 #include "render/scene/shape_geometry.hpp"
 #include "render/scene/signs.hpp"
@@ -9,32 +10,31 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace trembler::render {
 namespace {
 
-bool isBulb(Facts const& facts) {
-    return facts.device && facts.substance == Substance::glass && facts.shape != nullptr;
-}
+constexpr Colour brass = rgb(0xC9A860);
 
 bool hasPoles(Facts const& facts) {
     return facts.poles != nullptr && facts.poles->poles != PoleSet::none;
 }
 
-void drawFilament(Canvas& canvas, Facts const& facts, Pose const& pose) {
-    double const size = innerSize(facts);
-    Point const middle = extentOf(*facts.shape, {}).centre();
-    std::vector<Point> path{{-0.45, -0.95}, {-0.3, -0.05}};
+void drawFilament(Canvas& canvas, ShapePiece const& glass, Pose const& pose, bool on) {
+    Extent const own = extentOf(glass, {});
+    double const size = std::min(own.half().x, own.half().y);
+    std::vector<Point> path{{-0.3, -0.9}, {-0.38, 0.1}};
     for (int i = 0; i < 6; ++i) {
-        path.push_back({-0.25 + 0.1 * i, i % 2 == 0 ? 0.16 : -0.06});
+        path.push_back({-0.3 + 0.12 * i, i % 2 == 0 ? 0.3 : 0.02});
     }
-    path.push_back({0.3, -0.05});
-    path.push_back({0.45, -0.95});
+    path.push_back({0.38, 0.1});
+    path.push_back({0.3, -0.9});
     for (Point& point : path) {
-        point = toWorld(pose, middle + size * point);
+        point = toWorld(pose, own.centre() + size * point);
     }
-    Stroke wire{.colour = facts.on ? palette::liveCore : palette::ink, .width = 0.07 * size, .pixels = 1.5F};
-    if (facts.on) {
+    Stroke wire{.colour = on ? palette::liveCore : palette::ink, .width = 0.07 * size, .pixels = 1.5F};
+    if (on) {
         wire.glow = {palette::live, 0.6 * size, 0.9F};
     }
     canvas.polyline(path, wire);
@@ -43,13 +43,16 @@ void drawFilament(Canvas& canvas, Facts const& facts, Pose const& pose) {
 // Screws at the ends of long pieces and in the middle of others: fixed metal is bolted down.
 void drawBolts(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style) {
     for (ShapePiece const& piece : facts.shape->pieces) {
+        if (piece.form != ShapeForm::box || std::min(piece.width, piece.height) < 0.1) {
+            continue; // there is no room, or it is no plate
+        }
         ShapePiece upright = piece;
         upright.at = {};
         upright.angle = 0;
         Extent const own = extentOf(upright, {});
         Point const half = own.half();
         double const small = std::min(half.x, half.y);
-        double const radius = std::clamp(0.3 * small, 0.0, 0.04);
+        double const radius = std::min(0.3 * small, 0.04);
         double const away = std::max(half.x, half.y) - 1.0 * std::max(small, 2.2 * radius);
         bool const two = away > 1.5 * small;
         Pose const inWorld{toWorld(pose, toPoint(piece.at)), pose.angle + piece.angle};
@@ -91,7 +94,9 @@ void drawBadges(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
     } else if (facts.source) {
         badge(Sign::plus, {});
     } else if (facts.earth) {
-        badge(Sign::earth, {});
+        // One pole of a battery says so; anything else that takes the current back is earth.
+        std::string_view const label = facts.look != nullptr ? facts.look->label : std::string_view{};
+        badge(label == "-" || label == "\u2212" ? Sign::minus : Sign::earth, {});
     } else if (facts.device && facts.coil == nullptr && !isBulb(facts)) {
         badge(Sign::flash, {});
     } else if (!body && facts.conductor) {
@@ -100,6 +105,34 @@ void drawBadges(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
 }
 
 } // namespace
+
+bool isBulb(Facts const& facts) {
+    return facts.device && facts.substance == Substance::glass && facts.shape != nullptr &&
+           !facts.shape->pieces.empty();
+}
+
+void drawBulb(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style) {
+    ShapePiece const& glass = largestPiece(*facts.shape);
+    Shape socket;
+    for (ShapePiece const& piece : facts.shape->pieces) {
+        if (&piece != &glass) {
+            socket.pieces.push_back(piece);
+        }
+    }
+    Style metal = style;
+    metal.material = Material::Metal;
+    metal.tint = brass;
+    metal.glow = {};
+    if (!socket.pieces.empty()) {
+        drawShape(canvas, socket, pose, metal);
+    }
+    Style bulb = style;
+    if (facts.on) {
+        bulb.tint = Colour{palette::liveCore.red, palette::liveCore.green, palette::liveCore.blue, 215};
+    }
+    drawShape(canvas, Shape{{glass}}, pose, bulb);
+    drawFilament(canvas, glass, pose, facts.on);
+}
 
 Glow deviceGlow(Facts const& facts) {
     double const size = innerSize(facts);
@@ -122,8 +155,6 @@ void drawDevice(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
         drawWinding(canvas, facts, pose, style);
     } else if (body && hasPoles(facts)) {
         drawMagnet(canvas, facts, pose, style);
-    } else if (body && isBulb(facts)) {
-        drawFilament(canvas, facts, pose);
     }
     bool const badge =
         facts.source || facts.earth || (facts.device && facts.coil == nullptr && !isBulb(facts));

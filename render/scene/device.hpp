@@ -10,6 +10,11 @@ namespace trembler::render {
 /// The light around an object that is at work (a device with current, a magnet that pulls); none otherwise.
 [[nodiscard]] Glow deviceGlow(Facts const& facts);
 
+/// A user of electricity that is made of glass.
+[[nodiscard]] bool isBulb(Facts const& facts);
+/// Its largest piece as glass with a filament, the others as its metal socket. In place of the plain shape.
+void drawBulb(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style);
+
 /// Draws over the object's shape. Of `style` it takes how the object stands to the player (ghost and so on).
 void drawDevice(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style);
 

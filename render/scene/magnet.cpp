@@ -10,13 +10,20 @@
 namespace trembler::render {
 namespace {
 
-void paint(Canvas& canvas, Shape const& shape, Pose const& pose, Style style, Point at, Point normal) {
+// The shape's pieces on one side of a line, as pieces.
+Shape halfOf(Shape const& shape, Point at, Point normal) {
+    Shape half;
     for (ShapePiece const& piece : shape.pieces) {
-        std::vector<Point> const half = clipHalf(outlineOf(piece), at, normal);
-        if (half.size() >= 3) {
-            canvas.polygon(pose, half, style);
+        ShapePiece part;
+        part.form = ShapeForm::polygon;
+        for (Point const corner : clipHalf(outlineOf(piece), at, normal)) {
+            part.corners.push_back({corner.x, corner.y});
+        }
+        if (part.corners.size() >= 3) {
+            half.pieces.push_back(std::move(part));
         }
     }
+    return half;
 }
 
 bool has(PoleSet set, PoleSet which) {
@@ -24,14 +31,18 @@ bool has(PoleSet set, PoleSet which) {
 }
 
 void drawPoleLetters(Canvas& canvas, Facts const& facts, Pose const& pose, Colour colour, float alpha) {
-    Point const middle = centroidOf(*facts.shape);
-    double const size = 0.62 * innerSize(facts);
     auto const letter = [&](Sign sign, Point pole) {
-        // A pole that sits on the edge has its letter further in, and letters stay upright.
-        Point const from = pole - middle;
+        // In the piece that has the pole; not on its very edge. Letters stay upright.
+        ShapePiece const& piece = *std::min_element(facts.shape->pieces.begin(), facts.shape->pieces.end(),
+                                                    [&](ShapePiece const& a, ShapePiece const& b) {
+                                                        return distanceTo(a, pole) < distanceTo(b, pole);
+                                                    });
+        Extent const own = extentOf(piece, {});
+        double const size = 0.62 * std::min(own.half().x, own.half().y);
+        Point const from = pole - own.centre();
         double const reach = length(from);
         double const inner = std::max(0.0, reach - 1.1 * size);
-        Point const at = reach > 0 ? middle + (inner / reach) * from : middle;
+        Point const at = reach > 0 ? own.centre() + (inner / reach) * from : own.centre();
         drawSign(canvas, sign, {toWorld(pose, at), 0}, size, colour, alpha);
     };
     if (has(facts.poles->poles, PoleSet::north)) {
@@ -56,9 +67,9 @@ void drawMagnet(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
     if (facts.poles->poles == PoleSet::both && length(axis) > 0) {
         Point const middle = 0.5 * (north + south);
         enamel.tint = palette::northPole;
-        paint(canvas, *facts.shape, pose, enamel, middle, axis);
+        drawShape(canvas, halfOf(*facts.shape, middle, axis), pose, enamel);
         enamel.tint = palette::southPole;
-        paint(canvas, *facts.shape, pose, enamel, middle, -1.0 * axis);
+        drawShape(canvas, halfOf(*facts.shape, middle, -1.0 * axis), pose, enamel);
     } else {
         enamel.tint = facts.poles->poles == PoleSet::south ? palette::southPole : palette::northPole;
         drawShape(canvas, *facts.shape, pose, enamel);

@@ -27,6 +27,9 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
             canvas.newSheet(); // what moves throws its shadow on what does not
             moving = true;
         }
+        if (facts.id == options.hidden && options.hidden.valid()) {
+            continue;
+        }
         drawObject(canvas, facts, place(facts),
                    {.selected = facts.id == options.selected, .hovered = facts.id == options.hovered});
     }

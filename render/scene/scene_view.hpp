@@ -25,6 +25,7 @@ struct SceneOptions {
     double alpha = 1;    ///< share of the way from the frame before to the present one (SceneView only)
     ObjectId selected{}; ///< invalid: none
     ObjectId hovered{};  ///< invalid: none
+    ObjectId hidden{};   ///< its body is left out; invalid: none
     Overlays overlays{};
     std::span<Area const> placing{};     ///< where parts may be placed
     std::span<GoalRegion const> goals{}; ///< that a goal asks about

@@ -1,6 +1,6 @@
 #include "render/scene/winding.hpp"
 
-#include "render/scene/shape_geometry.hpp"
+#include "render/scene/compound.hpp"
 #include "render/scene/signs.hpp"
 
 #include <algorithm>
@@ -11,11 +11,6 @@ namespace {
 
 constexpr Colour flangeColour = rgb(0x4A4348);
 constexpr Colour brass = rgb(0xD8B25A);
-
-ShapePiece const& carrierOf(Shape const& shape) {
-    return *std::max_element(shape.pieces.begin(), shape.pieces.end(),
-                             [](ShapePiece const& a, ShapePiece const& b) { return areaOf(a) < areaOf(b); });
-}
 
 Point axisOf(Facts const& facts, ShapePiece const& piece) {
     Point axis;
@@ -50,7 +45,7 @@ Point axisOf(Facts const& facts, ShapePiece const& piece) {
 } // namespace
 
 Winding windingOf(Facts const& facts) {
-    ShapePiece const& piece = carrierOf(*facts.shape);
+    ShapePiece const& piece = largestPiece(*facts.shape);
     std::vector<Point> const outline = outlineOf(piece);
     Winding winding;
     winding.axis = axisOf(facts, piece);
@@ -65,10 +60,12 @@ Winding windingOf(Facts const& facts) {
         side = std::max(side, std::abs(dot(corner - middle, across)));
     }
     double const span = last - first;
-    winding.from = middle + (first + 0.16 * span) * winding.axis;
-    winding.to = middle + (last - 0.16 * span) * winding.axis;
+    // The core looks out by enough to fasten wires to, and to show the pole, also where it is short.
+    double const end = std::clamp(0.1, 0.16 * span, 0.22 * span);
+    winding.from = middle + (first + end) * winding.axis;
+    winding.to = middle + (last - end) * winding.axis;
     winding.halfWidth = side;
-    Point const back = middle + (first + 0.08 * span) * winding.axis;
+    Point const back = middle + (first + 0.5 * end) * winding.axis;
     winding.terminals = {back + 0.62 * side * across, back - 0.62 * side * across};
     return winding;
 }
@@ -81,8 +78,6 @@ void drawFace(Canvas& canvas, Facts const& facts, Pose const& pose, Style const&
     if (facts.poles == nullptr || facts.poles->poles == PoleSet::none || !(level > 0)) {
         return;
     }
-    double const reach =
-        0.19 * length(winding.to - winding.from); // from the winding to the core's end, and less
     auto const face = [&](Sign sign, Point end, Point outwards) {
         Style paint = style;
         paint.material = Material::Plastic;
@@ -92,8 +87,12 @@ void drawFace(Canvas& canvas, Facts const& facts, Pose const& pose, Style const&
         paint.selected = false;
         paint.glow = {};
         canvas.polygon(pose, clipHalf(outline, end, outwards), paint);
-        Point const at = end + 0.62 * reach * outwards;
-        drawSign(canvas, sign, {toWorld(pose, at), 0}, 0.5 * reach, palette::paperLight, level);
+        double reach = 0; // from the winding to the core's end
+        for (Point const corner : outline) {
+            reach = std::max(reach, dot(corner - end, outwards));
+        }
+        Point const at = end + 0.58 * reach * outwards;
+        drawSign(canvas, sign, {toWorld(pose, at), 0}, 0.45 * reach, palette::paperLight, level);
     };
     bool const north = facts.poles->poles != PoleSet::south;
     face(north ? Sign::north : Sign::south, winding.to, winding.axis);
@@ -105,7 +104,7 @@ void drawFace(Canvas& canvas, Facts const& facts, Pose const& pose, Style const&
 } // namespace
 
 void drawWinding(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style) {
-    ShapePiece const& piece = carrierOf(*facts.shape);
+    ShapePiece const& piece = largestPiece(*facts.shape);
     std::vector<Point> const outline = outlineOf(piece);
     Winding const winding = windingOf(facts);
     Point const across{-winding.axis.y, winding.axis.x};

@@ -1,6 +1,7 @@
 #include "render/scene/wires.hpp"
 
 #include "render/draw/path.hpp"
+#include "render/scene/body.hpp"
 #include "render/scene/device.hpp"
 #include "render/scene/shape_geometry.hpp"
 
@@ -61,7 +62,7 @@ void drawEnd(Canvas& canvas, Facts const& facts, Point at, bool live) {
     if (facts.shape == nullptr || facts.coil != nullptr) {
         return; // signs need none, windings have their own
     }
-    canvas.circle({at, 0}, 0.85 * cableWidth,
+    canvas.circle({at, 0}, std::min(0.85 * cableWidth, 0.45 * innerSize(facts)),
                   {.material = Material::Copper,
                    .tint = live ? mix(palette::copper, palette::live, 0.5F) : palette::copper,
                    .outline = 1.2F,

@@ -1,5 +1,6 @@
 // Pictures for people of what is in the tree: every part, and every level before and after it was run.
 #include "physics/dynamics/joint.hpp"
+#include "physics/gravity/properties.hpp"
 #include "render/scene/body.hpp"
 #include "render/scene/scene_view.hpp"
 #include "runtime/level/build_world.hpp"
@@ -16,25 +17,157 @@ TEST(SceneGallery, everyPart) {
     Size const size{1280, 720};
     Camera camera;
     camera.viewport = size;
-    camera.fit({-0.2, -4.7}, {9.2, 0.6}, 0);
+    camera.fit({0, -5.4}, {9.6, 0}, 0);
     std::size_t drawn = 0;
     Image const sheet = picture(
         size, palette::paper,
         [&](Canvas& canvas) {
             canvas.paper();
+            Point corner{0.3, -0.3}; // of the next part, upper left
+            double row = 0;          // m, height of the highest part in the row
             for (PartDefinition const* part : library.all()) {
                 Prototype const prototype = part->prototype();
-                Point const at{0.6 + 1.15 * static_cast<double>(drawn % 8),
-                               -1.25 * static_cast<double>(drawn / 8)};
                 Extent const own = extentOf(prototype, {});
                 ASSERT_FALSE(own.empty()) << part->name;
-                drawObject(canvas, factsOf(prototype), {at - own.centre(), 0});
+                Point const half = own.half();
+                if (corner.x + 2 * half.x > 9.3) {
+                    corner = {0.3, corner.y - row - 0.35};
+                    row = 0;
+                }
+                drawObject(canvas, factsOf(prototype), {corner + Point{half.x, -half.y} - own.centre(), 0});
+                corner.x += 2 * half.x + 0.35;
+                row = std::max(row, 2 * half.y);
                 ++drawn;
             }
         },
         {}, camera);
     writePng(sheet, pictureFolder() / "scene-parts.png");
     EXPECT_EQ(drawn, library.all().size());
+}
+
+// A world with one of each kind of joint, after a second in which gravity has pulled at it.
+TEST(SceneGallery, everyJoint) {
+    World world(everything());
+    Store& store = world.store();
+    store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
+    int count = 0;
+    auto const named = [&](char const* kind) { return kind + std::to_string(count++); };
+    auto const joint = [&](Joint const& value) {
+        store.column<Joint>().set(store.create(named("joint ")), value);
+    };
+    auto const moving = [&](std::vector<ShapePiece> pieces, Vec2 at, trembler::Material material) {
+        ObjectId const id = body(world, named("body "), std::move(pieces), at);
+        store.column<Look>().set(id, {material, "", ""});
+        return id;
+    };
+    using M = trembler::Material;
+    ObjectId const floor = body(world, "floor", {boxPiece(12, 0.4)}, {0, -2.9});
+    ObjectId const ceiling = body(world, "ceiling", {boxPiece(12, 0.3)}, {0, 2.9});
+    store.column<Fixed>().set(floor, {});
+    store.column<Fixed>().set(ceiling, {});
+    store.column<Look>().set(floor, {M::stone, "", ""});
+    store.column<Look>().set(ceiling, {M::wood, "", ""});
+    ObjectId const pendulum = moving({boxPiece(1.2, 0.14)}, {-4.6, 1.6}, M::wood);
+    joint({.form = JointForm::hinge, .a = pendulum, .at = {-5.1, 1.6}});
+    ObjectId const hung = moving({circlePiece(0.22)}, {-3.3, 0.6}, M::iron);
+    joint({.form = JointForm::rope,
+           .a = hung,
+           .b = ceiling,
+           .at = {-3.3, 0.8},
+           .atB = {-3.0, 2.75},
+           .length = 2.4});
+    ObjectId const slack = moving({boxPiece(0.5, 0.3)}, {-2.0, -2.54}, M::wood);
+    joint({.form = JointForm::rope,
+           .a = slack,
+           .b = floor,
+           .at = {-1.8, -2.45},
+           .atB = {-0.6, -2.7},
+           .length = 1.9});
+    ObjectId const bob = moving({boxPiece(0.4, 0.4)}, {-1.6, 1.0}, M::steel);
+    joint({.form = JointForm::spring,
+           .a = bob,
+           .b = ceiling,
+           .at = {-1.6, 1.2},
+           .atB = {-1.6, 2.75},
+           .stiffness = 900,
+           .dampingRate = 10});
+    ObjectId const left = moving({boxPiece(0.35, 0.35)}, {-0.3, 0.4}, M::stone);
+    ObjectId const right = moving({boxPiece(0.3, 0.3)}, {1.3, 0.4}, M::stone);
+    joint({.form = JointForm::pulley,
+           .a = left,
+           .b = right,
+           .at = {-0.3, 0.55},
+           .atB = {1.3, 0.55},
+           .groundA = {-0.18, 2.2},
+           .groundB = {1.18, 2.2}});
+    ObjectId const carriage = moving({boxPiece(0.5, 0.24)}, {2.6, 2.0}, M::plastic);
+    joint({.form = JointForm::slider,
+           .a = carriage,
+           .at = {2.6, 2.0},
+           .axis = {1, -0.3},
+           .limited = true,
+           .lower = -0.3,
+           .upper = 0.9});
+    ObjectId const rodEnd = moving({circlePiece(0.2)}, {4.8, 1.2}, M::copper);
+    joint({.form = JointForm::distance, .a = rodEnd, .b = ceiling, .at = {4.8, 1.2}, .atB = {4.2, 2.75}});
+    ObjectId const gearA = moving({circlePiece(0.5)}, {1.6, -1.4}, M::gold);
+    ObjectId const gearB = moving({circlePiece(0.25)}, {2.36, -1.4}, M::gold);
+    ObjectId const pinA = store.create("pin a");
+    ObjectId const pinB = store.create("pin b");
+    store.column<Joint>().set(pinA, {.form = JointForm::hinge,
+                                     .a = gearA,
+                                     .at = {1.6, -1.4},
+                                     .motor = true,
+                                     .motorSpeed = 2,
+                                     .motorStrength = 100});
+    store.column<Joint>().set(pinB, {.form = JointForm::hinge, .a = gearB, .at = {2.36, -1.4}});
+    joint({.form = JointForm::gear, .a = gearA, .b = gearB, .ratio = 0.5, .jointA = pinA, .jointB = pinB});
+    ObjectId const cart = moving({boxPiece(1.1, 0.2)}, {4.2, -2.1}, M::wood);
+    for (double const x : {3.8, 4.6}) {
+        ObjectId const wheel = moving({circlePiece(0.2)}, {x, -2.45}, M::rubber);
+        joint({.form = JointForm::wheel,
+               .a = wheel,
+               .b = cart,
+               .at = {x, -2.45},
+               .axis = {0, 1},
+               .stiffness = 4000,
+               .dampingRate = 60});
+    }
+    ObjectId const welded = moving({boxPiece(0.2, 0.5)}, {4.2, -1.75}, M::steel);
+    joint({.form = JointForm::weld, .a = welded, .b = cart, .at = {4.2, -2.0}});
+    world.start();
+    SceneView view;
+    for (int frame = 0; frame < 45; ++frame) {
+        view.remember(world);
+        world.step();
+        if (frame == 30) {
+            world.feed({.kind = PlayerInput::Kind::grab, .object = slack, .other = {}, .at = {-2.1, -2.4}});
+            world.feed({.kind = PlayerInput::Kind::move, .object = {}, .other = {}, .at = {-3.2, -1.6}});
+        }
+    }
+    Camera camera;
+    camera.viewport = {1280, 720};
+    camera.fit({-5.6, -3.1}, {5.6, 3.1}, 0);
+    GoalRegion const goal{{Box{{-5.3, -2.6}, {1.3, 1.5}}, {}}, false};
+    writePng(picture(
+                 camera.viewport, palette::paper,
+                 [&](Canvas& canvas) {
+                     canvas.paper();
+                     view.draw(canvas, world,
+                               {.selected = bob,
+                                .hovered = hung,
+                                .overlays = {.contacts = true, .motion = true},
+                                .goals = {&goal, 1}});
+                     PartLibrary const library = loadParts(everything(), root / "assets" / "parts");
+                     drawGhost(canvas, library.find("spanner")->prototype(), {{-0.3, -1.2}, 0.3}, true);
+                     drawGhost(canvas, library.find("spanner")->prototype(), {{-0.3, -1.8}, 0.3}, false);
+                     drawGhost(canvas, library.find("electromagnet")->prototype(), {{3.4, 0.2}, 0}, true);
+                     drawGhost(canvas, library.find("lamp")->prototype(), {{4.4, 0.2}, 0}, true);
+                     drawGhost(canvas, library.find("horseshoe magnet")->prototype(), {{2.2, 0.2}, 0}, true);
+                 },
+                 {}, camera),
+             pictureFolder() / "scene-joints.png");
+    EXPECT_GT(length(world.find<Position>(hung)->value - Vec2{-3.3, 0.6}), 0.01); // it did run
 }
 
 void drawLevel(std::filesystem::path const& file) {
@@ -71,8 +204,8 @@ void drawLevel(std::filesystem::path const& file) {
 
 TEST(SceneGallery, everyLevel) {
     for (auto const& entry : std::filesystem::recursive_directory_iterator(root / "levels")) {
-        if (entry.path().extension() == ".json" && entry.path().filename().string().find("schema") ==
-                                                       std::string::npos) {
+        if (entry.path().extension() == ".json" &&
+            entry.path().filename().string().find("schema") == std::string::npos) {
             SCOPED_TRACE(entry.path().string());
             EXPECT_NO_THROW(drawLevel(entry.path()));
         }
