@@ -1,0 +1,177 @@
+// What an interaction function costs (5.4): a million calls recorded through the interaction's own interface
+// in a running world, tracing off, and drained by a resolver, on one thread and on two. Limit: 3 ns for
+// recording a call.
+//
+// What is measured is processor time of the threads, chunk by chunk, so that other programs on the machine do
+// not count. The loop and the clock are paid for by a second interaction that does the same but the call; its
+// time is subtracted.
+#include "bench/measure.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/component/resolver.hpp"
+#include "runtime/world/world.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <ctime>
+
+namespace {
+
+using namespace trembler;
+
+constexpr std::size_t count = 1000000;
+constexpr int frames = 61;
+constexpr double limit = 3;
+
+/// Nanoseconds of processor time that this thread has had.
+std::int64_t processorTime() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return std::int64_t{1000000000} * now.tv_sec + now.tv_nsec;
+}
+
+struct Weight {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Weight", "weight", "What the object is pulled by."};
+    Vec2 value;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "value", .unit = "N", .meaning = "weight"}, self.value);
+    }
+};
+
+// As large as Dynamics's addForce.
+struct Pull {
+    static constexpr CallText text{"pull", "(object, force)", "Pulls the object."};
+    static constexpr Algebra algebra = Algebra::sumOfRates;
+    ObjectId object;
+    Vec2 force;
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+};
+struct Push {
+    static constexpr CallText text{"push", "(object, impulse)", "Pushes the object once."};
+    static constexpr Algebra algebra = Algebra::sumOfAmounts;
+    ObjectId object;
+    Vec2 impulse;
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+};
+struct PullRole {
+    static constexpr std::string_view name = "Pull";
+    using Calls = CallList<Pull, Push>;
+};
+
+struct Drain final : Resolver<Drain, PullRole, Reads<>, Writes<>> {
+    static constexpr ComponentText text{
+        .name = "Drain", .effect = "bench", .level = "", .work = "Adds the calls up."};
+    using CalledFor = NeedsAll<>;
+    static inline std::int64_t took = 0;
+    static inline Vec2 sum;
+    [[nodiscard]] bool restless() const { return true; }
+    void advance(Access& access) {
+        std::int64_t const begin = processorTime();
+        Vec2 total;
+        access.forCalls<Pull>([&](Pull const& call, CallOrigin) { total += call.force; });
+        access.forCalls<Push>([&](Push const& call, CallOrigin) { total += call.impulse; });
+        took = processorTime() - begin;
+        sum = total;
+    }
+};
+
+enum class Does { nothing, pulls, pushes };
+
+template <Does does>
+struct Caller final : Interaction<Caller<does>, PullRole, Reads<Weight>> {
+    static constexpr std::array<std::string_view, 3> names{"nothing", "pulls", "pushes"};
+    static constexpr ComponentText text{.name = names[static_cast<std::size_t>(does)],
+                                        .effect = "bench",
+                                        .level = "",
+                                        .work = "Calls once per object."};
+    using CalledFor = NeedsAll<Weight>;
+    using Base = Interaction<Caller<does>, PullRole, Reads<Weight>>;
+    static inline std::atomic<std::int64_t> took = 0;
+    void apply(typename Base::Access& access) {
+        took = 0;
+        auto const& weights = access.template read<Weight>();
+        access.forChunks(weights.size(),
+                         [&](typename Base::Caller& caller, std::size_t begin, std::size_t end) {
+                             std::int64_t const before = processorTime();
+                             ObjectId const* const owners = weights.owners().data();
+                             Weight const* const values = weights.values().data();
+                             for (std::size_t i = begin; i < end; ++i) {
+                                 if constexpr (does == Does::pulls) {
+                                     caller.call(Pull{owners[i], values[i].value});
+                                 } else if constexpr (does == Does::pushes) {
+                                     caller.call(Push{owners[i], values[i].value});
+                                 } else {
+                                     bench::keep(owners[i]);
+                                     bench::keep(values[i].value);
+                                 }
+                             }
+                             took += processorTime() - before;
+                         });
+    }
+};
+
+template <Does does>
+void measure(int threads, bench::Table& table, std::string const& name) {
+    Registry registry;
+    registry.component<Drain>();
+    registry.component<Caller<Does::nothing>>();
+    registry.component<Caller<does>>();
+    World world(registry, {.threads = threads, .detail = {}, .periods = {}});
+    auto& weights = world.store().column<Weight>();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        weights.set({i, 0}, {{1, 0}});
+    }
+    world.start();
+    bench::Series calling;
+    bench::Series looping;
+    bench::Series draining;
+    double first = 0;
+    for (int frame = 0; frame < frames; ++frame) {
+        weights.touch(); // both interactions are applied anew
+        world.step();
+        auto const called = static_cast<double>(Caller<does>::took.load());
+        auto const looped = static_cast<double>(Caller<Does::nothing>::took.load());
+        if (frame == 0) {
+            first = called - looped; // buffers grow only now
+        } else {
+            calling.add(called);
+            looping.add(looped);
+            draining.add(static_cast<double>(Drain::took));
+            if (Drain::sum.x != static_cast<double>(count)) {
+                std::printf("calls were lost: %g\n", Drain::sum.x);
+                std::exit(1);
+            }
+        }
+    }
+    double const perCall = (calling.median() - looping.median()) / count;
+    table.row(name + ": loop alone", looping.median() / count, "ns per object");
+    table.row(name + ": recording, first frame", first / count, "ns per call");
+    table.row(name + ": recording", perCall, "ns per call", perCall, limit);
+    table.row(name + ": draining", draining.median() / count, "ns per call");
+
+    // The interactions asleep: what was held is carried out again without being said again.
+    if (does == Does::pulls) {
+        bench::Series held;
+        for (int frame = 0; frame < frames; ++frame) {
+            world.step();
+            held.add(static_cast<double>(Drain::took));
+        }
+        table.row(name + ": held, the caller asleep", held.median() / count, "ns per call and frame");
+    }
+}
+
+} // namespace
+
+int main() {
+    for (int const threads : {1, 2}) {
+        bench::Table table("Interaction functions, 1,000,000 calls of 24 bytes, " + std::to_string(threads) +
+                           (threads == 1 ? " thread" : " threads, processor time of both"));
+        measure<Does::pulls>(threads, table, "held calls");
+        measure<Does::pushes>(threads, table, "calls once");
+        table.print();
+    }
+    return 0;
+}
