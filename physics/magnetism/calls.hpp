@@ -7,13 +7,22 @@
 
 namespace trembler {
 
-/// The thesis's enableMagnet and disableMagnet in one: the call is held, and a magnet that nobody stands by
-/// any more is disabled. So two interactions can never contradict one another.
+/// Both calls are held, and together they are one "or": a magnet is on while anybody enables it, whoever
+/// disables it, so two interactions can never contradict one another. One that nobody mentions is off.
 struct EnableMagnet {
-    static constexpr CallText text{
-        "enableMagnet", "(object)",
-        "Switches the electromagnet on for as long as the call is held; nobody's call "
-        "switches it off."};
+    static constexpr CallText text{"enableMagnet", "(object)",
+                                   "Switches the electromagnet on for as long as the call is held."};
+    static constexpr Algebra algebra = Algebra::anyOf;
+    ObjectId object;
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+    [[nodiscard]] std::uint64_t key() const { return packed(object); }
+};
+
+/// Says why nobody enables it: without the call the magnet would be off as well, but nobody could tell the
+/// reason.
+struct DisableMagnet {
+    static constexpr CallText text{"disableMagnet", "(object)",
+                                   "Leaves the electromagnet off unless anybody enables it."};
     static constexpr Algebra algebra = Algebra::anyOf;
     ObjectId object;
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
@@ -22,7 +31,7 @@ struct EnableMagnet {
 
 struct MagneticsRole {
     static constexpr std::string_view name = "Magnetics";
-    using Calls = CallList<EnableMagnet>;
+    using Calls = CallList<EnableMagnet, DisableMagnet>;
 };
 
 } // namespace trembler

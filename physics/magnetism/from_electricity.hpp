@@ -16,7 +16,7 @@ public:
         .name = "Magnetics <- Electricity",
         .effect = "magnetism",
         .level = "",
-        .work = "Keeps every electromagnet enabled whose electrical state is on."};
+        .work = "Enables every electromagnet whose electrical state is on and disables every other."};
     using CalledFor = NeedsAll<Electromagnet>;
     void apply(Access& access) {
         auto const& state = access.read<ElectricalState>();
@@ -24,6 +24,8 @@ public:
             [&](ObjectId id, Electromagnet const&) {
                 if (state.isOn(id)) {
                     access.call(EnableMagnet{id}, state.eventOf(id));
+                } else {
+                    access.call(DisableMagnet{id}, state.eventOf(id));
                 }
             },
             access.read<Electromagnet>());

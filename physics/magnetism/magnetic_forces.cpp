@@ -1,5 +1,6 @@
 #include "physics/magnetism/magnetic_forces.hpp"
 
+#include "physics/dynamics/mass_properties.hpp"
 #include "runtime/property/for_each.hpp"
 
 #include <algorithm>
@@ -11,24 +12,44 @@ Vec2 poleForce(Vec2 r, double q1, double q2) {
     return (-magneticConstant * q1 * q2 / (d2 * std::sqrt(d2))) * r;
 }
 
+// Shapes hardly ever change, and their centres of mass take a while to compute: once will do.
+void MagneticForces::findCentres(Access& access) {
+    auto const& strengths = access.read<MagneticStrength>();
+    auto const& shapes = access.read<Shape>();
+    std::uint64_t const version = shapes.version() + strengths.structureVersion();
+    if (version == centresVersion_) {
+        return;
+    }
+    centresVersion_ = version;
+    centres_.assign(strengths.size(), {});
+    for (std::size_t row = 0; row < strengths.size(); ++row) {
+        if (Shape const* const shape = shapes.find(strengths.owners()[row])) {
+            centres_[row] = centreOfMass(*shape);
+        }
+    }
+}
+
 void MagneticForces::gather(Access& access) {
+    findCentres(access);
     poles_.clear();
     soft_.clear();
+    auto const& strengths = access.read<MagneticStrength>();
     auto const& rotations = access.read<Rotation>();
     auto const& poleSets = access.read<MagneticPoles>();
     auto const& magnets = access.read<Magnet>();
     forEach(
         [&](ObjectId id, MagneticStrength const& strength, Position const& position) {
+            Rotation const* const rotation = rotations.find(id);
+            double const angle = rotation == nullptr ? 0 : rotation->angle;
             if (strength.susceptibility > 0) {
-                soft_.push_back({id, position.value, strength.susceptibility});
+                Vec2 const centre = centres_[strengths.row(id)];
+                soft_.push_back({id, position.value + rotated(centre, angle), strength.susceptibility});
             }
             Magnet const* const magnet = magnets.find(id);
             MagneticPoles const* const poles = poleSets.find(id);
             if (magnet == nullptr || poles == nullptr || !(magnet->level * strength.strength > 0)) {
                 return;
             }
-            Rotation const* const rotation = rotations.find(id);
-            double const angle = rotation == nullptr ? 0 : rotation->angle;
             double const q = magnet->level * strength.strength;
             if (poles->poles == PoleSet::north || poles->poles == PoleSet::both) {
                 poles_.push_back({id, position.value + rotated(poles->north, angle), q});
@@ -37,7 +58,7 @@ void MagneticForces::gather(Access& access) {
                 poles_.push_back({id, position.value + rotated(poles->south, angle), -q});
             }
         },
-        access.read<MagneticStrength>(), access.read<Position>());
+        strengths, access.read<Position>());
 }
 
 void MagneticForces::update(Access& access) {

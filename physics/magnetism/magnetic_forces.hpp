@@ -1,6 +1,7 @@
 // The forces between magnets, and between magnets and what they attract.
 #pragma once
 
+#include "physics/dynamics/shape.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/component/dps.hpp"
 #include "runtime/placement.hpp"
@@ -8,11 +9,11 @@
 namespace trembler {
 
 /// Every pair of poles: F = µ0/4π · q1 q2 r / (r² + s²)^(3/2) (Gilbert's model, softened), like poles repel.
-/// What is susceptible is attracted by any pole, at its centre, as if it were a pole of that strength and of
-/// the opposite sign; the thesis's simplification of induced magnetism (6.6).
+/// What is susceptible is attracted by any pole, at its centre of mass, as if it were a pole of that strength
+/// and of the opposite sign; the thesis's simplification of induced magnetism (6.6).
 class MagneticForces final
     : public Dps<MagneticForces,
-                 Reads<Position, Rotation, MagneticPoles, MagneticStrength, Magnet, MagnetSwitching>,
+                 Reads<Position, Rotation, Shape, MagneticPoles, MagneticStrength, Magnet, MagnetSwitching>,
                  Derives<MagneticForce>> {
 public:
     static constexpr ComponentText text{
@@ -31,10 +32,13 @@ private:
         Vec2 at;         ///< m, in the world
         double strength; ///< A m; north positive
     };
+    void findCentres(Access& access);
     void gather(Access& access);
 
-    std::vector<Pole> poles_; // those that act, ascending by object
-    std::vector<Pole> soft_;  // what they attract, strength = susceptibility
+    std::vector<Vec2> centres_;        // m, centres of mass in their own frames, by row of MagneticStrength
+    std::uint64_t centresVersion_ = 0; // of what they were made from
+    std::vector<Pole> poles_;          // those that act, ascending by object
+    std::vector<Pole> soft_;           // what they attract, strength = susceptibility
 };
 
 /// µ0/4π in N/A².

@@ -11,6 +11,10 @@ void MagneticsResolver::advance(Access& access) {
     std::map<ObjectId, EventId> enabled;
     access.forCalls<EnableMagnet>(
         [&](EnableMagnet const& call, CallOrigin origin) { enabled.try_emplace(call.object, origin.cause); });
+    std::map<ObjectId, EventId> disabled;
+    access.forCalls<DisableMagnet>([&](DisableMagnet const& call, CallOrigin origin) {
+        disabled.try_emplace(call.object, origin.cause);
+    });
     cooling_ = false;
     // First find what changes, so that a frame in which nothing does leaves the column's version alone.
     struct Change {
@@ -31,7 +35,9 @@ void MagneticsResolver::advance(Access& access) {
                 return;
             }
             if (magnet.on || magnet.level > 0) {
-                EventId const event = magnet.on ? access.event("magnet off", {id}, {}) : EventId{};
+                auto const reason = disabled.find(id);
+                EventId const cause = reason == disabled.end() ? EventId{} : reason->second;
+                EventId const event = magnet.on ? access.event("magnet off", {id}, {cause}) : EventId{};
                 // Fewer than half a step left is none: rounding must not add a frame.
                 double const step = 1.0 / coil.coolDown;
                 double const level = magnet.level - step < step / 2 ? 0 : magnet.level - step;
