@@ -9,7 +9,7 @@ namespace trembler {
 
 /// Base of every derived property set. `Self` has `static constexpr ComponentText text`,
 /// `using CalledFor = ...` and a `void update(Access&)`. It runs only when something that it reads has
-/// changed.
+/// changed. With `static constexpr bool onDemand = true` it is absent while nobody reads what it derives.
 template <class Self, class ReadsList, class DerivesList>
 class Dps : public Component {
     static_assert(detail::isReads<ReadsList> && detail::isDerives<DerivesList>,
@@ -83,6 +83,9 @@ public:
             made.reads = detail::infos(ReadsList{});
             made.offers = detail::infos(DerivesList{});
             detail::copyNeeds(typename Self::CalledFor{}, made);
+            if constexpr (requires { Self::onDemand; }) {
+                made.onDemand = Self::onDemand;
+            }
             return made;
         }();
         return info;

@@ -44,6 +44,7 @@ struct ComponentInfo {
     std::vector<CallInfo> calls{}; ///< of a resolver: its interaction functions
     std::vector<PropertyInfo const*> neededAll{};
     std::vector<PropertyInfo const*> neededAny{};
+    bool onDemand = false; ///< constructed only while somebody reads what it offers
 };
 
 /// The full title as the thesis writes it: "Dynamics Resolver", "Electricity DPS", "(A <- B) Interaction".

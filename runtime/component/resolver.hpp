@@ -9,7 +9,9 @@ namespace trembler {
 
 /// Base of every resolver. `Self` has `static constexpr ComponentText text`, `using CalledFor = ...`, a
 /// `void advance(Access&)`, and may have `bool restless() const`: true while it has work of its own to go on
-/// with although nothing around it changed (bodies that still move).
+/// with although nothing around it changed (bodies that still move). With `static constexpr bool onDemand =
+/// true` it is absent while nobody reads what it provides: neither a component that is there nor anybody
+/// outside (World::want).
 template <class Self, ResolverRole RoleType, class ReadsList, class WritesList,
           class ProvidesList = Provides<>>
 class Resolver : public Component {
@@ -74,8 +76,8 @@ public:
             static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this resolver's role");
             self_.channel_->template forCalls<C>(std::forward<F>(f));
         }
-        /// Whether any interaction was applied since the last advance. If not, held calls stand as they did, and
-        /// there are none to be carried out once.
+        /// Whether any interaction was applied since the last advance. If not, held calls stand as they did,
+        /// and there are none to be carried out once.
         [[nodiscard]] bool callsChanged() const { return self_.channel_->version() != self_.seenCalls_; }
         /// The interactions that call this resolver, by CallOrigin::source.
         [[nodiscard]] std::size_t sources() const { return self_.channel_->sources().size(); }
@@ -127,6 +129,9 @@ public:
                 made.calls = {CallInfo{C::text, C::algebra}...};
             }(typename Role::Calls{});
             detail::copyNeeds(typename Self::CalledFor{}, made);
+            if constexpr (requires { Self::onDemand; }) {
+                made.onDemand = Self::onDemand;
+            }
             if constexpr (requires { Self::writesEverything; }) {
                 made.writesEverything = Self::writesEverything;
             }

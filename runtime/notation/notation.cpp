@@ -34,11 +34,13 @@ std::string set(std::vector<PropertyInfo const*> const& properties) {
 }
 
 std::string calledFor(ComponentInfo const& info) {
+    std::string const demand = info.onDemand ? ", while somebody reads what it offers" : "";
     if (info.neededAll.empty() && info.neededAny.empty()) {
-        return "every scene";
+        return "every scene" + demand;
     }
-    return info.neededAny.empty() ? "objects with all of " + set(info.neededAll)
-                                  : "objects with any of " + set(info.neededAny);
+    return (info.neededAny.empty() ? "objects with all of " + set(info.neededAll)
+                                   : "objects with any of " + set(info.neededAny)) +
+           demand;
 }
 
 std::string shortcutNote(Registry const& registry, ComponentInfo const& info) {

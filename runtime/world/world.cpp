@@ -131,10 +131,49 @@ std::size_t World::pick(std::vector<std::size_t> const& alternatives) const {
     return best;
 }
 
+// Whether somebody reads what a component offers: another one that is there, or somebody outside.
+bool World::isRead(ComponentInfo const& info, std::vector<bool> const& chosen) const {
+    for (PropertyInfo const* offer : info.offers) {
+        if (wants_.contains(offer->text.key)) {
+            return true;
+        }
+        for (std::size_t i = 0; i < entries_.size(); ++i) {
+            auto const& reads = entries_[i].status.info->reads;
+            if (chosen[i] && std::find(reads.begin(), reads.end(), offer) != reads.end()) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// What is there on demand goes where nobody reads it, and whatever lived on it goes with it; what is left may
+// then be unread in turn.
 std::vector<bool> World::wanted() const {
+    std::vector<bool> unread(entries_.size(), false);
+    for (;;) {
+        std::vector<bool> chosen = wantedWithout(unread);
+        bool more = false;
+        for (std::size_t i = 0; i < entries_.size(); ++i) {
+            ComponentInfo const& info = *entries_[i].status.info;
+            if (chosen[i] && info.onDemand && !isRead(info, chosen)) {
+                for (std::size_t j = 0; j < entries_.size(); ++j) {
+                    unread[j] = unread[j] || j == i || areAlternatives(info, *entries_[j].status.info);
+                }
+                more = true;
+            }
+        }
+        if (!more) {
+            return chosen;
+        }
+    }
+}
+
+std::vector<bool> World::wantedWithout(std::vector<bool> const& unread) const {
     std::vector<bool> chosen(entries_.size(), false);
-    auto const possible = [&](ComponentInfo const& info) {
-        return calledFor(info) &&
+    auto const possible = [&](std::size_t entry) {
+        ComponentInfo const& info = *entries_[entry].status.info;
+        return !unread[entry] && calledFor(info) &&
                std::all_of(info.reads.begin(), info.reads.end(), [&](PropertyInfo const* read) {
                    return read->kind == PropertyKind::object || hasProvider(*read, chosen);
                });
@@ -149,16 +188,16 @@ std::vector<bool> World::wanted() const {
                 resolverThere = resolverThere || (chosen[j] && other.kind == ComponentKind::resolver &&
                                                   other.role == info.role);
             }
-            chosen[i] = possible(info) && resolverThere;
+            chosen[i] = possible(i) && resolverThere;
             continue;
         }
-        if (!possible(info)) {
+        if (!possible(i)) {
             continue;
         }
         std::vector<std::size_t> alternatives;
         for (std::size_t j = 0; j < entries_.size(); ++j) {
             ComponentInfo const& other = *entries_[j].status.info;
-            if ((j == i || areAlternatives(info, other)) && possible(other)) {
+            if ((j == i || areAlternatives(info, other)) && possible(j)) {
                 alternatives.push_back(j);
             }
         }
@@ -197,6 +236,18 @@ void World::select() {
     knownStructure_ = store_.structureVersion();
 }
 
+void World::setWants(PropertyInfo const& property, int change) {
+    int& count = wants_[property.text.key];
+    count = std::max(0, count + change);
+    if (count == 0) {
+        wants_.erase(property.text.key);
+    }
+    if (knownStructure_ != 0) {
+        select();
+        bindAll(); // even where nobody came or went, the number of readers is another one
+    }
+}
+
 void World::bindAll() {
     channels_.clearSources();
     std::map<std::string_view, int> readers;
@@ -211,6 +262,9 @@ void World::bindAll() {
         if (auto* const input = dynamic_cast<InputResolver*>(entry.component.get())) {
             input_ = input;
         }
+    }
+    for (auto const& [key, count] : wants_) {
+        readers[key] += count;
     }
     for (SlotBase* slot : store_.slots()) {
         auto const at = readers.find(slot->info().text.key);

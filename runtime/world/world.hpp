@@ -74,6 +74,18 @@ public:
 
     /// One entry per registered component: resolvers, then derived property sets, then interactions.
     [[nodiscard]] std::vector<ComponentStatus> status() const;
+    /// Counts somebody outside, a loudspeaker or an overlay, among the readers of a resolver or derived
+    /// property, so that it is computed even if no component reads it. Changes no state of the world.
+    /// Counted: every want() needs its own release(). Between frames only.
+    template <Property P>
+    void want() {
+        setWants(propertyInfo<P>(), 1);
+    }
+    /// Takes one want() back; without one it does nothing.
+    template <Property P>
+    void release() {
+        setWants(propertyInfo<P>(), -1);
+    }
     /// The value of a resolver or derived property, or nullptr if no component has ever been bound to it.
     template <Property P>
     [[nodiscard]] P const* find() const {
@@ -104,7 +116,10 @@ private:
     };
 
     void select();
+    void setWants(PropertyInfo const& property, int change);
     [[nodiscard]] std::vector<bool> wanted() const;
+    [[nodiscard]] std::vector<bool> wantedWithout(std::vector<bool> const& unread) const;
+    [[nodiscard]] bool isRead(ComponentInfo const& info, std::vector<bool> const& chosen) const;
     [[nodiscard]] bool calledFor(ComponentInfo const& info) const;
     [[nodiscard]] bool hasProvider(PropertyInfo const& property, std::vector<bool> const& chosen) const;
     [[nodiscard]] std::size_t pick(std::vector<std::size_t> const& alternatives) const;
@@ -122,6 +137,7 @@ private:
     Channels channels_;
     Executor executor_;
     std::unique_ptr<Tracer> tracer_;
+    std::map<std::string_view, int> wants_; // by those outside, by key of the property
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each
     InputResolver* input_ = nullptr;
     std::uint64_t frame_ = 0;
