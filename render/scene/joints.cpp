@@ -10,6 +10,11 @@
 #include <cmath>
 
 namespace trembler::render {
+namespace {
+
+constexpr int ropePieces = 24;
+
+} // namespace
 
 std::optional<JointPlaces> placesOf(World const& world, FactsReader const& reader, ObjectId joint,
                                     PoseOf const& poseOf) {
@@ -54,10 +59,14 @@ std::vector<Point> ropePath(Point from, Point to, double length) {
     if (!(length > 1.001 * span)) {
         return {from, to};
     }
-    // A parabola of sag s over a span d is about d + 8 s² / 3 d long; one that hangs double is twice as deep.
-    double const sag = span > 0.3 * length ? span * std::sqrt(0.375 * (length / span - 1))
-                                           : 0.5 * std::sqrt(std::max(0.0, length * length - span * span));
-    return hangingWire(from, to, sag, 24);
+    // The deeper a parabola hangs, the longer it is: halve the interval until it is as long as the rope.
+    double shallow = 0;
+    double deep = length;
+    for (int i = 0; i < 24; ++i) {
+        double const sag = 0.5 * (shallow + deep);
+        (pathLength(hangingWire(from, to, sag, ropePieces)) < length ? shallow : deep) = sag;
+    }
+    return hangingWire(from, to, 0.5 * (shallow + deep), ropePieces);
 }
 
 void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf) {

@@ -24,8 +24,7 @@ struct JointPlaces {
 [[nodiscard]] std::optional<JointPlaces> placesOf(World const& world, FactsReader const& reader,
                                                   ObjectId joint, PoseOf const& poseOf);
 
-/// A rope of a length between two points: straight if taut, else sagging by as much as it is longer (parabola
-/// of that length, to a few per cent).
+/// A rope of a length between two points: straight if taut, else sagging as a parabola of that length.
 [[nodiscard]] std::vector<Point> ropePath(Point from, Point to, double length);
 
 /// Draws all joints of the world.
