@@ -1,0 +1,29 @@
+// The interaction functions of the Buoyancy resolver, whichever detail level is behind it.
+#pragma once
+
+#include "runtime/component/call.hpp"
+#include "runtime/math/vec2.hpp"
+
+#include <array>
+
+namespace trembler {
+
+/// The thesis's setLinearGravity(vector) (6.13.2). "Set" would be won by whoever calls last; accelerations
+/// add up instead, as they do in nature: that of a planet and that of a lift.
+struct SetLinearGravity {
+    static constexpr CallText text{
+        "setLinearGravity", "(field, vector)",
+        "Defines the linear gravity vector (m/s²) for as long as the call is held; "
+        "the vectors of several fields add up."};
+    static constexpr Algebra algebra = Algebra::sumOfRates;
+    ObjectId field; ///< the object that the field belongs to: the world
+    Vec2 gravity;   ///< m/s²
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {field}; }
+};
+
+struct BuoyancyRole {
+    static constexpr std::string_view name = "Buoyancy";
+    using Calls = CallList<SetLinearGravity>;
+};
+
+} // namespace trembler

@@ -1,0 +1,17 @@
+#include "physics/buoyancy/hull.hpp"
+
+namespace trembler {
+
+Displacement displacedOf(Hull const& hull, LiquidPiece const& piece, Pose const& pose, Vec2 up) {
+    CuttingSides cutting;
+    findCuttingSides(piece, pose, hull.radius(), cutting);
+    if (cutting.dry) {
+        return {};
+    }
+    if (cutting.count == 0) {
+        return {hull.whole(), {}};
+    }
+    return hull.displaced(std::span(cutting.sides).first(cutting.count), pose.turnedBack(up));
+}
+
+} // namespace trembler

@@ -1,0 +1,80 @@
+// What the Buoyancy resolver offers: its resolver properties (6.13.2).
+#pragma once
+
+#include "physics/buoyancy/moments.hpp"
+#include "physics/buoyancy/waterline.hpp"
+#include "runtime/property/description.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <vector>
+
+namespace trembler {
+
+/// The linear gravity vector, as (Buoyancy <- Gravity) has set it.
+struct LinearGravityVector {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Linear gravity vector", "linear_gravity",
+                                       "The acceleration due to gravity that buoyancy works with."};
+    Vec2 gravity; ///< m/s²
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "value", .unit = "m/s²", .meaning = "acceleration"}, self.gravity);
+    }
+};
+
+/// F_B: one entry per object that displaces any liquid, ascending.
+struct BuoyancyForce {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"F_B", "buoyancy_force",
+                                       "The buoyancy force on each object: the weight of what it displaces."};
+    struct Entry {
+        ObjectId object;
+        Vec2 force;    ///< N, acts at the centre of buoyancy
+        EventId event; ///< "enters the liquid"; none while nobody traces
+        friend bool operator==(Entry const&, Entry const&) = default;
+    };
+    std::vector<Entry> forces;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// The centres of buoyancy: of the displaced liquid's mass. Entries as in BuoyancyForce.
+struct CentreOfBuoyancy {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"COB", "centre_of_buoyancy",
+                                       "The centre of buoyancy of each object: where F_B acts."};
+    struct Entry {
+        ObjectId object;
+        Vec2 centre; ///< m, in the object's frame
+        Vec2 world;  ///< m, in the world when it was computed
+        friend bool operator==(Entry const&, Entry const&) = default;
+    };
+    std::vector<Entry> centres;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// What each object displaces of each liquid; ascending by object, then by liquid.
+struct Immersions {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Immersion", "immersion",
+                                       "Which part of each object is in which liquid."};
+    struct Entry {
+        ObjectId object;
+        ObjectId liquid;
+        double density = 0;  ///< kg/m³, of the liquid
+        AreaMoments wet;     ///< of what is immersed, in the object's frame
+        Waterline waterline; ///< in the object's frame
+        EventId event;       ///< "enters the liquid"; none while nobody traces
+    };
+    std::vector<Entry> entries;
+    double interval = 0; ///< s, for which these results stand: the resolver's period
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+} // namespace trembler

@@ -1,0 +1,33 @@
+// Where the surface of a liquid cuts through a body: what decides how its buoyancy changes as it moves.
+#pragma once
+
+#include "runtime/math/vec2.hpp"
+
+#include <algorithm>
+
+namespace trembler {
+
+/// Integrals of 1, s and s² along the cuts, weighted by how level the surface is there; s is the coordinate
+/// across the vertical, measured from the frame's origin to the right when up is up.
+struct Waterline {
+    double length = 0; ///< m
+    double first = 0;  ///< m²
+    double second = 0; ///< m³
+
+    Waterline& operator+=(Waterline const& o) {
+        length += o.length, first += o.first, second += o.second;
+        return *this;
+    }
+    /// Adds the cut from a to b on a side of the liquid whose outward normal is `normal`. `up` is a unit
+    /// vector against gravity, or zero where there is none. Sides that face down are no surface.
+    void add(Vec2 a, Vec2 b, Vec2 normal, Vec2 up) {
+        double const weight = std::max(0.0, dot(normal, up)) * trembler::length(b - a);
+        double const s = cross(a, up);
+        double const t = cross(b, up);
+        length += weight;
+        first += weight * (s + t) / 2;
+        second += weight * (s * s + s * t + t * t) / 3;
+    }
+};
+
+} // namespace trembler

@@ -1,0 +1,40 @@
+// Forces against motion, as coefficients, so that an engine can integrate them without overshooting.
+#pragma once
+
+#include "runtime/math/vec2.hpp"
+
+namespace trembler {
+
+/// The symmetric, positive semidefinite matrix D of a resistance -D (vx, vy, ω) to the motion of a body,
+/// about its centre of mass. Several add up.
+struct Drag {
+    double xx = 0; ///< kg/s
+    double xy = 0;
+    double yy = 0;
+    double xt = 0; ///< kg m/s: between velocity and turning
+    double yt = 0;
+    double tt = 0; ///< kg m²/s
+
+    [[nodiscard]] bool any() const { return xx > 0 || yy > 0 || tt > 0; }
+    /// Adds one that acts at `arm` (m) from the centre of mass: a force of -(axx, axy; axy, ayy) times the
+    /// velocity of that point, and a torque of -angular times ω.
+    void add(Vec2 arm, double axx, double axy, double ayy, double angular);
+};
+
+inline constexpr double maximumDrag = 1e15; ///< kg/s, kg m²/s: more is as good as infinitely much
+
+/// What makes a resistance one: it never gives motion a push, and is not beyond maximumDrag.
+[[nodiscard]] bool isResistance(double xx, double xy, double yy, double angular);
+
+/// A velocity, or a momentum, of a body: of its centre of mass and of its turning.
+struct Twist {
+    Vec2 linear;
+    double angular = 0;
+};
+
+/// The impulse (N s, N m s) that drag exerts within a time h (s) on a body that would otherwise leave it with
+/// momentum `free`: by the implicit Euler method, (M + h D) v' = free, so that it slows the body down, but
+/// never turns it back, whatever the coefficients.
+[[nodiscard]] Twist dragImpulse(Drag const& drag, double mass, double inertia, Twist const& free, double h);
+
+} // namespace trembler
