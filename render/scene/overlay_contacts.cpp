@@ -88,9 +88,10 @@ std::vector<Point> touchingPoints(Shape const& a, Pose const& poseA, Shape const
 }
 
 void drawContacts(Canvas& canvas, World const& world) {
-    if (auto const* const patches = world.find<ContactPatches>();
-        patches != nullptr && !patches->patches.empty()) {
-        for (ContactPatch const& patch : patches->patches) {
+    // Patches that nobody has asked for may be those of a while ago.
+    if (auto const* const slot = world.store().findSlot<ContactPatches>();
+        slot != nullptr && slot->readers() > 0) {
+        for (ContactPatch const& patch : slot->value().patches) {
             drawPatch(canvas, patch);
         }
         return;

@@ -16,8 +16,8 @@ struct Overlays {
     bool electricity = false; ///< the graph, its live parts lit
     bool forces = false;      ///< magnetic ones
     bool fieldLines = false;  ///< of all magnets that act
-    bool contacts = false;
-    bool motion = false; ///< centres of mass and velocities
+    bool contacts = false;    ///< with normals and impulses under World::want<ContactPatches>()
+    bool motion = false;      ///< centres of mass and velocities
 };
 
 struct SceneOptions {

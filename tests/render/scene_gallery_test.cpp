@@ -52,9 +52,17 @@ TEST(SceneGallery, everyJoint) {
     store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
     int count = 0;
     auto const named = [&](char const* kind) { return kind + std::to_string(count++); };
-    auto const joint = [&](Joint const& value) {
-        store.column<Joint>().set(store.create(named("joint ")), value);
+    auto const joint = [&](JointForm form, ObjectId a, Vec2 at, auto&& more) {
+        Joint made;
+        made.form = form;
+        made.a = a;
+        made.at = at;
+        more(made);
+        ObjectId const id = store.create(named("joint "));
+        store.column<Joint>().set(id, made);
+        return id;
     };
+    auto const plain = [](Joint&) {};
     auto const moving = [&](std::vector<ShapePiece> pieces, Vec2 at, trembler::Material material) {
         ObjectId const id = body(world, named("body "), std::move(pieces), at);
         store.column<Look>().set(id, {material, "", ""});
@@ -68,73 +76,72 @@ TEST(SceneGallery, everyJoint) {
     store.column<Look>().set(floor, {M::stone, "", ""});
     store.column<Look>().set(ceiling, {M::wood, "", ""});
     ObjectId const pendulum = moving({boxPiece(1.2, 0.14)}, {-4.6, 1.6}, M::wood);
-    joint({.form = JointForm::hinge, .a = pendulum, .at = {-5.1, 1.6}});
+    joint(JointForm::hinge, pendulum, {-5.1, 1.6}, plain);
     ObjectId const hung = moving({circlePiece(0.22)}, {-3.3, 0.6}, M::iron);
-    joint({.form = JointForm::rope,
-           .a = hung,
-           .b = ceiling,
-           .at = {-3.3, 0.8},
-           .atB = {-3.0, 2.75},
-           .length = 2.4});
+    joint(JointForm::rope, hung, {-3.3, 0.8}, [&](Joint& rope) {
+        rope.b = ceiling;
+        rope.atB = {-3.0, 2.75};
+        rope.length = 2.4;
+    });
     ObjectId const slack = moving({boxPiece(0.5, 0.3)}, {-2.0, -2.54}, M::wood);
-    joint({.form = JointForm::rope,
-           .a = slack,
-           .b = floor,
-           .at = {-1.8, -2.45},
-           .atB = {-0.6, -2.7},
-           .length = 1.9});
+    joint(JointForm::rope, slack, {-1.8, -2.45}, [&](Joint& rope) {
+        rope.b = floor;
+        rope.atB = {-0.6, -2.7};
+        rope.length = 1.9;
+    });
     ObjectId const bob = moving({boxPiece(0.4, 0.4)}, {-1.6, 1.0}, M::steel);
-    joint({.form = JointForm::spring,
-           .a = bob,
-           .b = ceiling,
-           .at = {-1.6, 1.2},
-           .atB = {-1.6, 2.75},
-           .stiffness = 900,
-           .dampingRate = 10});
+    joint(JointForm::spring, bob, {-1.6, 1.2}, [&](Joint& spring) {
+        spring.b = ceiling;
+        spring.atB = {-1.6, 2.75};
+        spring.stiffness = 900;
+        spring.dampingRate = 10;
+    });
     ObjectId const left = moving({boxPiece(0.35, 0.35)}, {-0.3, 0.4}, M::stone);
     ObjectId const right = moving({boxPiece(0.3, 0.3)}, {1.3, 0.4}, M::stone);
-    joint({.form = JointForm::pulley,
-           .a = left,
-           .b = right,
-           .at = {-0.3, 0.55},
-           .atB = {1.3, 0.55},
-           .groundA = {-0.18, 2.2},
-           .groundB = {1.18, 2.2}});
+    joint(JointForm::pulley, left, {-0.3, 0.55}, [&](Joint& pulley) {
+        pulley.b = right;
+        pulley.atB = {1.3, 0.55};
+        pulley.groundA = {-0.18, 2.2};
+        pulley.groundB = {1.18, 2.2};
+    });
     ObjectId const carriage = moving({boxPiece(0.5, 0.24)}, {2.6, 2.0}, M::plastic);
-    joint({.form = JointForm::slider,
-           .a = carriage,
-           .at = {2.6, 2.0},
-           .axis = {1, -0.3},
-           .limited = true,
-           .lower = -0.3,
-           .upper = 0.9});
+    joint(JointForm::slider, carriage, {2.6, 2.0}, [](Joint& slider) {
+        slider.axis = {1, -0.3};
+        slider.limited = true;
+        slider.lower = -0.3;
+        slider.upper = 0.9;
+    });
     ObjectId const rodEnd = moving({circlePiece(0.2)}, {4.8, 1.2}, M::copper);
-    joint({.form = JointForm::distance, .a = rodEnd, .b = ceiling, .at = {4.8, 1.2}, .atB = {4.2, 2.75}});
+    joint(JointForm::distance, rodEnd, {4.8, 1.2}, [&](Joint& rod) {
+        rod.b = ceiling;
+        rod.atB = {4.2, 2.75};
+    });
     ObjectId const gearA = moving({circlePiece(0.5)}, {1.6, -1.4}, M::gold);
     ObjectId const gearB = moving({circlePiece(0.25)}, {2.36, -1.4}, M::gold);
-    ObjectId const pinA = store.create("pin a");
-    ObjectId const pinB = store.create("pin b");
-    store.column<Joint>().set(pinA, {.form = JointForm::hinge,
-                                     .a = gearA,
-                                     .at = {1.6, -1.4},
-                                     .motor = true,
-                                     .motorSpeed = 2,
-                                     .motorStrength = 100});
-    store.column<Joint>().set(pinB, {.form = JointForm::hinge, .a = gearB, .at = {2.36, -1.4}});
-    joint({.form = JointForm::gear, .a = gearA, .b = gearB, .ratio = 0.5, .jointA = pinA, .jointB = pinB});
+    ObjectId const pinA = joint(JointForm::hinge, gearA, {1.6, -1.4}, [](Joint& pin) {
+        pin.motor = true;
+        pin.motorSpeed = 2;
+        pin.motorStrength = 100;
+    });
+    ObjectId const pinB = joint(JointForm::hinge, gearB, {2.36, -1.4}, plain);
+    joint(JointForm::gear, gearA, {}, [&](Joint& gear) {
+        gear.b = gearB;
+        gear.ratio = 0.5;
+        gear.jointA = pinA;
+        gear.jointB = pinB;
+    });
     ObjectId const cart = moving({boxPiece(1.1, 0.2)}, {4.2, -2.1}, M::wood);
     for (double const x : {3.8, 4.6}) {
         ObjectId const wheel = moving({circlePiece(0.2)}, {x, -2.45}, M::rubber);
-        joint({.form = JointForm::wheel,
-               .a = wheel,
-               .b = cart,
-               .at = {x, -2.45},
-               .axis = {0, 1},
-               .stiffness = 4000,
-               .dampingRate = 60});
+        joint(JointForm::wheel, wheel, {x, -2.45}, [&](Joint& axle) {
+            axle.b = cart;
+            axle.axis = {0, 1};
+            axle.stiffness = 4000;
+            axle.dampingRate = 60;
+        });
     }
     ObjectId const welded = moving({boxPiece(0.2, 0.5)}, {4.2, -1.75}, M::steel);
-    joint({.form = JointForm::weld, .a = welded, .b = cart, .at = {4.2, -2.0}});
+    joint(JointForm::weld, welded, {4.2, -2.0}, [&](Joint& weld) { weld.b = cart; });
     world.start();
     SceneView view;
     for (int frame = 0; frame < 45; ++frame) {

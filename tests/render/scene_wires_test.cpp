@@ -149,5 +149,54 @@ TEST(SceneContacts, aBallTouchesWhereItIsLowest) {
     EXPECT_NEAR(points[0].y, 0, 0.002);
 }
 
+TEST(SceneContacts, patchesAreShownOnlyWhileTheyAreKeptUp) {
+    World world(everything());
+    Store& store = world.store();
+    store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
+    store.column<Fixed>().set(body(world, "floor", {boxPiece(10, 1)}, {0, -0.5}), {});
+    ObjectId const box = body(world, "box", {boxPiece(0.6, 0.4)}, {-1, 0.2});
+    world.start();
+    for (int i = 0; i < 5; ++i) {
+        world.step();
+    }
+    auto const draw = [&](bool overlay) {
+        return picture({640, 480}, palette::paper, [&](Canvas& canvas) {
+            if (overlay) {
+                drawContacts(canvas, world);
+            }
+        });
+    };
+    Image const empty = draw(false);
+    Image const marks = draw(true);
+    EXPECT_NE(marks, empty);
+    world.want<ContactPatches>();
+    store.column<Velocity>().set(box, {{2, 0}});
+    for (int i = 0; i < 5; ++i) {
+        world.step();
+    }
+    Image const patches = draw(true);
+    EXPECT_NE(patches, marks);
+    EXPECT_NE(patches, empty);
+    world.release<ContactPatches>();
+    for (int i = 0; i < 60; ++i) { // it slides on while nobody reads
+        store.column<Velocity>().set(box, {{2, 0}});
+        world.step();
+    }
+    // Marks are where it is now: two metres on.
+    Image const now = draw(true);
+    auto const painted = [&](double from, double to) {
+        for (int y = 230; y < 250; ++y) {
+            for (int x = static_cast<int>(320 + 100 * from); x < static_cast<int>(320 + 100 * to); ++x) {
+                if (now.at(x, y) != empty.at(x, y)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+    EXPECT_TRUE(painted(0.3, 2.5));
+    EXPECT_FALSE(painted(-2.5, -0.2));
+}
+
 } // namespace
 } // namespace trembler::render::test
