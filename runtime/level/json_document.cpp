@@ -46,7 +46,9 @@ public:
     }
     bool parse_error(std::size_t position, std::string const&,
                      nlohmann::detail::exception const& error) override {
-        std::string message = error.what();
+        // It quotes what it read, which may be no UTF-8: then nobody could print or store the message.
+        std::string const quoted = Json(error.what()).dump(-1, ' ', false, Json::error_handler_t::replace);
+        std::string message = Json::parse(quoted).get<std::string>();
         if (std::size_t const at = message.find("syntax error"); at != std::string::npos) {
             message = message.substr(at);
         } else if (std::size_t const bracket = message.find("] "); bracket != std::string::npos) {

@@ -70,6 +70,7 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
     part.document = document;
     MemberReader reader(JsonNode(*document, document->root(), "", problems),
                         "a part: an object {\"name\", \"title\", \"text\", \"look\", \"properties\"}");
+    reader.know("$schema"); // for editors
     if (reader.valid()) {
         if (auto const name = reader.required("name", "a name that no other part has")) {
             part.name = name->name("a name").value_or("");

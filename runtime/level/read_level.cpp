@@ -26,6 +26,7 @@ public:
             return;
         }
         reader.know("version"); // has been looked at before
+        reader.know("$schema"); // for editors
         if (auto const title = reader.required("title", "the name of the level, for people")) {
             level_.title = title->name("a title").value_or("");
         }

@@ -1,0 +1,21 @@
+// The published JSON Schema of level files and of part definitions, made from the property descriptions.
+#pragma once
+
+#include "runtime/world/registry.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace trembler {
+
+/// JSON Schema (draft 2020-12) of level files. `goals` is the schema of a condition, with its definitions
+/// under
+/// "$defs": the runtime does not know what goals mean; null allows any object. The schema says what it can;
+/// that names exist and that rules are kept only the program can tell.
+[[nodiscard]] nlohmann::ordered_json levelSchema(Registry const& registry,
+                                                 nlohmann::ordered_json const& goals);
+/// JSON Schema of part definitions.
+[[nodiscard]] nlohmann::ordered_json partSchema(Registry const& registry);
+/// The schema of one property's value in files.
+[[nodiscard]] nlohmann::ordered_json propertySchema(PropertyInfo const& info);
+
+} // namespace trembler

@@ -1,0 +1,65 @@
+#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/shape.hpp"
+#include "physics/electricity/properties.hpp"
+#include "physics/look.hpp"
+#include "physics/magnetism/properties.hpp"
+#include "runtime/placement.hpp"
+#include "tests/levels/shelf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace trembler {
+namespace {
+
+TEST(Parts, HaveWordsForPlayersAndABody) {
+    ASSERT_GE(shelf().parts.all().size(), 20U);
+    std::set<std::string> titles;
+    for (PartDefinition const* part : shelf().parts.all()) {
+        EXPECT_FALSE(part->text.empty()) << part->name;
+        EXPECT_TRUE(titles.insert(part->title).second) << part->title;
+        EXPECT_NE(part->properties.find<Shape>(), nullptr) << part->name;
+        EXPECT_NE(part->properties.find<Look>(), nullptr) << part->name;
+    }
+}
+
+TEST(Parts, AreAllSoundTogetherInOneWorld) {
+    std::string objects;
+    int place = 0;
+    for (PartDefinition const* part : shelf().parts.all()) {
+        objects += (objects.empty() ? "" : ", ") + std::string("{\"name\": \"my ") + part->name +
+                   "\", \"part\": \"" + part->name + "\", \"at\": [" + std::to_string(5 * place++) + ", 0]}";
+    }
+    LevelFile const level =
+        readLevel(shelf().registry,
+                  JsonDocument::parse("{\"version\": 1, \"title\": \"t\", \"objects\": [" + objects + "]}",
+                                      "parts.json"));
+    auto const world = buildWorld(shelf().registry, level, shelf().parts);
+    for (int frame = 0; frame < 60; ++frame) {
+        world->step();
+    }
+    for (PartDefinition const* part : shelf().parts.all()) {
+        Position const* const position = world->find<Position>(world->store().find("my " + part->name));
+        ASSERT_NE(position, nullptr);
+        EXPECT_TRUE(isFinite(position->value)) << part->name;
+    }
+}
+
+TEST(Parts, ConductAndAttractAsTheirMaterialDoes) {
+    for (PartDefinition const* part : shelf().parts.all()) {
+        Material const material = part->properties.find<Look>()->material;
+        bool const conducts = part->properties.find<Conductor>() != nullptr;
+        bool const isMetal = material == Material::steel || material == Material::iron ||
+                             material == Material::copper || material == Material::gold;
+        bool const device = part->properties.find<ElectricalDevice>() != nullptr;
+        EXPECT_EQ(conducts, isMetal || device) << part->name;
+        auto const* const magnetic = part->properties.find<MagneticStrength>();
+        if (magnetic != nullptr && magnetic->susceptibility > 0) {
+            EXPECT_TRUE(material == Material::steel || material == Material::iron) << part->name;
+        }
+    }
+}
+
+} // namespace
+} // namespace trembler

@@ -1,0 +1,80 @@
+#include "game/goals/level_schema.hpp"
+#include "runtime/level/schema.hpp"
+#include "tests/levels/schema_validator.hpp"
+#include "tests/levels/shelf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace trembler {
+namespace {
+
+std::string contentOf(std::filesystem::path const& path) {
+    std::ifstream in(path);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+TEST(Schema, IsPublishedAsThePropertiesStateIt) {
+    EXPECT_EQ(contentOf(sourceFolder() / "levels/level.schema.json"),
+              levelSchema(shelf().registry).dump(2) + "\n")
+        << "stale: run `trembler schema > levels/level.schema.json`";
+}
+
+TEST(Schema, AcceptsEveryLevelAndPart) {
+    nlohmann::json const levels = levelSchema(shelf().registry);
+    for (auto const& file : levelFiles()) {
+        EXPECT_EQ(validate(levels, nlohmann::json::parse(contentOf(file))), std::vector<std::string>())
+            << file;
+    }
+    EXPECT_EQ(validate(levels, nlohmann::json::parse(sampleLevel())), std::vector<std::string>());
+    nlohmann::json const parts = partSchema(shelf().registry);
+    for (PartDefinition const* part : shelf().parts.all()) {
+        EXPECT_EQ(validate(parts, part->document->root()), std::vector<std::string>()) << part->name;
+    }
+}
+
+TEST(Schema, RefusesWhatTheReaderRefuses) {
+    nlohmann::json const schema = levelSchema(shelf().registry);
+    struct Case {
+        char const* pointer;
+        char const* value;
+    };
+    for (Case const& c : {
+             Case{"/version", "2"},
+             Case{"/title", "\"\""},
+             Case{"/surprise", "1"},
+             Case{"/world/gravity", "[0]"},
+             Case{"/world/detail/gravity", "\"moon\""},
+             Case{"/objects/0/properties/fixed", "1"},
+             Case{"/objects/0/properties/friction", "-1"},
+             Case{"/objects/0/properties/shape/0/form", "\"boxx\""},
+             Case{"/objects/0/properties/shape/0/width", "0"},
+             Case{"/objects/0/properties/shape/0/colour", "1"},
+             Case{"/objects/0/properties/look", "{}"},
+             Case{"/objects/3/properties/collision/mask", "1.5"},
+             Case{"/joints/0/lower_deg", "\"a\""},
+             Case{"/joints/0/a", "3"},
+             Case{"/connections/0", "[\"plus\"]"},
+             Case{"/placing/0", "[1, 2, 3]"},
+             Case{"/toolbox/0/count", "0"},
+             Case{"/goals/all/0/on", "{}"},
+             Case{"/goals/all/0/off", "\"lamp\""},
+             Case{"/goals/all/0/for", "-1"},
+             Case{"/goals/all", "[]"},
+             Case{"/goals/all/2/count/exactly", "1"},
+             Case{"/solutions/0/expect", "\"maybe\""},
+             Case{"/solutions/0/inputs/2/release", "false"},
+             Case{"/solutions/0/inputs/0/at", "null"},
+         }) {
+        nlohmann::json level = nlohmann::json::parse(sampleLevel());
+        level[nlohmann::json::json_pointer(c.pointer)] = nlohmann::json::parse(c.value);
+        EXPECT_FALSE(validate(schema, level).empty()) << c.pointer;
+    }
+}
+
+} // namespace
+} // namespace trembler

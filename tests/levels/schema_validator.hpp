@@ -1,0 +1,16 @@
+// A small JSON Schema validator for the keywords that our schemas use: an oracle that shares no code with the
+// reader.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// What is wrong with `value`, one line each; empty if it is valid. Throws std::invalid_argument for a
+/// keyword that it does not know, so that none is ever silently ignored.
+[[nodiscard]] std::vector<std::string> validate(nlohmann::json const& schema, nlohmann::json const& value);
+
+} // namespace trembler

@@ -1,0 +1,26 @@
+// What every test of real levels needs: everything that the program knows, the parts, and a small level.
+#pragma once
+
+#include "runtime/level/build_world.hpp"
+#include "runtime/level/read_level.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+struct Shelf {
+    Shelf();
+    Registry registry;
+    PartLibrary parts;
+};
+
+[[nodiscard]] Shelf const& shelf();
+/// A level that has something of everything.
+[[nodiscard]] std::string sampleLevel();
+/// Every level file that is shipped.
+[[nodiscard]] std::vector<std::filesystem::path> levelFiles();
+[[nodiscard]] std::filesystem::path sourceFolder();
+
+} // namespace trembler
