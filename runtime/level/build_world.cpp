@@ -34,7 +34,7 @@ public:
     void addWorld() {
         Made made; // always there, so that ids do not depend on what the level states about it
         made.name = "world";
-        made.properties = level_.world;
+        made.properties = effectiveProperties({}, level_.world);
         made.own = &level_.world;
         made.path = "/world";
         made.inEntry = true;

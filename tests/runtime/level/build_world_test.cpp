@@ -58,6 +58,7 @@ TEST_F(BuildWorld, CreatesObjectsInCanonicalOrderWithTheirEffectiveProperties) {
     EXPECT_EQ(world->find<Rotation>(store.find("thing 1"))->angle, 0.5);
     EXPECT_NE(store.prototypes().numberOf("heavy"), PrototypeLibrary::unknown);
     world->step();
+    EXPECT_EQ(build(R"("world": {"climate": false})")->find<sample::Climate>(ObjectId{0, 0}), nullptr);
 }
 
 TEST_F(BuildWorld, PlacesProblemsWhereThePropertyIsStated) {
