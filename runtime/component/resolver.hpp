@@ -11,7 +11,8 @@ namespace trembler {
 /// `void advance(Access&)`, and may have `bool restless() const`: true while it has work of its own to go on
 /// with although nothing around it changed (bodies that still move). With `static constexpr bool onDemand =
 /// true` it is absent while nobody reads what it provides: neither a component that is there nor anybody
-/// outside (World::want).
+/// outside (World::want). It may also be advanced although nothing has changed, when components came or
+/// went: it must then come to the same result.
 template <class Self, ResolverRole RoleType, class ReadsList, class WritesList,
           class ProvidesList = Provides<>>
 class Resolver : public Component {
@@ -70,7 +71,8 @@ public:
         [[nodiscard]] bool wanted() const {
             return self_.provides_.template get<P>().readers() > 0;
         }
-        /// Calls f(call, origin) for every pending call of kind C, always in the same order.
+        /// Calls f(call, origin) for every pending call of kind C, always in the same order. An object in a
+        /// held call may be gone: the interaction hears of it only after this advance.
         template <InteractionCall C, class F>
         void forCalls(F&& f) const {
             static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this resolver's role");

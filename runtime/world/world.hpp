@@ -61,7 +61,7 @@ public:
     [[nodiscard]] double time() const { return static_cast<double>(frame_) * frameDuration; }
     [[nodiscard]] std::uint64_t stateHash() const;
 
-    /// Queues what the player did for the next frame.
+    /// Queues what the player did for the next frame. Before start() there is nobody to take it: it is lost.
     void feed(PlayerInput const& input);
 
     /// Picks a detail level from the next frame on; "" leaves the choice to the scene again. Throws
