@@ -13,11 +13,13 @@ namespace {
 struct Approach {
     Point at; ///< in the middle of the two
     double distance = 0;
+    double least = 0; ///< m, how far from the first point a second one must be
 };
 
-void approach(std::vector<Approach>& all, std::span<Point const> corners, std::span<Point const> edge) {
+void approach(std::vector<Approach>& all, std::span<Point const> corners, std::span<Point const> edge,
+              double leastApart) {
     for (Point const corner : corners) {
-        Approach best{{}, std::numeric_limits<double>::infinity()};
+        Approach best{{}, std::numeric_limits<double>::infinity(), leastApart};
         for (std::size_t i = 0; i < edge.size(); ++i) {
             Point const from = edge[i];
             Point const along = edge[(i + 1) % edge.size()] - from;
@@ -25,11 +27,25 @@ void approach(std::vector<Approach>& all, std::span<Point const> corners, std::s
                 std::clamp(dot(corner - from, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
             Point const near = from + t * along;
             if (length(corner - near) < best.distance) {
-                best = {0.5 * (corner + near), length(corner - near)};
+                best = {0.5 * (corner + near), length(corner - near), leastApart};
             }
         }
         all.push_back(best);
     }
+}
+
+// What is round touches in one point, whatever corners its outline is drawn with.
+double leastApart(ShapePiece const& piece) {
+    switch (piece.form) {
+    case ShapeForm::circle:
+        return std::numeric_limits<double>::infinity();
+    case ShapeForm::capsule:
+        return piece.radius;
+    case ShapeForm::box:
+    case ShapeForm::polygon:
+        return 0.02;
+    }
+    return 0;
 }
 
 std::vector<Point> placedOutline(ShapePiece const& piece, Pose const& pose) {
@@ -69,8 +85,9 @@ std::vector<Point> touchingPoints(Shape const& a, Pose const& poseA, Shape const
             if (around.overlaps(extentOf(pieceB, poseB))) {
                 std::vector<Point> const outlineA = placedOutline(pieceA, poseA);
                 std::vector<Point> const outlineB = placedOutline(pieceB, poseB);
-                approach(all, outlineA, outlineB);
-                approach(all, outlineB, outlineA);
+                double const apart = std::max(leastApart(pieceA), leastApart(pieceB));
+                approach(all, outlineA, outlineB, apart);
+                approach(all, outlineB, outlineA, apart);
             }
         }
     }
@@ -80,11 +97,12 @@ std::vector<Point> touchingPoints(Shape const& a, Pose const& poseA, Shape const
     auto const closer = [](Approach const& x, Approach const& y) { return x.distance < y.distance; };
     Approach const first = *std::min_element(all.begin(), all.end(), closer);
     auto const reach = [&](Approach const& one) {
-        return one.distance <= first.distance + near ? length(one.at - first.at) : 0.0;
+        double const apart = length(one.at - first.at);
+        return one.distance <= first.distance + near && apart > one.least ? apart : 0.0;
     };
     Approach const second = *std::max_element(
         all.begin(), all.end(), [&](Approach const& x, Approach const& y) { return reach(x) < reach(y); });
-    return reach(second) > 4 * near ? std::vector{first.at, second.at} : std::vector{first.at};
+    return reach(second) > 0 ? std::vector{first.at, second.at} : std::vector{first.at};
 }
 
 void drawContacts(Canvas& canvas, World const& world) {

@@ -59,26 +59,37 @@ void drawVertex(Canvas& canvas, Facts const& facts, Point at) {
 } // namespace
 
 void drawVeil(Canvas& canvas, float alpha) {
-    Camera const& camera = canvas.camera();
-    Point const half{0.6 * camera.viewport.width / camera.pixelsPerMetre,
-                     0.6 * camera.viewport.height / camera.pixelsPerMetre};
-    canvas.box({camera.centre, 0}, half, 0,
+    Extent const view = viewOf(canvas.camera());
+    canvas.box({view.centre(), 0}, 1.2 * view.half(), 0,
                {.tint = palette::paper, .outline = 0.F, .alpha = alpha, .height = 0.F});
 }
 
 void drawElectricity(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                      PoseOf const& poseOf) {
     drawVeil(canvas, 0.5F);
+    Extent const view = viewOf(canvas.camera()).widened(canvas.metres(30));
     for (Link const& link : links) {
         Facts const a = reader.of(link.a);
         Facts const b = reader.of(link.b);
-        if (a.visible() && b.visible()) {
-            drawEdge(canvas, link, vertexOf(a, poseOf(a)), vertexOf(b, poseOf(b)));
+        if (!a.visible() || !b.visible()) {
+            continue;
+        }
+        Point const from = vertexOf(a, poseOf(a));
+        Point const to = vertexOf(b, poseOf(b));
+        Extent around;
+        around.add(from);
+        around.add(to);
+        if (around.overlaps(view)) {
+            drawEdge(canvas, link, from, to);
         }
     }
     for (Facts const& facts : reader.drawOrder()) {
-        if (facts.conductor || facts.source || facts.earth) {
-            drawVertex(canvas, facts, vertexOf(facts, poseOf(facts)));
+        if (!facts.conductor && !facts.source && !facts.earth) {
+            continue;
+        }
+        Point const at = vertexOf(facts, poseOf(facts));
+        if (view.contains(at)) {
+            drawVertex(canvas, facts, at);
         }
     }
 }

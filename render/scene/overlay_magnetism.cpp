@@ -34,14 +34,9 @@ void drawMagneticForces(Canvas& canvas, World const& world) {
 
 void drawFieldLines(Canvas& canvas, World const& world) {
     std::vector<FieldPole> const poles = activePoles(world);
-    Camera const& camera = canvas.camera();
-    Point const half{0.5 * camera.viewport.width / camera.pixelsPerMetre,
-                     0.5 * camera.viewport.height / camera.pixelsPerMetre};
-    Extent around;
-    around.add(camera.centre - half);
-    around.add(camera.centre + half);
+    Extent const around = viewOf(canvas.camera());
     // Lines that leave the view may come back.
-    double const margin = 0.5 * std::max(half.x, half.y);
+    double const margin = 0.5 * std::max(around.half().x, around.half().y);
     Stroke const line{.colour = palette::fieldLine, .pixels = 1.8F, .alpha = 0.75F};
     for (auto const& points : fieldLines(poles, around.widened(margin))) {
         // Points are denser than a picture needs.

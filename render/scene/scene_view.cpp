@@ -1,6 +1,7 @@
 #include "render/scene/scene_view.hpp"
 
 #include "render/scene/body.hpp"
+#include "render/scene/device.hpp"
 #include "render/scene/joints.hpp"
 #include "render/scene/overlay_contacts.hpp"
 #include "render/scene/overlay_electricity.hpp"
@@ -21,8 +22,13 @@ void drawGround(Canvas& canvas, SceneOptions const& options) {
 
 void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
                  SceneOptions const& options) {
+    Extent const view = viewOf(canvas.camera()).widened(canvas.metres(20));
     bool moving = false;
     for (Facts const& facts : reader.drawOrder()) {
+        Pose const pose = place(facts);
+        if (!extentOf(facts, pose).widened(deviceGlow(facts).reach).overlaps(view)) {
+            continue;
+        }
         if (!moving && !(facts.fixed && facts.shape != nullptr)) {
             canvas.newSheet(); // what moves throws its shadow on what does not
             moving = true;
@@ -30,7 +36,7 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
         if (facts.id == options.hidden && options.hidden.valid()) {
             continue;
         }
-        drawObject(canvas, facts, place(facts),
+        drawObject(canvas, facts, pose,
                    {.selected = facts.id == options.selected, .hovered = facts.id == options.hovered});
     }
 }

@@ -75,6 +75,15 @@ bool Extent::overlaps(Extent const& other) const {
            other.lower.y <= upper.y;
 }
 
+Extent viewOf(Camera const& camera) {
+    Point const half{0.5 * camera.viewport.width / camera.pixelsPerMetre,
+                     0.5 * camera.viewport.height / camera.pixelsPerMetre};
+    Extent view;
+    view.add(camera.centre - half);
+    view.add(camera.centre + half);
+    return view;
+}
+
 Pose poseIn(ShapePiece const& piece) {
     return {toPoint(piece.at), piece.angle};
 }

@@ -3,6 +3,7 @@
 
 #include "physics/dynamics/mass_properties.hpp"
 #include "physics/dynamics/shape.hpp"
+#include "render/draw/camera.hpp"
 #include "render/draw/geometry.hpp"
 
 #include <array>
@@ -31,7 +32,13 @@ struct Extent {
     /// Larger by `margin` metres on all sides; an empty one stays empty.
     [[nodiscard]] Extent widened(double margin) const;
     [[nodiscard]] bool overlaps(Extent const& other) const;
+    [[nodiscard]] bool contains(Point point) const {
+        return point.x >= lower.x && point.x <= upper.x && point.y >= lower.y && point.y <= upper.y;
+    }
 };
+
+/// What of the world a camera shows.
+[[nodiscard]] Extent viewOf(Camera const& camera);
 
 /// Where a piece lies in its object's frame.
 [[nodiscard]] Pose poseIn(ShapePiece const& piece);

@@ -3,6 +3,7 @@
 #include "render/draw/path.hpp"
 #include "render/scene/body.hpp"
 #include "render/scene/device.hpp"
+#include "render/scene/pick.hpp"
 #include "render/scene/shape_geometry.hpp"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 namespace trembler::render {
 namespace {
 
+constexpr double cableSag = 0.13;      // of the distance across
 constexpr double cableWidth = 0.045;   // m
 constexpr double beadSpacing = 0.16;   // m
 constexpr double beadsPerSecond = 4.5; // how many pass a point
@@ -56,6 +58,13 @@ double potential(std::vector<std::uint32_t> const& fromSource, std::vector<std::
                                                                      : 1e9;
     };
     return at(fromReturn) / std::max(at(fromSource) + at(fromReturn), 1.0);
+}
+
+// A rectangle that the whole cable between two objects lies in.
+Extent cableReach(Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB) {
+    Extent around = extentOf(a, poseA);
+    around.add(extentOf(b, poseB));
+    return around.widened(around.empty() ? 0 : 2 * cableSag * around.half().x + cableWidth);
 }
 
 void drawEnd(Canvas& canvas, Facts const& facts, Point at, bool live) {
@@ -107,25 +116,36 @@ std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b, 
     // A cable a tenth longer than the way across hangs about this deep; what hangs straight down does not
     // sag.
     Point const across = to - start;
-    double const sag = 0.13 * std::abs(across.x);
-    return hangingWire(start, to, sag, std::clamp(static_cast<int>(length(across) / 0.05), 8, 40));
+    double const sag = cableSag * std::abs(across.x);
+    return hangingWire(start, to, sag, std::clamp(static_cast<int>(length(across) / 0.08), 6, 28));
 }
 
 void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                PoseOf const& poseOf, double time) {
+    Extent const view = viewOf(canvas.camera());
     for (Link const& link : links) {
         Facts const a = reader.of(link.a);
         Facts const b = reader.of(link.b);
         if (link.counts.of(ConnectionCause::wire) <= 0 || !a.visible() || !b.visible()) {
             continue;
         }
-        std::vector<Point> path = cablePath(a, poseOf(a), b, poseOf(b));
+        Pose const poseA = poseOf(a);
+        Pose const poseB = poseOf(b);
+        if (!cableReach(a, poseA, b, poseB).widened(canvas.metres(20)).overlaps(view)) {
+            continue;
+        }
+        std::vector<Point> path = cablePath(a, poseA, b, poseB);
         Stroke cable{.colour = link.live ? mix(palette::deadWire, palette::live, 0.75F) : palette::deadWire,
                      .width = cableWidth,
                      .pixels = 2.F,
                      .outline = 1.2F,
                      .round = true,
                      .height = 0.9F};
+        if (cableWidth < canvas.metres(2)) { // seen from afar it is only a line
+            cable.outline = 0;
+            cable.round = false;
+            cable.height = 0;
+        }
         if (link.live) {
             cable.glow = {palette::live, 0.13, 0.75F};
         }
@@ -154,7 +174,12 @@ Link pickWire(World const& world, Point at, double tolerance) {
         if (link.counts.of(ConnectionCause::wire) <= 0 || !a.visible() || !b.visible()) {
             continue;
         }
-        std::vector<Point> const path = cablePath(a, poseOf(a), b, poseOf(b));
+        Pose const poseA = poseOf(a);
+        Pose const poseB = poseOf(b);
+        if (!cableReach(a, poseA, b, poseB).widened(tolerance).contains(at)) {
+            continue;
+        }
+        std::vector<Point> const path = cablePath(a, poseA, b, poseB);
         for (std::size_t i = 1; i < path.size(); ++i) {
             Point const along = path[i] - path[i - 1];
             double const t =

@@ -88,6 +88,7 @@ TEST(SceneGallery, everyJoint) {
         rope.b = floor;
         rope.atB = {-0.6, -2.7};
         rope.length = 1.9;
+        rope.collide = true;
     });
     ObjectId const bob = moving({boxPiece(0.4, 0.4)}, {-1.6, 1.0}, M::steel);
     joint(JointForm::spring, bob, {-1.6, 1.2}, [&](Joint& spring) {
