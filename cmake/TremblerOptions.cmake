@@ -38,3 +38,12 @@ function(trembler_sources variable)
   list(SORT found)
   set(${variable} ${found} PARENT_SCOPE)
 endfunction()
+
+# trembler_precompile(TARGET HEADER...): with TREMBLER_PCH, parses these and the usual ones of the standard library
+# only once for the whole target.
+function(trembler_precompile target)
+  if(TREMBLER_PCH)
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <functional> <map> <memory> <optional>
+      <set> <span> <string> <unordered_map> <vector> <fmt/format.h> ${ARGN})
+  endif()
+endfunction()
