@@ -7,19 +7,18 @@ namespace trembler::ui {
 
 GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary const& parts,
                  GameOptions const& options)
-    : options_(options),
-      desk_{.window = window,
-            .registry = registry,
-            .parts = parts,
-            .gui = render::Gui(window, {.steady = options.steady}),
-            .input = render::InputEvents(window),
-            .canvas = {},
-            .toasts = {},
-            .layout = {},
-            .shelf = PartShelf(parts, desk_.canvas),
-            .levels = LevelShelf(registry, options.levels),
-            .profile = Profile(options.profile),
-            .recorder = Recorder(options.pictures)},
+    : options_(options), desk_{.window = window,
+                               .registry = registry,
+                               .parts = parts,
+                               .gui = render::Gui(window, {.steady = options.steady}),
+                               .input = render::InputEvents(window),
+                               .canvas = {},
+                               .toasts = {},
+                               .layout = {},
+                               .shelf = PartShelf(parts, desk_.canvas),
+                               .levels = LevelShelf(registry, options.levels),
+                               .profile = Profile(options.profile),
+                               .recorder = Recorder(options.pictures)},
       title_(desk_) {
     applySettings(desk_);
 }

@@ -19,12 +19,13 @@ struct GameOptions {
     bool steady = false; ///< nothing blinks: for tests
 };
 
-/// Driven picture by picture, so that tests can play it with pushed events. Thread of the window only; the window,
-/// the registry and the parts must outlive it.
+/// Driven picture by picture, so that tests can play it with pushed events. Thread of the window only; the
+/// window, the registry and the parts must outlive it.
 class GameApp {
 public:
     /// Throws render::RenderError if the graphics card cannot draw the game.
-    GameApp(render::Window& window, Registry const& registry, PartLibrary const& parts, GameOptions const& options);
+    GameApp(render::Window& window, Registry const& registry, PartLibrary const& parts,
+            GameOptions const& options);
     ~GameApp();
     GameApp(GameApp const&) = delete;
     GameApp& operator=(GameApp const&) = delete;
@@ -33,7 +34,8 @@ public:
     void open(std::filesystem::path const& level);
     void showTitle() { play_.reset(); }
 
-    /// One picture: takes SDL's events, lets `seconds` pass, draws and presents. False once the player wants to go.
+    /// One picture: takes SDL's events, lets `seconds` pass, draws and presents. False once the player wants
+    /// to go.
     bool frame(double seconds);
 
     /// The level on the screen, or nullptr on the title screen.

@@ -77,8 +77,8 @@ void drawBar(double microseconds, double slowest) {
     auto& list = *ImGui::GetWindowDrawList();
     float const room = std::max(width - numbers, 0.F);
     float const middle = at.y + 0.5F * height;
-    list.AddRectFilled({at.x, middle - scaled(4)}, {at.x + room, middle + scaled(4)}, imColour(palette::paperShade),
-                       scaled(4));
+    list.AddRectFilled({at.x, middle - scaled(4)}, {at.x + room, middle + scaled(4)},
+                       imColour(palette::paperShade), scaled(4));
     if (share > 0.005F) {
         list.AddRectFilled({at.x, middle - scaled(4)},
                            {at.x + std::max(room * std::min(share, 1.F), scaled(8)), middle + scaled(4)},
@@ -120,7 +120,8 @@ std::vector<EffectLevels> effectLevels(World const& world) {
     }
     std::vector<EffectLevels> all;
     for (auto& [effect, known] : byEffect) {
-        std::stable_sort(known.begin(), known.end(), [](Known const& a, Known const& b) { return a.cost < b.cost; });
+        std::stable_sort(known.begin(), known.end(),
+                         [](Known const& a, Known const& b) { return a.cost < b.cost; });
         EffectLevels levels{effect, {}, {}, {}};
         for (Known const& one : known) {
             if (std::find(levels.levels.begin(), levels.levels.end(), one.level) == levels.levels.end()) {
@@ -162,7 +163,8 @@ void ComponentsPanel::drawLevels(Session& session, Toasts& toasts) {
     }
 }
 
-void ComponentsPanel::drawRow(ComponentStatus const& status, double slowest, Session& session, Toasts& toasts) {
+void ComponentsPanel::drawRow(ComponentStatus const& status, double slowest, Session& session,
+                              Toasts& toasts) {
     std::string const name = title(*status.info);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();

@@ -26,7 +26,8 @@ class ComponentsPanel {
 public:
     void toggle() { open_ = !open_; }
     [[nodiscard]] bool open() const { return open_; }
-    /// Between Gui::beginFrame and endFrame, in pixels at UI scale 1: where its top is and how high it may be.
+    /// Between Gui::beginFrame and endFrame, in pixels at UI scale 1: where its top is and how high it may
+    /// be.
     void draw(Layout& layout, Session& session, render::Toasts& toasts, float top, float height);
 
 private:
@@ -35,7 +36,7 @@ private:
     void drawRow(ComponentStatus const& status, double slowest, Session& session, render::Toasts& toasts);
 
     bool open_ = false;
-    bool all_ = false;                      // absent ones too
+    bool all_ = false;                     // absent ones too
     std::map<std::string, double> smooth_; // µs by title, so that the bars can be read
 };
 

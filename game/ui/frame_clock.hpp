@@ -8,14 +8,16 @@
 
 namespace trembler::ui {
 
-/// Counts how many frames of 1/60 s are due, and how far the next one has come. Never looks at a clock itself.
+/// Counts how many frames of 1/60 s are due, and how far the next one has come. Never looks at a clock
+/// itself.
 class FrameClock {
 public:
-    /// More than this per picture is not caught up with: a slow machine shows slow motion instead of standing still.
+    /// More than this per picture is not caught up with: a slow machine shows slow motion instead of standing
+    /// still.
     static constexpr int mostFrames = 8;
 
-    /// Frames to do for `seconds` of the player's time (s, not finite or negative counts as none) at `speed` times
-    /// the usual pace (>= 1).
+    /// Frames to do for `seconds` of the player's time (s, not finite or negative counts as none) at `speed`
+    /// times the usual pace (>= 1).
     [[nodiscard]] int due(double seconds, int speed = 1) {
         double const passed = std::isfinite(seconds) ? std::max(seconds, 0.0) : 0.0;
         waiting_ += passed * speed;

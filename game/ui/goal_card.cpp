@@ -1,5 +1,4 @@
 #include "game/ui/play_cards.hpp"
-
 #include "game/ui/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
@@ -42,7 +41,9 @@ std::optional<Command> drawHints(Layout& layout, Session const& session, PlaySta
     std::size_t const shown = std::min(state.hintsShown, hints.size());
     for (std::size_t i = 0; i < shown; ++i) {
         smallHeading(words::hintOf(i + 1, hints.size()));
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - scaled(5)); // it belongs to what follows
         ImGui::TextWrapped("%s", hints[i].c_str());
+        ImGui::Dummy({0, scaled(2)});
     }
     if (shown < hints.size()) {
         char const* const label = shown == 0 ? words::hint : words::nextHint;

@@ -16,8 +16,8 @@ class HandTool {
 public:
     explicit HandTool(Session& session) : session_(session) {}
 
-    /// One picture's worth of mouse; `hovered` is the object under it. Returns the object that was clicked without
-    /// being dragged: an invalid id for a click beside everything, nothing if there was no click.
+    /// One picture's worth of mouse; `hovered` is the object under it. Returns the object that was clicked
+    /// without being dragged: an invalid id for a click beside everything, nothing if there was no click.
     std::optional<ObjectId> update(Pointer const& pointer, ObjectId hovered, double seconds);
     /// Passes on what the hand did since the last frame; call it directly before each Session::step.
     void beforeStep();

@@ -1,5 +1,4 @@
 #include "game/ui/inspector.hpp"
-
 #include "game/ui/words.hpp"
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/contacts.hpp"
@@ -29,7 +28,9 @@ std::string spoken(std::string_view key) {
     return text == "value" ? std::string() : text;
 }
 
-std::string pointText(Vec2 v) { return readable(v.x) + ", " + readable(v.y); }
+std::string pointText(Vec2 v) {
+    return readable(v.x) + ", " + readable(v.y);
+}
 
 /// Puts every field into a row.
 class RowWriter final : public FieldVisitor {
@@ -61,7 +62,8 @@ public:
     }
     void choice(FieldInfo const& info, ChoiceField field) override {
         auto const index = static_cast<std::size_t>(field.index);
-        add(info, index < field.names.size() ? std::string(field.names[index]) : std::to_string(field.index), {});
+        add(info, index < field.names.size() ? std::string(field.names[index]) : std::to_string(field.index),
+            {});
     }
     void list(FieldInfo const& info, ListField& field) override {
         constexpr std::size_t most = 12;
@@ -145,10 +147,12 @@ InspectorSection situation(World const& world, ObjectId object) {
     }
     if (auto const* state = world.find<ElectricalState>();
         state != nullptr && world.find<Conductor>(object) != nullptr) {
-        say(words::electricity, std::string(state->isOn(object) ? words::electricityOn : words::electricityOff),
+        say(words::electricity,
+            std::string(state->isOn(object) ? words::electricityOn : words::electricityOff),
             words::electricityMeaning);
     }
-    if (auto const* graph = world.find<ElectricityGraph>(object); graph != nullptr && !graph->connections.empty()) {
+    if (auto const* graph = world.find<ElectricityGraph>(object);
+        graph != nullptr && !graph->connections.empty()) {
         std::vector<ObjectId> others;
         for (auto const& connection : graph->connections) {
             others.push_back(connection.to);
@@ -188,7 +192,8 @@ std::string readable(double value) {
     if (size >= 1e7 || size < 1e-3) {
         return fmt::format("{:.3g}", value);
     }
-    std::string text = fmt::format("{:.{}f}", value, size >= 1000 ? 0 : (size >= 100 ? 1 : (size >= 10 ? 2 : 3)));
+    std::string text =
+        fmt::format("{:.{}f}", value, size >= 1000 ? 0 : (size >= 100 ? 1 : (size >= 10 ? 2 : 3)));
     if (text.find('.') != std::string::npos) {
         text.erase(text.find_last_not_of('0') + 1);
         if (text.back() == '.') {

@@ -28,7 +28,8 @@ void drawRow(InspectorRow const& row) {
         ImGui::SetTooltip("%s", row.meaning.c_str());
     }
     ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s%s%s", row.value.c_str(), row.unit.empty() ? "" : " ", row.unit.c_str());
+    bool const apart = !row.unit.empty() && !row.unit.starts_with("°");
+    ImGui::TextWrapped("%s%s%s", row.value.c_str(), apart ? " " : "", row.unit.c_str());
 }
 
 void drawSection(InspectorSection const& section, bool first) {
@@ -62,14 +63,14 @@ void drawSection(InspectorSection const& section, bool first) {
 
 } // namespace
 
-void Inspector::draw(Layout& layout, World const& world, float right, float top, float height) {
+void Inspector::draw(Layout& layout, World const& world, float top, float height) {
     shown_.clear();
     if (!open()) {
         return;
     }
     ObjectId const object = world.store().find(name_);
     shown_ = inspect(world, object);
-    layout.beginCard("inspector", "", {.anchor = Anchor::TopRight, .offset = {right, top}, .width = cardWidth});
+    layout.beginCard("inspector", "", {.anchor = Anchor::TopRight, .offset = {16, top}, .width = cardWidth});
     ImGui::PushFont(theme().fonts.heading);
     float const side = scaled(40);
     float const room = ImGui::GetContentRegionAvail().x - side;

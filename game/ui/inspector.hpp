@@ -24,8 +24,8 @@ struct InspectorSection {
     std::vector<InspectorRow> rows;
 };
 
-/// What the inspector says of an object: first what goes on with it (speed, electricity, contacts, forces), then
-/// every property that it has, in order of keys. Empty if the object does not exist.
+/// What the inspector says of an object: first what goes on with it (speed, electricity, contacts, forces),
+/// then every property that it has, in order of keys. Empty if the object does not exist.
 [[nodiscard]] std::vector<InspectorSection> inspect(World const& world, ObjectId object);
 
 /// A number as people read it: four digits, SI's own spelling of what is very large or small.
@@ -39,9 +39,9 @@ public:
     [[nodiscard]] bool open() const { return !name_.empty(); }
     [[nodiscard]] std::string const& name() const { return name_; }
 
-    /// Between Gui::beginFrame and endFrame, in pixels at UI scale 1: how far from the window's right edge and top it
+    /// Between Gui::beginFrame and endFrame, in pixels at UI scale 1: how far from the window's top it
     /// stands, and how high it may be.
-    void draw(Layout& layout, World const& world, float right, float top, float height);
+    void draw(Layout& layout, World const& world, float top, float height);
     /// What was last drawn.
     [[nodiscard]] std::vector<InspectorSection> const& shown() const { return shown_; }
 

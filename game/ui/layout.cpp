@@ -35,7 +35,8 @@ void Layout::beginCard(char const* name, char const* title, render::CardOptions 
 void Layout::endCard() {
     auto const& window = *ImGui::GetCurrentWindow();
     // Before its first complete picture ImGui does not know a card's size.
-    bool const known = window.AutoFitFramesX <= 0 && window.AutoFitFramesY <= 0 && window.HiddenFramesCannotSkipItems == 0;
+    bool const known =
+        window.AutoFitFramesX <= 0 && window.AutoFitFramesY <= 0 && window.HiddenFramesCannotSkipItems == 0;
     if (known) {
         ImVec2 const low = window.Pos;
         nextCards_.push_back(

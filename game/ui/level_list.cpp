@@ -22,7 +22,8 @@ void drawMark(ImVec2 centre, bool solved, bool trouble) {
         drawIcon(list, Icon::Tick, centre, 1.15F * radius, imColour(palette::paperLight));
     } else {
         list.AddCircleFilled(centre, radius, imColour(palette::paper));
-        list.AddCircle(centre, radius, imColour(mix(palette::paperShade, palette::ink, trouble ? 0.2F : 0.45F)), 0,
+        list.AddCircle(centre, radius,
+                       imColour(mix(palette::paperShade, palette::ink, trouble ? 0.2F : 0.45F)), 0,
                        scaled(1.6F));
     }
 }
@@ -37,7 +38,8 @@ bool drawRow(Desk& desk, ShelfEntry const& entry, bool current) {
     ImVec2 const high = ImGui::GetItemRectMax();
     auto& list = *ImGui::GetWindowDrawList();
     if (current || (hovered && !trouble)) {
-        Colour const ground = current ? mix(palette::paperShade, palette::accent, 0.15F) : palette::paperShade;
+        Colour const ground =
+            current ? mix(palette::paperShade, palette::accent, 0.15F) : palette::paperShade;
         list.AddRectFilled(low, high, imColour(ground), scaled(8));
     }
     float const middle = 0.5F * (low.y + high.y);
@@ -65,10 +67,10 @@ ShelfEntry const* drawLevelList(Desk& desk, std::filesystem::path const& current
         caption(words::noLevels);
         return nullptr;
     }
-    float const headings = 34 * static_cast<float>(desk.levels.groups().size());
+    float const headings = 31 * static_cast<float>(desk.levels.groups().size());
     float const rows = (rowHeight + 4) * static_cast<float>(desk.levels.size());
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-    ImGui::BeginChild("levels", {0, scaled(std::min(headings + rows + 8, height))});
+    ImGui::BeginChild("levels", {0, scaled(std::min(headings + rows, height))});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(scaled(4), scaled(4)));
     ShelfEntry const* const here = current.empty() ? nullptr : desk.levels.find(current);
     for (ShelfGroup const& group : desk.levels.groups()) {

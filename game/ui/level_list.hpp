@@ -5,7 +5,8 @@
 
 namespace trembler::ui {
 
-/// Draws the list into the open card, at most `height` pixels at UI scale 1 high; returns the level that was chosen.
+/// Draws the list into the open card, at most `height` pixels at UI scale 1 high; returns the level that was
+/// chosen.
 ShelfEntry const* drawLevelList(Desk& desk, std::filesystem::path const& current, float height);
 
 } // namespace trembler::ui

@@ -14,7 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool isDigit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
 
 /// "2-first-contact" becomes "First contact".
 std::string titleFrom(std::string name) {
@@ -32,14 +34,16 @@ std::string titleFrom(std::string name) {
 }
 
 ShelfEntry entryFor(Registry const& registry, fs::path const& file, fs::path const& folder) {
-    ShelfEntry entry{file, file.lexically_relative(folder).generic_string(), titleFrom(file.stem().string()), {}};
+    ShelfEntry entry{
+        file, file.lexically_relative(folder).generic_string(), titleFrom(file.stem().string()), {}};
     try {
         LevelFile const level = loadLevel(registry, file);
         if (!level.title.empty()) {
             entry.title = level.title;
         }
     } catch (InputError const& error) {
-        entry.trouble = error.diagnostics().empty() ? std::string(error.what()) : error.diagnostics().front().print();
+        entry.trouble =
+            error.diagnostics().empty() ? std::string(error.what()) : error.diagnostics().front().print();
     } catch (std::exception const& error) {
         entry.trouble = error.what();
     }
@@ -103,8 +107,9 @@ LevelShelf::LevelShelf(Registry const& registry, fs::path const& folder) {
     std::vector<std::string> names;
     for (auto& [name, files] : byFolder) {
         names.push_back(name);
-        std::sort(files.begin(), files.end(),
-                  [](fs::path const& a, fs::path const& b) { return naturallyBefore(a.string(), b.string()); });
+        std::sort(files.begin(), files.end(), [](fs::path const& a, fs::path const& b) {
+            return naturallyBefore(a.string(), b.string());
+        });
     }
     std::stable_sort(names.begin(), names.end(), [](std::string const& a, std::string const& b) {
         bool const firstA = a == "first";
@@ -112,7 +117,8 @@ LevelShelf::LevelShelf(Registry const& registry, fs::path const& folder) {
         return firstA != firstB ? firstA : naturallyBefore(a, b);
     });
     for (std::string const& name : names) {
-        ShelfGroup group{name == "." ? std::string(words::looseLevels) : titleFrom(fs::path(name).filename().string()),
+        ShelfGroup group{name == "." ? std::string(words::looseLevels)
+                                     : titleFrom(fs::path(name).filename().string()),
                          {}};
         if (name == "first") {
             group.title = words::firstSteps;

@@ -28,8 +28,8 @@ struct ShelfGroup {
 class LevelShelf {
 public:
     LevelShelf() = default;
-    /// Every *.json below `folder`, grouped by its folder; a number at the start of a name orders it. "first" comes
-    /// first. A schema file (*.schema.json) is no level.
+    /// Every *.json below `folder`, grouped by its folder; a number at the start of a name orders it. "first"
+    /// comes first. A schema file (*.schema.json) is no level.
     LevelShelf(Registry const& registry, std::filesystem::path const& folder);
 
     [[nodiscard]] std::vector<ShelfGroup> const& groups() const { return groups_; }

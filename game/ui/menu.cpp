@@ -37,7 +37,9 @@ void applySettings(Desk& desk) {
     desk.shadows = settings.shadows && (desk.profile.stated() || !desk.window.software());
 }
 
-void Menu::back() { page_ = page_ == first_ ? MenuPage::closed : first_; }
+void Menu::back() {
+    page_ = page_ == first_ ? MenuPage::closed : first_;
+}
 
 std::optional<MenuChoice> Menu::drawMain(Desk& desk) {
     std::optional<MenuChoice> choice;
@@ -125,7 +127,8 @@ void Menu::drawSettings(Desk& desk) {
     }
 }
 
-std::optional<MenuChoice> Menu::draw(Desk& desk, std::filesystem::path const& playing, ShelfEntry const*& level) {
+std::optional<MenuChoice> Menu::draw(Desk& desk, std::filesystem::path const& playing,
+                                     ShelfEntry const*& level) {
     drawVeil();
     switch (page_) {
     case MenuPage::main:

@@ -22,9 +22,10 @@ public:
     /// One page back: from the settings to the menu, from the menu to the game.
     void back();
 
-    /// Between Gui::beginFrame and endFrame. `playing` is the level behind it, empty on the title screen. A chosen
-    /// level is put into `level`.
-    std::optional<MenuChoice> draw(Desk& desk, std::filesystem::path const& playing, ShelfEntry const*& level);
+    /// Between Gui::beginFrame and endFrame. `playing` is the level behind it, empty on the title screen. A
+    /// chosen level is put into `level`.
+    std::optional<MenuChoice> draw(Desk& desk, std::filesystem::path const& playing,
+                                   ShelfEntry const*& level);
 
 private:
     std::optional<MenuChoice> drawMain(Desk& desk);

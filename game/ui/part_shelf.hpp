@@ -22,8 +22,8 @@ public:
     [[nodiscard]] std::string textOf(std::string const& part) const;
     /// nullptr if there is no such part.
     [[nodiscard]] Prototype const* prototype(std::string const& part);
-    /// An OpenGL texture of the part lying on a tile, `pixels` wide and high; 0 if there is no such part. Draws into a
-    /// picture of its own: the caller binds its target again afterwards.
+    /// An OpenGL texture of the part lying on a tile, `pixels` wide and high; 0 if there is no such part.
+    /// Draws into a picture of its own: the caller binds its target again afterwards.
     [[nodiscard]] unsigned picture(std::string const& part, int pixels);
     /// Distance from the part's middle to its farthest point, m.
     [[nodiscard]] double radius(std::string const& part);

@@ -33,8 +33,8 @@ public:
 
     /// Takes a part from the toolbox; what was carried goes back first.
     void take(std::string const& part, Pointer const& pointer);
-    /// One picture's worth of mouse. `hovered` is the placed part under it, `handle` whether it is on the handle of
-    /// the selected one.
+    /// One picture's worth of mouse. `hovered` is the placed part under it, `handle` whether it is on the
+    /// handle of the selected one.
     void update(Pointer const& pointer, std::optional<int> hovered, bool onHandle);
     /// Turns what is carried, or else what is selected, by so many steps anticlockwise.
     void turn(int steps, bool fine);

@@ -4,9 +4,8 @@
 #include "game/ui/screenshot.hpp"
 #include "runtime/level/read_level.hpp"
 
-#include <fmt/format.h>
-
 #include <SDL.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <iostream>
@@ -42,7 +41,8 @@ fs::path firstLevel(Workshop const& workshop) {
         }
     }
     if (first.empty()) {
-        throw std::invalid_argument("There is no level to play in " + (workshop.home / "levels").string() + ".");
+        throw std::invalid_argument("There is no level to play in " + (workshop.home / "levels").string() +
+                                    ".");
     }
     return first;
 }

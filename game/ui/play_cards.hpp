@@ -24,9 +24,9 @@ struct PlayState {
     bool cutting = false;
     bool components = false;
     bool celebrating = false;
-    bool goalsShort = false; ///< only the goals, without the story: something else needs the room
-    bool carrying = false;   ///< something is in the hand
-    double celebratedFor = 0; ///< s
+    bool goalsShort = false;        ///< only the goals, without the story: something else needs the room
+    bool carrying = false;          ///< something is in the hand
+    double celebratedFor = 0;       ///< s
     std::optional<double> solvedAt; ///< s of the run
     bool nextLevel = false;         ///< there is one
     std::string carriedPart;
@@ -37,6 +37,7 @@ inline constexpr float goalCardWidth = 316;
 inline constexpr float toolboxWidth = 236;
 inline constexpr float cardGap = 16;
 inline constexpr float bottomRow = 74; ///< height of what stands at the bottom
+inline constexpr float cornerRow = 74; ///< and of the buttons in the corner at the top right
 
 // Each draws its card between Gui::beginFrame and endFrame and returns what the player asked for with it.
 std::optional<Command> drawGoalCard(Layout& layout, Session const& session, PlayState const& state);

@@ -1,8 +1,7 @@
 // What the play screen draws: the world, what lies over it, and the cards around it.
 #include "game/ui/play_screen.hpp"
-
-#include "game/ui/words.hpp"
 #include "game/ui/scene_words.hpp"
+#include "game/ui/words.hpp"
 #include "render/panels/world_label.hpp"
 #include "render/scene/body.hpp"
 
@@ -29,7 +28,7 @@ void PlayScreen::drawCards() {
     auto const note = [&](std::optional<Command> command) { asked = command ? command : asked; };
     note(drawGoalCard(layout, session_, state_));
     note(drawCorner(layout));
-    if (building()) {
+    if (building() && !inspector_.open()) {
         if (auto const part = drawToolbox(layout, session_, desk_.shelf, state_)) {
             bool const same = carried && !carried->number && carried->landing.part == *part;
             if (same) {
@@ -44,13 +43,15 @@ void PlayScreen::drawCards() {
     note(drawTransport(layout, session_, state_));
     note(drawTools(layout, session_, state_));
     note(drawSuccess(layout, session_, state_));
-    float const screen = static_cast<float>(desk_.window.size().height) / desk_.window.uiScale();
-    bool const boxed = building() && !session_.level().toolbox.empty();
-    float const right = boxed ? toolboxWidth + 2 * cardGap : cardGap;
-    float const corner = boxed ? cardGap : 74.F;
-    inspector_.draw(layout, session_.world(), right, corner, screen - corner - bottomRow - 8);
-    auto const goal = layout.card("goal");
-    float const top = goal ? static_cast<float>(goal->high.y) / desk_.window.uiScale() + cardGap : 150.F;
+    float const scale = desk_.window.uiScale();
+    float const screen = static_cast<float>(desk_.window.size().height) / scale;
+    inspector_.draw(layout, session_.world(), cornerRow, screen - cornerRow - bottomRow - 8);
+    float top = 150;
+    for (char const* above : {"goal", "success"}) {
+        if (auto const card = layout.card(above)) {
+            top = std::max(top, static_cast<float>(card->high.y) / scale + cardGap);
+        }
+    }
     components_.draw(layout, session_, desk_.toasts, top, screen - top - bottomRow - 8);
     if (asked) {
         carryOut(*asked);
@@ -65,7 +66,8 @@ std::optional<Vec2> PlayScreen::handle() const {
     if (carried && !carried->turning) {
         return {};
     }
-    Placement const* const placement = carried ? &carried->landing : placing_.placementOf(*placing_.selected());
+    Placement const* const placement =
+        carried ? &carried->landing : placing_.placementOf(*placing_.selected());
     if (placement == nullptr) {
         return {};
     }
@@ -95,6 +97,8 @@ void PlayScreen::draw() {
     }
     bool const canTake = building() ? session_.numberOf(hovered_).has_value() : !hand_.cutting();
     options.hovered = canTake && !carried ? hovered_ : ObjectId{};
+    options.hidden = carried && carried->number ? session_.objectOf(*carried->number) : ObjectId{};
+    options.goals = goals_.regions(session_.judge().status());
     scene_.draw(canvas, world, options);
     canvas.newSheet();
     drawBlades();
@@ -117,7 +121,8 @@ void PlayScreen::drawSelection() const {
         return;
     }
     auto const& carried = placing_.carried();
-    Placement const* const placement = carried ? &carried->landing : placing_.placementOf(*placing_.selected());
+    Placement const* const placement =
+        carried ? &carried->landing : placing_.placementOf(*placing_.selected());
     Canvas& canvas = desk_.canvas;
     Point const centre = toPoint(placement->at);
     Point const at = toPoint(*knob);
@@ -127,8 +132,9 @@ void PlayScreen::drawSelection() const {
     canvas.arc(centre, arm, angle - 0.5, 0.36, {.colour = colour, .pixels = 2, .alpha = 0.55F});
     canvas.arc(centre, arm, angle + 0.14, 0.36, {.colour = colour, .pixels = 2, .alpha = 0.55F});
     bool const near = length(pointer_.world - *knob) < 13 * pointer_.pixel || (carried && carried->turning);
-    canvas.circle({at, 0}, canvas.metres(near ? 10 : 8),
-                  {.tint = near ? palette::accent : palette::paperLight, .outline = 2.4F, .outlineColour = colour});
+    canvas.circle(
+        {at, 0}, canvas.metres(near ? 10 : 8),
+        {.tint = near ? palette::accent : palette::paperLight, .outline = 2.4F, .outlineColour = colour});
 }
 
 void PlayScreen::drawGhost() const {
@@ -149,8 +155,8 @@ void PlayScreen::drawBlades() const {
         FactsReader const reader(session_.world());
         Facts const a = reader.of(wire.a);
         Facts const b = reader.of(wire.b);
-        auto const path = cablePath(a, scene_.poseOf(session_.world(), wire.a), b,
-                                    scene_.poseOf(session_.world(), wire.b));
+        auto const path =
+            cablePath(a, scene_.poseOf(session_.world(), wire.a), b, scene_.poseOf(session_.world(), wire.b));
         canvas.polyline(path, {.colour = palette::warning, .pixels = 5, .alpha = 0.8F});
     }
 }
@@ -158,6 +164,7 @@ void PlayScreen::drawBlades() const {
 void PlayScreen::drawLabels() const {
     World const& world = session_.world();
     drawSceneWords(camera(), world, scene_, alpha(), state_.names);
+    goals_.drawWords(camera());
     auto const& carried = placing_.carried();
     if (carried && !carried->verdict.ok && !pointer_.overCard) {
         worldLabel(camera(), toPoint(carried->landing.at), carried->verdict.why.c_str(),

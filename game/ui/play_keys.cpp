@@ -12,13 +12,15 @@ struct Key {
 };
 
 constexpr std::array keys{
-    Key{SDLK_SPACE, Command::runOrStop},      Key{SDLK_p, Command::pauseOrGo},   Key{SDLK_1, Command::electricity},
-    Key{SDLK_2, Command::magnetism},          Key{SDLK_3, Command::contacts},    Key{SDLK_n, Command::names},
-    Key{SDLK_c, Command::components},         Key{SDLK_F3, Command::components}, Key{SDLK_x, Command::cut},
-    Key{SDLK_r, Command::record},             Key{SDLK_F12, Command::picture},   Key{SDLK_HOME, Command::fit},
-    Key{SDLK_h, Command::hint},               Key{SDLK_i, Command::inspect},     Key{SDLK_l, Command::levels},
-    Key{SDLK_F1, Command::help},              Key{SDLK_F11, Command::fullscreen},
-    Key{SDLK_BACKSPACE, Command::allBack},
+    Key{SDLK_SPACE, Command::runOrStop}, Key{SDLK_p, Command::pauseOrGo},
+    Key{SDLK_1, Command::electricity},   Key{SDLK_2, Command::magnetism},
+    Key{SDLK_3, Command::contacts},      Key{SDLK_n, Command::names},
+    Key{SDLK_c, Command::components},    Key{SDLK_F3, Command::components},
+    Key{SDLK_x, Command::cut},           Key{SDLK_r, Command::record},
+    Key{SDLK_F12, Command::picture},     Key{SDLK_HOME, Command::fit},
+    Key{SDLK_h, Command::hint},          Key{SDLK_i, Command::inspect},
+    Key{SDLK_l, Command::levels},        Key{SDLK_F1, Command::help},
+    Key{SDLK_F11, Command::fullscreen},  Key{SDLK_BACKSPACE, Command::allBack},
 };
 
 } // namespace
@@ -65,7 +67,11 @@ void PlayScreen::readKeys() {
     if (input.keyPressed(SDLK_ESCAPE)) {
         if (hand_.cutting()) {
             hand_.setCutting(false);
-        } else if (!placing_.cancel()) {
+        } else if (placing_.cancel()) {
+            return;
+        } else if (inspector_.open()) {
+            inspector_.close();
+        } else {
             carryOut(Command::menu);
         }
         return;

@@ -18,7 +18,7 @@ constexpr double pickReach = 6;
 PlayScreen::PlayScreen(Desk& desk, std::filesystem::path file, WorldOptions const& options)
     : desk_(desk), file_(std::move(file)),
       session_(desk.registry, desk.parts, loadLevel(desk.registry, file_), options),
-      placing_(session_, desk.toasts), hand_(session_) {
+      placing_(session_, desk.toasts), hand_(session_), goals_(session_.level()) {
     state_.names = desk.profile.settings().names;
     state_.nextLevel = desk.levels.after(file_) != nullptr;
     worldChanged();
@@ -37,6 +37,7 @@ render::Extent PlayScreen::subject() const {
             all.add(render::extentOf(area));
         }
     }
+    all.add(goals_.extent());
     if (all.empty()) {
         all.add(render::Point{-2, -2});
         all.add(render::Point{2, 2});
@@ -292,7 +293,8 @@ void PlayScreen::toggleRecording() {
     if (state_.recording) {
         recorder.stop();
         state_.recording = false;
-        desk_.toasts.add(words::recorded(recorder.frames(), recorder.film().string()), render::ToastKind::News, 6);
+        desk_.toasts.add(words::recorded(recorder.frames(), recorder.film().string()),
+                         render::ToastKind::News, 6);
         return;
     }
     try {

@@ -7,6 +7,7 @@
 #include "game/ui/components_panel.hpp"
 #include "game/ui/desk.hpp"
 #include "game/ui/frame_clock.hpp"
+#include "game/ui/goal_areas.hpp"
 #include "game/ui/hand_tool.hpp"
 #include "game/ui/inspector.hpp"
 #include "game/ui/placing_tool.hpp"
@@ -95,6 +96,7 @@ private:
     FrameClock clock_;
     Replay replay_;
     render::SceneView scene_;
+    GoalAreas goals_;
     PlayState state_;
     PlayWish wish_ = PlayWish::none;
     Pointer pointer_;
@@ -103,11 +105,11 @@ private:
     render::Point rightPressedAt_;
     bool rightOnPaper_ = false;
     bool leftOnPaper_ = false;
-    bool counted_ = false;    // this run's success has been told
-    bool stepped_ = false;    // the world moved on in this picture
+    bool counted_ = false; // this run's success has been told
+    bool stepped_ = false; // the world moved on in this picture
     bool wantPicture_ = false;
-    bool takenNow_ = false;   // a part left the toolbox in this picture
-    double askedFor_ = 0;     // s
+    bool takenNow_ = false; // a part left the toolbox in this picture
+    double askedFor_ = 0;   // s
 };
 
 } // namespace trembler::ui

@@ -19,11 +19,11 @@ struct Pointer {
     bool pressed = false;     ///< left button, in this picture
     bool released = false;
     bool held = false;
-    bool twice = false;    ///< pressed for a double click
+    bool twice = false;        ///< pressed for a double click
     bool rightClicked = false; ///< pressed and released without a drag
-    double wheel = 0;      ///< notches
-    bool fine = false;     ///< Shift: small steps
-    bool free = false;     ///< Ctrl or Alt: no grid
+    double wheel = 0;          ///< notches
+    bool fine = false;         ///< Shift: small steps
+    bool free = false;         ///< Ctrl or Alt: no grid
 
     /// Pixels at UI scale 1 between here and another place on the screen.
     [[nodiscard]] double strayed(render::Point from) const { return render::length(screen - from) / uiScale; }

@@ -15,7 +15,9 @@ using Json = nlohmann::ordered_json;
 
 } // namespace
 
-Profile::Profile(fs::path file) : file_(std::move(file)) { read(); }
+Profile::Profile(fs::path file) : file_(std::move(file)) {
+    read();
+}
 
 void Profile::setSettings(Settings const& settings) {
     settings_ = settings;

@@ -14,8 +14,8 @@ struct Settings {
     bool names = false; ///< names of objects in the world
 };
 
-/// Written at once whenever it changes. A file that cannot be read or written is no reason to stop playing: the
-/// profile is then simply empty, or not kept.
+/// Written at once whenever it changes. A file that cannot be read or written is no reason to stop playing:
+/// the profile is then simply empty, or not kept.
 class Profile {
 public:
     /// `file` empty: nothing is read or written (tests).
@@ -26,7 +26,9 @@ public:
     [[nodiscard]] bool solved(std::string const& levelId) const { return solved_.count(levelId) != 0; }
     /// True if it was not marked before.
     bool markSolved(std::string const& levelId);
-    [[nodiscard]] bool stated() const { return stated_; } ///< there was a file: these are the player's own settings
+    [[nodiscard]] bool stated() const {
+        return stated_;
+    } ///< there was a file: these are the player's own settings
 
     /// $XDG_DATA_HOME/trembler/profile.json, or below ~/.local/share; empty if there is no home.
     [[nodiscard]] static std::filesystem::path usualFile();

@@ -19,11 +19,12 @@ public:
     /// Where the present or last film is.
     [[nodiscard]] std::filesystem::path const& film() const { return film_; }
 
-    /// Begins a film in a folder that is not there yet: "film-1", "film-2" ... Throws RenderError with a message for
-    /// the player if it cannot be made.
+    /// Begins a film in a folder that is not there yet: "film-1", "film-2" ... Throws RenderError with a
+    /// message for the player if it cannot be made.
     void start();
     void stop() { recording_ = false; }
-    /// Adds a picture as frame-00001.png and so on. Throws RenderError if it cannot be written; the film is then over.
+    /// Adds a picture as frame-00001.png and so on. Throws RenderError if it cannot be written; the film is
+    /// then over.
     void add(render::Image const& image);
     /// Writes a single picture, "picture-1.png" and so on, and returns where. Throws RenderError.
     std::filesystem::path picture(render::Image const& image);

@@ -10,8 +10,8 @@ void Replay::beforeStep(Session& session) const {
         }
         PlayerInput const known{input.kind, world.store().find(input.object), world.store().find(input.other),
                                 input.at};
-        bool const there = (input.object.empty() || known.object.valid()) &&
-                           (input.other.empty() || known.other.valid());
+        bool const there =
+            (input.object.empty() || known.object.valid()) && (input.other.empty() || known.other.valid());
         if (there) {
             session.feed(known);
         }

@@ -8,7 +8,8 @@ namespace trembler::ui {
 
 using namespace render;
 
-void drawSceneWords(Camera const& camera, World const& world, SceneView const& scene, double alpha, bool names) {
+void drawSceneWords(Camera const& camera, World const& world, SceneView const& scene, double alpha,
+                    bool names) {
     for (SceneLabel const& label : scene.labels(world, alpha)) {
         worldLabel(camera, label.at, std::string(label.text).c_str(),
                    {.colour = label.colour, .metresHigh = label.metresHigh});

@@ -6,7 +6,7 @@
 namespace trembler::ui {
 
 /// Between Gui::beginFrame and endFrame; objects are where `scene` draws them.
-void drawSceneWords(render::Camera const& camera, World const& world, render::SceneView const& scene, double alpha,
-                    bool names);
+void drawSceneWords(render::Camera const& camera, World const& world, render::SceneView const& scene,
+                    double alpha, bool names);
 
 } // namespace trembler::ui

@@ -2,6 +2,7 @@
 
 #include "game/session/solution_file.hpp"
 #include "game/ui/camera_control.hpp"
+#include "game/ui/goal_areas.hpp"
 #include "game/ui/play_cards.hpp"
 #include "game/ui/scene_words.hpp"
 #include "render/draw/palette.hpp"
@@ -23,7 +24,9 @@ Image pictureOf(Window& window, Workshop const&, Session const& session, Picture
     auto const scale = static_cast<double>(window.uiScale());
     bool const goals = options.card && !session.level().title.empty();
     CameraControl view;
-    Extent const subject = sceneFocus(world);
+    GoalAreas areas(session.level());
+    Extent subject = sceneFocus(world);
+    subject.add(areas.extent());
     view.setSubject(subject.empty() ? subject : subject.widened(0.05 * length(subject.half())));
     double const left = goals ? scale * (goalCardWidth + 2 * static_cast<double>(cardGap)) : scale * cardGap;
     double const rest = scale * static_cast<double>(cardGap);
@@ -39,11 +42,16 @@ Image pictureOf(Window& window, Workshop const&, Session const& session, Picture
             drawGoalCard(layout, session, state);
         }
         window.beginFrame(palette::paper);
-        canvas.begin(view.camera(), {.uiScale = window.uiScale(), .time = world.time(), .shadows = options.shadows});
+        canvas.begin(view.camera(),
+                     {.uiScale = window.uiScale(), .time = world.time(), .shadows = options.shadows});
         canvas.paper();
-        scene.draw(canvas, world, {.time = world.time(), .overlays = options.overlays});
+        scene.draw(canvas, world,
+                   {.time = world.time(),
+                    .overlays = options.overlays,
+                    .goals = areas.regions(session.judge().status())});
         canvas.end();
         drawSceneWords(view.camera(), world, scene, 1, options.names);
+        areas.drawWords(view.camera());
         gui.endFrame();
         image = window.readPixels();
         window.present();
@@ -52,7 +60,8 @@ Image pictureOf(Window& window, Workshop const&, Session const& session, Picture
 }
 
 void screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
-    Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, options.level), options.world);
+    Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, options.level),
+                    options.world);
     if (!options.solution.empty()) {
         session.load(findOrLoadSolution(workshop.registry, session.level(), options.solution));
     } else if (options.firstSolution && !session.level().solutions.empty()) {

@@ -1,5 +1,4 @@
 #include "game/ui/play_cards.hpp"
-
 #include "game/ui/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
@@ -41,7 +40,8 @@ void drawConfetti(double age) {
         if (own < 0) {
             continue;
         }
-        float const drift = scaled(60) * (scatter(i, 1) - 0.5F) + scaled(16) * std::sin(3 * own + 6 * scatter(i, 2));
+        float const drift =
+            scaled(60) * (scatter(i, 1) - 0.5F) + scaled(16) * std::sin(3 * own + 6 * scatter(i, 2));
         ImVec2 const at{screen.x * scatter(i, 3) + drift,
                         -scaled(20) + own * scaled(150 + 160 * scatter(i, 4)) + own * own * scaled(22)};
         float const turn = 5 * own * (scatter(i, 5) - 0.5F) + 6.28F * scatter(i, 6);
@@ -50,9 +50,10 @@ void drawConfetti(double age) {
         ImVec2 const x{half * std::cos(turn), half * std::sin(turn)};
         ImVec2 const y{-0.6F * flat * x.y, 0.6F * flat * x.x};
         auto const fade = static_cast<float>(std::clamp((life - age) / 1.2, 0.0, 1.0));
-        list.AddQuadFilled({at.x - x.x - y.x, at.y - x.y - y.y}, {at.x + x.x - y.x, at.y + x.y - y.y},
-                           {at.x + x.x + y.x, at.y + x.y + y.y}, {at.x - x.x + y.x, at.y - x.y + y.y},
-                           imColour(faded(colours[static_cast<std::size_t>(i) % colours.size()], 0.85F * fade)));
+        list.AddQuadFilled(
+            {at.x - x.x - y.x, at.y - x.y - y.y}, {at.x + x.x - y.x, at.y + x.y - y.y},
+            {at.x + x.x + y.x, at.y + x.y + y.y}, {at.x - x.x + y.x, at.y - x.y + y.y},
+            imColour(faded(colours[static_cast<std::size_t>(i) % colours.size()], 0.85F * fade)));
     }
 }
 
@@ -60,7 +61,7 @@ void drawConfetti(double age) {
 void drawSeal(ImVec2 centre, float radius, double age) {
     auto const t = static_cast<float>(std::min(age / 0.35, 1.0));
     float const grown = radius * (1 + 0.9F * (1 - t) * (1 - t));
-    auto& list = *ImGui::GetWindowDrawList();
+    auto& list = *ImGui::GetForegroundDrawList(); // while it comes down it is larger than the card
     float const seen = std::min(1.F, 2 * t);
     list.AddCircleFilled(centre, grown, imColour(faded(palette::goal, seen)));
     list.AddCircle(centre, grown * 0.84F, imColour(faded(palette::paperLight, 0.7F * seen)), 0, scaled(1.6F));
@@ -75,9 +76,7 @@ std::optional<Command> drawSuccess(Layout& layout, Session const& session, PlayS
         return asked;
     }
     drawConfetti(state.celebratedFor);
-    auto const in = static_cast<float>(std::min(state.celebratedFor / 0.3, 1.0));
-    float const slide = 26 * (1 - in) * (1 - in);
-    layout.beginCard("success", "", {.anchor = Anchor::Top, .offset = {0, 16 - slide}, .width = 404});
+    layout.beginCard("success", "", {.anchor = Anchor::Top, .width = 404});
     float const seal = scaled(30);
     ImVec2 const at = ImGui::GetCursorScreenPos();
     drawSeal({at.x + seal, at.y + seal}, seal, state.celebratedFor);

@@ -51,7 +51,10 @@ void drawCoil(Canvas& canvas, Point at, bool live) {
 }
 
 void drawWire(Canvas& canvas, std::span<Point const> path, bool live, double time) {
-    Stroke wire{.colour = live ? palette::live : palette::deadWire, .width = 0.07, .outline = 1.5F, .round = true,
+    Stroke wire{.colour = live ? palette::live : palette::deadWire,
+                .width = 0.07,
+                .outline = 1.5F,
+                .round = true,
                 .height = 1.F};
     if (live) {
         wire.glow = {palette::live, 0.16, 0.7F};
@@ -68,10 +71,12 @@ void drawTrembler(Canvas& canvas, double time) {
     double const pull = pulled(time);
     bool const live = std::fmod(time, period) < ringing && pull < 0.6;
     // The board that everything is screwed to.
-    canvas.box({{0, 0}, 0}, {3.1, 1.75}, 0.12, {.material = Material::Wood, .grain = 0.5});
+    canvas.box(
+        {{0, 0}, 0}, {3.1, 1.75}, 0.12,
+        {.material = Material::Wood, .tint = mix(palette::wood, palette::paper, 0.35F), .grain = 0.22});
     canvas.newSheet();
     Point const pivot{-0.55, -1.25};
-    double const lean = 0.02 + 0.115 * pull;
+    double const lean = 0.02 + 0.150 * pull;
     Pose const arm{pivot, -lean};
     // Battery, at the left.
     canvas.box({{-2.35, -0.35}, 0}, {0.34, 0.66}, 0.06, {.material = Material::Rubber});
@@ -80,15 +85,17 @@ void drawTrembler(Canvas& canvas, double time) {
     canvas.line({-2.45, -0.12}, {-2.25, -0.12}, {.colour = palette::ink, .width = 0.035});
     canvas.line({-2.35, -0.22}, {-2.35, -0.02}, {.colour = palette::ink, .width = 0.035});
     // Wires: battery, contact screw, arm; coil, battery.
-    Point const screw{-1.12, 0.30};
+    Point const screw{-0.64, 0.30};
     auto const first = bezier({-2.35, 0.42}, {-2.35, 1.35}, {-1.5, 1.35}, {-1.35, 0.32}, 28);
-    auto const second = bezier({-2.35, -1.0}, {-2.35, -1.65}, {0.9, -1.55}, {1.02, -0.62}, 32);
+    auto const second = bezier({-2.35, -1.0}, {-2.35, -1.75}, {0.95, -1.75}, {1.02, -0.56}, 32);
+    auto const third = bezier({0.20, -0.50}, {0.20, -0.95}, {0.0, -1.30}, {-0.34, -1.30}, 20);
     drawWire(canvas, first, live, time);
     drawWire(canvas, second, live, -time);
+    drawWire(canvas, third, live, -time);
     drawCoil(canvas, {0.62, -0.22}, live);
     // The contact screw, the armature with its hammer, the spring's foot.
+    canvas.capsule({-1.52, 0.30}, screw, 0.045, {.material = Material::Copper});
     canvas.box({{-1.36, 0.30}, 0}, {0.10, 0.24}, 0.03, {.material = Material::Metal});
-    canvas.capsule({-1.3, 0.30}, screw, 0.05, {.material = Material::Copper});
     canvas.newSheet();
     canvas.box({{-0.55, -1.33}, 0}, {0.24, 0.16}, 0.03, {.material = Material::Metal});
     Point const tip = toWorld(arm, {0, 2.35});
@@ -97,7 +104,7 @@ void drawTrembler(Canvas& canvas, double time) {
     canvas.box({toWorld(arm, {0, 1.03}), -lean}, {0.11, 0.42}, 0.03, {.material = Material::Metal});
     canvas.circle({tip, 0}, 0.15, {.material = Material::Metal});
     if (live && pull > 0.02 && pull < 0.25) {
-        canvas.glow({-1.02, 0.30}, 0.02, {palette::live, 0.22, 1.F});
+        canvas.glow({-0.60, 0.30}, 0.03, {palette::live, 0.26, 1.F});
     }
     drawBell(canvas, {0.72, 1.06}, pull > 0.75 ? 1.0 : (std::fmod(time, period) < ringing ? 0.35 : 0.0));
     for (double const x : {-2.9, 2.9}) {

@@ -1,4 +1,5 @@
-// The trembler: an electromagnet that pulls an armature, opens its own circuit, lets go, and so on; and a bell.
+// The trembler: an electromagnet that pulls an armature, opens its own circuit, lets go, and so on; and a
+// bell.
 #pragma once
 
 #include "render/draw/canvas.hpp"

@@ -20,7 +20,8 @@ TitleChoice TitleScreen::update(double seconds, bool hidden) {
         return choice;
     }
     Layout& layout = desk_.layout;
-    layout.beginCard("title", "", {.anchor = Anchor::TopLeft, .offset = {64, 56}, .width = 520, .bare = true});
+    layout.beginCard("title", "",
+                     {.anchor = Anchor::TopLeft, .offset = {64, 56}, .width = 520, .bare = true});
     ImGui::PushFont(theme().fonts.title);
     ImGui::TextUnformatted(words::programName);
     ImGui::PopFont();
@@ -33,7 +34,8 @@ TitleChoice TitleScreen::update(double seconds, bool hidden) {
     layout.endCard();
 
     float const screen = ImGui::GetIO().DisplaySize.y / theme().scale;
-    layout.beginCard("title levels", words::levels, {.anchor = Anchor::Right, .offset = {56, 0}, .width = 430});
+    layout.beginCard("title levels", words::levels,
+                     {.anchor = Anchor::Right, .offset = {56, 0}, .width = 430});
     choice.level = drawLevelList(desk_, {}, screen - 190);
     layout.endCard();
 
@@ -58,7 +60,8 @@ void TitleScreen::draw() const {
     double const right = size.width - 530 * scale;
     double const top = 210 * scale;
     double const bottom = size.height - 120 * scale;
-    camera.pixelsPerMetre = std::max(std::min((right - left) / titleWidth, (bottom - top) / titleHeight), 1.0);
+    camera.pixelsPerMetre =
+        std::max(std::min((right - left) / titleWidth, (bottom - top) / titleHeight), 1.0);
     camera.centre = {(0.5 * size.width - 0.5 * (left + right)) / camera.pixelsPerMetre,
                      (0.5 * (top + bottom) - 0.5 * size.height) / camera.pixelsPerMetre};
     canvas.begin(camera, {.uiScale = desk_.window.uiScale(), .time = time_, .shadows = desk_.shadows});

@@ -1,5 +1,4 @@
 #include "game/ui/play_cards.hpp"
-
 #include "game/ui/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
@@ -19,10 +18,9 @@ void ask(Layout& layout, std::optional<Command>& asked, Command command, char co
     layout.item(name);
 }
 
-void next() { ImGui::SameLine(0, scaled(7)); }
-
-/// The large buttons are a little higher than the square ones: both stand on one line.
-void lower() { ImGui::SetCursorPosY(ImGui::GetCursorPosY() + scaled(2)); }
+void next() {
+    ImGui::SameLine(0, scaled(7));
+}
 
 } // namespace
 
@@ -31,13 +29,13 @@ std::optional<Command> drawTransport(Layout& layout, Session const& session, Pla
     bool const building = session.mode() == SessionMode::building;
     layout.beginCard("transport", "", {.anchor = Anchor::Bottom, .bare = true});
     if (building) {
-        lower();
         ask(layout, asked, Command::undo, "undo", Icon::Undo, words::undoTip, false, session.canUndo());
         next();
-        lower();
         ask(layout, asked, Command::redo, "redo", Icon::Redo, words::redoTip, false, session.canRedo());
         next();
-        if (bigButton(words::run, {.icon = Icon::Play, .look = ButtonLook::Primary, .width = 168, .tip = words::runTip})) {
+        if (bigButton(
+                words::run,
+                {.icon = Icon::Play, .look = ButtonLook::Primary, .width = 168, .tip = words::runTip})) {
             asked = Command::runOrStop;
         }
         layout.item("run");
@@ -48,31 +46,27 @@ std::optional<Command> drawTransport(Layout& layout, Session const& session, Pla
             }
             layout.item("all back");
         } else {
-            lower();
             ask(layout, asked, Command::allBack, "all back", Icon::Reset, words::allBackTip, false,
                 !session.placed().empty());
             next();
-            lower();
             ask(layout, asked, Command::step, "step", Icon::Step, words::stepTip);
         }
     } else {
         bool const running = session.mode() == SessionMode::running;
-        lower();
         ask(layout, asked, Command::pauseOrGo, "pause", running ? Icon::Pause : Icon::Play,
             running ? words::pauseTip : words::resumeTip, !running);
         next();
-        lower();
         ask(layout, asked, Command::step, "step", Icon::Step, words::stepTip);
         next();
-        if (bigButton(words::stop, {.icon = Icon::Stop, .look = ButtonLook::Primary, .width = 168, .tip = words::stopTip})) {
+        if (bigButton(
+                words::stop,
+                {.icon = Icon::Stop, .look = ButtonLook::Primary, .width = 168, .tip = words::stopTip})) {
             asked = Command::runOrStop;
         }
         layout.item("stop");
         next();
-        lower();
         ask(layout, asked, Command::fastForward, "fast", Icon::FastForward, words::fastTip, state.fast);
         next();
-        lower();
         ask(layout, asked, Command::record, "record", Icon::Record,
             state.recording ? words::recordStopTip : words::recordTip, state.recording);
     }
@@ -83,7 +77,8 @@ std::optional<Command> drawTransport(Layout& layout, Session const& session, Pla
 std::optional<Command> drawTools(Layout& layout, Session const& session, PlayState const& state) {
     std::optional<Command> asked;
     layout.beginCard("tools", "", {.anchor = Anchor::BottomLeft, .bare = true});
-    ask(layout, asked, Command::electricity, "electricity", Icon::Bolt, words::electricityTip, state.electricity);
+    ask(layout, asked, Command::electricity, "electricity", Icon::Bolt, words::electricityTip,
+        state.electricity);
     next();
     ask(layout, asked, Command::magnetism, "magnetism", Icon::Magnet, words::magnetismTip, state.magnetism);
     next();
@@ -91,7 +86,8 @@ std::optional<Command> drawTools(Layout& layout, Session const& session, PlaySta
     next();
     ask(layout, asked, Command::names, "names", Icon::Eye, words::namesTip, state.names);
     next();
-    ask(layout, asked, Command::components, "components", Icon::Gauge, words::componentsTip, state.components);
+    ask(layout, asked, Command::components, "components", Icon::Gauge, words::componentsTip,
+        state.components);
     if (session.mode() != SessionMode::building) {
         next();
         ask(layout, asked, Command::cut, "cut", Icon::Scissors, words::cutTip, state.cutting);
@@ -122,7 +118,8 @@ void drawHelp(Layout& layout, bool& open) {
     constexpr auto count = static_cast<int>(std::size(words::keyHelp));
     if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingStretchProp)) {
         for (char const* column : {"a", "b", "c", "d"}) {
-            ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthStretch, *column % 2 == 1 ? 0.19F : 0.31F);
+            ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthStretch,
+                                    *column % 2 == 1 ? 0.19F : 0.31F);
         }
         int const half = (count + 1) / 2;
         for (int row = 0; row < half; ++row) {

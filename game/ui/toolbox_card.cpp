@@ -1,5 +1,4 @@
 #include "game/ui/play_cards.hpp"
-
 #include "game/ui/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
@@ -13,7 +12,6 @@ namespace {
 using namespace render;
 
 constexpr float tileSide = 92;
-constexpr float cornerHeight = 74; ///< what the buttons in the corner take
 
 /// What it does, in words, once the mouse rests on its tile.
 void tipFor(PartShelf const& shelf, std::string const& part) {
@@ -45,13 +43,13 @@ std::optional<std::string> drawToolbox(Layout& layout, Session const& session, P
         return taken;
     }
     layout.beginCard("toolbox", words::toolbox,
-                     {.anchor = Anchor::TopRight, .offset = {cardGap, cornerHeight}, .width = toolboxWidth});
+                     {.anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = toolboxWidth});
     float const screen = ImGui::GetIO().DisplaySize.y;
     float const gap = scaled(8);
     float const tile = scaled(tileSide + 24);
     auto const rows = static_cast<float>((slots.size() + 1) / 2);
     float const wanted = rows * (tile + gap);
-    float const room = screen - scaled(cornerHeight + bottomRow + 150);
+    float const room = screen - scaled(cornerRow + bottomRow + 150);
     bool const scrolls = wanted > room;
     if (scrolls) {
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));

@@ -14,19 +14,30 @@ namespace trembler::ui::words {
 std::string cannotWrite(std::string const& path, std::string const& why) {
     return fmt::format("Nothing can be written to {}: {}.", path, why);
 }
-std::string pictureTaken(std::string const& path) { return "Picture written to " + path; }
-std::string recordingTo(std::string const& folder) { return "Recording every frame into " + folder; }
+std::string pictureTaken(std::string const& path) {
+    return "Picture written to " + path;
+}
+std::string recordingTo(std::string const& folder) {
+    return "Recording every frame into " + folder;
+}
 std::string recorded(int frames, std::string const& folder) {
     return fmt::format("{} in {}", count(frames, "frame", "frames"), folder);
 }
-std::string andMore(std::size_t count) { return fmt::format("and {} more", count); }
-std::string automaticNow(std::string const& level) { return fmt::format("{}: {}", automatic, level); }
+std::string andMore(std::size_t count) {
+    return fmt::format("and {} more", count);
+}
+std::string automaticNow(std::string const& level) {
+    return fmt::format("{}: {}", automatic, level);
+}
 std::string hintOf(std::size_t shown, std::size_t total) {
     return total > 1 ? fmt::format("{} {} of {}", hint, shown, total) : std::string(hint);
 }
-std::string seconds(double time) { return fmt::format("{:.1f} s", time); }
+std::string seconds(double time) {
+    return fmt::format("{:.1f} s", time);
+}
 std::string solvedWith(double time, int parts) {
-    return fmt::format("Solved after {} with {}", seconds(time), count(parts, "part", "parts"));
+    return parts == 0 ? fmt::format("Solved after {}", seconds(time))
+                      : fmt::format("Solved after {} with {}", seconds(time), count(parts, "part", "parts"));
 }
 std::string count(int number, char const* one, char const* many) {
     return fmt::format("{} {}", number, number == 1 ? one : many);
@@ -34,7 +45,9 @@ std::string count(int number, char const* one, char const* many) {
 std::string wireCut(std::string const& a, std::string const& b) {
     return fmt::format("The wire between {} and {} is cut", a, b);
 }
-std::string cutThis(std::string const& a, std::string const& b) { return fmt::format("cut {} – {}", a, b); }
+std::string cutThis(std::string const& a, std::string const& b) {
+    return fmt::format("cut {} – {}", a, b);
+}
 
 std::string direction(double angle) {
     static constexpr std::array arrows{"→", "↗", "↑", "↖", "←", "↙", "↓", "↘"};

@@ -10,8 +10,9 @@ namespace trembler::ui::words {
 
 // The program.
 inline constexpr char const* programName = "Trembler";
-inline constexpr char const* tagline = "Switches, magnets, currents and weights. Nothing here follows a script: "
-                                       "whatever works, works because it would.";
+inline constexpr char const* tagline =
+    "Switches, magnets, currents and weights. Nothing here follows a script: "
+    "whatever works, works because it would.";
 inline constexpr char const* firstSteps = "First steps";
 inline constexpr char const* looseLevels = "Levels";
 inline constexpr char const* noLevels = "There are no levels in this folder:";
@@ -34,7 +35,8 @@ inline constexpr char const* undoTip = "Undo (Ctrl+Z)";
 inline constexpr char const* redoTip = "Redo (Ctrl+Shift+Z)";
 inline constexpr char const* allBackTip = "Put all parts back into the toolbox (Backspace)";
 inline constexpr char const* allBackAsk = "Put all back?";
-inline constexpr char const* allBackAgain = "Once more, and all parts go back into the toolbox. Undo brings them back.";
+inline constexpr char const* allBackAgain =
+    "Once more, and all parts go back into the toolbox. Undo brings them back.";
 inline constexpr char const* allBackDone = "All parts are back in the toolbox";
 
 // Tools.

@@ -118,11 +118,12 @@ void bin(Pen const& pen) {
 
 /// An arrow that curves back; `side` is -1 for undo and 1 for redo.
 void curvedArrow(Pen const& pen, float side) {
+    float const bend = 0.30F * -side;
+    pen.line(side * 0.34F, -0.34F, bend, -0.34F);
+    pen.line(side * 0.30F, 0.66F, bend, 0.66F);
     float const from = side < 0 ? -0.5F * pi : 0.5F * pi;
-    pen.arc(0.12F * -side, 0.12F, 0.52F, from, from + pi);
-    pen.line(side * 0.30F, -0.40F, side * -0.12F, -0.40F);
-    pen.line(side * -0.12F, 0.64F, side * 0.62F, 0.64F);
-    pen.triangle(side * 0.86F, -0.40F, side * 0.26F, -0.86F, side * 0.26F, 0.06F);
+    pen.arc(bend, 0.16F, 0.50F, from, from + pi);
+    pen.triangle(side * 0.92F, -0.34F, side * 0.26F, -0.82F, side * 0.26F, 0.14F);
 }
 
 void scissors(Pen const& pen) {
@@ -132,13 +133,11 @@ void scissors(Pen const& pen) {
     pen.circle(0.46F, 0.62F, 0.26F);
 }
 
-/// Two bodies that touch, and the mark where they do.
+/// A ball on a floor, and the mark where they touch.
 void contact(Pen const& pen) {
-    pen.circle(-0.44F, 0.26F, 0.42F);
-    pen.circle(0.44F, 0.26F, 0.42F);
-    pen.line(0, -0.34F, 0, -0.80F);
-    pen.line(-0.34F, -0.30F, -0.56F, -0.66F);
-    pen.line(0.34F, -0.30F, 0.56F, -0.66F);
+    pen.circle(0, -0.26F, 0.52F);
+    pen.line(-0.86F, 0.40F, 0.86F, 0.40F);
+    pen.triangle(0, 0.44F, -0.24F, 0.88F, 0.24F, 0.88F);
 }
 
 void gauge(Pen const& pen) {

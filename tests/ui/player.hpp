@@ -5,10 +5,10 @@
 #include "game/ui/app.hpp"
 #include "render/window/synthetic_input.hpp"
 
+#include <SDL.h>
 #include <gtest/gtest.h>
 
-#include <SDL.h>
-
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -29,8 +29,12 @@ inline Workshop const& workshop() {
     return theWorkshop;
 }
 
-inline std::filesystem::path levelsFolder() { return std::filesystem::path(TREMBLER_SOURCE_DIR) / "levels"; }
-inline std::filesystem::path dataFolder() { return std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/ui/data"; }
+inline std::filesystem::path levelsFolder() {
+    return std::filesystem::path(TREMBLER_SOURCE_DIR) / "levels";
+}
+inline std::filesystem::path dataFolder() {
+    return std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/ui/data";
+}
 /// A folder of this program's own; pictures in it are for people to look at.
 inline std::filesystem::path pictureFolder() {
     auto folder = std::filesystem::path(TREMBLER_BINARY_DIR) / "ui-pictures";
@@ -50,6 +54,7 @@ public:
                                          GameOptions{.levels = std::move(levels),
                                                      .pictures = films_,
                                                      .profile = std::move(profile),
+                                                     .world = {},
                                                      .steady = true});
         app_->desk().shadows = false; // half the time of a picture, on a computer without a graphics card
         frames(3);
@@ -69,6 +74,12 @@ public:
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
             frame();
+        }
+    }
+    /// Lets so many frames of the running world pass in few pictures.
+    void simulate(int count) {
+        for (; count > 0; count -= 8) {
+            going_ = app_->frame(std::min(count, 8) / 60.0);
         }
     }
     [[nodiscard]] bool going() const { return going_; }

@@ -1,8 +1,6 @@
-// Every screen at a small and at a large size: nothing lies on anything else, nothing is cut off; and a picture of each
-// for people to look at.
+// Every screen at a small and at a large size: nothing lies on anything else, nothing is cut off; and a
+// picture of each for people to look at.
 #include "tests/ui/player.hpp"
-
-#include <set>
 
 namespace trembler::ui::test {
 namespace {
@@ -13,7 +11,8 @@ protected:
         return std::string(what) + "-" + std::to_string(GetParam().height);
     }
 
-    /// Every card lies on the screen, has room for what is in it and is no other card's neighbour in the same place.
+    /// Every card lies on the screen, has room for what is in it and is no other card's neighbour in the same
+    /// place.
     static void expectTidy(Player& player, std::string const& what) {
         auto const& cards = player.layout().cards();
         EXPECT_FALSE(cards.empty()) << what;
@@ -23,7 +22,8 @@ protected:
             EXPECT_GE(cards[i].rect.low.y, 0) << what << ": " << cards[i].name;
             EXPECT_LE(cards[i].rect.high.x, size.width) << what << ": " << cards[i].name;
             EXPECT_LE(cards[i].rect.high.y, size.height) << what << ": " << cards[i].name;
-            EXPECT_LE(cards[i].overflow, 1.0) << what << ": the content of " << cards[i].name << " is cut off";
+            EXPECT_LE(cards[i].overflow, 1.0)
+                << what << ": the content of " << cards[i].name << " is cut off";
             for (std::size_t j = 0; j < i; ++j) {
                 EXPECT_FALSE(cards[i].rect.overlaps(cards[j].rect))
                     << what << ": " << cards[i].name << " lies on " << cards[j].name;
@@ -41,7 +41,7 @@ protected:
 
 TEST_P(Screens, title) {
     Player player(GetParam());
-    player.frames(30);
+    player.frames(12);
     expectTidy(player, "title");
     player.look(named("title"));
 }
@@ -56,7 +56,7 @@ TEST_P(Screens, building) {
     player.moveTo(player.at({-1.8, 1.5}));
     expectTidy(player, "carrying");
     player.look(named("carrying"));
-    player.moveTo(player.at({-2.3, 0.9}));
+    player.moveTo(player.at({1.7, 1.8}));
     player.look(named("carrying-badly"));
     player.moveTo(player.at({-1.8, 1.5}));
     player.release();
@@ -77,7 +77,10 @@ TEST_P(Screens, running) {
     Player player(GetParam());
     player.open(levelsFolder() / "experiments/1-switched-electromagnet.json");
     player.key(SDLK_SPACE);
-    player.frames(70);
+    player.simulate(64);
+    expectTidy(player, "about to work");
+    player.simulate(48);
+    player.frames(4);
     expectTidy(player, "running");
     player.look(named("running"));
     player.key(SDLK_p);
@@ -107,6 +110,7 @@ TEST_P(Screens, menus) {
     expectTidy(player, "settings");
     player.look(named("settings"));
     player.key(SDLK_ESCAPE);
+    player.frames(2);
     player.clickItem("Levels");
     player.frames(3);
     expectTidy(player, "level list");
