@@ -29,28 +29,33 @@ public:
     using Access = typename Base::Access;
 
     void advance(Access& access) {
-        Vec2 gravity;
-        access.template forCalls<SetLinearGravity>([&](SetLinearGravity const& call, CallOrigin const&) {
-            if (isFinite(call.gravity)) {
-                gravity += call.gravity;
-            }
-        });
-        if (!(gravity == access.template provided<LinearGravityVector>().gravity)) {
+        Vec2 const gravity = gravityNow(access);
+        bool const otherGravity = !(gravity == access.template provided<LinearGravityVector>().gravity);
+        if (otherGravity) {
             access.template provide<LinearGravityVector>().gravity = gravity;
         }
         FlotationColumns const columns{access.template read<Position>(), access.template read<Rotation>(),
                                        access.template read<Shape>(),    access.template read<Density>(),
                                        access.template read<Liquid>(),   access.template read<Fixed>()};
         Flotation::HullMaker const makeHull = static_cast<Self&>(*this).prepare(access, flotation_);
-        bool const changed =
-            flotation_.follow(columns, makeHull, gravity,
-                              [&](std::size_t count, auto const& f) { access.forRanges(count, f); });
-        if (changed) {
+        bool const moved = flotation_.follow(
+            columns, makeHull, [&](std::size_t count, auto const& f) { access.forRanges(count, f); });
+        if (moved || otherGravity) {
             publish(access, columns, gravity);
         }
     }
 
 private:
+    // While nobody has called yet, in the first frame, what the world began with stands (see startGravity()).
+    Vec2 gravityNow(Access& access) const {
+        Vec2 sum;
+        bool called = access.sources() == 0;
+        access.template forCalls<SetLinearGravity>([&](SetLinearGravity const& call, CallOrigin const&) {
+            sum += isFinite(call.gravity) ? call.gravity : Vec2{};
+            called = true;
+        });
+        return called ? sum : access.template provided<LinearGravityVector>().gravity;
+    }
     void publish(Access& access, FlotationColumns const& columns, Vec2 gravity) {
         flotation_.gather(next_);
         Immersions& immersions = access.template provide<Immersions>();

@@ -49,8 +49,11 @@ bool Flotation::followLiquids(FlotationColumns const& columns, bool all) {
                               .density = (density == nullptr ? Density{} : *density).value,
                               .position = position.value,
                               .angle = angleOf(columns, id),
+                              .up = {},
                               .pieces = {}};
-            liquid.pieces = liquidPieces(shape, Pose(liquid.position, liquid.angle));
+            Pose const pose(liquid.position, liquid.angle);
+            liquid.up = pose.turned({0, 1});
+            liquid.pieces = liquidPieces(shape, pose);
             liquids_.push_back(std::move(liquid));
         },
         columns.liquid, columns.shape, columns.position);
@@ -81,7 +84,7 @@ void Flotation::followBodies(FlotationColumns const& columns, HullMaker const& m
         columns.shape, columns.position);
 }
 
-bool Flotation::follow(FlotationColumns const& columns, HullMaker const& makeHull, Vec2 gravity,
+bool Flotation::follow(FlotationColumns const& columns, HullMaker const& makeHull,
                        ForRanges const& forRanges) {
     std::uint64_t const others =
         columns.liquid.version() + columns.density.version() + columns.fixed.version();
@@ -94,10 +97,7 @@ bool Flotation::follow(FlotationColumns const& columns, HullMaker const& makeHul
         others_ = others;
         places_ = places;
     }
-    bool const again = followLiquids(columns, all) || !(gravity == gravity_);
-    gravity_ = gravity;
-    double const strength = length(gravity);
-    Vec2 const up = strength > 0 ? -gravity / strength : Vec2{};
+    bool const again = followLiquids(columns, all);
     std::vector<std::uint8_t> moved(floaters_.size(), 0);
     forRanges(floaters_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -109,7 +109,7 @@ bool Flotation::follow(FlotationColumns const& columns, HullMaker const& makeHul
                 floater.angle = angle;
                 floater.fresh = false;
                 bool const wasDry = floater.entries.empty();
-                measure(floater, up);
+                measure(floater);
                 moved[i] = wasDry && floater.entries.empty() ? 0 : 1;
             }
         }
@@ -117,18 +117,19 @@ bool Flotation::follow(FlotationColumns const& columns, HullMaker const& makeHul
     return all || again || std::find(moved.begin(), moved.end(), 1) != moved.end();
 }
 
-void Flotation::measure(Floater& floater, Vec2 up) const {
+void Flotation::measure(Floater& floater) const {
     Pose const pose(floater.position, floater.angle);
     floater.entries.clear();
     for (LiquidBody const& liquid : liquids_) {
         Displacement sum;
         for (LiquidPiece const& piece : liquid.pieces) {
-            sum += displacedOf(*floater.hull, piece, pose, up);
+            sum += displacedOf(*floater.hull, piece, pose, liquid.up);
         }
         if (sum.wet.area > leastArea) {
             floater.entries.push_back({.object = floater.object,
                                        .liquid = liquid.object,
                                        .density = liquid.density,
+                                       .up = liquid.up,
                                        .wet = sum.wet,
                                        .waterline = sum.waterline,
                                        .event = {}});
@@ -169,22 +170,36 @@ void sumForces(std::vector<Immersions::Entry> const& entries, Vec2 gravity,
     centres.centres.clear();
     for (std::size_t i = 0; i < entries.size();) {
         ObjectId const object = entries[i].object;
-        double mass = 0; // displaced, per depth
-        double most = 0;
-        Vec2 moment;
+        Vec2 sum;
+        Vec2 moment; // of the forces' strengths
+        double strengths = 0;
+        double torque = 0; // N m, about the object's origin
+        double most = -1;
         EventId event;
         for (; i < entries.size() && entries[i].object == object; ++i) {
-            double const part = entries[i].density * entries[i].wet.area;
-            mass += part;
-            moment += entries[i].density * entries[i].wet.first;
-            if (part > most) {
-                most = part;
-                event = entries[i].event;
+            Immersions::Entry const& entry = entries[i];
+            double const strength =
+                entry.density * entry.wet.area * worldDepth * Immersions::pull(entry, gravity);
+            Vec2 const centre = entry.wet.centroid();
+            sum += strength * entry.up;
+            moment += strength * centre;
+            strengths += strength;
+            torque += cross(pose(object).turned(centre), strength * entry.up);
+            if (strength > most) {
+                most = strength;
+                event = entry.event;
             }
         }
-        Vec2 const centre = moment / mass;
-        forces.forces.push_back({object, -mass * worldDepth * gravity, event});
-        centres.centres.push_back({object, centre, pose(object).toWorld(centre)});
+        Pose const where = pose(object);
+        // Without any force the centre is where the first liquid's share is.
+        Vec2 centre = strengths > 0 ? moment / strengths : entries[i - 1].wet.centroid();
+        if (double const square = lengthSquared(sum); square > 0) {
+            // Forces that are not parallel meet elsewhere; for parallel ones this is nothing but rounding.
+            double const missing = torque - cross(where.turned(centre), sum);
+            centre += where.turnedBack(missing / square * Vec2{sum.y, -sum.x});
+        }
+        forces.forces.push_back({object, sum, event});
+        centres.centres.push_back({object, centre, where.toWorld(centre)});
     }
 }
 

@@ -34,8 +34,7 @@ public:
         known_ = false;
     }
     /// Takes over bodies and liquids as they stand. Returns whether anything may be different from last time.
-    bool follow(FlotationColumns const& columns, HullMaker const& makeHull, Vec2 gravity,
-                ForRanges const& forRanges);
+    bool follow(FlotationColumns const& columns, HullMaker const& makeHull, ForRanges const& forRanges);
     /// What bodies displace, in order; without events.
     void gather(std::vector<Immersions::Entry>& entries) const;
 
@@ -45,6 +44,7 @@ private:
         double density = 0;
         Vec2 position;
         double angle = 0;
+        Vec2 up; // out of its surface
         std::vector<LiquidPiece> pieces;
     };
     struct Floater {
@@ -58,11 +58,10 @@ private:
     };
     bool followLiquids(FlotationColumns const& columns, bool all);
     void followBodies(FlotationColumns const& columns, HullMaker const& makeHull);
-    void measure(Floater& floater, Vec2 up) const;
+    void measure(Floater& floater) const;
 
     std::vector<LiquidBody> liquids_; // ascending
     std::vector<Floater> floaters_;   // ascending
-    Vec2 gravity_;
     bool known_ = false;
     std::uint64_t shapes_ = 0;
     std::uint64_t others_ = 0;

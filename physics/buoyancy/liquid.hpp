@@ -6,8 +6,13 @@
 namespace trembler {
 
 /// Flags an object to be a body of liquid (6.13.1). Its shape, where it stands and as it is turned, is the
-/// liquid's area, its top side the surface; its density is the liquid's. It never moves and nothing collides
-/// with it.
+/// liquid's area; its density is the liquid's. It never moves and nothing collides with it.
+///
+/// The surface faces the object's own y axis, so a liquid that is turned has a tilted surface. As the
+/// pressure is the same all over a surface, it grows straight down from it: with density times that part of
+/// gravity which points into the liquid. On a level surface that is Archimedes' principle, eq. 6.1; down a
+/// tilted one things slide, as they do on a river. (A force against gravity under a tilted surface would
+/// belong to no pressure at all, and turn wheels for ever.)
 struct Liquid {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{

@@ -70,20 +70,31 @@ LiquidResistance::Entry dragOn(Immersions::Entry const& immersion, Liquid const&
             .event = immersion.event};
 }
 
-// Resists motion along the vertical at every point of the waterline.
-LiquidResistance::Entry lookAhead(Immersions::Entry const& immersion, BodyMotion const& body, Vec2 up,
-                                  double perLength) {
+struct Lag {
+    double held = 0;  // s, half of the time for which F_B stands
+    double frame = 0; // s, half of a frame: for which the point where it acts does
+};
+
+// Resists motion out of the surface and into it at every point of the waterline, and turning by what it does
+// to the arm of F_B.
+LiquidResistance::Entry lookAhead(Immersions::Entry const& immersion, BodyMotion const& body, double pull,
+                                  Lag const& lag) {
     Waterline const& line = immersion.waterline;
-    double const middle = line.first / line.length;
-    double const rate = perLength * line.length;
+    Vec2 const up = immersion.up;
+    double const perArea = immersion.density * worldDepth * pull;
+    double const middle = line.length > 0 ? line.first / line.length : 0;
+    double const rate = lag.held * perArea * line.length;
     Vec2 const upward = body.pose.turnedBack(up);
     Vec2 const across{upward.y, -upward.x};
+    double const above = dot(upward, immersion.wet.first - immersion.wet.area * body.centreOfMass);
+    double const turning =
+        lag.held * perArea * std::max(0.0, line.second - line.first * middle) + lag.frame * perArea * above;
     return {.object = immersion.object,
             .point = body.pose.toWorld(middle * across),
             .xx = rate * up.x * up.x,
             .xy = rate * up.x * up.y,
             .yy = rate * up.y * up.y,
-            .angular = perLength * std::max(0.0, line.second - line.first * middle),
+            .angular = std::max(0.0, turning), // whatever is not stable falls over anyway
             .push = {},
             .event = immersion.event};
 }
@@ -102,13 +113,13 @@ void LiquidDrag::update(Access& access) {
     auto const& settings = access.read<BuoyancySettings>();
 
     Vec2 const gravity = access.read<LinearGravityVector>().gravity;
-    double const strength = length(gravity);
-    Vec2 const up = strength > 0 ? -gravity / strength : Vec2{};
     bool const ahead = settings.empty() || settings.values().front().lookAhead;
     int const substeps = (solver.empty() ? DynamicsSettings{} : solver.values().front()).substeps;
-    double const steps = std::max(1.0, std::round(immersions.interval / frameDuration)) * substeps;
-    double const lag = ahead ? immersions.interval / 2 * (1 - 1 / steps) : 0;
-
+    // A force that lags by half of a time t, but is integrated in n steps, lags by (1 - 1/n) t/2.
+    auto const lagOf = [&](double frames) {
+        return ahead ? frames * frameDuration / 2 * (1 - 1 / (frames * substeps)) : 0;
+    };
+    Lag const lag{lagOf(std::max(1.0, std::round(immersions.interval / frameDuration))), lagOf(1)};
     if (immersions.entries.empty() && access.derived<LiquidResistance>().entries.empty()) {
         return;
     }
@@ -128,9 +139,8 @@ void LiquidDrag::update(Access& access) {
         BodyMotion const body{Pose(position->value, rotation == nullptr ? 0 : rotation->angle),
                               centreOfMass(*shape), velocity->value, spin == nullptr ? 0 : spin->value};
         entries.push_back(dragOn(immersion, *liquid, body));
-        if (lag > 0 && immersion.waterline.length > 0) {
-            entries.push_back(
-                lookAhead(immersion, body, up, lag * immersion.density * strength * worldDepth));
+        if (ahead) {
+            entries.push_back(lookAhead(immersion, body, Immersions::pull(immersion, gravity), lag));
         }
     }
 }

@@ -6,6 +6,7 @@
 #include "runtime/property/description.hpp"
 #include "runtime/trace/event.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace trembler {
@@ -66,12 +67,18 @@ struct Immersions {
         ObjectId object;
         ObjectId liquid;
         double density = 0;  ///< kg/m³, of the liquid
+        Vec2 up;             ///< unit, in the world, out of the liquid's surface
         AreaMoments wet;     ///< of what is immersed, in the object's frame
         Waterline waterline; ///< in the object's frame
         EventId event;       ///< "enters the liquid"; none while nobody traces
     };
     std::vector<Entry> entries;
     double interval = 0; ///< s, for which these results stand: the resolver's period
+
+    /// By how much the pressure in the liquid grows per depth and density: m/s².
+    [[nodiscard]] static double pull(Entry const& entry, Vec2 gravity) {
+        return std::max(0.0, -dot(gravity, entry.up));
+    }
 
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}

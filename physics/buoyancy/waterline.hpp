@@ -7,8 +7,8 @@
 
 namespace trembler {
 
-/// Integrals of 1, s and s² along the cuts, weighted by how level the surface is there; s is the coordinate
-/// across the vertical, measured from the frame's origin to the right when up is up.
+/// Integrals of 1, s and s² along the cuts, weighted by how much the liquid's side faces up there; s is the
+/// coordinate across `up`, from the frame's origin to the right when up is up.
 struct Waterline {
     double length = 0; ///< m
     double first = 0;  ///< m²
@@ -18,8 +18,8 @@ struct Waterline {
         length += o.length, first += o.first, second += o.second;
         return *this;
     }
-    /// Adds the cut from a to b on a side of the liquid whose outward normal is `normal`. `up` is a unit
-    /// vector against gravity, or zero where there is none. Sides that face down are no surface.
+    /// Adds the cut from a to b on a side of the liquid whose outward normal is `normal`. `up` is the unit
+    /// vector out of the liquid's surface. Sides that face down are no surface.
     void add(Vec2 a, Vec2 b, Vec2 normal, Vec2 up) {
         double const weight = std::max(0.0, dot(normal, up)) * trembler::length(b - a);
         double const s = cross(a, up);

@@ -1,6 +1,16 @@
 #include "physics/dynamics/drag.hpp"
 
+#include <algorithm>
+
 namespace trembler {
+namespace {
+
+// What is left of a load, from all of it to nothing.
+double left(double load, double taken) {
+    return std::clamp(load + taken, std::min(load, 0.0), std::max(load, 0.0));
+}
+
+} // namespace
 
 void Drag::add(Vec2 arm, double axx, double axy, double ayy, double angular) {
     // The point moves with v + ω r', r' the arm turned by a quarter.
@@ -46,6 +56,19 @@ Twist dragImpulse(Drag const& drag, double mass, double inertia, Twist const& fr
     double const y2 = (z2 - l32 * y3) / l22;
     double const y1 = (z1 - l21 * y2 - l31 * y3) / l11;
     return {(Vec2{y1, y2} - p) / m, (y3 - q) / t};
+}
+
+Twist DraggedBody::before(double mass, double inertia, Twist const& now, Twist const& load, double h) {
+    Twist const free{now.linear +
+                         Vec2{left(load.linear.x, taken_.linear.x), left(load.linear.y, taken_.linear.y)},
+                     now.angular + left(load.angular, taken_.angular)};
+    Twist const impulse = dragImpulse(drag, mass, inertia, free, h);
+    expected_ = {now.linear + impulse.linear + load.linear, now.angular + impulse.angular + load.angular};
+    return impulse;
+}
+
+void DraggedBody::after(Twist const& now) {
+    taken_ = {now.linear - expected_.linear, now.angular - expected_.angular};
 }
 
 } // namespace trembler

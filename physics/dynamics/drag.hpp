@@ -37,4 +37,25 @@ struct Twist {
 /// never turns it back, whatever the coefficients.
 [[nodiscard]] Twist dragImpulse(Drag const& drag, double mass, double inertia, Twist const& free, double h);
 
+/// Drag on one body, substep by substep.
+///
+/// Drag must resist what loads will do within the step, or light bodies would get far too fast before it is
+/// felt. But of a load that joints and contacts take up nothing comes: a raft that lies still under its cargo
+/// must feel no drag. What they took up in the last substep is a good guess at what they will take up in this
+/// one; it counts against the load, and never for more than that.
+class DraggedBody {
+public:
+    Drag drag;
+
+    /// The impulse to apply before a substep of h (s), to a body of momentum `now` on which a load is going
+    /// to exert the impulse `load`.
+    [[nodiscard]] Twist before(double mass, double inertia, Twist const& now, Twist const& load, double h);
+    /// To be told the momentum after the substep.
+    void after(Twist const& now);
+
+private:
+    Twist expected_; // momentum without joints and contacts
+    Twist taken_;    // impulse of joints and contacts
+};
+
 } // namespace trembler
