@@ -1,11 +1,11 @@
 #include "runtime/schedule/executor.hpp"
 
-#include <tbb/flow_graph.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
-#include <deque>
+#include <atomic>
 #include <mutex>
 
 namespace trembler {
@@ -58,23 +58,36 @@ void Executor::runGraph(std::size_t count, std::span<std::pair<std::size_t, std:
         }
         return;
     }
+    // Whoever finishes the last predecessor of a node starts it. (A flow graph of oneTBB's does the same, but
+    // costs more, and its headers cast objects that are destroyed already, which sanitizers report.)
+    std::vector<std::vector<std::size_t>> successors(count);
+    std::vector<std::atomic<std::size_t>> missing(count);
+    for (auto const& [before, after] : edges) {
+        successors[before].push_back(after);
+        missing[after].fetch_add(1, std::memory_order_relaxed);
+    }
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (missing[i].load(std::memory_order_relaxed) == 0) {
+            roots.push_back(i);
+        }
+    }
     arena_->arena.execute([&] {
-        tbb::flow::graph graph;
-        std::deque<tbb::flow::continue_node<tbb::flow::continue_msg>> nodes;
-        std::vector<bool> hasPredecessor(count, false);
-        for (std::size_t i = 0; i < count; ++i) {
-            nodes.emplace_back(graph, [&f, i](tbb::flow::continue_msg const&) { f(i); });
+        tbb::task_group group;
+        std::function<void(std::size_t)> const start = [&](std::size_t i) {
+            group.run([&, i] {
+                f(i);
+                for (std::size_t const next : successors[i]) {
+                    if (missing[next].fetch_sub(1, std::memory_order_acq_rel) == 1) {
+                        start(next);
+                    }
+                }
+            });
+        };
+        for (std::size_t const root : roots) {
+            start(root);
         }
-        for (auto const& [before, after] : edges) {
-            tbb::flow::make_edge(nodes[before], nodes[after]);
-            hasPredecessor[after] = true;
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            if (!hasPredecessor[i]) {
-                nodes[i].try_put({});
-            }
-        }
-        graph.wait_for_all();
+        group.wait();
     });
 }
 

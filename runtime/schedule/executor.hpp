@@ -27,7 +27,8 @@ public:
     /// first exception thrown by f is passed on.
     void forIndices(std::size_t count, std::function<void(std::size_t)> const& f);
     /// Calls f(i) for every node such that f(i) starts after f of all its predecessors has ended. `edges` are
-    /// pairs (before, after) with before < after.
+    /// pairs (before, after) with before < after. The first exception is passed on; what depends on the node
+    /// that threw it does not run, others may not.
     void runGraph(std::size_t count, std::span<std::pair<std::size_t, std::size_t> const> edges,
                   std::function<void(std::size_t)> const& f);
 
