@@ -32,7 +32,12 @@ void drawMortar(Canvas& canvas, Shape const& shape, Pose const& pose, float alph
                 canvas.line(toWorld(pose, (*bed)[0]), toWorld(pose, (*bed)[1]), line);
             }
             double const shift = row % 2 == 0 ? 0.5 : 1.0;
-            for (double x = own.lower.x + shift * brickLength; x < own.upper.x - 0.05; x += brickLength) {
+            int const bricks = static_cast<int>(2 * half.x / brickLength) + 1;
+            for (int i = 0; i < bricks; ++i) {
+                double const x = own.lower.x + (shift + i) * brickLength;
+                if (x > own.upper.x - 0.05) {
+                    break;
+                }
                 auto const joint = clipLine(outline, {x, 0}, {0, 1});
                 double const from = joint ? std::max((*joint)[0].y, bottom) : 0;
                 double const to = joint ? std::min((*joint)[1].y, bottom + height) : 0;

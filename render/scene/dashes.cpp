@@ -40,8 +40,9 @@ void dashed(Canvas& canvas, std::span<Point const> path, bool closed, double das
     double const wished = std::clamp(std::round(total / (dash + gap)), 1.0, mostDashes);
     double const period = closed || wished == mostDashes ? total / wished : dash + gap;
     double const part = dash / (dash + gap) * period;
-    for (double at = 0; at < total - 1e-9 * total; at += period) {
-        canvas.polyline(section(all, at, std::min(at + part, total)), stroke);
+    auto const count = static_cast<int>(std::ceil(total / period - 1e-9));
+    for (int i = 0; i < count; ++i) {
+        canvas.polyline(section(all, i * period, std::min(i * period + part, total)), stroke);
     }
 }
 

@@ -91,20 +91,28 @@ void drawBadges(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
         Point const apart = half.x >= half.y ? Point{0.5 * half.x, 0} : Point{0, 0.5 * half.y};
         badge(Sign::plus, apart);
         badge(Sign::minus, -1.0 * apart);
-    } else if (facts.source) {
-        badge(Sign::plus, {});
-    } else if (facts.earth) {
-        // One pole of a battery says so; anything else that takes the current back is earth.
-        std::string_view const label = facts.look != nullptr ? facts.look->label : std::string_view{};
-        badge(label == "-" || label == "\u2212" ? Sign::minus : Sign::earth, {});
-    } else if (facts.device && facts.coil == nullptr && !isBulb(facts)) {
-        badge(Sign::flash, {});
+    } else if (auto const sign = signOf(facts); sign && facts.coil == nullptr && !isBulb(facts)) {
+        badge(*sign, {});
     } else if (!body && facts.conductor) {
         canvas.circle(pose, 0.4 * symbolRadius, style);
     }
 }
 
 } // namespace
+
+std::optional<Sign> signOf(Facts const& facts) {
+    if (facts.source) {
+        return Sign::plus;
+    }
+    if (facts.earth) {
+        std::string_view const label = facts.look != nullptr ? facts.look->label : std::string_view{};
+        return label == "-" || label == "\u2212" ? Sign::minus : Sign::earth;
+    }
+    if (facts.device || facts.coil != nullptr) {
+        return Sign::flash;
+    }
+    return std::nullopt;
+}
 
 bool isBulb(Facts const& facts) {
     return facts.device && facts.substance == Substance::glass && facts.shape != nullptr &&

@@ -4,11 +4,18 @@
 #include "render/draw/canvas.hpp"
 #include "render/scene/facts.hpp"
 #include "render/scene/poses.hpp"
+#include "render/scene/signs.hpp"
+
+#include <optional>
 
 namespace trembler::render {
 
 /// The light around an object that is at work (a device with current, a magnet that pulls); none otherwise.
 [[nodiscard]] Glow deviceGlow(Facts const& facts);
+
+/// What the object is to electricity, as a sign; nothing for a plain conductor. The return is an earth,
+/// unless the object calls itself the negative pole by its label.
+[[nodiscard]] std::optional<Sign> signOf(Facts const& facts);
 
 /// A user of electricity that is made of glass.
 [[nodiscard]] bool isBulb(Facts const& facts);

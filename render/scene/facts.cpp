@@ -37,9 +37,9 @@ int level(Facts const& facts) {
 } // namespace
 
 FactsReader::FactsReader(World const& world)
-    : world_(world), positions_(world.store().findColumn<Position>()),
-      rotations_(world.store().findColumn<Rotation>()), shapes_(world.store().findColumn<Shape>()),
-      fixed_(world.store().findColumn<Fixed>()), conductors_(world.store().findColumn<Conductor>()),
+    : positions_(world.store().findColumn<Position>()), rotations_(world.store().findColumn<Rotation>()),
+      shapes_(world.store().findColumn<Shape>()), fixed_(world.store().findColumn<Fixed>()),
+      conductors_(world.store().findColumn<Conductor>()),
       sources_(world.store().findColumn<ElectricalSource>()),
       returns_(world.store().findColumn<ElectricalReturn>()),
       devices_(world.store().findColumn<ElectricalDevice>()),

@@ -55,7 +55,6 @@ public:
     [[nodiscard]] std::vector<Facts> drawOrder() const;
 
 private:
-    World const& world_;
     Column<Position> const* positions_;
     Column<Rotation> const* rotations_;
     Column<Shape> const* shapes_;

@@ -26,8 +26,10 @@ void hatch(Canvas& canvas, std::span<Point const> outline, Point origin, double 
     }
     double const step = spacing * std::max(1.0, std::ceil((last - first) / (spacing * mostLines)));
     std::vector<double> crossings;
-    for (double t = std::ceil(first / step); t * step < last; t += 1) {
-        double const height = t * step;
+    double const start = std::ceil(first / step) * step;
+    auto const lines = static_cast<int>((last - start) / step) + 1;
+    for (int line = 0; line < lines; ++line) {
+        double const height = start + line * step;
         crossings.clear();
         for (std::size_t i = 0; i < outline.size(); ++i) {
             Point const a = outline[i] - origin;

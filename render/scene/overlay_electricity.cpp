@@ -1,6 +1,7 @@
 #include "render/scene/overlay_electricity.hpp"
 
 #include "render/scene/dashes.hpp"
+#include "render/scene/device.hpp"
 #include "render/scene/shape_geometry.hpp"
 #include "render/scene/signs.hpp"
 
@@ -40,12 +41,8 @@ void drawEdge(Canvas& canvas, Link const& link, Point a, Point b) {
 void drawVertex(Canvas& canvas, Facts const& facts, Point at) {
     Style const disc{.outline = 1.8F, .height = 0.F};
     double const large = canvas.metres(13);
-    if (facts.source) {
-        drawBadge(canvas, Sign::plus, {at, 0}, large, facts.on, disc);
-    } else if (facts.earth) {
-        drawBadge(canvas, Sign::earth, {at, 0}, large, facts.on, disc);
-    } else if (facts.device || facts.coil != nullptr) {
-        drawBadge(canvas, Sign::flash, {at, 0}, large, facts.on, disc);
+    if (auto const sign = signOf(facts)) {
+        drawBadge(canvas, *sign, {at, 0}, large, facts.on, disc);
     } else {
         Style dot = disc;
         dot.tint = facts.on ? palette::live : palette::paperLight;

@@ -15,14 +15,14 @@ ObjectId pick(World const& world, Point at, double tolerance) {
     std::vector<Facts> const all = FactsReader(world).drawOrder();
     ObjectId nearest;
     double least = tolerance;
-    for (auto facts = all.rbegin(); facts != all.rend(); ++facts) {
-        double const distance = distanceTo(*facts, poseOf(*facts), at);
+    for (std::size_t i = all.size(); i-- > 0;) { // from the top
+        double const distance = distanceTo(all[i], poseOf(all[i]), at);
         if (distance <= 0) {
-            return facts->id;
+            return all[i].id;
         }
         if (distance < least || (distance == least && !nearest.valid())) {
             least = distance;
-            nearest = facts->id;
+            nearest = all[i].id;
         }
     }
     return nearest;

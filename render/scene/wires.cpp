@@ -39,8 +39,9 @@ std::vector<std::uint32_t> hopsFrom(FactsReader const& reader, Column<Electricit
             reach(id, 0);
         }
     }
-    for (std::size_t next = 0; next < queue.size(); ++next) {
-        ObjectId const from = queue[next];
+    std::size_t next = 0;
+    while (next < queue.size()) { // it grows meanwhile
+        ObjectId const from = queue[next++];
         std::uint32_t const distance = hops[from.index];
         for (auto const& connection : graph[from].connections) {
             if (state.isOn(connection.to)) {
