@@ -1,5 +1,6 @@
 #include "game/session/fit.hpp"
 
+#include "physics/dynamics/body.hpp"
 #include "physics/dynamics/overlap.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/property/for_each.hpp"
@@ -9,6 +10,13 @@
 #include <algorithm>
 
 namespace trembler {
+namespace {
+
+CollisionGroups groupsOf(CollisionGroups const* stated) {
+    return stated == nullptr ? CollisionGroups{} : *stated;
+}
+
+} // namespace
 
 std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts,
                                            Placement const& placement, std::span<ObjectId const> ignored) {
@@ -19,6 +27,7 @@ std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const
     if (shape == nullptr || shapes == nullptr || positions == nullptr) {
         return {};
     }
+    CollisionGroups const groups = groupsOf(part->properties.find<CollisionGroups>());
     PlacedShape const candidate{*shape, placement.at, placement.angle};
     auto const [lower, upper] = extentOf(candidate);
     std::optional<std::string> why;
@@ -26,6 +35,9 @@ std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const
         [&](ObjectId id, Shape const& other, Position const& position) {
             if (why || std::find(ignored.begin(), ignored.end(), id) != ignored.end()) {
                 return;
+            }
+            if (!canHit(groups, groupsOf(world.find<CollisionGroups>(id)))) {
+                return; // a board behind everything is in nobody's way
             }
             Rotation const* const rotation = world.find<Rotation>(id);
             PlacedShape const there{other, position.value, rotation == nullptr ? 0 : rotation->angle};

@@ -117,6 +117,14 @@ struct CollisionGroups {
     friend bool operator==(CollisionGroups const&, CollisionGroups const&) = default;
 };
 
+/// Whether two objects with these groups can hit each other. What states none has the default ones.
+[[nodiscard]] constexpr bool canHit(CollisionGroups const& a, CollisionGroups const& b) {
+    if (a.group != 0 && a.group == b.group) {
+        return a.group > 0;
+    }
+    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
 /// How strongly motion dies away by itself.
 struct Damping {
     static constexpr PropertyKind kind = PropertyKind::object;
