@@ -161,7 +161,7 @@ std::optional<std::size_t> JsonNode::choice(std::span<std::string_view const> na
 
 std::optional<std::string> JsonNode::name(std::string_view what) const {
     constexpr std::size_t longest = 100;
-    auto const found = text(what);
+    auto found = text(what);
     if (!found) {
         return std::nullopt;
     }

@@ -64,7 +64,7 @@ std::vector<std::string> PartLibrary::names() const {
     return names;
 }
 
-PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument const> document) {
+PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument const> const& document) {
     Problems problems;
     PartDefinition part;
     part.document = document;

@@ -39,7 +39,8 @@ private:
 };
 
 /// Reads one part definition. Throws InputError.
-[[nodiscard]] PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument const> document);
+[[nodiscard]] PartDefinition readPart(Registry const& registry,
+                                      std::shared_ptr<JsonDocument const> const& document);
 /// Reads every *.json file of a folder. Throws InputError with the problems of all of them together.
 [[nodiscard]] PartLibrary loadParts(Registry const& registry, std::filesystem::path const& folder);
 

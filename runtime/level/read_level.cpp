@@ -122,6 +122,7 @@ private:
         }
         std::erase_if(levels, [](auto const& effect) { return effect.second.empty(); });
         std::vector<std::string> effects;
+        effects.reserve(levels.size());
         for (auto const& [effect, of] : levels) {
             effects.push_back(effect);
         }
@@ -314,7 +315,7 @@ private:
 
 } // namespace
 
-LevelFile readLevel(Registry const& registry, std::shared_ptr<JsonDocument const> document,
+LevelFile readLevel(Registry const& registry, std::shared_ptr<JsonDocument const> const& document,
                     Problems& problems) {
     LevelFile level;
     level.document = document;
@@ -348,9 +349,9 @@ LevelFile readLevel(Registry const& registry, std::shared_ptr<JsonDocument const
     return level;
 }
 
-LevelFile readLevel(Registry const& registry, std::shared_ptr<JsonDocument const> document) {
+LevelFile readLevel(Registry const& registry, std::shared_ptr<JsonDocument const> const& document) {
     Problems problems;
-    LevelFile level = readLevel(registry, std::move(document), problems);
+    LevelFile level = readLevel(registry, document, problems);
     problems.throwIfAny();
     return level;
 }
