@@ -95,7 +95,7 @@ int runLevel(Arguments const& arguments) {
     }
     std::optional<Solution> solution;
     if (!arguments.solution.empty()) {
-        solution = findOrLoadSolution(workshop.registry, level, arguments.solution);
+        solution = findOrLoadSolution(level, arguments.solution);
     }
     Session session(workshop.registry, workshop.parts, std::move(level), options);
     RunOptions run;

@@ -2,9 +2,6 @@
 #pragma once
 
 #include "runtime/level/level.hpp"
-#include "runtime/world/registry.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 
@@ -13,9 +10,6 @@ namespace trembler {
 /// The solution of that name in the level; else the file of that name, which holds one solution as a level
 /// file would. Throws InputError, or std::invalid_argument, listing the level's solutions, if there is
 /// neither.
-[[nodiscard]] Solution findOrLoadSolution(Registry const& registry, LevelFile const& level,
-                                          std::string const& nameOrFile);
-/// A solution as it stands in a level file.
-[[nodiscard]] nlohmann::ordered_json toJson(Solution const& solution);
+[[nodiscard]] Solution findOrLoadSolution(LevelFile const& level, std::string const& nameOrFile);
 
 } // namespace trembler

@@ -34,6 +34,7 @@ Image pictureOf(Window& window, Workshop const&, Session const& session, Picture
     Image image;
     SceneView const scene;
     PlayState state;
+    state.still = true;
     // ImGui knows the size of a card only after it has laid it out once.
     for (int pass = 0; pass < 3; ++pass) {
         gui.beginFrame(input, 1.0 / 60);
@@ -63,7 +64,7 @@ void screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
     Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, options.level),
                     options.world);
     if (!options.solution.empty()) {
-        session.load(findOrLoadSolution(workshop.registry, session.level(), options.solution));
+        session.load(findOrLoadSolution(session.level(), options.solution));
     } else if (options.firstSolution && !session.level().solutions.empty()) {
         session.load(session.level().solutions.front());
     }
