@@ -8,6 +8,8 @@
 #include "runtime/placement.hpp"
 #include "runtime/property/column.hpp"
 
+#include <algorithm>
+
 namespace trembler {
 
 struct DynamicsColumns {
@@ -41,8 +43,14 @@ struct DynamicsColumns {
         return position.structureVersion() + rotation.structureVersion() + velocity.structureVersion() +
                spin.structureVersion();
     }
+    /// Held to the ranges of its description, whoever wrote it.
     [[nodiscard]] DynamicsSettings worldSettings() const {
-        return settings.empty() ? DynamicsSettings{} : settings.values().front();
+        DynamicsSettings made = settings.empty() ? DynamicsSettings{} : settings.values().front();
+        made.substeps = std::clamp(made.substeps, 1, 64);
+        made.velocityIterations = std::clamp(made.velocityIterations, 1, 256);
+        made.positionIterations = std::clamp(made.positionIterations, 1, 256);
+        made.scale = made.scale >= 1 && made.scale <= 64 ? made.scale : DynamicsSettings{}.scale;
+        return made;
     }
 };
 

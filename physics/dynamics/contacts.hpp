@@ -23,7 +23,8 @@ struct TouchingPair {
     }
 };
 
-/// All three ascending by pair. What begins and ends within one frame counts as neither.
+/// All ascending by pair. What begins and ends within one frame is neither new nor gone: it is brief, as an
+/// impact that bounces can be.
 struct Contacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
@@ -33,6 +34,7 @@ struct Contacts {
     std::vector<TouchingPair> current; ///< C_C
     std::vector<TouchingPair> begun;   ///< C_N
     std::vector<TouchingPair> ended;   ///< C_P; an object in it may be gone
+    std::vector<TouchingPair> brief;   ///< touched within this frame only; in no other list
 
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}

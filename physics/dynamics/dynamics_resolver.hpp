@@ -195,13 +195,14 @@ private:
             return false;
         }
         book.compare(access.template provided<Contacts>(), next_);
+                contacts.brief.clear();
         book.markSeen();
         if (access.tracing()) {
             traceContacts(access);
         }
         std::swap(access.template provide<Contacts>(), next_);
         Contacts const& contacts = access.template provided<Contacts>();
-        contactNews_ = !contacts.begun.empty() || !contacts.ended.empty();
+        contactNews_ = !contacts.begun.empty() || !contacts.ended.empty() || !contacts.brief.empty();
         return true;
     }
 
@@ -223,12 +224,17 @@ private:
             if (begun != next_.begun.cend() && pair == *begun) {
                 pair.event = begun++->event;
             }
+        for (TouchingPair& pair : next_.brief) {
+            record("contact brief", pair);
         }
-        for (TouchingPair const& pair : next_.begun) {
-            for (ObjectId const object : {pair.a, pair.b}) {
-                SlotIndex const slot = bodies.slotOf(object);
-                if (slot != noSlot && !bodies[slot].fixed) {
-                    causes.note(slot, pair.event);
+        }
+        for (auto const* list : {&next_.begun, &next_.brief}) {
+            for (TouchingPair const& pair : *list) {
+                for (ObjectId const object : {pair.a, pair.b}) {
+                    SlotIndex const slot = bodies.slotOf(object);
+                    if (slot != noSlot && !bodies[slot].fixed) {
+                        causes.note(slot, pair.event);
+                    }
                 }
             }
         }

@@ -10,16 +10,41 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-bool allFinite(Joint const& joint) {
-    std::array<double, 8> const numbers{joint.lower,  joint.upper,     joint.motorSpeed,  joint.motorStrength,
-                                        joint.length, joint.stiffness, joint.dampingRate, joint.ratio};
-    for (double const number : numbers) {
-        if (!std::isfinite(number)) {
-            return false;
+// The ranges that files are held to, for joints that come from elsewhere.
+Fault faultInNumbers(Joint const& joint) {
+    struct Range {
+        std::string_view what;
+        double value;
+        double minimum;
+        double maximum;
+    };
+    constexpr double far = 1e6;
+    std::array<Range, 19> const ranges{{{"place", joint.at.x, -far, far},
+                                        {"place", joint.at.y, -far, far},
+                                        {"place at b", joint.atB.x, -far, far},
+                                        {"place at b", joint.atB.y, -far, far},
+                                        {"axis", joint.axis.x, -far, far},
+                                        {"axis", joint.axis.y, -far, far},
+                                        {"pulley over a", joint.groundA.x, -far, far},
+                                        {"pulley over a", joint.groundA.y, -far, far},
+                                        {"pulley over b", joint.groundB.x, -far, far},
+                                        {"pulley over b", joint.groundB.y, -far, far},
+                                        {"lower limit", joint.lower, -far, far},
+                                        {"upper limit", joint.upper, -far, far},
+                                        {"motor speed", joint.motorSpeed, -far, far},
+                                        {"motor strength", joint.motorStrength, 0, 1e9},
+                                        {"length", joint.length, 0, far},
+                                        {"stiffness", joint.stiffness, 0, 1e9},
+                                        {"damping rate", joint.dampingRate, 0, 1e9},
+                                        {"ratio", joint.ratio, -1e3, 1e3},
+                                        {"breaking force", joint.breakForce, 0, 1e12}}};
+    for (Range const& range : ranges) {
+        if (!(range.value >= range.minimum && range.value <= range.maximum)) {
+            return fmt::format("its {} is {}; expected {} to {}", range.what, range.value, range.minimum,
+                               range.maximum);
         }
     }
-    return isFinite(joint.at) && isFinite(joint.atB) && isFinite(joint.axis) && isFinite(joint.groundA) &&
-           isFinite(joint.groundB) && std::isfinite(joint.breakForce);
+    return std::nullopt;
 }
 
 Fault faultInGear(Joint const& joint, JointPartners const& partners) {
@@ -56,15 +81,11 @@ Fault faultIn(Joint const& joint, JointPartners const& partners) {
     if (partners.aFixed && (!joint.b.valid() || partners.bFixed) && joint.form != JointForm::gear) {
         return "it ties together what is fixed; expected at least one object that moves";
     }
-    if (!allFinite(joint)) {
-        return "one of its numbers is not finite";
+    if (Fault fault = faultInNumbers(joint)) {
+        return fault;
     }
     if (joint.limited && joint.lower > joint.upper) {
         return fmt::format("its lower limit, {}, is above its upper one, {}", joint.lower, joint.upper);
-    }
-    if (joint.breakForce < 0 || joint.motorStrength < 0 || joint.length < 0 || joint.stiffness < 0 ||
-        joint.dampingRate < 0) {
-        return "a strength, length, stiffness or damping of it is below 0";
     }
     switch (joint.form) {
     case JointForm::slider:

@@ -10,14 +10,13 @@ constexpr double relativeChange = 0.002;
 constexpr double weightFraction = 1e-6;
 constexpr double standardGravity = 9.80665; // m/s²
 
-bool differs(Load const& now, Load const& then, Body const& body) {
-    double const slack = relativeChange * length(then.force) + weightFraction * body.mass * standardGravity;
-    double const gyration = std::sqrt(body.inertia / body.mass);
-    double const turningSlack = relativeChange * std::abs(then.torque) + slack * gyration;
-    return length(now.force - then.force) > slack || std::abs(now.torque - then.torque) > turningSlack;
+// Sums of huge forces may have left the numbers.
+double tame(double value) {
+    return std::isfinite(value) ? std::clamp(value, -1e100, 1e100) : 0;
 }
 
 Load bounded(Load load, Body const& body) {
+    load = {{tame(load.force.x), tame(load.force.y)}, tame(load.torque)};
     double const force = length(load.force);
     if (force > body.mass * maximumAcceleration) {
         load.force *= body.mass * maximumAcceleration / force;
@@ -29,20 +28,29 @@ Load bounded(Load load, Body const& body) {
 
 } // namespace
 
+bool LoadTable::differs(Sum const& now, Load const& then, Body const& body) {
+    double const slack = relativeChange * now.gross + weightFraction * body.mass * standardGravity;
+    double const gyration = std::sqrt(body.inertia / body.mass);
+    double const turningSlack = relativeChange * std::abs(then.torque) + slack * gyration;
+    return length(now.load.force - then.force) > slack ||
+           std::abs(now.load.torque - then.torque) > turningSlack;
+}
+
 void LoadTable::clear(std::size_t slots) {
-    loads_.assign(slots, {});
+    sums_.assign(slots, {});
 }
 
 void LoadTable::apply(std::span<Body const> bodies, Engine& engine) {
-    for (SlotIndex slot = 0; slot < loads_.size(); ++slot) {
+    loads_.assign(sums_.size(), {});
+    for (SlotIndex slot = 0; slot < sums_.size(); ++slot) {
         if (!bodies[slot].fixed && bodies[slot].object.valid()) {
-            loads_[slot] = bounded(loads_[slot], bodies[slot]);
+            loads_[slot] = sums_[slot].load = bounded(sums_[slot].load, bodies[slot]);
         }
     }
     engine.setLoads(loads_);
-    for (SlotIndex slot = 0; slot < loads_.size() && slot < asleep_.size(); ++slot) {
+    for (SlotIndex slot = 0; slot < sums_.size() && slot < asleep_.size(); ++slot) {
         if (asleep_[slot] != 0 && bodies[slot].object.valid() &&
-            differs(loads_[slot], atRest_[slot], bodies[slot])) {
+            differs(sums_[slot], atRest_[slot], bodies[slot])) {
             engine.wake(slot);
         }
     }

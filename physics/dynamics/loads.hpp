@@ -3,6 +3,8 @@
 
 #include "physics/dynamics/bodies.hpp"
 
+#include <cmath>
+
 namespace trembler {
 
 /// Sums are made in the order in which calls are drained, which depends on no thread.
@@ -11,18 +13,27 @@ public:
     /// Starts new sums.
     void clear(std::size_t slots);
     void add(SlotIndex slot, Vec2 force, double torque) {
-        loads_[slot].force += force;
-        loads_[slot].torque += torque;
+        Sum& sum = sums_[slot];
+        sum.load.force += force;
+        sum.load.torque += torque;
+        sum.gross += std::abs(force.x) + std::abs(force.y);
     }
     /// Ends the sums: hands them to the engine, and wakes sleepers whose load has changed since they fell
-    /// asleep by more than a five-hundredth of it and a millionth of their weight. A five-hundredth of the
-    /// weight would speed a body up by 0.02 m/s², which is what an engine that puts bodies to sleep cannot
-    /// tell from rest anyway.
+    /// asleep by more than a five-hundredth of all the forces that it is made of and a millionth of their
+    /// weight. A five-hundredth of the weight would speed a body up by 0.02 m/s², which is what an engine
+    /// that puts bodies to sleep cannot tell from rest anyway.
     void apply(std::span<Body const> bodies, Engine& engine);
     /// Remembers the load under which bodies have fallen asleep. After each step.
     void noteSleepers(Engine const& engine);
 
 private:
+    struct Sum {
+        Load load;
+        double gross = 0; // N, of all forces, whichever way they point
+    };
+    [[nodiscard]] static bool differs(Sum const& now, Load const& then, Body const& body);
+
+    std::vector<Sum> sums_;
     std::vector<Load> loads_;
     std::vector<Load> atRest_; // under which a body fell asleep
     std::vector<std::uint8_t> asleep_;

@@ -72,12 +72,10 @@ Fault faultInCorners(std::vector<Vec2> const& corners) {
 }
 
 Fault faultIn(ShapePiece const& piece) {
-    if (!isFinite(piece.at) || std::abs(piece.at.x) > 1e3 || std::abs(piece.at.y) > 1e3 ||
-        !std::isfinite(piece.angle)) {
-        return fmt::format(
-            "it lies at [{}, {}] m, turned by {} rad; expected numbers, and at most 1000 m from the "
-            "object's origin",
-            piece.at.x, piece.at.y, piece.angle);
+    bool const placed = isFinite(piece.at) && std::abs(piece.at.x) <= 1e3 && std::abs(piece.at.y) <= 1e3;
+    if (!placed || !(std::abs(piece.angle) <= 1e3)) {
+        return fmt::format("it lies at [{}, {}] m, turned by {} rad; expected numbers from -1000 to 1000",
+                           piece.at.x, piece.at.y, piece.angle);
     }
     switch (piece.form) {
     case ShapeForm::circle:

@@ -34,6 +34,10 @@ void TouchBook::take(std::vector<TouchChange>& changes) {
             sum.pieces += change->delta;
         }
         changed_ = changed_ || (was > 0) != (sum.pieces > 0);
+        if (was == 0 && sum.pieces == 0) {
+            brief_.push_back({sum.a, sum.b, {}});
+            changed_ = true;
+        }
         if (sum.pieces > 0) {
             merged_.push_back(sum);
         }
@@ -47,6 +51,12 @@ void TouchBook::compare(Contacts const& before_, Contacts& next) const {
     next.current.clear();
     next.begun.clear();
     next.ended.clear();
+    next.brief.clear();
+    for (TouchingPair const& pair : brief_) {
+        if (!std::binary_search(before_.current.begin(), before_.current.end(), pair)) {
+            next.brief.push_back(pair);
+        }
+    }
     auto old = before_.current.cbegin();
     auto const end = before_.current.cend();
     for (Count const& count : counts_) {

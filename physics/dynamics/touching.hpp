@@ -16,7 +16,10 @@ public:
     /// over.
     void compare(Contacts const& before, Contacts& next) const;
     [[nodiscard]] bool changed() const { return changed_; }
-    void markSeen() { changed_ = false; }
+    void markSeen() {
+        changed_ = false;
+        brief_.clear();
+    }
 
 private:
     struct Count {
@@ -26,6 +29,7 @@ private:
     };
     std::vector<Count> counts_; // ascending by pair, above 0
     std::vector<Count> merged_; // kept for its memory
+    std::vector<TouchingPair> brief_;
     bool changed_ = true;
 };
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::uintptr_t groundData = ~std::uintptr_t{0};
 
 // What drifts freely, however slowly, does not come to rest by itself: above these it must not fall asleep.
-constexpr double driftAcceleration = 1e-4; // m/s²
+constexpr double driftAcceleration = 1e-3; // m/s²
 constexpr double driftSpeed = 1e-4;        // m/s
 constexpr double driftSpin = 1e-3;         // rad/s
 

@@ -1,3 +1,4 @@
+#include "physics/depth.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -5,14 +6,15 @@
 namespace trembler::test {
 namespace {
 
-// Semi-implicit Euler (v += h g, then x += h v) is exact in v and falls ahead in x by g h t / 2.
+// Semi-implicit Euler (v += h g, then x += h v) is exact in v and falls ahead in x by g h t / 2. What
+// interactions say in one frame is done in the next, so the first frame knows no gravity yet.
 TEST(Motion, ProjectileFollowsTheParabolaOfItsIntegrator) {
     for (int const substeps : {1, 4, 16}) {
-        Scene scene(false, {.substeps = substeps});
-        ObjectId const ball = scene.body("ball", circlePiece(0.1), {0, 0});
+        Scene scene({.solver = {.substeps = substeps}});
+        ObjectId const ball = scene.ball({0, 0});
         scene.give(ball, Velocity{{7, 9}});
         double const h = frameDuration / substeps;
-        scene.run(1); // the first pull is applied at the end of frame 1: one frame without gravity
+        scene.run(1);
         EXPECT_NEAR(scene.at(ball).y, 9 * frameDuration, 1e-5);
         for (int frame = 1; frame <= 120; ++frame) {
             scene.run(1);
@@ -25,17 +27,131 @@ TEST(Motion, ProjectileFollowsTheParabolaOfItsIntegrator) {
     }
 }
 
-TEST(Motion, ABallComesToRestAndEverythingSleeps) {
+TEST(Motion, MassFollowsFromDensityAndMaybeStatedInstead) {
     Scene scene;
-    ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
-    ObjectId const ball = scene.body("ball", boxPiece(0.4, 0.4), {0, 1});
-    scene.run(200);
-    EXPECT_TRUE(scene.touching(floor, ball));
-    EXPECT_NEAR(scene.at(ball).y, 0.2, 0.01);
-    EXPECT_EQ(scene.dynamics(), Activity::asleep);
-    std::uint64_t const hash = scene.world->stateHash();
-    scene.run(100);
-    EXPECT_EQ(hash, scene.world->stateHash());
+    ObjectId const plain = scene.body("plain", boxPiece(0.5, 0.2), {0, 0});
+    ObjectId const steel = scene.body("steel", circlePiece(0.1), {5, 0});
+    scene.give(steel, Density{7850});
+    ObjectId const stated = scene.body("stated", circlePiece(0.1), {10, 0});
+    scene.give(stated, Mass{3});
+    ObjectId const floor = scene.fixed("floor", boxPiece(1, 1), {0, -9});
+    scene.run(1);
+    EXPECT_DOUBLE_EQ(scene.mass(plain), 1000 * 0.5 * 0.2 * worldDepth);
+    EXPECT_DOUBLE_EQ(scene.mass(steel), 7850 * pi * 0.01 * worldDepth);
+    EXPECT_EQ(scene.mass(stated), 3);
+    EXPECT_EQ(scene.world->find<Mass>(floor), nullptr);
+    EXPECT_EQ(scene.world->find<Velocity>(floor), nullptr);
+    EXPECT_NE(scene.world->find<Rotation>(floor), nullptr);
+}
+
+TEST(Motion, TorqueTurnsByTheMomentOfInertia) {
+    Scene scene;
+    scene.gravity = 0;
+    ObjectId const box = scene.body("box", boxPiece(0.6, 0.2), {1, 2});
+    scene.give(box, Mass{3});
+    Pull pull;
+    pull.torque = 0.4;
+    scene.give(box, pull);
+    scene.run(61);
+    double const inertia = 3 * (0.6 * 0.6 + 0.2 * 0.2) / 12;
+    EXPECT_NEAR(scene.spin(box), 0.4 / inertia, 1e-3);
+    EXPECT_NEAR(scene.angle(box), 0.4 / inertia / 2, 0.01);
+    EXPECT_NEAR(length(scene.at(box) - Vec2{1, 2}), 0, 1e-6);
+}
+
+TEST(Motion, AForceOffTheCentreTurnsToo) {
+    Scene scene;
+    scene.gravity = 0;
+    ObjectId const disc = scene.body("disc", circlePiece(0.5), {0, 0});
+    scene.give(disc, Mass{2});
+    Pull pull;
+    pull.point = {0, 0.5};
+    pull.pointForce = {1, 0};
+    scene.give(disc, pull);
+    scene.run(2);
+    // one frame: v = F t / m, w = -r F t / I with I = m r^2 / 2
+    EXPECT_NEAR(scene.velocity(disc).x, 1 * frameDuration / 2, 1e-6);
+    EXPECT_NEAR(scene.spin(disc), -0.5 * frameDuration / (2 * 0.25 / 2), 1e-4);
+}
+
+TEST(Motion, AnImpulseIsGivenOnce) {
+    Scene scene;
+    scene.gravity = 0;
+    ObjectId const disc = scene.body("disc", circlePiece(0.5), {0, 0});
+    scene.give(disc, Mass{2});
+    scene.give(disc, Kick{{3, 0}, {0, 0.25}, 1});
+    scene.run(2);
+    for (int frame = 0; frame < 10; ++frame) {
+        EXPECT_NEAR(scene.velocity(disc).x, 1.5, 1e-6);
+        EXPECT_NEAR(scene.spin(disc), -0.25 * 3 / 0.25, 1e-5);
+        scene.run(1);
+    }
+    scene.of<Kick>(disc) = {{-3, 0}, scene.at(disc) + Vec2{0, 0.25}, 2};
+    scene.run(3);
+    EXPECT_NEAR(scene.velocity(disc).x, 0, 1e-5);
+}
+
+TEST(Motion, DampingFollowsItsExponential) {
+    Scene scene;
+    scene.gravity = 0;
+    ObjectId const ball = scene.ball({0, 0});
+    scene.give(ball, Velocity{{4, 0}});
+    scene.give(ball, AngularVelocity{5});
+    scene.give(ball, Damping{0.5, 1.5});
+    scene.run(60);
+    EXPECT_NEAR(scene.velocity(ball).x, 4 * std::exp(-0.5), 4e-3); // implicit in v: (1 + c h)^-n
+    EXPECT_NEAR(scene.spin(ball), 5 * std::exp(-1.5), 2e-2);
+}
+
+// An L of two boxes; the origin of its frame is the corner, its centre of mass is not.
+TEST(Motion, ACompoundTurnsAboutItsCentreOfMass) {
+    Scene scene;
+    scene.gravity = 0;
+    Shape const shape{{boxPiece(0.2, 1, {0, 0.5}), boxPiece(0.6, 0.2, {0.4, 0.1})}};
+    Vec2 const centre = (0.2 * Vec2{0, 0.5} + 0.12 * Vec2{0.4, 0.1}) / 0.32;
+    ObjectId const bracket = scene.body("bracket", shape, {3, 4}, 0.7);
+    Pull pull;
+    pull.torque = 1;
+    scene.give(bracket, pull);
+    Vec2 const at = scene.at(bracket) + rotated(centre, 0.7);
+    for (int frame = 0; frame < 120; ++frame) {
+        scene.run(1);
+        ASSERT_NEAR(length(scene.at(bracket) + rotated(centre, scene.angle(bracket)) - at), 0, 1e-5);
+        ASSERT_NEAR(length(scene.velocity(bracket)), 0, 1e-6); // velocity is that of the centre of mass
+    }
+    EXPECT_GT(scene.angle(bracket), 1);
+    scene.of<Pull>(bracket) = {};
+    scene.of<Pull>(bracket).force = {0, 2};
+    double const spin = scene.spin(bracket);
+    scene.run(30);
+    EXPECT_NEAR(scene.spin(bracket), spin + 1 * frameDuration * 0, 0.2);
+    double const steady = scene.spin(bracket);
+    scene.run(30);
+    EXPECT_NEAR(scene.spin(bracket), steady, 1e-5); // a force at the centre of mass turns nothing
+}
+
+TEST(Motion, ForcesBeyondReasonAreCutDownAndTheWorldGoesOn) {
+    Scene scene({.trace = true});
+    ObjectId const ball = scene.ball({0, 0});
+    ObjectId const other = scene.ball({3, 0});
+    Pull pull;
+    pull.force = {1e300, 0};
+    pull.torque = -1e300;
+    scene.give(ball, pull);
+    pull.force = {std::nan(""), 1};
+    pull.torque = 0;
+    scene.give(other, pull);
+    scene.give(ball, Kick{{1e300, -1e300}, {1e9, 0}, 1});
+    scene.run(60);
+    EXPECT_TRUE(isFinite(scene.at(ball)));
+    EXPECT_TRUE(isFinite(scene.velocity(ball)));
+    EXPECT_TRUE(std::isfinite(scene.angle(ball)));
+    EXPECT_EQ(scene.at(other), (Vec2{3, 0}));
+    bool told = false;
+    for (Event const& event : scene.world->tracer()->events()) {
+        told = told || event.event == "refused: the force is not a finite number";
+    }
+    EXPECT_TRUE(told);
 }
 
 } // namespace

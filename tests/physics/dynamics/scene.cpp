@@ -36,12 +36,19 @@ void registerScene(Registry& registry) {
     registry.component<DynamicsFromKick>();
 }
 
-Scene::Scene(bool trace, DynamicsSettings settings) {
+Scene::Scene(Options options) {
     registerScene(registry);
-    world = std::make_unique<World>(registry,
-                                    WorldOptions{.threads = 1, .detail = {}, .periods = {}, .trace = trace});
-    ObjectId const id = world->store().create("world");
-    world->store().column<DynamicsSettings>().set(id, settings);
+    if (options.extend != nullptr) {
+        options.extend(registry);
+    }
+    world = std::make_unique<World>(
+        registry,
+        WorldOptions{.threads = options.threads, .detail = {}, .periods = {}, .trace = options.trace});
+    give(world->store().create("world"), options.solver);
+}
+
+ObjectId Scene::ball(Vec2 at, double radius) {
+    return body("ball " + std::to_string(world->store().objects().size()), circlePiece(radius), at);
 }
 
 ObjectId Scene::body(std::string const& name, Shape shape, Vec2 at, double angle) {

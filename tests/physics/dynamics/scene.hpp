@@ -65,7 +65,14 @@ private:
 /// A world with Dynamics, and with pulls and kicks, but without any other physics.
 class Scene {
 public:
-    explicit Scene(bool trace = false, DynamicsSettings settings = {});
+    struct Options {
+        bool trace = false;
+        int threads = 1;
+        DynamicsSettings solver = {};
+        void (*extend)(Registry&) = nullptr; ///< registers more
+    };
+    Scene() : Scene(Options{}) {}
+    explicit Scene(Options options);
 
     /// Constant downward acceleration for every body added from now on.
     double gravity = 9.81;
@@ -74,6 +81,8 @@ public:
     ObjectId body(std::string const& name, Shape shape, Vec2 at, double angle = 0);
     ObjectId fixed(std::string const& name, ShapePiece piece, Vec2 at, double angle = 0);
     ObjectId joint(std::string const& name, Joint joint);
+    /// What an object without any name of its own gets.
+    ObjectId ball(Vec2 at, double radius = 0.1);
     template <class P>
     void give(ObjectId id, P property) {
         world->store().column<P>().set(id, std::move(property));

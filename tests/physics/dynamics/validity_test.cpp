@@ -1,0 +1,252 @@
+// Nothing that Box2D would abort on gets that far.
+#include "physics/dynamics/joint_rules.hpp"
+#include "physics/dynamics/shape_rules.hpp"
+#include "tests/physics/dynamics/scene.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <limits>
+
+namespace trembler::test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+std::vector<Vec2> ngon(int corners, double radius, bool clockwise = false) {
+    std::vector<Vec2> made;
+    for (int i = 0; i < corners; ++i) {
+        made.push_back(rotated({radius, 0}, (clockwise ? -1 : 1) * 2 * pi * i / corners));
+    }
+    return made;
+}
+
+TEST(ShapeRules, SayWhatIsWrong) {
+    struct Case {
+        ShapePiece piece;
+        std::string_view says;
+    };
+    std::vector<Case> const cases{
+        {circlePiece(0), "radius is 0 m"},
+        {circlePiece(nan), "radius is nan m"},
+        {circlePiece(-1), "expected 0.005 to 1000"},
+        {boxPiece(0, 1), "width is 0 m"},
+        {boxPiece(1, inf), "height is inf m"},
+        {boxPiece(1, 1, {nan, 0}), "lies at [nan, 0]"},
+        {boxPiece(1, 1, {}, inf), "turned by inf"},
+        {capsulePiece(0.3, 0.2), "at least as long as both ends, 0.4 m"},
+        {polygonPiece({{0, 0}, {1, 0}}), "has 2 corners"},
+        {polygonPiece(ngon(9, 1)), "has 9 corners; expected 3 to 8"},
+        {polygonPiece(ngon(5, 1, true)), "clockwise"},
+        {polygonPiece({{0, 0}, {1, 0}, {2, 0}}), "on the line"},
+        {polygonPiece({{0, 0}, {1, 0}, {2, 0}, {1, 1}}), "corner 2 of its polygon, [1, 0], lies on the line"},
+        {polygonPiece({{0, 0}, {2, 0}, {1, 0.3}, {1, 2}}), "not convex"},
+        {polygonPiece({{0, 1}, {-0.6, -0.8}, {0.9, 0.3}, {-0.9, 0.3}, {0.6, -0.8}}),
+         "not convex"}, // pentagram
+        {polygonPiece({{0, 0}, {1, 0}, {1, 0.001}, {0, 1}}), "are 0.001 m apart"},
+        {polygonPiece({{0, 0}, {1, 0}, {0.5, 0.004}}), "thin"},
+        {polygonPiece({{0, 0}, {1, nan}, {0.5, 1}}), "[1, nan]"},
+    };
+    for (Case const& c : cases) {
+        auto const fault = faultIn(Shape{{c.piece}});
+        ASSERT_TRUE(fault) << c.says;
+        EXPECT_NE(fault->find(c.says), std::string::npos) << *fault;
+    }
+    EXPECT_TRUE(faultIn(Shape{}));
+    EXPECT_TRUE(faultIn(Shape{std::vector<ShapePiece>(257, circlePiece(1))}));
+    for (ShapePiece const& sound : {circlePiece(0.005), boxPiece(0.01, 0.01), capsulePiece(0.4, 0.2),
+                                    polygonPiece(ngon(8, 0.5)), polygonPiece(ngon(3, 0.02))}) {
+        EXPECT_FALSE(faultIn(Shape{{sound}})) << *faultIn(Shape{{sound}});
+    }
+}
+
+TEST(JointRules, SayWhatIsWrong) {
+    ObjectId const a{1, 0};
+    ObjectId const b{2, 0};
+    JointPartners const sound{.aIsBody = true, .bIsBody = true};
+    auto const fault = [&](JointPartners const& partners, auto&& change) {
+        Joint joint;
+        joint.a = a;
+        joint.b = b;
+        joint.atB = {1, 0};
+        change(joint);
+        return faultIn(joint, partners).value_or("");
+    };
+    auto const same = [](Joint&) {};
+    EXPECT_EQ(fault(sound, same), "");
+    EXPECT_NE(fault({.aIsBody = false, .bIsBody = true}, same).find("object a has no"), std::string::npos);
+    EXPECT_NE(fault({.aIsBody = true, .bIsBody = false}, same).find("object b has no"), std::string::npos);
+    EXPECT_NE(fault(sound, [&](Joint& j) { j.b = a; }).find("to itself"), std::string::npos);
+    EXPECT_NE(fault({.aIsBody = true, .bIsBody = true, .aFixed = true, .bFixed = true}, same).find("fixed"),
+              std::string::npos);
+    EXPECT_NE(fault(sound, [](Joint& j) { j.at = {nan, 0}; }).find("place is nan"), std::string::npos);
+    EXPECT_NE(fault(sound, [](Joint& j) { j.limited = true, j.lower = 1; }).find("above its upper"),
+              std::string::npos);
+    auto const form = [&](JointForm wanted, auto&& change) {
+        return fault(sound, [&](Joint& j) {
+            j.form = wanted;
+            change(j);
+        });
+    };
+    EXPECT_NE(form(JointForm::slider, [](Joint& j) { j.axis = {}; }).find("no direction"), std::string::npos);
+    EXPECT_NE(form(JointForm::spring, same).find("stiffness"), std::string::npos);
+    EXPECT_NE(form(JointForm::wheel, same).find("stiffness"), std::string::npos);
+    EXPECT_NE(form(JointForm::distance, [](Joint& j) { j.atB = j.at; }).find("coincide"), std::string::npos);
+    EXPECT_NE(form(JointForm::pulley, [](Joint& j) { j.b = {}; }).find("two ends"), std::string::npos);
+    EXPECT_NE(form(JointForm::pulley, [](Joint& j) { j.ratio = 0; }).find("ratio is 0"), std::string::npos);
+    EXPECT_NE(form(JointForm::gear, same).find("couples two joints"), std::string::npos);
+}
+
+// Numbers as a hostile script might hand them over.
+double wild() {
+    return *rc::gen::weightedOneOf<double>(
+        {{6, rc::gen::map(rc::gen::inRange(-300, 300), [](int i) { return i * 0.01; })},
+         {1, rc::gen::element(0.0, -0.0, nan, inf, -inf, 1e300, -1e300, 1e9, 1e-9, 1e-300, 1e6, 5e3, -1e4)}});
+}
+
+Vec2 wildVector() {
+    return {wild(), wild()};
+}
+
+ShapePiece wildPiece() {
+    ShapePiece piece;
+    piece.form = static_cast<ShapeForm>(*rc::gen::inRange(0, 5));
+    piece.at = *rc::gen::inRange(0, 3) == 0 ? wildVector() : Vec2{};
+    piece.angle = *rc::gen::inRange(0, 3) == 0 ? wild() : 0;
+    piece.radius = std::abs(wild());
+    piece.width = std::abs(wild());
+    piece.height = std::abs(wild());
+    if (*rc::gen::inRange(0, 2) == 0) {
+        piece.corners = ngon(*rc::gen::inRange(0, 10), std::abs(wild()), *rc::gen::inRange(0, 4) == 0);
+    } else {
+        for (int i = *rc::gen::inRange(0, 10); i > 0; --i) {
+            piece.corners.push_back(wildVector());
+        }
+    }
+    return piece;
+}
+
+Joint wildJoint(std::vector<ObjectId> const& all) {
+    Joint joint;
+    joint.form = static_cast<JointForm>(*rc::gen::inRange(0, 10));
+    joint.a = *rc::gen::elementOf(all);
+    joint.b = *rc::gen::elementOf(all);
+    joint.at = wildVector();
+    joint.atB = wildVector();
+    joint.axis = wildVector();
+    joint.limited = *rc::gen::arbitrary<bool>();
+    joint.lower = wild();
+    joint.upper = wild();
+    joint.motor = *rc::gen::arbitrary<bool>();
+    joint.motorSpeed = wild();
+    joint.motorStrength = wild();
+    joint.length = wild();
+    joint.stiffness = wild();
+    joint.dampingRate = wild();
+    joint.ratio = wild();
+    joint.groundA = wildVector();
+    joint.groundB = wildVector();
+    joint.jointA = *rc::gen::elementOf(all);
+    joint.jointB = *rc::gen::elementOf(all);
+    joint.breakForce = wild();
+    return joint;
+}
+
+void addWildJoints(Scene& scene, std::vector<ObjectId>& all) {
+    for (int i = *rc::gen::inRange(0, 8); i > 0; --i) {
+        all.push_back(scene.joint("joint " + std::to_string(i), wildJoint(all)));
+    }
+}
+
+TEST(Validity, NoObjectHoweverWildAborts) {
+    EXPECT_TRUE(rc::check([] {
+        Scene scene({.trace = true});
+        std::vector<ObjectId> all{ObjectId{}};
+        int const bodies = *rc::gen::inRange(1, 6);
+        for (int i = 0; i < bodies; ++i) {
+            Shape shape;
+            for (int n = *rc::gen::inRange(0, 4); n > 0; --n) {
+                shape.pieces.push_back(wildPiece());
+            }
+            ObjectId const id = scene.body("body " + std::to_string(i), shape, wildVector(), wild());
+            if (*rc::gen::inRange(0, 2) == 0) {
+                scene.give(id, Velocity{wildVector()});
+                scene.give(id, AngularVelocity{wild()});
+            }
+            if (*rc::gen::inRange(0, 3) == 0) {
+                scene.give(id, Mass{wild()});
+                scene.give(id, Friction{wild()});
+                scene.give(id, Restitution{wild()});
+                scene.give(id, Damping{wild(), wild()});
+                scene.give(id, CollisionGroups{*rc::gen::arbitrary<int>(), *rc::gen::arbitrary<int>(), 0});
+            }
+            if (*rc::gen::inRange(0, 4) == 0) {
+                scene.give(id, Fixed{});
+            }
+            Pull pull;
+            pull.force = wildVector();
+            pull.torque = wild();
+            pull.point = wildVector();
+            pull.pointForce = wildVector();
+            scene.give(id, pull);
+            scene.give(id, Kick{wildVector(), wildVector(), 1});
+            all.push_back(id);
+        }
+        addWildJoints(scene, all);
+        scene.run(3);
+        scene.world->feed({.kind = PlayerInput::Kind::remove, .object = all[1], .other = {}, .at = {}});
+        scene.run(10);
+    }));
+}
+
+// The sound part of a random world stays sound: what is finite at the start is finite ever after.
+TEST(Validity, SoundBodiesStayFinite) {
+    EXPECT_TRUE(rc::check([] {
+        Scene scene;
+        std::vector<ObjectId> all{ObjectId{}};
+        for (int i = 0; i < 6; ++i) {
+            ObjectId const id = scene.body("body " + std::to_string(i), wildPiece(),
+                                           {*rc::gen::inRange(-9, 9) * 0.1, *rc::gen::inRange(-9, 9) * 0.1});
+            Pull pull;
+            pull.force = wildVector();
+            pull.point = wildVector();
+            pull.pointForce = wildVector();
+            pull.torque = wild();
+            scene.give(id, pull);
+            scene.give(id, Kick{wildVector(), wildVector(), 1});
+            all.push_back(id);
+        }
+        addWildJoints(scene, all);
+        scene.run(30);
+        for (Position const& position : scene.world->store().column<Position>().values()) {
+            RC_ASSERT(isFinite(position.value));
+        }
+        for (Rotation const& rotation : scene.world->store().column<Rotation>().values()) {
+            RC_ASSERT(std::isfinite(rotation.angle));
+        }
+    }));
+}
+
+TEST(Validity, WhatIsRefusedIsToldOnceAndTheRestGoesOn) {
+    Scene scene({.trace = true});
+    ObjectId const bad = scene.body("bad", polygonPiece(ngon(9, 0.3)), {0, 5});
+    ObjectId const good = scene.ball({3, 5});
+    Joint joint;
+    joint.a = good;
+    joint.b = bad;
+    scene.joint("dangling", joint);
+    scene.run(5);
+    scene.ball({7, 5});
+    scene.run(5);
+    EXPECT_EQ(scene.at(bad), (Vec2{0, 5}));
+    EXPECT_LT(scene.at(good).y, 5);
+    int told = 0;
+    for (Event const& event : scene.world->tracer()->events()) {
+        told += event.event.starts_with("refused") && event.objects[0] == "bad" ? 1 : 0;
+    }
+    EXPECT_EQ(told, 1);
+}
+
+} // namespace
+} // namespace trembler::test
