@@ -42,10 +42,10 @@ struct LiquidResistance {
 /// with the same second moments.
 ///
 /// Looking ahead: F_B stands for a time t (a frame, or the resolver's period) while the body moves on. On
-/// average it is the force of t/2 ago, and a force that lags behind feeds oscillations. So the body is made to
-/// resist motion up and down at its waterline with ρ g d t/2 per length, which is what the force will have lost
-/// on average; and turning, with t/2 times F_B times the height of the centre of buoyancy above that of mass.
-/// What the engine's own N substeps make up for is left out: (1 - 1/N) t/2.
+/// average it is the force of t/2 ago, and a force that lags behind feeds oscillations. So the body is made
+/// to resist motion up and down at its waterline with ρ g d t/2 per length, which is what the force will have
+/// lost on average; and turning, with t/2 times F_B times the height of the centre of buoyancy above that of
+/// mass. What the engine's own N substeps make up for is left out: (1 - 1/N) t/2.
 class LiquidDrag final : public Dps<LiquidDrag,
                                     Reads<Immersions, LinearGravityVector, Liquid, Shape, Position, Rotation,
                                           Velocity, AngularVelocity, DynamicsSettings, BuoyancySettings>,

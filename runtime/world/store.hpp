@@ -18,7 +18,8 @@ namespace trembler {
 
 /// Columns and slots are made when first asked for and stay where they are for the store's life.
 ///
-/// Not thread-safe for changes of structure; those happen before the first frame and in the Population resolver.
+/// Not thread-safe for changes of structure; those happen before the first frame and in the Population
+/// resolver.
 class Store {
 public:
     Store();
@@ -75,8 +76,8 @@ public:
     [[nodiscard]] PrototypeLibrary& prototypes() { return prototypes_; }
     [[nodiscard]] PrototypeLibrary const& prototypes() const { return prototypes_; }
 
-    /// What an effect adds to an object that has just got its stated properties: what follows from them (a mass
-    /// from a density), what a simulation needs besides (a velocity).
+    /// What an effect adds to an object that has just got its stated properties: what follows from them (a
+    /// mass from a density), what a simulation needs besides (a velocity).
     using Completion = void (*)(Store&, ObjectId);
     void setCompletions(std::vector<Completion> completions) { completions_ = std::move(completions); }
     void complete(ObjectId id);
