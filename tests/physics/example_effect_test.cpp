@@ -23,7 +23,10 @@ struct Wind {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "m/s", .meaning = "velocity of the air", .minimum = -200,
+        visit(FieldInfo{.key = "value",
+                        .unit = "m/s",
+                        .meaning = "velocity of the air",
+                        .minimum = -200,
                         .maximum = 200},
               self.velocity);
     }
@@ -37,7 +40,10 @@ struct Sail {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "m²", .meaning = "drag coefficient times area", .minimum = 0,
+        visit(FieldInfo{.key = "value",
+                        .unit = "m²",
+                        .meaning = "drag coefficient times area",
+                        .minimum = 0,
                         .maximum = 1e4},
               self.dragArea);
     }
@@ -61,12 +67,13 @@ struct WindForce {
 
 class QuadraticWind final : public Dps<QuadraticWind, Reads<Wind, Sail, Velocity>, Derives<WindForce>> {
 public:
-    static constexpr ComponentText text{.name = "Wind Forces",
-                                        .effect = "wind",
-                                        .level = "quadratic",
-                                        .work = "Drag: half the density of air times drag area times speed squared, "
-                                                "along the velocity of the air relative to the sail.",
-                                        .cost = 1};
+    static constexpr ComponentText text{
+        .name = "Wind Forces",
+        .effect = "wind",
+        .level = "quadratic",
+        .work = "Drag: half the density of air times drag area times speed squared, "
+                "along the velocity of the air relative to the sail.",
+        .cost = 1};
     using CalledFor = NeedsAll<Wind, Sail>;
 
     void update(Access& access) {
@@ -90,7 +97,8 @@ public:
     static constexpr ComponentText text{.name = "Dynamics <- Wind",
                                         .effect = "wind",
                                         .level = "",
-                                        .work = "Applies the force of the wind at each sail's centre of mass."};
+                                        .work =
+                                            "Applies the force of the wind at each sail's centre of mass."};
     using CalledFor = NeedsAll<Sail>;
 
     void apply(Access& access) {
