@@ -82,7 +82,7 @@ std::optional<Command> drawGoalCard(Layout& layout, Session const& session, Play
         }
         goalLines(lines);
     }
-    if (!state.goalsShort && !level.hints.empty()) {
+    if (!state.goalsShort && !state.still && !level.hints.empty()) {
         rule();
         asked = drawHints(layout, session, state);
     }

@@ -25,6 +25,7 @@ struct PlayState {
     bool components = false;
     bool celebrating = false;
     bool goalsShort = false;        ///< only the goals, without the story: something else needs the room
+    bool still = false;             ///< a picture: nothing to press
     bool carrying = false;          ///< something is in the hand
     double celebratedFor = 0;       ///< s
     std::optional<double> solvedAt; ///< s of the run

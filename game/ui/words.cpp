@@ -42,9 +42,6 @@ std::string solvedWith(double time, int parts) {
 std::string count(int number, char const* one, char const* many) {
     return fmt::format("{} {}", number, number == 1 ? one : many);
 }
-std::string wireCut(std::string const& a, std::string const& b) {
-    return fmt::format("The wire between {} and {} is cut", a, b);
-}
 std::string cutThis(std::string const& a, std::string const& b) {
     return fmt::format("cut {} – {}", a, b);
 }

@@ -59,8 +59,6 @@ inline constexpr char const* closeTip = "Close";
 inline constexpr char const* toolbox = "Toolbox";
 inline constexpr char const* toolboxHint = "Drag a part into the world. Wheel or Q and E turn it.";
 inline constexpr char const* dropHere = "Let go here to put it back";
-inline constexpr char const* nothingInToolbox = "This level has no toolbox: run it and see.";
-inline constexpr char const* placeHere = "parts may go here";
 
 // Goal, hints, success.
 inline constexpr char const* goal = "Goal";
@@ -164,7 +162,6 @@ inline constexpr KeyHelp keyHelp[] = {
 [[nodiscard]] std::string hintOf(std::size_t shown, std::size_t total);
 [[nodiscard]] std::string solvedWith(double seconds, int parts);
 [[nodiscard]] std::string count(int number, char const* one, char const* many);
-[[nodiscard]] std::string wireCut(std::string const& a, std::string const& b);
 [[nodiscard]] std::string cutThis(std::string const& a, std::string const& b);
 [[nodiscard]] std::string seconds(double time);
 /// An arrow for the nearest of eight directions; `angle` in rad, anticlockwise from the right.

@@ -3,6 +3,8 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -48,10 +50,23 @@ ImVec2 drawFace(ImVec2 low, ImVec2 high, Face const& face, bool down) {
     return {0.5F * (low.x + high.x), 0.5F * (low.y + high.y - lip) + sunk};
 }
 
+/// s; whoever knows the button is not told what it does.
+constexpr float tipDelay = 0.45F;
+
 void tipFor(char const* tip) {
-    if (tip != nullptr && *tip != '\0' && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", tip);
+    if (tip == nullptr || *tip == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
+        ImGui::GetCurrentContext()->HoveredIdTimer < tipDelay) {
+        return;
     }
+    // Beside the button, never over its neighbours: above it in the lower half of the window, else below.
+    ImVec2 const low = ImGui::GetItemRectMin();
+    ImVec2 const high = ImGui::GetItemRectMax();
+    ImVec2 const screen = ImGui::GetIO().DisplaySize;
+    bool const right = low.x + high.x > screen.x;
+    bool const bottom = low.y + high.y > screen.y;
+    ImGui::SetNextWindowPos({right ? high.x : low.x, bottom ? low.y - scaled(8) : high.y + scaled(8)},
+                            ImGuiCond_Always, {right ? 1.F : 0.F, bottom ? 1.F : 0.F});
+    ImGui::SetTooltip("%s", tip);
 }
 
 } // namespace

@@ -18,10 +18,22 @@ namespace trembler::ui::test {
 using render::MouseButton;
 using render::Point;
 
+inline std::unique_ptr<render::Window>& windowSlot() {
+    static std::unique_ptr<render::Window> slot;
+    return slot;
+}
 /// Opened on first use and kept: SDL likes one window at a time.
 inline render::Window& window() {
-    static render::Window theWindow({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
-    return theWindow;
+    auto& slot = windowSlot();
+    if (!slot) {
+        slot = std::make_unique<render::Window>(
+            render::WindowOptions{.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
+    }
+    return *slot;
+}
+/// For tests of what opens a window of its own.
+inline void closeWindow() {
+    windowSlot().reset();
 }
 
 inline Workshop const& workshop() {

@@ -169,8 +169,9 @@ TEST(Program, numbersAreReadable) {
     EXPECT_EQ(readable(2.5e-5), "2.5e-05");
 }
 
-// These make windows of their own, one at a time with the one above: SDL counts its users.
+// These open windows of their own.
 TEST(Program, aScreenshotIsWrittenAndNotBlank) {
+    closeWindow();
     auto const folder = freshFolder("screenshots");
     ScreenshotOptions options;
     options.level = levelsFolder() / "experiments/1-switched-electromagnet.json";
@@ -194,6 +195,7 @@ TEST(Program, aScreenshotIsWrittenAndNotBlank) {
 }
 
 TEST(Program, withoutADisplayTheRecordedSolutionIsPlayed) {
+    closeWindow();
     auto const folder = freshFolder("no-display");
     PlayOptions options;
     options.level = firstContact;

@@ -46,7 +46,7 @@ TEST(Running, aWoodenBarDoesNotWin) {
     ASSERT_EQ(player.session().placed().size(), 1U);
     player.key(SDLK_SPACE);
     player.simulate(900);
-    EXPECT_EQ(player.session().world().frame(), 900U);
+    EXPECT_GE(player.session().world().frame(), 900U);
     EXPECT_FALSE(player.session().solved());
     EXPECT_FALSE(player.showsCard("success"));
     EXPECT_FALSE(player.app().desk().profile.solved("first/1-first-contact.json"));
@@ -63,6 +63,7 @@ TEST(Running, stopPutsEverythingBackExactly) {
     std::string const before = bitsOf(player.session());
     auto const hash = player.session().world().stateHash();
     player.key(SDLK_SPACE);
+    player.frames(2);
     EXPECT_FALSE(player.showsCard("toolbox"));
     player.simulate(200);
     EXPECT_NE(player.session().world().stateHash(), hash);
@@ -264,6 +265,7 @@ TEST(Running, hintsComeOneAtATime) {
     EXPECT_EQ(player.play().state().hintsShown, 0U);
     player.key(SDLK_h);
     EXPECT_EQ(player.play().state().hintsShown, 1U);
+    player.frames(2); // the card grows
     player.clickItem("hint");
     EXPECT_EQ(player.play().state().hintsShown, 2U);
     for (int i = 0; i < 9; ++i) {
