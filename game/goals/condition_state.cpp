@@ -43,6 +43,12 @@ bool isOn(World const& world, ObjectId id) {
     return state != nullptr && state->isOn(id);
 }
 
+/// The touch of two objects in this frame, or nullptr. A hit that is over within the frame is one, too.
+TouchingPair const* findTouch(Contacts const& contacts, ObjectId a, ObjectId b) {
+    TouchingPair const* const lasting = findPair(contacts.current, a, b);
+    return lasting != nullptr ? lasting : findPair(contacts.brief, a, b);
+}
+
 /// What acts on an object at present: what it touches, and which magnet pulls it.
 void collectActing(World const& world, ObjectId id, std::vector<EventId>& events) {
     if (auto const* const contacts = world.find<Contacts>()) {
@@ -238,9 +244,11 @@ bool ConditionState::touching(World const& world) {
     bool any = false;
     for (ObjectId const a : subjects_) {
         for (ObjectId const b : objects_) {
-            any = any || (a != b && findPair(contacts->current, a, b) != nullptr);
-            if (TouchingPair const* const pair = findPair(contacts->ended, a, b)) {
-                ended_ = pair->event;
+            any = any || (a != b && findTouch(*contacts, a, b) != nullptr);
+            for (auto const* const list : {&contacts->ended, &contacts->brief}) {
+                if (TouchingPair const* const pair = findPair(*list, a, b)) {
+                    ended_ = pair->event;
+                }
             }
         }
     }
@@ -312,7 +320,7 @@ void ConditionState::collectContacts(World const& world, bool truth, std::vector
     if (auto const* const contacts = world.find<Contacts>()) {
         for (ObjectId const a : subjects_) {
             for (ObjectId const b : objects_) {
-                if (TouchingPair const* const pair = findPair(contacts->current, a, b)) {
+                if (TouchingPair const* const pair = findTouch(*contacts, a, b)) {
                     events.push_back(pair->event);
                 }
             }

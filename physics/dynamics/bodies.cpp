@@ -90,7 +90,7 @@ std::vector<SlotIndex> BodyTable::outdated(DynamicsColumns const& columns) const
         Shape const* const shape = columns.shape.find(body.object);
         bool const placed =
             columns.position.has(body.object) && (body.fixed || canMove(columns, body.object));
-        if (shape == nullptr || !placed || !(*shape == body.shape) ||
+        if (shape == nullptr || !placed || columns.liquid.has(body.object) || !(*shape == body.shape) ||
             !sameTraits(traitsOf(columns, body.object), body.spec)) {
             found.push_back(slot);
         }
@@ -108,8 +108,8 @@ void BodyTable::addMissing(DynamicsColumns const& columns, Engine& engine, std::
     std::span<ObjectId const> const owners = columns.shape.owners();
     for (std::size_t row = 0; row < owners.size(); ++row) {
         ObjectId const id = owners[row];
-        if (slotOf(id) != noSlot) {
-            continue;
+        if (slotOf(id) != noSlot || columns.liquid.has(id)) {
+            continue; // liquids collide with nothing (6.13.2)
         }
         Body body;
         body.shape = columns.shape.values()[row];

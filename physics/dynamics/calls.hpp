@@ -44,6 +44,22 @@ struct AddTorque {
     [[nodiscard]] double magnitude() const { return std::abs(torque); }
 };
 
+struct AddDrag {
+    static constexpr CallText text{"addDrag", "(object, point, coefficients, angular)",
+                                   "Resists the motion of a point of the object and its turning, in "
+                                   "proportion to both (kg/s, kg m²/s)."};
+    static constexpr Algebra algebra = Algebra::sumOfRates;
+    static constexpr double negligible = negligibleForce;
+    ObjectId object;
+    Vec2 point;         ///< m, in the world
+    double xx = 0;      ///< kg/s: the force is -(xx, xy; xy, yy) times the point's velocity
+    double xy = 0;      ///< kg/s
+    double yy = 0;      ///< kg/s
+    double angular = 0; ///< kg m²/s: the torque is -angular times the angular velocity
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+    [[nodiscard]] double magnitude() const { return xx + yy + angular; }
+};
+
 struct AddImpulse {
     static constexpr CallText text{"addImpulse", "(object, point, impulse)",
                                    "Adds the impulse (N s) at a point of the world (m), once."};
@@ -56,7 +72,7 @@ struct AddImpulse {
 
 struct DynamicsRole {
     static constexpr std::string_view name = "Dynamics";
-    using Calls = CallList<AddForce, AddForceToPoint, AddTorque, AddImpulse>;
+    using Calls = CallList<AddForce, AddForceToPoint, AddTorque, AddDrag, AddImpulse>;
 };
 
 } // namespace trembler

@@ -1,6 +1,7 @@
 // The columns that Dynamics works with.
 #pragma once
 
+#include "physics/buoyancy/liquid.hpp"
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/joint_anchors.hpp"
 #include "physics/dynamics/settings.hpp"
@@ -16,6 +17,7 @@ struct DynamicsColumns {
     Column<Shape> const& shape;
     Column<Mass> const& mass;
     Column<Fixed> const& fixed;
+    Column<Liquid> const& liquid;
     Column<Bullet> const& bullet;
     Column<Friction> const& friction;
     Column<Restitution> const& restitution;
@@ -32,7 +34,7 @@ struct DynamicsColumns {
     /// Changes with whatever makes a body what it is, where it is apart.
     [[nodiscard]] std::uint64_t bodiesVersion() const {
         return shape.version() + mass.version() + fixed.version() + bullet.version() + friction.version() +
-               restitution.version() + groups.version() + damping.version();
+               restitution.version() + groups.version() + damping.version() + liquid.version();
     }
     [[nodiscard]] std::uint64_t jointsVersion() const { return joint.version() + anchors.version(); }
     [[nodiscard]] std::uint64_t motionVersion() const {

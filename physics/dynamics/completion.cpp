@@ -1,5 +1,6 @@
 #include "physics/dynamics/completion.hpp"
 
+#include "physics/buoyancy/liquid.hpp"
 #include "physics/depth.hpp"
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/shape.hpp"
@@ -17,8 +18,8 @@ void completeBody(Store& store, ObjectId id) {
         return;
     }
     store.column<Rotation>().addDefault(id);
-    if (store.column<Fixed>().has(id)) {
-        return;
+    if (store.column<Fixed>().has(id) || store.column<Liquid>().has(id)) {
+        return; // what never moves needs no mass
     }
     store.column<Velocity>().addDefault(id);
     store.column<AngularVelocity>().addDefault(id);

@@ -7,6 +7,7 @@
 #include "runtime/component/resolver.hpp"
 
 #include <set>
+#include <tuple>
 
 namespace trembler {
 
@@ -14,10 +15,10 @@ namespace detail {
 template <class Self>
 using DynamicsBase =
     Resolver<Self, DynamicsRole,
-             Reads<Shape, Mass, Fixed, Bullet, Friction, Restitution, CollisionGroups, Damping, Joint,
+             Reads<Shape, Mass, Fixed, Bullet, Friction, Restitution, CollisionGroups, Damping, Liquid, Joint,
                    JointAnchors, DynamicsSettings>,
              Writes<Position, Velocity, AngularVelocity, Rotation>,
-             Provides<Contacts, ContactPatches, JointForces, OverloadedJoints, MotionCauses>>;
+             Provides<Contacts, ContactPatches, Impacts, JointForces, OverloadedJoints, MotionCauses>>;
 } // namespace detail
 
 /// `Self` adds `text` and `static constexpr EngineMaker engineMaker`.
@@ -33,24 +34,20 @@ public:
     using Access = typename Base::Access;
 
     // What is news in one frame must be taken back in the next, even if all is at rest by then.
-    [[nodiscard]] bool restless() const { return simulation_.anyAwake() || contactNews_ || overloadNews_; }
+    [[nodiscard]] bool restless() const {
+        return simulation_.anyAwake() || contactNews_ || overloadNews_ || impactNews_;
+    }
 
     void advance(Access& access) {
-        DynamicsColumns const columns{access.template read<Shape>(),
-                                      access.template read<Mass>(),
-                                      access.template read<Fixed>(),
-                                      access.template read<Bullet>(),
-                                      access.template read<Friction>(),
-                                      access.template read<Restitution>(),
-                                      access.template read<CollisionGroups>(),
-                                      access.template read<Damping>(),
-                                      access.template read<Joint>(),
-                                      access.template read<JointAnchors>(),
-                                      access.template read<DynamicsSettings>(),
-                                      access.template read<Position>(),
-                                      access.template read<Rotation>(),
-                                      access.template read<Velocity>(),
-                                      access.template read<AngularVelocity>()};
+        DynamicsColumns const columns{
+            access.template read<Shape>(),        access.template read<Mass>(),
+            access.template read<Fixed>(),        access.template read<Liquid>(),
+            access.template read<Bullet>(),       access.template read<Friction>(),
+            access.template read<Restitution>(),  access.template read<CollisionGroups>(),
+            access.template read<Damping>(),      access.template read<Joint>(),
+            access.template read<JointAnchors>(), access.template read<DynamicsSettings>(),
+            access.template read<Position>(),     access.template read<Rotation>(),
+            access.template read<Velocity>(),     access.template read<AngularVelocity>()};
         for (Refusal const& refusal : simulation_.follow(columns)) {
             if (access.tracing() && told_.insert({refusal.object, refusal.why}).second) {
                 access.event("refused: " + refusal.why, {refusal.object}, {});
@@ -60,7 +57,9 @@ public:
             drainLoads(access, columns);
         }
         drainImpulses(access);
+        simulation_.engine().noteImpacts(access.template wanted<Impacts>());
         bool const moved = simulation_.step(access.duration());
+        updateImpacts(access, moved);
         if (moved) {
             writeMotion(access);
             simulation_.noteWritten(columns);
@@ -129,6 +128,18 @@ private:
             take(call.object, std::isfinite(call.torque), origin,
                  [&](SlotIndex slot) { loads.add(slot, {}, call.torque); });
         });
+        access.template forCalls<AddDrag>([&](AddDrag const& call, CallOrigin const& origin) {
+            if (!isFinite(call.point) || !isResistance(call.xx, call.xy, call.yy, call.angular))
+                [[unlikely]] {
+                refuse(access, call.object, "the drag is negative, too great or not finite", origin.cause);
+                return;
+            }
+            take(call.object, true, origin, [&](SlotIndex slot) {
+                Vec2 const arm = call.point - centreNow(columns, bodies[slot]);
+                loads.addDrag(slot, arm, call.xx, call.xy, call.yy, call.angular);
+                pointForces_ = true;
+            });
+        });
         simulation_.endLoads();
     }
 
@@ -190,12 +201,12 @@ private:
                 Contacts& contacts = access.template provide<Contacts>();
                 contacts.begun.clear();
                 contacts.ended.clear();
+                contacts.brief.clear();
                 contactNews_ = false;
             }
             return false;
         }
         book.compare(access.template provided<Contacts>(), next_);
-                contacts.brief.clear();
         book.markSeen();
         if (access.tracing()) {
             traceContacts(access);
@@ -219,14 +230,14 @@ private:
         for (TouchingPair& pair : next_.ended) {
             record("contact ended", pair);
         }
+        for (TouchingPair& pair : next_.brief) {
+            record("contact brief", pair);
+        }
         auto begun = next_.begun.cbegin();
         for (TouchingPair& pair : next_.current) {
             if (begun != next_.begun.cend() && pair == *begun) {
                 pair.event = begun++->event;
             }
-        for (TouchingPair& pair : next_.brief) {
-            record("contact brief", pair);
-        }
         }
         for (auto const* list : {&next_.begun, &next_.brief}) {
             for (TouchingPair const& pair : *list) {
@@ -283,6 +294,20 @@ private:
         });
     }
 
+    void updateImpacts(Access& access, bool moved) {
+        std::span<Impact const> const blows =
+            moved ? simulation_.engine().impacts() : std::span<Impact const>{};
+        impactNews_ = !blows.empty();
+        if (!impactNews_ && access.template provided<Impacts>().impacts.empty()) {
+            return;
+        }
+        auto& impacts = access.template provide<Impacts>().impacts;
+        impacts.assign(blows.begin(), blows.end());
+        std::stable_sort(impacts.begin(), impacts.end(), [](Impact const& x, Impact const& y) {
+            return std::tie(x.a, x.b, x.since) < std::tie(y.a, y.b, y.since);
+        });
+    }
+
     void updateCauses(Access& access) {
         auto& entries = access.template provide<MotionCauses>().entries;
         entries.clear();
@@ -302,6 +327,7 @@ private:
     std::set<std::pair<ObjectId, std::string>> told_; // refusals that the trace knows
     bool pointForces_ = false;
     bool contactNews_ = false;
+    bool impactNews_ = false;
     bool overloadNews_ = false;
 };
 

@@ -3,6 +3,8 @@
 
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/contacts.hpp"
+#include "physics/dynamics/drag.hpp"
+#include "physics/dynamics/impacts.hpp"
 #include "physics/dynamics/joint_anchors.hpp"
 #include "physics/dynamics/mass_properties.hpp"
 #include "physics/dynamics/settings.hpp"
@@ -100,6 +102,9 @@ public:
 
     /// What acts on every body from now on, by slot. Wakes nobody.
     virtual void setLoads(std::span<Load const> loads) = 0;
+    /// What resists the motion of every body from now on, by slot; nothing where the list ends before. An
+    /// engine lets a DraggedBody act in every substep, so that no coefficient is too large. Wakes nobody.
+    virtual void setDrags(std::span<Drag const> drags) = 0;
     virtual void wake(SlotIndex slot) = 0;
     /// At a point of the world; wakes the body.
     virtual void applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) = 0;
@@ -115,6 +120,11 @@ public:
     [[nodiscard]] virtual std::vector<TouchChange>& touchChanges() = 0;
     /// Appends all contacts as they stand, in any fixed order, with a < b.
     virtual void addContactPatches(std::vector<ContactPatch>& patches) const = 0;
+    /// Whether blows are to be noted in the steps to come. Off at first. An engine that cannot tell blows has
+    /// none.
+    virtual void noteImpacts(bool) {}
+    /// The blows of the last step(), in any fixed order.
+    [[nodiscard]] virtual std::span<Impact const> impacts() const { return {}; }
     /// The mean force that a joint exerted during the last step(), in N.
     [[nodiscard]] virtual Vec2 jointForce(SlotIndex slot) const = 0;
 };

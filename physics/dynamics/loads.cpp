@@ -38,6 +38,7 @@ bool LoadTable::differs(Sum const& now, Load const& then, Body const& body) {
 
 void LoadTable::clear(std::size_t slots) {
     sums_.assign(slots, {});
+    drags_.clear();
 }
 
 void LoadTable::apply(std::span<Body const> bodies, Engine& engine) {
@@ -48,6 +49,7 @@ void LoadTable::apply(std::span<Body const> bodies, Engine& engine) {
         }
     }
     engine.setLoads(loads_);
+    engine.setDrags(drags_);
     for (SlotIndex slot = 0; slot < sums_.size() && slot < asleep_.size(); ++slot) {
         if (asleep_[slot] != 0 && bodies[slot].object.valid() &&
             differs(sums_[slot], atRest_[slot], bodies[slot])) {

@@ -18,6 +18,11 @@ public:
         sum.load.torque += torque;
         sum.gross += std::abs(force.x) + std::abs(force.y);
     }
+    /// A resistance (see Drag::add) at `arm` (m) from the centre of mass.
+    void addDrag(SlotIndex slot, Vec2 arm, double xx, double xy, double yy, double angular) {
+        drags_.resize(sums_.size());
+        drags_[slot].add(arm, xx, xy, yy, angular);
+    }
     /// Ends the sums: hands them to the engine, and wakes sleepers whose load has changed since they fell
     /// asleep by more than a five-hundredth of all the forces that it is made of and a millionth of their
     /// weight. A five-hundredth of the weight would speed a body up by 0.02 m/s², which is what an engine
@@ -35,6 +40,7 @@ private:
 
     std::vector<Sum> sums_;
     std::vector<Load> loads_;
+    std::vector<Drag> drags_;  // empty while nothing resists any motion
     std::vector<Load> atRest_; // under which a body fell asleep
     std::vector<std::uint8_t> asleep_;
 };

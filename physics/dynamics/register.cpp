@@ -1,5 +1,6 @@
 #include "physics/dynamics/register.hpp"
 
+#include "physics/buoyancy/liquid.hpp"
 #include "physics/dynamics/box2d/box2d_dynamics.hpp"
 #include "physics/dynamics/breaking.hpp"
 #include "physics/dynamics/completion.hpp"
@@ -24,6 +25,7 @@ std::optional<std::string> checkJoint(Store const& store, ObjectId id) {
     auto const isBody = [&](ObjectId object) {
         Shape const* const shape = find(object, static_cast<Shape const*>(nullptr));
         return shape != nullptr && !faultIn(*shape) &&
+               find(object, static_cast<Liquid const*>(nullptr)) == nullptr &&
                find(object, static_cast<Position const*>(nullptr)) != nullptr;
     };
     auto const isFixed = [&](ObjectId object) {

@@ -50,6 +50,16 @@ TEST(ScenePicture, experimentForPeople) {
     writePng(draw(stage.world), pictureFolder() / "scene-rest.png");
     stage.closeSwitch();
     writePng(draw(stage.world, {.time = 0.3}), pictureFolder() / "scene-on.png");
+    Size const large{3840, 2160};
+    window().resize(large);
+    writePng(picture(
+                 large, palette::paper,
+                 [&](Canvas& canvas) {
+                     canvas.paper();
+                     drawScene(canvas, stage.world, {.time = 0.3, .overlays = {.electricity = true}});
+                 },
+                 {.uiScale = window().uiScale()}, stageCamera(large)),
+             pictureFolder() / "scene-on-2160.png");
 }
 
 TEST(ScenePicture, theSameWorldGivesTheSamePicture) {

@@ -72,6 +72,9 @@ void Box2dEngine::removeBody(SlotIndex slot) {
     bodies_[slot] = {};
     awake_[slot] = 0;
     disturbed_ = true; // Box2D has woken those that touched it
+    if (slot < dragged_.size()) {
+        dragged_[slot] = {};
+    }
 }
 
 void Box2dEngine::place(SlotIndex slot, Motion const& motion) {
@@ -109,6 +112,52 @@ void Box2dEngine::setLoads(std::span<Load const> loads) {
         if (awake_[slot] != 0) {
             entry.body->ApplyForceToCenter(entry.force, false);
             entry.body->ApplyTorque(entry.torque, false);
+        }
+    }
+}
+
+void Box2dEngine::setDrags(std::span<Drag const> drags) {
+    draggedSlots_.clear();
+    dragged_.resize(drags.empty() ? 0 : bodies_.size());
+    for (SlotIndex slot = 0; slot < dragged_.size(); ++slot) {
+        b2Body const* const body = bodies_[slot].body;
+        if (slot < drags.size() && drags[slot].any() && body != nullptr &&
+            body->GetType() == b2_dynamicBody) {
+            dragged_[slot].drag = drags[slot];
+            draggedSlots_.push_back(slot);
+        } else {
+            dragged_[slot] = {};
+        }
+    }
+}
+
+Twist Box2dEngine::momentumOf(b2Body const& body) const {
+    return {static_cast<double>(body.GetMass()) * fromEngine(body.GetLinearVelocity()),
+            static_cast<double>(body.GetInertia()) / (scale_ * scale_) *
+                static_cast<double>(body.GetAngularVelocity())};
+}
+
+void Box2dEngine::applyDrags(double substep) {
+    double const square = scale_ * scale_;
+    for (SlotIndex const slot : draggedSlots_) {
+        BodyEntry const& entry = bodies_[slot];
+        if (entry.body == nullptr || awake_[slot] == 0) {
+            continue;
+        }
+        Twist const load{substep * fromEngine(entry.force),
+                         substep * static_cast<double>(entry.torque) / square};
+        Twist const impulse = dragged_[slot].before(static_cast<double>(entry.body->GetMass()),
+                                                    static_cast<double>(entry.body->GetInertia()) / square,
+                                                    momentumOf(*entry.body), load, substep);
+        entry.body->ApplyLinearImpulseToCenter(toEngine(impulse.linear), false);
+        entry.body->ApplyAngularImpulse(static_cast<float>(impulse.angular * square), false);
+    }
+}
+
+void Box2dEngine::noteDragged() {
+    for (SlotIndex const slot : draggedSlots_) {
+        if (bodies_[slot].body != nullptr && awake_[slot] != 0) {
+            dragged_[slot].after(momentumOf(*bodies_[slot].body));
         }
     }
 }
@@ -192,10 +241,14 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
     for (JointEntry& entry : joints_) {
         entry.force = {};
     }
+    impacts_.clear();
     float const h = static_cast<float>(duration / settings.substeps);
     substep_ = h;
     for (int substep = 0; substep < settings.substeps; ++substep) {
+        since_ = duration * substep / settings.substeps;
+        applyDrags(static_cast<double>(h));
         world_.Step(h, settings.velocityIterations, settings.positionIterations);
+        noteDragged();
         bool const last = substep + 1 == settings.substeps;
         anyAwake_ = false;
         for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
@@ -255,10 +308,14 @@ void Box2dEngine::noteMoved() {
 
 void Box2dEngine::BeginContact(b2Contact* contact) {
     noteTouch(contact, 1);
+    if (impactsWanted_) {
+        pressures_.begin(contact);
+    }
 }
 
 void Box2dEngine::EndContact(b2Contact* contact) {
     noteTouch(contact, -1);
+    pressures_.end(contact);
 }
 
 float Box2dEngine::speedGain(b2Body const* body) const {
@@ -267,14 +324,58 @@ float Box2dEngine::speedGain(b2Body const* body) const {
     return slot == noSlot || !(mass > 0) ? 0 : bodies_[slot].force.Length() * substep_ / mass;
 }
 
-// What a strong pull presses on something gains, in every substep, a speed that looks like an impact; bouncing
-// that back would go on for ever. Only speed that the pull cannot explain bounces.
+// What a strong pull presses on something gains, in every substep, a speed that looks like an impact;
+// bouncing that back would go on for ever. Only speed that the pull cannot explain bounces.
 void Box2dEngine::PreSolve(b2Contact* contact, b2Manifold const*) {
     if (contact->GetRestitution() > 0) {
         float const explained =
             2 * (speedGain(contact->GetFixtureA()->GetBody()) + speedGain(contact->GetFixtureB()->GetBody()));
         contact->SetRestitutionThreshold(std::max(b2FixtureDef().restitutionThreshold, explained));
     }
+}
+
+void Box2dEngine::noteImpacts(bool wanted) {
+    if (impactsWanted_ && !wanted) {
+        pressures_.clear();
+        impacts_.clear();
+    }
+    impactsWanted_ = wanted;
+}
+
+void Box2dEngine::PostSolve(b2Contact* contact, b2ContactImpulse const* impulse) {
+    if (!impactsWanted_) {
+        return;
+    }
+    float sum = 0;
+    for (int i = 0; i < impulse->count; ++i) {
+        sum += impulse->normalImpulses[i];
+    }
+    double const blow = pressures_.press(contact, static_cast<double>(sum));
+    b2Body const* const a = contact->GetFixtureA()->GetBody();
+    b2Body const* const b = contact->GetFixtureB()->GetBody();
+    auto const inverse = [](b2Body const* body) {
+        return body->GetMass() > 0 ? 1 / static_cast<double>(body->GetMass()) : 0;
+    };
+    if (!(blow * (inverse(a) + inverse(b)) > faintestImpact * scale_)) {
+        return;
+    }
+    b2WorldManifold world;
+    contact->GetWorldManifold(&world);
+    Impact impact;
+    impact.a = bodies_[slotOf(a)].object;
+    impact.b = bodies_[slotOf(b)].object;
+    impact.normal = {static_cast<double>(world.normal.x), static_cast<double>(world.normal.y)};
+    if (impact.b < impact.a) {
+        std::swap(impact.a, impact.b);
+        impact.normal = -impact.normal;
+    }
+    for (int i = 0; i < impulse->count; ++i) {
+        double const share = static_cast<double>(impulse->normalImpulses[i]) / static_cast<double>(sum);
+        impact.point += share * fromEngine(world.points[i]);
+    }
+    impact.impulse = blow / scale_;
+    impact.since = since_;
+    impacts_.push_back(impact);
 }
 
 void Box2dEngine::noteTouch(b2Contact* contact, int delta) {

@@ -22,6 +22,7 @@ public:
     void place(SlotIndex slot, Motion const& motion) override;
     [[nodiscard]] bool isAt(SlotIndex slot, Motion const& motion) const override;
     void setLoads(std::span<Load const> loads) override;
+    void setDrags(std::span<Drag const> drags) override;
     void wake(SlotIndex slot) override;
     void applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) override;
     [[nodiscard]] std::span<std::uint8_t const> awake() const override { return awake_; }
@@ -30,6 +31,8 @@ public:
     [[nodiscard]] std::span<MovedBody const> moved() const override { return moved_; }
     [[nodiscard]] std::vector<TouchChange>& touchChanges() override { return touches_; }
     void addContactPatches(std::vector<ContactPatch>& patches) const override;
+    void noteImpacts(bool wanted) override;
+    [[nodiscard]] std::span<Impact const> impacts() const override { return impacts_; }
     [[nodiscard]] Vec2 jointForce(SlotIndex slot) const override { return joints_[slot].force; }
 
 private:
@@ -51,12 +54,17 @@ private:
     void BeginContact(b2Contact* contact) override;
     void EndContact(b2Contact* contact) override;
     void PreSolve(b2Contact* contact, b2Manifold const* before) override;
+    void PostSolve(b2Contact* contact, b2ContactImpulse const* impulse) override;
     void noteTouch(b2Contact* contact, int delta);
     /// Wakes the body and all that it rests on or is tied to, as Box2D itself does within its step, but with
     /// their loads, which Box2D drops when a body falls asleep.
     void wakeAll(b2Body* body);
     void loadWoken();
     void keepAwake(SlotIndex slot, int change);
+    /// Slows down what is dragged, by what drag does in the coming substep.
+    void applyDrags(double substep);
+    void noteDragged();
+    [[nodiscard]] Twist momentumOf(b2Body const& body) const;
     void noteMoved();
     [[nodiscard]] bool drifts(BodyEntry const& entry) const;
     /// The speed that its load gives a body within one substep, in engine units.
@@ -75,14 +83,20 @@ private:
     b2Body* ground_ = nullptr; // what joints to the world hold on to
     std::vector<BodyEntry> bodies_;
     std::vector<JointEntry> joints_;
-    std::vector<std::uint8_t> awake_; // by slot: awake, and its load is with Box2D
-    float substep_ = 0; // s
+    std::vector<DraggedBody> dragged_;    // by slot
+    std::vector<SlotIndex> draggedSlots_; // of those that any drag acts on
+    std::vector<std::uint8_t> awake_;     // by slot: awake, and its load is with Box2D
+    float substep_ = 0;                   // s
     bool anyAwake_ = false;
     bool disturbed_ = false; // Box2D may have woken bodies that awake_ does not know of
     std::vector<MovedBody> moved_;
     std::vector<std::uint8_t> movedMarks_;
     std::vector<TouchChange> touches_;
     std::vector<b2Body*> wakeStack_;
+    bool impactsWanted_ = false;
+    ImpactBook pressures_;
+    std::vector<Impact> impacts_;
+    double since_ = 0; // s, from the beginning of the frame to that of the substep
 };
 
 /// Adds the pieces of a shape to a Box2D body whose origin is at `centre` of the object's frame.

@@ -48,6 +48,20 @@ TEST(GoalJudge, SeesPlacesContactsAndCurrents) {
     EXPECT_EQ(met(), "111111");
 }
 
+TEST(GoalJudge, CountsHitsThatAreOverWithinAFrame) {
+    GoalStage stage(
+        R"({"sequence": [{"touching": ["ball a", "floor"]}, {"touching": ["ball a", "floor"]}]})");
+    stage.step();
+    stage.hit("ball a", "floor", 7);
+    stage.step(3);
+    EXPECT_FALSE(stage.judge().solved());
+    stage.hit("ball a", "floor", 9);
+    stage.step();
+    EXPECT_EQ(stage.judge().solvedFrame(), 5U);
+    std::vector<EventId> const causes = stage.judge().causes(stage.world());
+    EXPECT_EQ(causes, (std::vector<EventId>{EventId{7}, EventId{9}}));
+}
+
 TEST(GoalJudge, WantsTimesWithoutABreak) {
     GoalStage stage(R"({"on": "lamp", "for": 0.5})");
     stage.turn("lamp", true);

@@ -67,6 +67,10 @@ void GoalStage::part(std::string const& a, std::string const& b, std::uint64_t e
     contacts_.ended.push_back(pair);
 }
 
+void GoalStage::hit(std::string const& a, std::string const& b, std::uint64_t event) {
+    contacts_.brief.push_back({std::min(id(a), id(b)), std::max(id(a), id(b)), EventId{event}});
+}
+
 void GoalStage::turn(std::string const& name, bool on, std::uint64_t event) {
     ObjectId const object = id(name);
     if (state_.byIndex.size() <= object.index) {
@@ -82,6 +86,7 @@ void GoalStage::step(int frames) {
         world_->store().slot<ElectricalState>().value() = state_;
         contacts_.begun.clear();
         contacts_.ended.clear();
+        contacts_.brief.clear();
         judge_->update(*world_);
     }
 }

@@ -28,6 +28,8 @@ public:
     /// Each with an event id, which may be 0.
     void touch(std::string const& a, std::string const& b, std::uint64_t event = 0);
     void part(std::string const& a, std::string const& b, std::uint64_t event = 0);
+    /// Touches for less than a frame: an impact that bounces.
+    void hit(std::string const& a, std::string const& b, std::uint64_t event = 0);
     void turn(std::string const& name, bool on, std::uint64_t event = 0);
     /// One frame of the world, what was set with it, and the judge's look at it.
     void step(int frames = 1);

@@ -152,6 +152,25 @@ TEST(Population, DestroyingTwiceIsDestroyingOnceAndTheDeadAreLeftInPeace) {
     EXPECT_EQ(deaths, 1U);
 }
 
+TEST(Population, TellsWhoWentOnceEachAndAscending) {
+    World world(rules(), {.threads = 1, .detail = {}, .periods = {}, .trace = true});
+    ObjectId const gun = world.store().create("gun");
+    ObjectId const a = world.store().create("a");
+    ObjectId const b = world.store().create("b");
+    order(world, gun, {}, {b, a, b});
+    world.start();
+    world.step();
+    world.step();
+    EXPECT_EQ(world.find<PopulationChanges>()->destroyed, (std::vector{a, b}));
+    std::vector<std::string> told;
+    for (Event const& event : world.tracer()->events()) {
+        if (event.event == "destroyed") {
+            told.push_back(event.objects.front());
+        }
+    }
+    EXPECT_EQ(told, (std::vector<std::string>{"a", "b"}));
+}
+
 TEST(Population, ABirthKnowsAMakerThatGoesInTheSameFrame) {
     World world(rules());
     addBall(world);

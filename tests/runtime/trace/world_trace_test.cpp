@@ -66,32 +66,30 @@ TEST(WorldTrace, LeadsFromAnEffectBackToItsCause) {
     EXPECT_EQ(world.tracer()->find(chain[0])->phase, Phase::interaction);
 }
 
+// Takes the last thing that calls for it away, and with that itself.
+struct BurnsOut final : Resolver<BurnsOut, HeatRole, Reads<>, Writes<Heat>> {
+    static constexpr ComponentText text{
+        .name = "Burns out", .effect = "heat", .level = "", .work = "Burns everything at once."};
+    using CalledFor = NeedsAny<Heat>;
+    void advance(Access& access) {
+        std::vector<ObjectId> const all(access.read<Heat>().owners().begin(),
+                                        access.read<Heat>().owners().end());
+        for (ObjectId const id : all) {
+            access.event("burnt out", {id}, {});
+        }
+        access.write<Heat>().removeAll(all);
+    }
+};
+
 TEST(WorldTrace, KeepsWhatAComponentSaidInItsLastFrame) {
     Registry registry;
-    registerRuntime(registry);
-    registry.component<Furnace>();
-    registry.component<HeatFromFuel>();
-    registry.component<ExactGlow>();
-    registry.component<HeatFromGlow>();
+    registry.component<BurnsOut>();
     World world(registry, {.threads = 1, .detail = {}, .periods = {}, .trace = true});
-    ObjectId const coal = world.store().create("coal");
-    world.store().column<Heat>().set(coal, {0});
+    world.store().column<Heat>().set(world.store().create("coal"), {1});
     world.start();
     world.step();
-    world.store().column<Heat>().remove(coal); // the furnace advances once more, then nothing calls for it
-    ObjectId const ash = world.store().create("ash");
-    world.store().column<Heat>().set(ash, {0});
-    world.step();
-    world.feed({.kind = PlayerInput::Kind::remove, .object = ash, .other = {}, .at = {}});
-    world.step();
-    world.step();
-    std::vector<Event> const struck = eventsNamed(world, "struck");
-    EXPECT_FALSE(struck.empty());
-    for (Event const& event : world.tracer()->events()) {
-        for (EventId const cause : event.causes) {
-            EXPECT_NE(world.tracer()->find(cause), nullptr) << event.event << " has a cause that is not told";
-        }
-    }
+    EXPECT_EQ(statusOf(world, "Burns out").activity, Activity::absent);
+    EXPECT_EQ(eventsNamed(world, "burnt out").size(), 1U);
 }
 
 TEST(WorldTrace, CostsNoMemoryWhileNobodyTraces) {

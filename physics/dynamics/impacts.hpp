@@ -1,0 +1,54 @@
+// Blows: where two bodies hit each other within a frame, and how hard.
+#pragma once
+
+#include "runtime/math/vec2.hpp"
+#include "runtime/property/description.hpp"
+
+#include <unordered_map>
+#include <vector>
+
+namespace trembler {
+
+/// One blow. A frame has several substeps, so a pair can meet, part and meet again within it.
+struct Impact {
+    ObjectId a; ///< a < b
+    ObjectId b;
+    Vec2 point;         ///< m, in the world
+    Vec2 normal;        ///< unit, in the world, from a to b
+    double impulse = 0; ///< N s, along the normal, beyond what pressed there before
+    double since = 0;   ///< s, from the beginning of the frame
+};
+
+/// Computed only where somebody reads it. Steady pressure is no blow, and neither is one that changes the
+/// speed of the two by less than 2 cm/s.
+struct Impacts {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Impacts", "impacts",
+                                       "Where objects hit each other in this frame, and how hard."};
+    std::vector<Impact> impacts; ///< ascending by pair, then by time
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+inline constexpr double faintestImpact = 0.02; ///< m/s, change of the relative speed
+
+/// Remembers how hard each contact of an engine presses, to tell blows from pressure.
+class ImpactBook {
+public:
+    /// Names a contact for as long as it exists. Looked up, never walked.
+    using Key = void const*;
+
+    /// A contact has come into being: nothing has pressed there yet.
+    void begin(Key contact) { pressed_[contact] = 0; }
+    void end(Key contact) { pressed_.erase(contact); }
+    void clear() { pressed_.clear(); }
+    /// By how much a contact is pressed harder, in this substep, than it was before; 0 for one that is not
+    /// known yet, as it may have been so all along.
+    double press(Key contact, double impulse);
+
+private:
+    std::unordered_map<Key, double> pressed_;
+};
+
+} // namespace trembler
