@@ -29,7 +29,9 @@ std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const
     }
     CollisionGroups const groups = groupsOf(part->properties.find<CollisionGroups>());
     PlacedShape const candidate{*shape, placement.at, placement.angle};
-    auto const [lower, upper] = extentOf(candidate);
+    auto const [lowest, highest] = extentOf(candidate);
+    Vec2 const lower = lowest; // clang 14 lets no lambda use the names above
+    Vec2 const upper = highest;
     std::optional<std::string> why;
     forEach(
         [&](ObjectId id, Shape const& other, Position const& position) {

@@ -92,7 +92,9 @@ TEST(Impacts, WhoComesLaterHearsOnlyNewBlows) {
     scene.world->want<Impacts>();
     EXPECT_TRUE(blowsIn(scene, 60).empty()) << "the box lies there as it did";
     ObjectId const ball = scene.ball({0, 2});
-    scene.give(ball, test::Pull{.acceleration = {0, -9.81}});
+    test::Pull weight;
+    weight.acceleration = {0, -9.81};
+    scene.give(ball, weight);
     scene.world->store().complete(ball);
     EXPECT_FALSE(blowsIn(scene, 120).empty());
 }
