@@ -362,6 +362,7 @@ void World::runPhase(ComponentKind kind) {
     }
     if (kind == ComponentKind::resolver) {
         std::vector<ComponentInfo const*> infos;
+        infos.reserve(running.size());
         for (std::size_t const i : running) {
             infos.push_back(entries_[i].status.info);
         }
@@ -457,6 +458,7 @@ void World::setPeriod(std::string const& componentTitle, int period) {
 
 std::vector<ComponentStatus> World::status() const {
     std::vector<ComponentStatus> all;
+    all.reserve(entries_.size());
     for (Entry const& entry : entries_) {
         all.push_back(entry.status);
     }
