@@ -5,6 +5,7 @@
 #include "physics/gravity/register.hpp"
 #include "physics/look.hpp"
 #include "physics/magnetism/register.hpp"
+#include "physics/motor/register.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/registry.hpp"
 
@@ -16,6 +17,7 @@ void registerEverything(Registry& registry) {
     registerElectricity(registry);
     registerGravity(registry);
     registerMagnetism(registry);
+    registerMotors(registry);
     registerLook(registry);
 }
 

@@ -1,0 +1,57 @@
+#include "physics/motor/from_electricity.hpp"
+
+#include "physics/motor/rotor.hpp"
+#include "physics/motor/torque.hpp"
+#include "runtime/property/for_each.hpp"
+
+namespace trembler {
+namespace {
+
+double speedOf(Column<AngularVelocity> const& speeds, ObjectId object) {
+    AngularVelocity const* const speed = speeds.find(object);
+    return speed == nullptr ? 0 : speed->value;
+}
+
+} // namespace
+
+void DynamicsFromElectricity::apply(Access& access) {
+    auto const& state = access.read<ElectricalState>();
+    auto const& speeds = access.read<AngularVelocity>();
+    auto const inertia = [&](ObjectId object) {
+        return inertiaOf(object, access.read<Mass>(), access.read<Shape>(), access.read<Fixed>());
+    };
+    forEach(
+        [&](ObjectId id, ElectricMotor const& motor) {
+            if (!state.isOn(id)) {
+                return;
+            }
+            // Two free bodies turn against one another as one body of the harmonic sum of their inertias
+            // turns against the world.
+            double const reduced = 1 / (1 / inertia(id) + 1 / inertia(motor.against));
+            double const speed = speedOf(speeds, id) - speedOf(speeds, motor.against);
+            double const torque = motorTorque(motor, speed, reduced, access.duration());
+            access.call(AddTorque{id, torque}, state.eventOf(id));
+            if (motor.against.valid()) {
+                access.call(AddTorque{motor.against, -torque}, state.eventOf(id));
+            }
+        },
+        access.read<ElectricMotor>());
+}
+
+void DynamicsFromGenerators::apply(Access& access) {
+    auto const& state = access.read<ElectricalState>();
+    auto const& speeds = access.read<AngularVelocity>();
+    forEach(
+        [&](ObjectId id, Generator const& generator) {
+            if (state.isOn(id)) {
+                double const inertia =
+                    inertiaOf(id, access.read<Mass>(), access.read<Shape>(), access.read<Fixed>());
+                access.call(
+                    AddTorque{id, brakingTorque(generator, speedOf(speeds, id), inertia, access.duration())},
+                    state.eventOf(id));
+            }
+        },
+        access.read<Generator>());
+}
+
+} // namespace trembler

@@ -1,0 +1,39 @@
+// (Dynamics <- Electricity): what has electricity turns, and what gives it is hard to turn.
+#pragma once
+
+#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/calls.hpp"
+#include "physics/dynamics/shape.hpp"
+#include "physics/electricity/properties.hpp"
+#include "physics/motor/properties.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/placement.hpp"
+
+namespace trembler {
+
+class DynamicsFromElectricity final
+    : public Interaction<DynamicsFromElectricity, DynamicsRole,
+                         Reads<ElectricalState, ElectricMotor, AngularVelocity, Mass, Shape, Fixed>> {
+public:
+    static constexpr ComponentText text{.name = "Dynamics <- Electricity",
+                                        .effect = "motor",
+                                        .level = "",
+                                        .work = "Turns every electric motor that is on, and what it turns "
+                                                "against the other way."};
+    using CalledFor = NeedsAll<ElectricMotor>;
+    void apply(Access& access);
+};
+
+class DynamicsFromGenerators final
+    : public Interaction<DynamicsFromGenerators, DynamicsRole,
+                         Reads<ElectricalState, Generator, AngularVelocity, Mass, Shape, Fixed>> {
+public:
+    static constexpr ComponentText text{.name = "Dynamics <- Generators",
+                                        .effect = "motor",
+                                        .level = "",
+                                        .work = "Brakes every generator through which current flows."};
+    using CalledFor = NeedsAll<Generator>;
+    void apply(Access& access);
+};
+
+} // namespace trembler

@@ -1,0 +1,30 @@
+// (Electricity <- Rotation): what turns fast enough gives electricity.
+#pragma once
+
+#include "physics/dynamics/motion_causes.hpp"
+#include "physics/electricity/calls.hpp"
+#include "physics/electricity/graph.hpp"
+#include "physics/motor/properties.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/placement.hpp"
+
+namespace trembler {
+
+/// Whether it is connected at present is read from the graph, so it has no memory of its own that could go
+/// wrong.
+class ElectricityFromRotation final
+    : public Interaction<ElectricityFromRotation, ElectricityRole,
+                         Reads<Generator, AngularVelocity, ElectricityGraph, MotionCauses>> {
+public:
+    static constexpr ComponentText text{.name = "Electricity <- Rotation",
+                                        .effect = "motor",
+                                        .level = "",
+                                        .work =
+                                            "Connects every generator that turns fast enough to its source, "
+                                            "and disconnects it when it turns a tenth slower than that."};
+    using CalledFor = NeedsAll<Generator>;
+    static constexpr double lettingGo = 0.9; ///< of the speed: so that it does not flicker on the border
+    void apply(Access& access);
+};
+
+} // namespace trembler

@@ -1,0 +1,72 @@
+// Motors and generators as a property of what turns: the cheap version that 6.10.4 recommends for a game that
+// needs many of them.
+#pragma once
+
+#include "runtime/property/description.hpp"
+
+namespace trembler {
+
+/// While the object is part of a working circuit it is turned, like the rotor of a direct-current motor: with
+/// its whole torque at rest, with less the faster it turns, and with none at its idling speed.
+struct ElectricMotor {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Electric motor", "electric_motor",
+                                       "Turns the object while it has electricity."};
+    double torque = 0;    ///< N m at rest; above zero: anticlockwise
+    double idleSpeed = 0; ///< rad/s, either way round the same; 0: none, the torque is constant
+    ObjectId against;     ///< bears the reaction, and speed is relative to it; invalid: the world
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "torque",
+                        .unit = "N m",
+                        .meaning = "at rest; above 0: anticlockwise",
+                        .minimum = -1e9,
+                        .maximum = 1e9,
+                        .required = true},
+              self.torque);
+        visit(FieldInfo{.key = "idle_speed_deg",
+                        .unit = "rad/s",
+                        .meaning = "at which it has no torque left; 0: the torque is constant",
+                        .minimum = 0,
+                        .maximum = 1e4},
+              self.idleSpeed);
+        visit(FieldInfo{.key = "against",
+                        .unit = "",
+                        .meaning = "what bears the reaction; left out: the world"},
+              self.against);
+    }
+};
+
+/// While the object turns it is connected to a source of electricity, and so "emits" power (6.10.4); while a
+/// current flows through it, it is hard to turn. Induction is another effect's business.
+struct Generator {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Generator", "generator", "Gives electricity while the object turns."};
+    ObjectId source;    ///< the electrical source that it is connected to while it turns
+    double speed = 1;   ///< rad/s, either way, from which on it does
+    double braking = 0; ///< N m against its turning while current flows through it
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "source",
+                        .unit = "",
+                        .meaning = "the electrical source that it is connected to while it turns",
+                        .required = true},
+              self.source);
+        visit(FieldInfo{.key = "speed_deg",
+                        .unit = "rad/s",
+                        .meaning = "from which on it gives electricity, either way round",
+                        .minimum = 1e-3,
+                        .maximum = 1e4},
+              self.speed);
+        visit(FieldInfo{.key = "braking",
+                        .unit = "N m",
+                        .meaning = "against its turning while current flows through it",
+                        .minimum = 0,
+                        .maximum = 1e9},
+              self.braking);
+    }
+};
+
+} // namespace trembler

@@ -1,0 +1,62 @@
+#include "physics/motor/register.hpp"
+
+#include "physics/motor/from_electricity.hpp"
+#include "physics/motor/from_rotation.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <fmt/format.h>
+
+namespace trembler {
+namespace {
+
+template <class P>
+P const* find(Store const& store, ObjectId id) {
+    auto const* const column = store.findColumn<P>();
+    return column == nullptr ? nullptr : column->find(id);
+}
+
+// Current must be able to reach it, and it must be able to turn.
+std::optional<std::string> checkTurns(Store const& store, ObjectId id, PropertyText const& text) {
+    if (find<Conductor>(store, id) == nullptr) {
+        return fmt::format("'{}' is no conductor, so no current can flow through it; expected the property "
+                           "'{}' beside '{}'",
+                           store.nameOf(id), Conductor::text.key, text.key);
+    }
+    if (find<Shape>(store, id) == nullptr || find<Position>(store, id) == nullptr ||
+        find<Fixed>(store, id) != nullptr) {
+        return fmt::format("'{}' cannot turn; expected an object with a shape and a place that is not fixed",
+                           store.nameOf(id));
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> checkMotor(Store const& store, ObjectId id) {
+    ObjectId const against = find<ElectricMotor>(store, id)->against;
+    if (against == id) {
+        return fmt::format("'{}' turns against itself; expected another object, or none for the world",
+                           store.nameOf(id));
+    }
+    return checkTurns(store, id, ElectricMotor::text);
+}
+
+std::optional<std::string> checkGenerator(Store const& store, ObjectId id) {
+    ObjectId const source = find<Generator>(store, id)->source;
+    if (source == id || find<ElectricalSource>(store, source) == nullptr) {
+        return fmt::format("the source of '{}' is none; expected another object with the property '{}'",
+                           store.nameOf(id), ElectricalSource::text.key);
+    }
+    return checkTurns(store, id, Generator::text);
+}
+
+} // namespace
+
+void registerMotors(Registry& registry) {
+    registry.component<DynamicsFromElectricity>();
+    registry.component<DynamicsFromGenerators>();
+    registry.component<ElectricityFromRotation>();
+    registry.rule({&propertyInfo<ElectricMotor>(), checkMotor});
+    registry.rule({&propertyInfo<Generator>(), checkGenerator});
+}
+
+} // namespace trembler

@@ -1,0 +1,19 @@
+// The torques of motors and generators, in numbers only.
+#pragma once
+
+#include "physics/motor/properties.hpp"
+
+namespace trembler {
+
+/// Torque (N m) of a motor that turns at `speed` (rad/s, relative to what it turns against): a straight line
+/// from its torque at rest down to zero at its idling speed and on below it, as of a direct-current motor
+/// with permanent magnets. `inertia` (kg m²) is that of what it turns. The line is never steeper than what
+/// brings a free rotor to its idling speed within `step` (s): a torque that stands for a whole step would
+/// otherwise throw a light rotor to and fro.
+[[nodiscard]] double motorTorque(ElectricMotor const& motor, double speed, double inertia, double step);
+
+/// Torque (N m) with which a generator resists: constant and against its turning, but never more than what
+/// stops it within `step` (s).
+[[nodiscard]] double brakingTorque(Generator const& generator, double speed, double inertia, double step);
+
+} // namespace trembler
