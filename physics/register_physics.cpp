@@ -1,5 +1,6 @@
 #include "physics/register_physics.hpp"
 
+#include "physics/buoyancy/register.hpp"
 #include "physics/dynamics/register.hpp"
 #include "physics/electricity/register.hpp"
 #include "physics/gravity/register.hpp"
@@ -17,6 +18,7 @@ void registerEverything(Registry& registry) {
     registerElectricity(registry);
     registerGravity(registry);
     registerMagnetism(registry);
+    registerBuoyancy(registry);
     registerMotors(registry);
     registerLook(registry);
 }

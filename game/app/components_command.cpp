@@ -1,8 +1,8 @@
 // trembler components and trembler schema: what there is, described by itself.
 #include "game/app/commands.hpp"
+#include "game/core/effects.hpp"
 #include "game/core/workshop.hpp"
 #include "game/goals/level_schema.hpp"
-#include "physics/register_physics.hpp"
 #include "runtime/notation/notation.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,7 +25,7 @@ void addComponentsCommand(CLI::App& program, int& result) {
     command->callback([arguments, &result] {
         result = guarded([&] {
             Registry registry;
-            registerEverything(registry);
+            registerEffects(registry);
             registry.check();
             if (arguments->json) {
                 std::cout << notationJson(registry).dump(2) << "\n";
@@ -42,7 +42,7 @@ void addSchemaCommand(CLI::App& program, int& result) {
     command->callback([&result] {
         result = guarded([&] {
             Registry registry;
-            registerEverything(registry);
+            registerEffects(registry);
             std::cout << levelSchema(registry).dump(2) << "\n";
             return exitSolved;
         });

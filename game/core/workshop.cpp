@@ -1,6 +1,6 @@
 #include "game/core/workshop.hpp"
 
-#include "physics/register_physics.hpp"
+#include "game/core/effects.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -33,7 +33,7 @@ fs::path homeFolder() {
 }
 
 Workshop::Workshop() : home(homeFolder()) {
-    registerEverything(registry);
+    registerEffects(registry);
     parts = loadParts(registry, home / "assets" / "parts");
 }
 

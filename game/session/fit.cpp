@@ -1,5 +1,6 @@
 #include "game/session/fit.hpp"
 
+#include "physics/buoyancy/liquid.hpp"
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/overlap.hpp"
 #include "runtime/placement.hpp"
@@ -38,8 +39,9 @@ std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const
             if (why || std::find(ignored.begin(), ignored.end(), id) != ignored.end()) {
                 return;
             }
-            if (!canHit(groups, groupsOf(world.find<CollisionGroups>(id)))) {
-                return; // a board behind everything is in nobody's way
+            if (!canHit(groups, groupsOf(world.find<CollisionGroups>(id))) ||
+                world.find<Liquid>(id) != nullptr) {
+                return; // a board behind everything, or water, is in nobody's way
             }
             Rotation const* const rotation = world.find<Rotation>(id);
             PlacedShape const there{other, position.value, rotation == nullptr ? 0 : rotation->angle};

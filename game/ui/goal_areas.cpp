@@ -21,11 +21,22 @@ GoalAreas::GoalAreas(LevelFile const& level) {
     }
 }
 
+// A sequence may come back to a place.
+bool GoalAreas::isKnown(Area const& area, std::size_t goal) const {
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+        if (goals_[i] == goal && regions_[i].area == area) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void GoalAreas::gather(Condition const& condition, std::size_t goal) {
-    if (condition.kind == ConditionKind::inside) {
+    if (condition.kind == ConditionKind::inside && !isKnown(condition.area, goal)) {
         regions_.push_back({condition.area, false});
         goals_.push_back(goal);
-        names_.push_back(condition.areaName);
+        // "The marked area" is what its goal calls it; where it is marked, the mark says so.
+        names_.push_back(condition.areaName == Condition{}.areaName ? "" : condition.areaName);
     }
     for (Condition const& child : condition.children) {
         gather(child, goal);
@@ -49,6 +60,9 @@ render::Extent GoalAreas::extent() const {
 
 void GoalAreas::drawWords(render::Camera const& camera) const {
     for (std::size_t i = 0; i < regions_.size(); ++i) {
+        if (names_[i].empty()) {
+            continue;
+        }
         render::worldLabel(
             camera, render::labelAnchor(regions_[i]), names_[i].c_str(),
             {.colour = regions_[i].met ? render::palette::goal : render::palette::inkSoft, .below = -12});

@@ -25,10 +25,11 @@ public:
 
 private:
     void gather(Condition const& condition, std::size_t goal);
+    [[nodiscard]] bool isKnown(Area const& area, std::size_t goal) const;
 
     std::vector<render::GoalRegion> regions_;
     std::vector<std::size_t> goals_; // for each region
-    std::vector<std::string> names_;
+    std::vector<std::string> names_; // empty: no words
 };
 
 } // namespace trembler::ui

@@ -144,7 +144,7 @@ void drawObject(Canvas& canvas, Facts const& facts, Pose const& pose, Marks cons
         float const strength = style.ghost ? 0.4F : 1.F;
         if (facts.substance == Substance::brick) {
             drawMortar(canvas, *facts.shape, pose, strength);
-        } else if (facts.fixed && !isMetal(facts.substance) && !facts.device) {
+        } else if (facts.fixed && !facts.liquid && !isMetal(facts.substance) && !facts.device) {
             hatchShape(canvas, *facts.shape, pose, strength);
         }
     }

@@ -26,12 +26,20 @@ bool has(ColumnBase const* column, ObjectId id) {
 
 void guessSubstance(Facts& facts) {
     bool const attracted = facts.strength != nullptr && facts.strength->susceptibility > 0;
-    facts.substance = facts.look != nullptr ? facts.look->material
-                                            : substanceWithoutLook(facts.fixed, facts.conductor, attracted);
+    facts.fixed = facts.fixed || facts.liquid; // it stays where it is
+    if (facts.look != nullptr) {
+        facts.substance = facts.look->material;
+    } else {
+        facts.substance =
+            facts.liquid ? Substance::water : substanceWithoutLook(facts.fixed, facts.conductor, attracted);
+    }
 }
 
 int level(Facts const& facts) {
-    return facts.shape == nullptr ? 2 : (facts.fixed ? 0 : 1);
+    if (facts.shape == nullptr) {
+        return 3;
+    }
+    return facts.liquid ? 0 : (facts.fixed ? 1 : 2);
 }
 
 } // namespace
@@ -39,7 +47,7 @@ int level(Facts const& facts) {
 FactsReader::FactsReader(World const& world)
     : positions_(world.store().findColumn<Position>()), rotations_(world.store().findColumn<Rotation>()),
       shapes_(world.store().findColumn<Shape>()), fixed_(world.store().findColumn<Fixed>()),
-      conductors_(world.store().findColumn<Conductor>()),
+      liquids_(world.store().findColumn<Liquid>()), conductors_(world.store().findColumn<Conductor>()),
       sources_(world.store().findColumn<ElectricalSource>()),
       returns_(world.store().findColumn<ElectricalReturn>()),
       devices_(world.store().findColumn<ElectricalDevice>()),
@@ -55,6 +63,7 @@ Facts FactsReader::of(ObjectId id) const {
     facts.rotation = in(rotations_, id);
     facts.shape = in(shapes_, id);
     facts.fixed = has(fixed_, id);
+    facts.liquid = has(liquids_, id);
     facts.conductor = has(conductors_, id);
     facts.source = has(sources_, id);
     facts.earth = has(returns_, id);
@@ -91,6 +100,7 @@ Facts factsOf(Prototype const& prototype) {
     facts.rotation = valueIn<Rotation>(prototype);
     facts.shape = valueIn<Shape>(prototype);
     facts.fixed = valueIn<Fixed>(prototype) != nullptr;
+    facts.liquid = valueIn<Liquid>(prototype) != nullptr;
     facts.conductor = valueIn<Conductor>(prototype) != nullptr;
     facts.source = valueIn<ElectricalSource>(prototype) != nullptr;
     facts.earth = valueIn<ElectricalReturn>(prototype) != nullptr;

@@ -2,6 +2,7 @@
 // shelf.
 #pragma once
 
+#include "physics/buoyancy/liquid.hpp"
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/joint.hpp"
 #include "physics/dynamics/shape.hpp"
@@ -20,6 +21,7 @@ struct Facts {
     Rotation const* rotation = nullptr;
     Shape const* shape = nullptr;
     bool fixed = false;
+    bool liquid = false;
     bool conductor = false;
     bool source = false;
     bool earth = false; ///< the return of a network
@@ -50,8 +52,8 @@ class FactsReader {
 public:
     explicit FactsReader(World const& world);
     [[nodiscard]] Facts of(ObjectId id) const;
-    /// Every object of which there is something to see, from bottom to top: fixed ones, then those that move,
-    /// then symbols; in the order of ids within each.
+    /// Every object of which there is something to see, from bottom to top: liquids, then fixed ones, then
+    /// those that move, then symbols; in the order of ids within each.
     [[nodiscard]] std::vector<Facts> drawOrder() const;
 
 private:
@@ -59,6 +61,7 @@ private:
     Column<Rotation> const* rotations_;
     Column<Shape> const* shapes_;
     Column<Fixed> const* fixed_;
+    Column<Liquid> const* liquids_;
     Column<Conductor> const* conductors_;
     Column<ElectricalSource> const* sources_;
     Column<ElectricalReturn> const* returns_;

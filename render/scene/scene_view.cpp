@@ -3,6 +3,7 @@
 #include "render/scene/body.hpp"
 #include "render/scene/device.hpp"
 #include "render/scene/joints.hpp"
+#include "render/scene/overlay_buoyancy.hpp"
 #include "render/scene/overlay_contacts.hpp"
 #include "render/scene/overlay_electricity.hpp"
 #include "render/scene/overlay_magnetism.hpp"
@@ -58,6 +59,7 @@ void drawOverlays(Canvas& canvas, World const& world, FactsReader const& reader,
     }
     if (overlays.forces) {
         drawMagneticForces(canvas, world);
+        drawBuoyancy(canvas, world);
     }
 }
 

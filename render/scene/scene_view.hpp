@@ -14,7 +14,7 @@ namespace trembler::render {
 /// What is shown besides the things themselves; everything is off unless asked for.
 struct Overlays {
     bool electricity = false; ///< the graph, its live parts lit
-    bool forces = false;      ///< magnetic ones
+    bool forces = false;      ///< magnetic ones, and F_B at the centres of buoyancy
     bool fieldLines = false;  ///< of all magnets that act
     bool contacts = false;    ///< with normals and impulses under World::want<ContactPatches>()
     bool motion = false;      ///< centres of mass and velocities

@@ -22,6 +22,7 @@ struct Box {
     Vec2 corner; ///< lower left
     Vec2 size;   ///< both above zero
 
+    bool operator==(Box const&) const = default;
     [[nodiscard]] bool contains(Vec2 p) const {
         return p.x >= corner.x && p.x <= corner.x + size.x && p.y >= corner.y && p.y <= corner.y + size.y;
     }
@@ -32,6 +33,7 @@ struct Area {
     std::optional<Box> box;
     std::vector<Vec2> corners; ///< counts if there is no box; may be concave
 
+    bool operator==(Area const&) const = default;
     /// Whether the point lies inside or on the edge of a box; inside a polygon by the even-odd rule.
     [[nodiscard]] bool contains(Vec2 point) const;
 };

@@ -1,13 +1,13 @@
 #include "tests/levels/shelf.hpp"
 
-#include "physics/register_physics.hpp"
+#include "game/core/effects.hpp"
 
 #include <algorithm>
 
 namespace trembler {
 
 Shelf::Shelf() {
-    registerEverything(registry);
+    registerEffects(registry);
     parts = loadParts(registry, sourceFolder() / "assets/parts");
 }
 

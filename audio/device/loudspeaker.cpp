@@ -1,0 +1,90 @@
+#include "audio/device/loudspeaker.hpp"
+
+#include "audio/device/openal_output.hpp"
+#include "runtime/world/world.hpp"
+
+namespace trembler {
+namespace {
+
+std::unique_ptr<Output> openOutput(LoudspeakerOptions const& options, Loudspeaker::Tell const& tell) {
+    std::string why;
+    if (std::unique_ptr<Output> found = OpenAlOutput::open(options.synthesiser, why)) {
+        return found;
+    }
+    if (tell) {
+        tell("There will be no sound: " + why + ".");
+    }
+    return std::make_unique<NullOutput>();
+}
+
+} // namespace
+
+Loudspeaker::Loudspeaker(LoudspeakerOptions options, Tell tell)
+    : Loudspeaker(options, openOutput(options, tell), tell) {}
+
+Loudspeaker::Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Tell tell)
+    : options_(std::move(options)), output_(std::move(output)),
+      recordings_(options_.sampleFolders, std::move(tell)), synthesiser_(options_.synthesiser, &recordings_) {
+    output_->set(options_.output);
+}
+
+Loudspeaker::~Loudspeaker() = default;
+
+void Loudspeaker::enter(World& world) {
+    startAfresh();
+    if (dynamic_cast<NullOutput const*>(output_.get()) == nullptr) {
+        world.want<Sounds>(); // even if its address is that of the world before: that one may be gone
+        world_ = &world;
+    }
+}
+
+void Loudspeaker::leave(World& world) {
+    if (world_ == &world) {
+        world.release<Sounds>();
+        world_ = nullptr;
+        startAfresh();
+    }
+}
+
+void Loudspeaker::startAfresh() {
+    synthesiser_.clear();
+    output_->stop();
+    roomAt_.reset();
+}
+
+void Loudspeaker::frame(World const& world, Listener const& listener) {
+    if (world_ != &world) {
+        return;
+    }
+    followRoom(world, listener);
+    if (Sounds const* const sounds = world.find<Sounds>()) {
+        synthesiser_.hear(*sounds, listener);
+    }
+    output_->play(synthesiser_.render(), listener);
+}
+
+void Loudspeaker::pause(Listener const& listener) {
+    if (world_ != nullptr) {
+        output_->play(synthesiser_.render(), listener);
+    }
+}
+
+void Loudspeaker::set(OutputSettings const& settings) {
+    options_.output = settings;
+    output_->set(settings);
+}
+
+// Walls seldom change and listeners move slowly: a look every second, or after a step of half a metre, will
+// do.
+void Loudspeaker::followRoom(World const& world, Listener const& listener) {
+    constexpr double step = 0.5;           // m
+    constexpr std::uint64_t patience = 60; // frames
+    if (options_.output.reverb && (!roomAt_ || length(*roomAt_ - listener.at) > step ||
+                                   world.frame() >= roomFrame_ + patience || world.frame() < roomFrame_)) {
+        output_->set(roomAround(world.store(), listener.at));
+        roomAt_ = listener.at;
+        roomFrame_ = world.frame();
+    }
+}
+
+} // namespace trembler

@@ -1,0 +1,60 @@
+// What the game needs to be heard: from a world to the ears, one call a frame.
+#pragma once
+
+#include "audio/device/output.hpp"
+#include "audio/device/sample_files.hpp"
+
+#include <functional>
+
+namespace trembler {
+
+class World;
+
+struct LoudspeakerOptions {
+    SynthesiserOptions synthesiser;
+    OutputSettings output;
+    std::vector<std::filesystem::path> sampleFolders; ///< where recordings are looked for, in order
+};
+
+/// Listens to one world at a time and changes nothing in it. Used by one thread at a time.
+class Loudspeaker {
+public:
+    using Tell = std::function<void(std::string const&)>;
+
+    /// Opens the machine's sound device. Where there is none it says so, through `tell`, and goes on without.
+    explicit Loudspeaker(LoudspeakerOptions options, Tell tell = {});
+    /// Plays to that output instead.
+    Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Tell tell = {});
+    ~Loudspeaker();
+    Loudspeaker(Loudspeaker const&) = delete;
+    Loudspeaker& operator=(Loudspeaker const&) = delete;
+
+    /// Begins, once, to listen to a world, which may be running already, instead of the one before, which may
+    /// be gone. Where nobody can hear anything, the world is not asked for its sounds.
+    void enter(World& world);
+    /// Stops listening to a world that goes on without being heard.
+    void leave(World& world);
+    /// After every step() of the world: plays what is new.
+    void frame(World const& world, Listener const& listener);
+    /// Instead, for every sixtieth of a second in which the world stands still: what rings dies away.
+    void pause(Listener const& listener);
+
+    void set(OutputSettings const& settings);
+    [[nodiscard]] OutputSettings const& settings() const { return options_.output; }
+    [[nodiscard]] Output const& output() const { return *output_; }
+    [[nodiscard]] SynthesiserCounts const& counts() const { return synthesiser_.counts(); }
+
+private:
+    void startAfresh();
+    void followRoom(World const& world, Listener const& listener);
+
+    LoudspeakerOptions options_;
+    std::unique_ptr<Output> output_;
+    SampleFiles recordings_;
+    Synthesiser synthesiser_;
+    World const* world_ = nullptr; // compared, never looked into: it may be gone
+    std::optional<Vec2> roomAt_;   // where the room was last looked at
+    std::uint64_t roomFrame_ = 0;
+};
+
+} // namespace trembler

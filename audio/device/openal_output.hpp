@@ -1,0 +1,83 @@
+// Streams through OpenAL Soft: every stream has its place in space, one after another block is queued.
+#pragma once
+
+#include "audio/device/openal.hpp"
+#include "audio/device/output.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace trembler {
+
+/// The world is the plane z = 0; the listener hovers in front of it. Pressures fall with distance (inverse,
+/// clamped at 1 m). Pitch is left alone: the Doppler effect is in the streams already, where it shifts each
+/// mode without resampling a queue that must not run dry.
+class OpenAlOutput final : public Output {
+public:
+    /// The default device of this machine, or nullptr, with the reason in `why`, if there is none.
+    [[nodiscard]] static std::unique_ptr<OpenAlOutput> open(SynthesiserOptions const& format,
+                                                            std::string& why);
+    /// A device that plays into memory; see rendered(). Nullptr where OpenAL cannot do that.
+    [[nodiscard]] static std::unique_ptr<OpenAlOutput> loopback(SynthesiserOptions const& format,
+                                                                std::string& why);
+    ~OpenAlOutput() override;
+
+    void play(std::span<Voice const> voices, Listener const& listener) override;
+    void set(OutputSettings const& settings) override;
+    void set(RoomAcoustics const& room) override;
+    void stop() override;
+    [[nodiscard]] std::string name() const override;
+    [[nodiscard]] bool audible() const override { return !extensions_; }
+
+    /// The block that the last play() made audible, left and right in turn; loopback only.
+    [[nodiscard]] std::span<float const> rendered() const { return rendered_; }
+    [[nodiscard]] bool hrtf() const;
+    /// Blocks that came too late, or too early, for the device.
+    [[nodiscard]] std::uint64_t slips() const { return slips_; }
+
+    /// Streams that have a place of their own at a time; the faintest beyond them come from everywhere.
+    static constexpr std::size_t mostPlaces = 64;
+    /// Full scale, in Pa at the listener: 100 dB.
+    static constexpr double fullScale = 2;
+
+private:
+    struct Source {
+        ALuint id = 0;
+        bool used = false; // in this block
+    };
+
+    OpenAlOutput(ALCdevice* device, SynthesiserOptions const& format);
+    [[nodiscard]] bool start(std::vector<ALCint> attributes, std::string& why);
+    void makeReverb();
+    void applyReverb();
+    [[nodiscard]] bool ahead();
+    void queue(Source& source, std::span<float const> samples);
+    void reclaim(Source& source);
+    [[nodiscard]] Source* sourceFor(std::uint64_t stream);
+    void playRest(std::span<Voice const* const> voices, Listener const& listener);
+    void retire();
+    [[nodiscard]] ALuint freeBuffer();
+
+    ALCdevice* device_;
+    ALCcontext* context_ = nullptr;
+    SynthesiserOptions format_;
+    std::optional<OpenAlExtensions> extensions_; // of a loopback device
+    OpenAlEffects effects_;
+    ALuint effect_ = 0;
+    ALuint slot_ = 0;
+    OutputSettings settings_;
+    RoomAcoustics room_;
+    int cushion_ = 2;                         // blocks of silence before a stream begins
+    std::map<std::uint64_t, Source> sources_; // by stream
+    std::vector<ALuint> idleSources_;
+    std::vector<ALuint> allSources_;
+    std::vector<ALuint> idleBuffers_;
+    std::vector<ALuint> allBuffers_;
+    std::vector<float> scaled_;
+    std::vector<float> rendered_;
+    std::uint64_t slips_ = 0;
+};
+
+} // namespace trembler

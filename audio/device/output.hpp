@@ -1,0 +1,50 @@
+// Where rendered streams go: loudspeakers, a buffer of a test, or nowhere.
+#pragma once
+
+#include "audio/synth/room.hpp"
+#include "audio/synth/synthesiser.hpp"
+
+#include <string>
+
+namespace trembler {
+
+/// How streams are played.
+struct OutputSettings {
+    double volume = 0.8; ///< 0 to 1
+    bool hrtf = false;   ///< for headphones: directions as the ears' shapes tell them
+    bool reverb = true;
+    friend bool operator==(OutputSettings const&, OutputSettings const&) = default;
+};
+
+/// Used by one thread at a time.
+class Output {
+public:
+    Output() = default;
+    virtual ~Output() = default;
+    Output(Output const&) = delete;
+    Output& operator=(Output const&) = delete;
+
+    /// Plays the next block of every stream. A stream that is missing has ended.
+    virtual void play(std::span<Voice const> voices, Listener const& listener) = 0;
+    virtual void set(OutputSettings const& settings) = 0;
+    virtual void set(RoomAcoustics const& room) = 0;
+    /// Silence, at once: another world.
+    virtual void stop() = 0;
+    /// For people to read.
+    [[nodiscard]] virtual std::string name() const = 0;
+    /// Whether anybody can hear it.
+    [[nodiscard]] virtual bool audible() const = 0;
+};
+
+/// Plays to nobody.
+class NullOutput final : public Output {
+public:
+    void play(std::span<Voice const>, Listener const&) override {}
+    void set(OutputSettings const&) override {}
+    void set(RoomAcoustics const&) override {}
+    void stop() override {}
+    [[nodiscard]] std::string name() const override { return "none"; }
+    [[nodiscard]] bool audible() const override { return false; }
+};
+
+} // namespace trembler

@@ -1,0 +1,31 @@
+// Recordings from files, by libsndfile.
+#pragma once
+
+#include "audio/synth/recording.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+
+namespace trembler {
+
+/// Reads each file once and keeps it. Several channels become one. A file that is missing, broken, not of
+/// sound or longer than ten minutes is told once, in words, and silent from then on.
+class SampleFiles final : public SampleSource {
+public:
+    using Tell = std::function<void(std::string const&)>;
+
+    /// Looks through `folders` in order. `tell` may be empty.
+    explicit SampleFiles(std::vector<std::filesystem::path> folders, Tell tell = {});
+
+    [[nodiscard]] std::shared_ptr<SampleData const> find(std::string const& file) override;
+
+private:
+    [[nodiscard]] std::shared_ptr<SampleData const> read(std::string const& file) const;
+
+    std::vector<std::filesystem::path> folders_;
+    Tell tell_;
+    std::map<std::string, std::shared_ptr<SampleData const>> known_;
+};
+
+} // namespace trembler

@@ -1,0 +1,28 @@
+// How materials sound: what they are made of, as far as vibration and absorption go.
+#pragma once
+
+#include "physics/look.hpp"
+
+namespace trembler {
+
+struct AcousticMaterial {
+    double youngsModulus = 0; ///< Pa
+    double density = 0;       ///< kg/m³, of the solid material; an object may be hollow
+    double poissonRatio = 0;
+    double lossFactor = 0; ///< share of a mode's energy, over 2π, that a period of vibration turns into heat
+    double absorption = 0; ///< share of the sound that a surface swallows, at about 1 kHz
+    double roughness = 0;  ///< m, the typical length of the surface's bumps
+
+    /// Speed of bending's raw material, a long wave in a thin rod, in m/s: sqrt(E/ρ).
+    [[nodiscard]] double rodSpeed() const;
+    /// Speed of shear waves, in m/s: sqrt(E / (2 ρ (1 + ν))).
+    [[nodiscard]] double shearSpeed() const;
+};
+
+/// Textbook values: moduli and densities as in Fletcher and Rossing, The Physics of Musical Instruments
+/// (1998), Chapter 22; loss factors as in Cremer, Heckl and Petersson, Structure-Borne Sound (2005), towards
+/// the upper end, as nothing here hangs free; absorption as in Kuttruff, Room Acoustics (2000), Chapter 9.
+/// Roughness is an estimate by hand. "gold" is what bells look like, and is taken for bronze.
+[[nodiscard]] AcousticMaterial const& acousticMaterial(Material material);
+
+} // namespace trembler

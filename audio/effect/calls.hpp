@@ -1,0 +1,71 @@
+// The interaction functions of the Sound resolver.
+#pragma once
+
+#include "runtime/component/call.hpp"
+#include "runtime/math/vec2.hpp"
+
+#include <array>
+
+namespace trembler {
+
+/// A blow. Blows add up: each excites every mode by its own amount, and so sound energies are summed,
+/// whatever the order in which they are told. Two that touch tell of two, one for each body.
+struct Strike {
+    static constexpr CallText text{"strike", "(object, other, point, normal, impulse, contact, since)",
+                                   "Excites the object's modes as a blow by the other one does, once."};
+    static constexpr Algebra algebra = Algebra::sumOfAmounts;
+    ObjectId object;
+    ObjectId other;
+    Vec2 point;         ///< m, in the object's frame
+    Vec2 normal;        ///< unit, in the object's frame: which way the object is pushed
+    double impulse = 0; ///< N s
+    double contact = 0; ///< s, how long the blow lasts
+    double since = 0;   ///< s, from the beginning of the frame to the blow
+    [[nodiscard]] std::array<ObjectId, 2> objects() const { return {object, other}; }
+    [[nodiscard]] std::pair<ObjectId, ObjectId> key() const { return {object, other}; }
+};
+
+/// Rubbing or rolling: a noise of small blows for as long as it is held. Their energies add up.
+struct Rub {
+    static constexpr CallText text{"rub", "(object, other, point, normal, force, bandwidth)",
+                                   "Excites the object's modes with the noise of one surface on another."};
+    static constexpr Algebra algebra = Algebra::sumOfRates;
+    static constexpr double negligible = 1e-6; ///< N
+    ObjectId object;
+    ObjectId other;
+    Vec2 point;           ///< m, in the object's frame
+    Vec2 normal;          ///< unit, in the object's frame, into the object
+    double force = 0;     ///< N, root mean square of the noise
+    double bandwidth = 0; ///< Hz: bumps per second
+    [[nodiscard]] std::array<ObjectId, 2> objects() const { return {object, other}; }
+    [[nodiscard]] std::pair<ObjectId, ObjectId> key() const { return {object, other}; }
+    [[nodiscard]] double magnitude() const { return force; }
+};
+
+/// Plays the object's recording from its beginning. Several in one frame are one go, as loud as all together.
+struct PlaySample {
+    static constexpr CallText text{"playSample", "(object, share)",
+                                   "Plays the object's recording once, at that share of its full power."};
+    static constexpr Algebra algebra = Algebra::sumOfAmounts;
+    ObjectId object;
+    double share = 1; ///< of its sound power; sums count as 1 at the most
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+    [[nodiscard]] ObjectId key() const { return object; }
+};
+
+/// Keeps the object's recording going, over and over, while anybody says so.
+struct HoldSample {
+    static constexpr CallText text{"holdSample", "(object)",
+                                   "Plays the object's recording over and over while anybody holds it."};
+    static constexpr Algebra algebra = Algebra::anyOf;
+    ObjectId object;
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+    [[nodiscard]] ObjectId key() const { return object; }
+};
+
+struct SoundRole {
+    static constexpr std::string_view name = "Sound";
+    using Calls = CallList<Strike, Rub, PlaySample, HoldSample>;
+};
+
+} // namespace trembler

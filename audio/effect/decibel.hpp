@@ -1,0 +1,25 @@
+// Sound levels and the constants of air.
+#pragma once
+
+namespace trembler {
+
+inline constexpr double speedOfSound = 343;        ///< m/s, in air of 20 °C
+inline constexpr double airImpedance = 413;        ///< Pa s/m: density of air times speed of sound
+inline constexpr double airDensity = 1.204;        ///< kg/m³
+inline constexpr double referencePressure = 20e-6; ///< Pa, 0 dB
+inline constexpr double lowestAudible = 20;        ///< Hz
+inline constexpr double highestAudible = 20000;    ///< Hz
+inline constexpr double silentLevel = -120;        ///< dB; what is called silence
+
+/// The level, in dB, of a mean square pressure in Pa²; silentLevel at the least.
+[[nodiscard]] double levelOf(double meanSquare);
+/// The factor on a power that so many decibels are. By exp(), as one compiler makes another function of
+/// pow(10, x) than the other, and the last bit must not depend on that.
+[[nodiscard]] double powerOf(double decibels);
+/// The mean square pressure, in Pa², of a level in dB.
+[[nodiscard]] double meanSquareOf(double level);
+/// What the ear makes of a tone: the factor on its mean square pressure by A-weighting, IEC 61672-1, Annex E;
+/// 1 at 1 kHz.
+[[nodiscard]] double aWeighting(double frequency);
+
+} // namespace trembler

@@ -1,0 +1,144 @@
+// What sound knows of objects.
+#pragma once
+
+#include "runtime/property/description.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// What an object vibrates like.
+enum class SoundingForm : int {
+    automatic, ///< by its shape: long ones are bars, round ones balls, the others plates; water splashes
+    bar,
+    plate,
+    ball,
+    bell,
+};
+template <>
+inline constexpr std::array<std::string_view, 5> choiceNames<SoundingForm>{"automatic", "bar", "plate",
+                                                                           "ball", "bell"};
+
+/// How an object sounds, where its shape and its material alone would not tell.
+struct Acoustics {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Acoustics", "acoustics",
+                                       "How the object sounds, where shape and material do not tell."};
+    SoundingForm form = SoundingForm::automatic;
+    double frequency = 0;         ///< Hz, of the lowest mode, of a bell the prime; 0: from the size
+    double ringing = 0;           ///< s, until that mode has died away by 60 dB; 0: by the material
+    std::vector<double> partials; ///< frequencies over the lowest; empty: those of the form
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "form", .unit = "", .meaning = "what it vibrates like"}, self.form);
+        visit(FieldInfo{.key = "frequency",
+                        .unit = "Hz",
+                        .meaning = "of the lowest mode, of a bell the prime; 0: from the size",
+                        .minimum = 0,
+                        .maximum = 20000},
+              self.frequency);
+        visit(FieldInfo{.key = "ringing",
+                        .unit = "s",
+                        .meaning = "until that mode has died away by 60 dB; 0: by the material",
+                        .minimum = 0,
+                        .maximum = 60},
+              self.ringing);
+        visit(
+            FieldInfo{.key = "partials",
+                      .unit = "",
+                      .meaning = "frequencies of all modes over that of the lowest; none: those of the form",
+                      .minimum = 0.01,
+                      .maximum = 1000},
+            self.partials);
+    }
+    friend bool operator==(Acoustics const&, Acoustics const&) = default;
+};
+
+/// When a recorded sample is played.
+enum class SampleCue : int {
+    struck,  ///< once for every blow
+    powered, ///< over and over while the object is on
+};
+template <>
+inline constexpr std::array<std::string_view, 2> choiceNames<SampleCue>{"struck", "powered"};
+
+/// A recording that the object plays besides what it sounds like. How loud it is and how long it lasts is
+/// stated here, not taken from the file: whoever listens in the world must not depend on what a loudspeaker
+/// finds.
+struct Sample {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Sample", "sample", "A recording that the object plays."};
+    std::string file;
+    SampleCue cue = SampleCue::struck;
+    double level = 80;      ///< dB at 1 m
+    double duration = 1;    ///< s, of one go
+    double fullImpulse = 1; ///< N s; softer blows play it more quietly, in proportion
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "file",
+                        .unit = "",
+                        .meaning =
+                            "an .ogg, .wav or .flac file, looked for beside the level and in assets/sounds",
+                        .required = true},
+              self.file);
+        visit(FieldInfo{.key = "cue", .unit = "", .meaning = "when it is played"}, self.cue);
+        visit(FieldInfo{.key = "level_db",
+                        .unit = "dB",
+                        .meaning = "mean sound level at a distance of 1 m",
+                        .minimum = 0,
+                        .maximum = 140},
+              self.level);
+        visit(FieldInfo{.key = "duration",
+                        .unit = "s",
+                        .meaning = "how long it is heard",
+                        .minimum = 0.01,
+                        .maximum = 600},
+              self.duration);
+        visit(FieldInfo{.key = "full_impulse",
+                        .unit = "N s",
+                        .meaning = "blows from this on play it at full level, softer ones in proportion",
+                        .minimum = 1e-6,
+                        .maximum = 1e6},
+              self.fullImpulse);
+    }
+    friend bool operator==(Sample const&, Sample const&) = default;
+};
+
+/// Marks what listens, for goals and for people to see.
+struct Ear {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Ear", "ear", "How loud it is here is worked out for the object."};
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// A switch that closes while it is loud enough. With two objects named, it connects these. Otherwise it
+/// connects whatever conductors touch it; it should be no conductor itself, or it connects them anyway.
+struct SoundSensor {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Sound sensor", "sound_sensor",
+                                       "The object conducts while it hears enough."};
+    double threshold = 70; ///< dB(A)
+    ObjectId a;
+    ObjectId b;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "threshold_db",
+                        .unit = "dB",
+                        .meaning = "A-weighted sound level from which on it conducts",
+                        .minimum = 0,
+                        .maximum = 140},
+              self.threshold);
+        visit(FieldInfo{.key = "from", .unit = "", .meaning = "a conductor that it connects"}, self.a);
+        visit(FieldInfo{.key = "to", .unit = "", .meaning = "the conductor that it connects it to"}, self.b);
+    }
+    friend bool operator==(SoundSensor const&, SoundSensor const&) = default;
+};
+
+} // namespace trembler

@@ -1,0 +1,12 @@
+// Sound: blows, scrapes and recordings, what listeners hear of them, and sensors that conduct because of it.
+#pragma once
+
+namespace trembler {
+
+class Registry;
+
+/// Registers properties, rules for files and components of sound. After dynamics and electricity, whose
+/// effects it reads; each may be left out, and what needs them is then absent.
+void registerSound(Registry& registry);
+
+} // namespace trembler

@@ -1,0 +1,88 @@
+// What sounds where: the resolver property that loudness, loudspeakers and drawing read.
+#pragma once
+
+#include "runtime/math/vec2.hpp"
+#include "runtime/property/description.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// All pressures are those at a distance of 1 m in free air. Sound travels at no time.
+struct Sounds {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Sounds", "sounds",
+                                       "What sounds where: modes that ring, blows, rubbing, recordings."};
+
+    /// A mode of a body that rings.
+    struct Ring {
+        double frequency = 0;  ///< Hz
+        double decay = 0;      ///< 1/s, of the amplitude
+        double meanSquare = 0; ///< Pa², at the end of the frame
+        double weight = 1;     ///< what the ear makes of it, on the mean square (A-weighting)
+    };
+    /// A body that sounds, or has sounded until a moment ago.
+    struct Body {
+        ObjectId object;
+        Vec2 local;              ///< m, where the sound comes from, in its own frame
+        Vec2 at;                 ///< m, the same in the world
+        Vec2 velocity;           ///< m/s
+        double loudness = 0;     ///< Pa², A-weighted, smoothed over 125 ms ("fast", IEC 61672-1)
+        double brightness = 0;   ///< Hz, the mean frequency of that
+        std::vector<Ring> rings; ///< its modes, ascending by frequency
+        EventId event;           ///< the latest blow; none while nobody traces
+    };
+    /// A blow in this frame.
+    struct Blow {
+        ObjectId object;
+        ObjectId other;
+        Vec2 at;                  ///< m, in the world
+        double since = 0;         ///< s after the frame's beginning
+        double meanSquare = 0;    ///< Pa², A-weighted, of its modes at their beginning and of its click
+        double clickPressure = 0; ///< Pa, amplitude of the click
+        double clickTime = 0;     ///< s, its one period
+        std::uint32_t first = 0;  ///< the body's modes get `amplitudes` from here on, one each
+        std::uint32_t count = 0;
+    };
+    /// A noise that drives a body's modes throughout the frame.
+    struct Scrape {
+        ObjectId object;
+        ObjectId other;
+        Vec2 at;
+        std::uint32_t first = 0; ///< the body's modes get `amplitudes`, in Pa/√s, from here on: what a white
+                                 ///< noise of unit power would add to them
+        std::uint32_t count = 0;
+    };
+    /// A recording that plays.
+    struct Recording {
+        ObjectId object;
+        std::string file;
+        Vec2 at;
+        Vec2 velocity;
+        double meanSquare = 0;    ///< Pa²
+        double loudness = 0;      ///< Pa², smoothed
+        double elapsed = 0;       ///< s since it began, at the end of the frame
+        double duration = 0;      ///< s, of one go
+        bool held = false;        ///< goes on over and over
+        std::uint64_t serial = 0; ///< another go has another one
+        EventId event;
+    };
+
+    std::vector<Body> bodies;          ///< ascending by object
+    std::vector<Blow> blows;           ///< of this frame only
+    std::vector<Scrape> scrapes;       ///< of this frame only
+    std::vector<double> amplitudes;    ///< of blows (Pa) and scrapes (Pa/√s)
+    std::vector<Recording> recordings; ///< ascending by object and serial
+    std::uint64_t frame = 0;           ///< the last in which anything was worked out
+    std::uint64_t recordingsEver = 0;
+
+    [[nodiscard]] bool silent() const { return bodies.empty() && recordings.empty(); }
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+} // namespace trembler

@@ -1,0 +1,78 @@
+// The modes of one body as damped oscillators that make samples.
+#pragma once
+
+#include "audio/effect/sounds.hpp"
+#include "audio/synth/lanes.hpp"
+
+#include <complex>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace trembler {
+
+/// Each mode is a complex number that turns and shrinks with every sample; its imaginary part is heard. A
+/// blow adds to its real part, so that the pressure begins at zero. Used by one thread at a time.
+class ModalBank {
+public:
+    explicit ModalBank(double rate) : rate_(rate) {}
+
+    /// Sets the modes: their frequencies times `pitch`, their decays plus `damping` (1/s). A mode keeps its
+    /// phase and its strength; those that are no longer there fall silent. Modes above half the sampling rate
+    /// stay silent.
+    void tune(std::span<Sounds::Ring const> rings, double pitch, double damping);
+    /// Adds to each mode (Pa) at a sample of the next block. Blows add up.
+    void strike(std::span<double const> amplitudes, double scale, int sample);
+    /// Drives each mode with a white noise (Pa/√s) through the next block.
+    void scrape(std::span<double const> amplitudes, double scale);
+
+    [[nodiscard]] std::size_t size() const { return modes_.size(); }
+    /// The strength that a mode has at most in the next block, as a mean square in Pa².
+    [[nodiscard]] double power(std::size_t mode) const;
+    [[nodiscard]] double bark(std::size_t mode) const { return modes_[mode].bark; }
+    [[nodiscard]] double threshold(std::size_t mode) const { return modes_[mode].threshold; }
+
+    /// Adds the next block to `out`. Modes that are not `audible` go on silently and can come back later, in
+    /// phase. `seed` decides the noise. Returns the number of modes rendered.
+    std::size_t render(std::span<float> out, std::span<std::uint8_t const> audible, std::uint64_t seed);
+
+private:
+    struct Oscillator {
+        double frequency = 0; // Hz, with pitch
+        double decay = 0;     // 1/s, with damping
+        double bark = 0;
+        double threshold = 0;
+        double drive = 0; // Pa/√s, of the next block
+        std::complex<double> state;
+        std::complex<double> step; // of one sample
+        std::complex<double> leap; // of leapSamples
+        int leapSamples = 0;       // 0: not worked out
+    };
+    struct Blow {
+        int sample = 0;
+        std::vector<double> amplitudes;
+    };
+    /// The audible modes, in lanes.
+    struct Group {
+        Lanes re;
+        Lanes im;
+        Lanes stepRe;
+        Lanes stepIm;
+        Lanes drive;
+    };
+    void pack(std::span<std::uint8_t const> audible);
+    void leap(Oscillator& mode, int samples) const;
+    void skip(Oscillator& mode, std::size_t index, int samples) const;
+    [[nodiscard]] std::complex<double> turned(Oscillator const& mode, double samples) const;
+
+    double rate_;
+    std::vector<Oscillator> modes_;
+    std::vector<Blow> blows_; // ascending by sample
+    bool driven_ = false;
+    std::vector<Group> groups_;         // kept for their memory
+    std::vector<std::uint32_t> packed_; // which modes are in the groups
+    std::vector<Lanes> sums_;
+    std::vector<float> noise_;
+};
+
+} // namespace trembler

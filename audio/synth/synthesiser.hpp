@@ -1,0 +1,127 @@
+// From what sounds in the world to samples: one mono stream per sounding object.
+#pragma once
+
+#include "audio/effect/sounds.hpp"
+#include "audio/synth/masking.hpp"
+#include "audio/synth/modal_bank.hpp"
+#include "audio/synth/recording.hpp"
+
+#include <map>
+#include <optional>
+
+namespace trembler {
+
+/// Who hears it: above a point of the world, at a distance from its plane.
+struct Listener {
+    Vec2 at;           ///< m
+    double height = 3; ///< m, above zero
+    Vec2 velocity;     ///< m/s
+};
+
+struct SynthesiserOptions {
+    int rate = 48000;    ///< Hz
+    int block = 800;     ///< samples: a frame of the world
+    bool masking = true; ///< leave out what cannot be heard beside the rest
+    bool doppler = true;
+    /// Blows and noises louder than `comfortable` (dB at 1 m) are rendered with that share of their decibels
+    /// above it. 1: as they are. A girder that falls is 70 dB louder than a die that rolls; loudspeakers in a
+    /// living room are to play both.
+    double compression = 0.35;
+    double comfortable = 70;
+};
+
+/// A stream and its next block.
+struct Voice {
+    std::uint64_t stream = 0; ///< the same from block to block
+    ObjectId object;
+    Vec2 at;                        ///< m, in the world
+    Vec2 velocity;                  ///< m/s
+    std::span<float const> samples; ///< Pa at a distance of 1 m; valid until the next block
+    double power = 0;               ///< Pa², mean square of these, about
+};
+
+struct SynthesiserCounts {
+    std::size_t bodies = 0;
+    std::size_t modes = 0;    ///< that sound
+    std::size_t rendered = 0; ///< of these; the others are masked
+};
+
+/// Everything follows from what it is told and in what order: equal worlds make equal samples. Used by one
+/// thread at a time.
+class Synthesiser {
+public:
+    explicit Synthesiser(SynthesiserOptions options = {}, SampleSource* recordings = nullptr);
+
+    /// Takes over what is new in a frame; a frame that it knows already, as in a paused world, is not taken
+    /// twice.
+    void hear(Sounds const& sounds, Listener const& listener);
+    /// The next block, ascending by stream. What was struck rings on even if nothing is heard in between.
+    std::span<Voice const> render();
+    /// Forgets everything: another world.
+    void clear();
+
+    [[nodiscard]] SynthesiserOptions const& options() const { return options_; }
+    void setMasking(bool masking) { options_.masking = masking; }
+    /// Of the last block.
+    [[nodiscard]] SynthesiserCounts const& counts() const { return counts_; }
+
+private:
+    struct Click {
+        int sample = 0;
+        int length = 0;
+        double pressure = 0; // Pa
+    };
+    struct BodyVoice {
+        explicit BodyVoice(double rate) : bank(rate) {}
+        ModalBank bank;
+        std::vector<Sounds::Ring> rings; // as last heard
+        std::vector<Click> clicks;
+        Vec2 at;
+        Vec2 velocity;
+        double pitch = 1;
+        double attenuation = 1; // of power, on the way to the listener
+        bool gone = false;
+        std::vector<std::uint8_t> audible;
+        bool anyAudible = false;
+        double power = 0;   // Pa², of the next block
+        int unheard = 1000; // blocks in a row
+    };
+    struct RecordingVoice {
+        std::optional<SamplePlayer> player;
+        ObjectId object;
+        Vec2 at;
+        Vec2 velocity;
+        double pressure = 0;
+        double pitch = 1;
+        bool gone = false;
+        bool listed = false; // in the world, if only as what was heard a moment ago
+    };
+
+    void hearBodies(Sounds const& sounds);
+    void hearBlows(Sounds const& sounds);
+    void hearRecordings(Sounds const& sounds);
+    void findAudible();
+    void renderBody(ObjectId object, BodyVoice& voice, std::span<float> out);
+    [[nodiscard]] double pitchOf(Vec2 at, Vec2 velocity) const;
+    [[nodiscard]] double attenuationOf(Vec2 at) const;
+    /// The factor on pressures that turns a mean square of `meanSquare` (Pa²) into what is rendered.
+    [[nodiscard]] double compressed(double meanSquare) const;
+    std::span<float> newStream(std::uint64_t stream, ObjectId object, Vec2 at, Vec2 velocity, double power);
+
+    SynthesiserOptions options_;
+    SampleSource* recordings_;
+    Listener listener_;
+    std::uint64_t heardFrame_ = 0;
+    std::uint64_t blocks_ = 0;
+    std::map<ObjectId, BodyVoice> bodies_;
+    std::map<std::uint64_t, RecordingVoice> recordingVoices_; // by serial
+    Masker masker_;
+    std::vector<Tone> tones_;           // kept for its memory
+    std::vector<std::uint8_t> audible_; // likewise
+    std::vector<float> samples_;        // of all voices
+    std::vector<float> unheard_;        // stays silent: what is masked is not rendered
+    std::vector<Voice> voices_;
+    SynthesiserCounts counts_;
+};
+
+} // namespace trembler

@@ -1,0 +1,108 @@
+// Small worlds in which things fall, hit and sound, for tests.
+#pragma once
+
+#include "audio/effect/decibel.hpp"
+#include "audio/effect/loudness.hpp"
+#include "audio/effect/register.hpp"
+#include "audio/effect/sounds.hpp"
+#include "physics/buoyancy/liquid.hpp"
+#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/impacts.hpp"
+#include "physics/dynamics/shape.hpp"
+#include "physics/electricity/graph.hpp"
+#include "physics/electricity/properties.hpp"
+#include "physics/gravity/properties.hpp"
+#include "physics/look.hpp"
+#include "physics/register_physics.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/world/world.hpp"
+
+#include <memory>
+#include <string>
+
+namespace trembler::test {
+
+class ListeningRoom {
+public:
+    explicit ListeningRoom(WorldOptions options = {}) {
+        registerEverything(registry);
+        registerSound(registry);
+        world = std::make_unique<World>(registry, std::move(options));
+        give(world->store().create("world"), GravityField{{0, -9.81}});
+    }
+
+    template <class P>
+    void give(ObjectId id, P property) {
+        world->store().column<P>().set(id, std::move(property));
+    }
+    ObjectId body(std::string const& name, Material material, ShapePiece piece, Vec2 at, double angle = 0) {
+        ObjectId const id = world->store().create(name);
+        give(id, Shape{{std::move(piece)}});
+        give(id, Position{at});
+        give(id, Rotation{angle});
+        Look look;
+        look.material = material;
+        give(id, look);
+        return id;
+    }
+    ObjectId fixed(std::string const& name, Material material, ShapePiece piece, Vec2 at, double angle = 0) {
+        ObjectId const id = body(name, material, std::move(piece), at, angle);
+        give(id, Fixed{});
+        return id;
+    }
+    ObjectId ear(std::string const& name, Vec2 at) {
+        ObjectId const id = world->store().create(name);
+        give(id, Position{at});
+        give(id, Ear{});
+        return id;
+    }
+    /// Starts the world if that has not been done, and runs it.
+    void run(int frames) {
+        start();
+        for (int i = 0; i < frames; ++i) {
+            world->step();
+        }
+    }
+    void start() {
+        if (!started_) {
+            world->start();
+            started_ = true;
+        }
+    }
+    /// Runs until a blow is heard, at most `frames`; returns whether one was.
+    bool runToBlow(int frames = 600) {
+        for (int i = 0; i < frames; ++i) {
+            run(1);
+            if (!sounds().blows.empty()) {
+                return true;
+            }
+        }
+        return false;
+    }
+    [[nodiscard]] Sounds const& sounds() const { return *world->find<Sounds>(); }
+    [[nodiscard]] Sounds::Body const* sounding(ObjectId id) const {
+        for (Sounds::Body const& body : sounds().bodies) {
+            if (body.object == id) {
+                return &body;
+            }
+        }
+        return nullptr;
+    }
+    [[nodiscard]] double levelAt(ObjectId ear) const { return world->find<Loudness>()->at(ear); }
+    [[nodiscard]] Activity of(std::string_view component) const {
+        for (ComponentStatus const& status : world->status()) {
+            if (status.info->text.name == component) {
+                return status.activity;
+            }
+        }
+        return Activity::absent;
+    }
+
+    Registry registry;
+    std::unique_ptr<World> world;
+
+private:
+    bool started_ = false;
+};
+
+} // namespace trembler::test

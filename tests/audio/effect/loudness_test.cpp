@@ -1,0 +1,245 @@
+// Who hears what, and the sensor that switches because of it.
+#include "tests/audio/effect/listening_room.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler {
+namespace {
+
+using test::ListeningRoom;
+
+// A recording that plays as long as its object is on: a source whose level is known.
+ObjectId addSiren(ListeningRoom& room, Vec2 at, double level) {
+    ObjectId const siren = room.world->store().create("siren");
+    room.give(siren, Position{at});
+    room.give(siren, Conductor{});
+    room.give(siren, ElectricalSource{});
+    Sample sample;
+    sample.file = "siren.ogg";
+    sample.cue = SampleCue::powered;
+    sample.level = level;
+    room.give(siren, sample);
+    return siren;
+}
+
+TEST(Loudness, FallsByTwentyDecibelsPerTenfoldDistance) {
+    ListeningRoom room;
+    addSiren(room, {0, 0}, 90);
+    ObjectId const near = room.ear("near", {1, 0});
+    ObjectId const far = room.ear("far", {0, 10});
+    room.run(120); // sixteen time constants
+    EXPECT_NEAR(room.levelAt(near), 90, 0.01);
+    EXPECT_NEAR(room.levelAt(far), 70, 0.01);
+}
+
+TEST(Loudness, RisesAndFallsAsFastAsAMeter) {
+    ListeningRoom room;
+    ObjectId const siren = addSiren(room, {0, 0}, 90);
+    ObjectId const ear = room.ear("ear", {1, 0});
+    room.run(120);
+    room.world->store().column<ElectricalSource>().remove(siren);
+    double const before = room.levelAt(ear);
+    while (room.levelAt(ear) == before) {
+        room.run(1);
+    }
+    double const start = room.levelAt(ear);
+    room.run(30);
+    EXPECT_NEAR(start - room.levelAt(ear), 34.7 / 2, 0.2) << "IEC 61672-1: fast falls by 34.7 dB/s";
+    room.run(300);
+    EXPECT_EQ(room.levelAt(ear), silentLevel);
+}
+
+TEST(Loudness, TwoEqualSourcesAreThreeDecibelsMore) {
+    ListeningRoom room;
+    addSiren(room, {-2, 0}, 80);
+    ObjectId const second = room.world->store().create("second siren");
+    room.give(second, Position{{2, 0}});
+    room.give(second, Conductor{});
+    room.give(second, ElectricalSource{});
+    room.give(second, *room.world->find<Sample>(room.world->store().find("siren")));
+    ObjectId const ear = room.ear("ear", {0, 0});
+    room.run(120);
+    EXPECT_NEAR(room.levelAt(ear), 80 - 6.02 + 3.01, 0.01);
+}
+
+double behindWalls(std::string const& detail, bool wall, bool roof) {
+    WorldOptions options;
+    options.detail = {{"loudness", detail}};
+    ListeningRoom room(options);
+    addSiren(room, {0, 1}, 90);
+    ObjectId const ear = room.ear("ear", {4, 1});
+    room.fixed("floor", Material::stone, boxPiece(20, 0.4), {0, -0.2});
+    if (wall) {
+        room.fixed("wall", Material::brick, boxPiece(0.2, 2), {2, 1});
+    }
+    if (roof) {
+        room.fixed("roof", Material::stone, boxPiece(20, 0.4), {0, 2.2});
+    }
+    room.run(120);
+    return room.levelAt(ear);
+}
+
+TEST(Loudness, AWallInBetweenMutesAndAGapLetsSoundAround) {
+    for (std::string const detail : {"straight", "around"}) {
+        double const open = behindWalls(detail, false, false);
+        double const overTheWall = behindWalls(detail, true, false);
+        EXPECT_NEAR(open, 90 - 20 * std::log10(4.0), 0.02) << detail;
+        EXPECT_LT(overTheWall, open - 10) << detail;
+        EXPECT_GT(overTheWall, open - 27) << detail;
+    }
+    // Closed to the roof: only through the wall. The dear level knows, and the cheap one does not.
+    EXPECT_LT(behindWalls("around", true, true), behindWalls("around", true, false) - 15);
+    EXPECT_NEAR(behindWalls("straight", true, true), behindWalls("straight", true, false), 1e-9);
+}
+
+TEST(Loudness, IsAbsentWithoutListeners) {
+    ListeningRoom room;
+    addSiren(room, {0, 0}, 90);
+    room.run(10);
+    EXPECT_EQ(room.of("Loudness around Corners"), Activity::absent);
+    EXPECT_EQ(room.of("Sound <- Electricity"), Activity::absent);
+}
+
+// A ball is dropped beside a sensor that stands between two contacts.
+struct Alarm {
+    explicit Alarm(double threshold, double height, bool wall = false, bool named = false,
+                   WorldOptions options = {})
+        : room(std::move(options)) {
+        room.fixed("floor", Material::stone, boxPiece(20, 0.4), {0, -0.2});
+        sensor = room.fixed("sensor", Material::plastic, boxPiece(0.4, 0.4), {3, 0.2});
+        left = room.body("left contact", Material::copper, boxPiece(0.2, 0.2), {2.7, 0.1});
+        right = room.body("right contact", Material::copper, boxPiece(0.2, 0.2), {3.3, 0.1});
+        for (ObjectId const contact : {left, right}) {
+            room.give(contact, Conductor{});
+            room.give(contact, Fixed{});
+        }
+        room.give(left, ElectricalSource{});
+        // Fixed things do not collide with one another, so what is to touch must be able to move.
+        if (!named) {
+            for (ObjectId const contact : {left, right}) {
+                room.world->store().column<Fixed>().remove(contact);
+            }
+            room.world->store().column<Position>()[left].value.x = 2.705;
+            room.world->store().column<Position>()[right].value.x = 3.295;
+        }
+        SoundSensor property;
+        property.threshold = threshold;
+        if (named) {
+            property.a = left;
+            property.b = right;
+        }
+        room.give(sensor, property);
+        if (wall) {
+            room.fixed("wall", Material::brick, boxPiece(0.3, 4), {1, 2});
+        }
+        ball = room.body("ball", Material::steel, circlePiece(0.1), {-1, height + 0.1});
+    }
+    /// In how many of the next frames the right contact is on.
+    int framesOn(int frames) {
+        int on = 0;
+        for (int i = 0; i < frames; ++i) {
+            room.run(1);
+            on += room.world->find<ElectricalState>()->isOn(right) ? 1 : 0;
+        }
+        return on;
+    }
+    ListeningRoom room;
+    ObjectId sensor;
+    ObjectId left;
+    ObjectId right;
+    ObjectId ball;
+};
+
+TEST(SoundSensor, ConductsOnlyWhenItIsLoudEnough) {
+    for (bool const named : {true, false}) {
+        Alarm loud(85, 2, false, named);
+        int const on = loud.framesOn(240);
+        EXPECT_GT(on, 3) << named;
+        EXPECT_LT(on, 200) << "and stops when it is quiet again";
+        EXPECT_EQ(loud.framesOn(120), 0);
+        EXPECT_EQ(
+            connectionBetween(loud.room.world->store(), loud.left, loud.right).of(ConnectionCause::other), 0);
+        Alarm soft(85, 0.002, false, named);
+        EXPECT_EQ(soft.framesOn(240), 0) << named;
+        Alarm deaf(139, 2, false, named);
+        EXPECT_EQ(deaf.framesOn(240), 0) << named;
+    }
+}
+
+TEST(SoundSensor, HearsLessBehindAWall) {
+    // Find what it hears without the wall, then ask for a little less: with the wall that is not reached.
+    auto const loudest = [](bool wall) {
+        Alarm alarm(85, 2, wall, true);
+        double most = silentLevel;
+        for (int i = 0; i < 240; ++i) {
+            alarm.room.run(1);
+            most = std::max(most, alarm.room.levelAt(alarm.sensor));
+        }
+        return most;
+    };
+    double const open = loudest(false);
+    double const muted = loudest(true);
+    EXPECT_LT(muted, open - 10);
+    EXPECT_GT(Alarm(open - 3, 2, false, true).framesOn(240), 0);
+    EXPECT_EQ(Alarm(open - 3, 2, true, true).framesOn(240), 0);
+}
+
+TEST(SoundSensor, TheTraceLeadsFromTheConnectionToTheStroke) {
+    Alarm alarm(85, 2, false, true, {.threads = 1, .detail = {}, .periods = {}, .trace = true});
+    alarm.framesOn(240);
+    Tracer const& tracer = *alarm.room.world->tracer();
+    bool found = false;
+    for (Event const& event : tracer.events()) {
+        if (event.event != "on" || event.objects != std::vector<std::string>{"right contact"}) {
+            continue;
+        }
+        bool struck = false;
+        bool touched = false;
+        for (EventId const cause : tracer.chain(event.id)) {
+            struck = struck || tracer.find(cause)->event == "strike";
+            touched = touched || tracer.find(cause)->event == "contact begun";
+        }
+        EXPECT_TRUE(struck && touched);
+        found = true;
+    }
+    EXPECT_TRUE(found);
+}
+
+TEST(SoundSensor, KeepsCountWhenTheWorldSwapsLevels) {
+    Alarm alarm(60, 2, false, true);
+    for (int i = 0; i < 300; ++i) {
+        alarm.room.run(1);
+        if (i % 7 == 3) {
+            alarm.room.world->setDetail("loudness", i % 2 == 0 ? "straight" : "around");
+            alarm.room.world->setDetail("sound", i % 2 == 0 ? "4-modes" : "8-modes");
+        }
+        EXPECT_LE(
+            connectionBetween(alarm.room.world->store(), alarm.left, alarm.right).of(ConnectionCause::other),
+            1);
+    }
+    alarm.room.run(600);
+    EXPECT_EQ(
+        connectionBetween(alarm.room.world->store(), alarm.left, alarm.right).of(ConnectionCause::other), 0);
+}
+
+TEST(Recordings, AStruckObjectPlaysItsOwnOncePerBlow) {
+    ListeningRoom room;
+    room.world->want<Sounds>();
+    room.fixed("floor", Material::stone, boxPiece(20, 0.4), {0, -0.2});
+    ObjectId const duck = room.body("duck", Material::rubber, boxPiece(0.2, 0.2), {0, 0.6});
+    Sample sample;
+    sample.file = "quack.ogg";
+    sample.level = 70;
+    sample.duration = 0.5;
+    sample.fullImpulse = 1e-3;
+    room.give(duck, sample);
+    ASSERT_TRUE(room.runToBlow());
+    ASSERT_EQ(room.sounds().recordings.size(), 1U);
+    EXPECT_EQ(room.sounds().recordings[0].file, "quack.ogg");
+    EXPECT_NEAR(room.sounds().recordings[0].meanSquare, meanSquareOf(70), 1e-9);
+    room.run(600);
+    EXPECT_TRUE(room.sounds().recordings.empty());
+}
+
+} // namespace
+} // namespace trembler
