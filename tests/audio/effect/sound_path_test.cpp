@@ -36,7 +36,7 @@ double somewhere(int from, int to) {
 }
 
 TEST(Obstacles, ChordsAreWhatSamplingFinds) {
-    rc::check("the chord is the share of points inside, times the length", [] {
+    EXPECT_TRUE(rc::check("the chord is the share of points inside, times the length", [] {
         Obstacle const box = boxAt({somewhere(-2, 2), somewhere(-2, 2)}, 0.1 + somewhere(0, 2),
                                    0.1 + somewhere(0, 2), somewhere(-3, 3));
         Vec2 const from{somewhere(-4, 4), somewhere(-4, 4)};
@@ -48,7 +48,7 @@ TEST(Obstacles, ChordsAreWhatSamplingFinds) {
         }
         double const expected = length(to - from) * hits / samples;
         RC_ASSERT(std::abs(chordOf(box, from, to) - expected) <= 2 * length(to - from) / samples + 1e-12);
-    });
+    }));
 }
 
 TEST(Obstacles, RoundPiecesAreEnclosed) {
@@ -72,7 +72,7 @@ TEST(Obstacles, TheDetourAroundAWallIsTheTautString) {
 }
 
 TEST(Obstacles, TheShortestWayAroundOneIsThatDetour) {
-    rc::check("both find the same way around a single obstacle", [] {
+    EXPECT_TRUE(rc::check("both find the same way around a single obstacle", [] {
         Obstacle const box = boxAt({0, 0}, 0.4 + somewhere(0, 1), 0.4 + somewhere(0, 2), somewhere(-3, 3));
         Vec2 const from{-3, somewhere(-1, 1)};
         Vec2 const to{3, -from.y + 0.1 * somewhere(-1, 1)};
@@ -80,7 +80,7 @@ TEST(Obstacles, TheShortestWayAroundOneIsThatDetour) {
         double const way = wayOut({box}, from, to);
         RC_ASSERT(std::abs(way - detourAround(box, from, to)) < 0.03);
         RC_ASSERT(way >= length(to - from));
-    });
+    }));
 }
 
 // Walls around a room of 4 m by 3 m; the last, to the right, may be left out.
@@ -104,7 +104,7 @@ TEST(Obstacles, NoWayLeadsOutOfAClosedRoom) {
 TEST(Obstacles, WaysNeverCrossWhatIsInTheWay) {
     // Against a grid: Dijkstra over free cells is never much shorter, nor is its answer another about whether
     // there is a way at all.
-    rc::check("a grid of 5 cm finds a way of about the same length", [] {
+    EXPECT_TRUE(rc::check("a grid of 5 cm finds a way of about the same length", [] {
         std::vector<Obstacle> boxes;
         for (int i = 0; i < 4; ++i) {
             boxes.push_back(
@@ -158,7 +158,7 @@ TEST(Obstacles, WaysNeverCrossWhatIsInTheWay) {
         // Eight directions are at most 8.3 % too long; cells cut corners by up to a cell each.
         RC_ASSERT(way <= grid + 0.4);
         RC_ASSERT(grid <= 1.083 * way + 0.4);
-    });
+    }));
 }
 
 TEST(SoundPath, FreeAirIsTheInverseSquare) {
@@ -204,7 +204,7 @@ TEST(SoundPath, AClosedRoomIsQuieterThanAnOpenOne) {
 }
 
 TEST(SoundPath, NeverLouderThanFreeAir) {
-    rc::check("walls only take away", [] {
+    EXPECT_TRUE(rc::check("walls only take away", [] {
         std::vector<Obstacle> boxes;
         for (int i = 0; i < 3; ++i) {
             boxes.push_back(boxAt({somewhere(-2, 2), somewhere(-2, 2)}, 0.1 + somewhere(0, 2), 0.1,
@@ -218,7 +218,7 @@ TEST(SoundPath, NeverLouderThanFreeAir) {
             double const share = transmission(boxes, {}, from, to, frequency, detail);
             RC_ASSERT(share > 0 && share <= 1 / (r * r) * (1 + 1e-12));
         }
-    });
+    }));
 }
 
 } // namespace

@@ -56,36 +56,38 @@ TEST(Masking, MasksUpwardsMoreThanDownwardsAndMoreWhenLoud) {
 }
 
 TEST(Masking, WhatIsDroppedIsCoveredByWhatIsKept) {
-    rc::check("per quarter Bark, all that is dropped lies below what the kept mask or below hearing", [] {
-        int const count = *rc::gen::inRange(1, 200);
-        std::vector<Tone> tones;
-        for (int i = 0; i < count; ++i) {
-            tones.push_back(toneOf(*rc::gen::inRange(30, 16000), *rc::gen::inRange(-20, 110)));
-        }
-        Masker masker;
-        std::vector<std::uint8_t> audible;
-        masker.findAudible(tones, audible);
-        RC_ASSERT(audible.size() == tones.size());
-        for (int bin = 0; bin < Masker::bins; ++bin) {
-            double dropped = 0;
-            double highest = 0;
-            double covered = 0;
-            double const centre = (bin + 0.5) / Masker::binsPerBark;
-            for (std::size_t i = 0; i < tones.size(); ++i) {
-                if (audible[i] != 0) {
-                    covered += tones[i].power * maskingShare(tones[i].bark, levelOf(tones[i].power), centre);
-                } else if (static_cast<int>(tones[i].bark * Masker::binsPerBark) == bin) {
-                    dropped += tones[i].power;
-                    highest = std::max(highest, tones[i].threshold);
-                }
+    EXPECT_TRUE(
+        rc::check("per quarter Bark, all that is dropped lies below what the kept mask or below hearing", [] {
+            int const count = *rc::gen::inRange(1, 200);
+            std::vector<Tone> tones;
+            for (int i = 0; i < count; ++i) {
+                tones.push_back(toneOf(*rc::gen::inRange(30, 16000), *rc::gen::inRange(-20, 110)));
             }
-            RC_ASSERT(dropped <= std::max(covered / Masker::binsPerBark, highest) * (1 + 1e-9));
-        }
-    });
+            Masker masker;
+            std::vector<std::uint8_t> audible;
+            masker.findAudible(tones, audible);
+            RC_ASSERT(audible.size() == tones.size());
+            for (int bin = 0; bin < Masker::bins; ++bin) {
+                double dropped = 0;
+                double highest = 0;
+                double covered = 0;
+                double const centre = (bin + 0.5) / Masker::binsPerBark;
+                for (std::size_t i = 0; i < tones.size(); ++i) {
+                    if (audible[i] != 0) {
+                        covered +=
+                            tones[i].power * maskingShare(tones[i].bark, levelOf(tones[i].power), centre);
+                    } else if (static_cast<int>(tones[i].bark * Masker::binsPerBark) == bin) {
+                        dropped += tones[i].power;
+                        highest = std::max(highest, tones[i].threshold);
+                    }
+                }
+                RC_ASSERT(dropped <= std::max(covered / Masker::binsPerBark, highest) * (1 + 1e-9));
+            }
+        }));
 }
 
 TEST(Masking, TheLoudestIsAlwaysHeard) {
-    rc::check("if it can be heard at all", [] {
+    EXPECT_TRUE(rc::check("if it can be heard at all", [] {
         std::vector<Tone> tones;
         int const count = *rc::gen::inRange(1, 50);
         for (int i = 0; i < count; ++i) {
@@ -99,7 +101,7 @@ TEST(Masking, TheLoudestIsAlwaysHeard) {
             loudest = tones[i].power > tones[loudest].power ? i : loudest;
         }
         RC_ASSERT(audible[loudest] == 1);
-    });
+    }));
 }
 
 } // namespace
