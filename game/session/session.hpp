@@ -58,6 +58,8 @@ public:
     /// The world as it is now; while building, as it will start. Valid until the next call that changes
     /// anything.
     [[nodiscard]] World const& world() const { return *world_; }
+    /// For onlookers only: World::want() and release(). Whatever else is done to it is not recorded.
+    [[nodiscard]] World& world() { return *world_; }
 
     // Building. All of these do nothing, and say so, unless mode() is building.
     [[nodiscard]] std::vector<PlacedPart> const& placed() const { return history_.now(); }

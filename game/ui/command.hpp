@@ -22,6 +22,7 @@ enum class Command : std::uint8_t {
     cut,
     record,
     picture,
+    save, ///< what was placed and done, as a solution file
     fit,
     hint,
     inspect,

@@ -140,30 +140,41 @@ std::vector<EffectLevels> effectLevels(World const& world) {
     return all;
 }
 
-void ComponentsPanel::drawLevels(Session& session, Toasts& toasts) {
+void ComponentsPanel::drawLevels(Layout& layout, Session& session, Toasts& toasts) {
     for (EffectLevels const& effect : effectLevels(session.world())) {
+        if (!all_ && effect.working.empty() && effect.chosen.empty()) {
+            continue;
+        }
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(words::capital(effect.effect).c_str());
         ImGui::SameLine(scaled(140));
         ImGui::SetNextItemWidth(scaled(250));
         std::string const automatic =
             effect.working.empty() ? std::string(words::automatic) : words::automaticNow(effect.working);
-        std::string const shown = effect.chosen.empty() ? automatic : effect.chosen;
-        if (ImGui::BeginCombo(("##" + effect.effect).c_str(), shown.c_str())) {
-            if (ImGui::Selectable(automatic.c_str(), effect.chosen.empty())) {
-                attempt(toasts, [&] { session.setDetail(effect.effect, ""); });
-            }
-            for (std::string const& level : effect.levels) {
-                if (ImGui::Selectable(level.c_str(), level == effect.chosen)) {
-                    attempt(toasts, [&] { session.setDetail(effect.effect, level); });
-                }
-            }
-            ImGui::EndCombo();
+        // A level that the scene gives nothing to do leaves the work to another one.
+        bool const idle = !effect.working.empty() && effect.working != effect.chosen;
+        std::string const asked = idle ? words::idleNow(effect.chosen, effect.working) : effect.chosen;
+        std::string const shown = effect.chosen.empty() ? automatic : asked;
+        bool const unfolded = ImGui::BeginCombo(("##" + effect.effect).c_str(), shown.c_str());
+        if (!unfolded) {
+            layout.item("detail of " + effect.effect);
+            continue;
         }
+        if (ImGui::Selectable(automatic.c_str(), effect.chosen.empty())) {
+            attempt(toasts, [&] { session.setDetail(effect.effect, ""); });
+        }
+        layout.item("as needed");
+        for (std::string const& level : effect.levels) {
+            if (ImGui::Selectable(level.c_str(), level == effect.chosen)) {
+                attempt(toasts, [&] { session.setDetail(effect.effect, level); });
+            }
+            layout.item("level " + level);
+        }
+        ImGui::EndCombo();
     }
 }
 
-void ComponentsPanel::drawRow(ComponentStatus const& status, double slowest, Session& session,
+void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, double slowest, Session& session,
                               Toasts& toasts) {
     std::string const name = title(*status.info);
     ImGui::TableNextRow();
@@ -190,6 +201,9 @@ void ComponentsPanel::drawRow(ComponentStatus const& status, double slowest, Ses
         attempt(toasts, [&] { session.setPeriod(name, period); });
     }
     ImGui::PopID();
+    if (ImGui::IsItemVisible()) { // not what has been scrolled out of sight
+        layout.item("period of " + name);
+    }
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s", words::periodTip);
     }
@@ -200,7 +214,7 @@ void ComponentsPanel::drawRow(ComponentStatus const& status, double slowest, Ses
     }
 }
 
-void ComponentsPanel::drawTable(Session& session, Toasts& toasts) {
+void ComponentsPanel::drawTable(Layout& layout, Session& session, Toasts& toasts) {
     auto const all = session.world().status();
     double slowest = 0;
     for (ComponentStatus const& status : all) {
@@ -237,7 +251,7 @@ void ComponentsPanel::drawTable(Session& session, Toasts& toasts) {
                     }
                 }
             }
-            drawRow(status, slowest, session, toasts);
+            drawRow(layout, status, slowest, session, toasts);
             before = &status;
         }
         ImGui::EndTable();
@@ -252,13 +266,13 @@ void ComponentsPanel::draw(Layout& layout, Session& session, Toasts& toasts, flo
     }
     layout.beginCard("components", words::components,
                      {.anchor = Anchor::TopLeft, .offset = {16, top}, .width = panelWidth});
-    drawLevels(session, toasts);
+    drawLevels(layout, session, toasts);
     ImGui::Checkbox(words::showAbsent, &all_);
     layout.item("show absent components");
     float const used = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
     ImGui::BeginChild("table", {0, std::max(scaled(height) - used, scaled(120))});
-    drawTable(session, toasts);
+    drawTable(layout, session, toasts);
     ImGui::EndChild();
     ImGui::PopStyleColor();
     layout.endCard();

@@ -31,9 +31,10 @@ public:
     void draw(Layout& layout, Session& session, render::Toasts& toasts, float top, float height);
 
 private:
-    void drawLevels(Session& session, render::Toasts& toasts);
-    void drawTable(Session& session, render::Toasts& toasts);
-    void drawRow(ComponentStatus const& status, double slowest, Session& session, render::Toasts& toasts);
+    void drawLevels(Layout& layout, Session& session, render::Toasts& toasts);
+    void drawTable(Layout& layout, Session& session, render::Toasts& toasts);
+    void drawRow(Layout& layout, ComponentStatus const& status, double slowest, Session& session,
+                 render::Toasts& toasts);
 
     bool open_ = false;
     bool all_ = false;                     // absent ones too

@@ -34,7 +34,7 @@ void PlayScreen::readControlKeys() {
         carryOut(Command::redo);
     }
     if (input.keyPressed(SDLK_s)) {
-        carryOut(Command::picture);
+        carryOut(Command::save);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "game/ui/words.hpp"
 #include "physics/dynamics/body.hpp"
+#include "physics/dynamics/contacts.hpp"
 #include "render/scene/areas.hpp"
 #include "runtime/level/read_level.hpp"
 
@@ -209,6 +210,10 @@ void PlayScreen::stepOnce() {
         session_.pause();
         worldChanged();
     }
+    if (session_.world().frame() == 0) {
+        // All along, not only while they are shown: the overlay is right at once, in a paused world too.
+        session_.world().want<ContactPatches>();
+    }
     hand_.beforeStep();
     replay_.beforeStep(session_);
     scene_.remember(session_.world());
@@ -306,6 +311,19 @@ void PlayScreen::toggleRecording() {
     }
 }
 
+void PlayScreen::saveSolution() {
+    if (building() || session_.world().frame() == 0) {
+        desk_.toasts.add(words::runBeforeSaving, render::ToastKind::News, 5);
+        return;
+    }
+    try {
+        auto const path = desk_.recorder.solution(session_.record(words::mySolution), file_.stem().string());
+        desk_.toasts.add(words::solutionSaved(path.string()), render::ToastKind::News, 6);
+    } catch (std::runtime_error const& error) {
+        desk_.toasts.add(error.what(), render::ToastKind::Trouble, 6);
+    }
+}
+
 void PlayScreen::takePictures() {
     try {
         if (state_.recording && stepped_) {
@@ -381,6 +399,8 @@ void PlayScreen::carryOut(Command command) {
     case Command::picture:
         wantPicture_ = true;
         return;
+    case Command::save:
+        return saveSolution();
     case Command::fit:
         return view_.fit();
     case Command::hint:

@@ -72,6 +72,7 @@ private:
     void watchAgain();
     void askAllBack();
     void toggleRecording();
+    void saveSolution();
     void noteSuccess();
     void inspect(ObjectId object);
     void worldChanged();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/gl/image.hpp"
+#include "runtime/level/level.hpp"
 
 #include <filesystem>
 #include <string>
@@ -28,6 +29,9 @@ public:
     void add(render::Image const& image);
     /// Writes a single picture, "picture-1.png" and so on, and returns where. Throws RenderError.
     std::filesystem::path picture(render::Image const& image);
+    /// Writes a solution as `trembler run --solution FILE` takes it, "LEVEL-solution-1.json" and so on, and
+    /// returns where. Throws RenderError.
+    std::filesystem::path solution(Solution const& solution, std::string const& level);
 
 private:
     std::filesystem::path folder_;

@@ -101,6 +101,8 @@ std::optional<Command> drawCorner(Layout& layout) {
     layout.beginCard("corner", "", {.anchor = Anchor::TopRight, .bare = true});
     ask(layout, asked, Command::fit, "fit", Icon::Fit, words::fitTip);
     next();
+    ask(layout, asked, Command::save, "save", Icon::Save, words::saveTip);
+    next();
     ask(layout, asked, Command::picture, "picture", Icon::Camera, words::pictureTip);
     next();
     ask(layout, asked, Command::help, "help", Icon::Why, words::helpTip);

@@ -17,6 +17,10 @@ std::string cannotWrite(std::string const& path, std::string const& why) {
 std::string pictureTaken(std::string const& path) {
     return "Picture written to " + path;
 }
+std::string solutionSaved(std::string const& path) {
+    return "Saved as " + path + ". \"trembler run\" plays it with --solution.";
+}
+
 std::string recordingTo(std::string const& folder) {
     return "Recording every frame into " + folder;
 }
@@ -26,6 +30,10 @@ std::string recorded(int frames, std::string const& folder) {
 std::string andMore(std::size_t count) {
     return fmt::format("and {} more", count);
 }
+std::string idleNow(std::string const& chosen, std::string const& working) {
+    return chosen + " (at work: " + working + ")";
+}
+
 std::string automaticNow(std::string const& level) {
     return fmt::format("{}: {}", automatic, level);
 }

@@ -49,6 +49,10 @@ inline constexpr char const* cutTip = "Cut a wire (X)";
 inline constexpr char const* recordTip = "Record frames as pictures (R)";
 inline constexpr char const* recordStopTip = "End the recording (R)";
 inline constexpr char const* pictureTip = "Take a picture (F12)";
+inline constexpr char const* saveTip = "Save what you placed and did as a solution (Ctrl+S)";
+inline constexpr char const* mySolution = "my solution";
+inline constexpr char const* runBeforeSaving =
+    "Run it first: what is saved is what you placed and what you did while it ran.";
 inline constexpr char const* fitTip = "Show everything (Home)";
 inline constexpr char const* menuTip = "Menu (Esc)";
 inline constexpr char const* levelsTip = "Levels (L)";
@@ -149,16 +153,19 @@ inline constexpr KeyHelp keyHelp[] = {
     {"H", "hint"},
     {"C or F3", "components"},
     {"R", "record frames"},
-    {"F12, Ctrl+S", "take a picture"},
+    {"F12", "take a picture"},
+    {"Ctrl+S", "save what you did"},
     {"L, Esc", "levels, menu"},
 };
 
 [[nodiscard]] std::string cannotWrite(std::string const& path, std::string const& why);
 [[nodiscard]] std::string pictureTaken(std::string const& path);
+[[nodiscard]] std::string solutionSaved(std::string const& path);
 [[nodiscard]] std::string recordingTo(std::string const& folder);
 [[nodiscard]] std::string recorded(int frames, std::string const& folder);
 [[nodiscard]] std::string andMore(std::size_t count);
 [[nodiscard]] std::string automaticNow(std::string const& level);
+[[nodiscard]] std::string idleNow(std::string const& chosen, std::string const& working);
 [[nodiscard]] std::string hintOf(std::size_t shown, std::size_t total);
 [[nodiscard]] std::string solvedWith(double seconds, int parts);
 [[nodiscard]] std::string count(int number, char const* one, char const* many);

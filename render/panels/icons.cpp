@@ -55,6 +55,15 @@ private:
     ImU32 colour_;
 };
 
+/// An arrow down into a tray.
+void save(Pen const& pen) {
+    pen.line(0.F, -0.85F, 0.F, 0.1F);
+    pen.triangle(-0.5F, -0.05F, 0.5F, -0.05F, 0.F, 0.5F);
+    pen.line(-0.8F, 0.35F, -0.8F, 0.8F);
+    pen.line(-0.8F, 0.8F, 0.8F, 0.8F);
+    pen.line(0.8F, 0.8F, 0.8F, 0.35F);
+}
+
 /// Three quarters of a circle with an arrow's head; `side` is 1 clockwise and -1 anticlockwise.
 void turn(Pen const& pen, float side) {
     float const end = -0.5F * pi + side * 0.15F;
@@ -240,6 +249,8 @@ void drawSign(Pen const& pen, Icon icon) {
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour) {
     Pen const pen(list, centre, size, colour);
     switch (icon) {
+    case Icon::Save:
+        return save(pen);
     case Icon::Camera:
         return camera(pen);
     case Icon::TurnLeft:

@@ -40,6 +40,7 @@ enum class Icon : std::uint8_t {
     Contact,
     Gauge,
     Fit,
+    Save,
 };
 
 /// Draws the icon within a square of `size` pixels around `centre`.

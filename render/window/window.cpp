@@ -60,7 +60,15 @@ Window::Window(WindowOptions const& options)
     }
 }
 
-Window::~Window() = default;
+Window::~Window() {
+    makeCurrent(); // what it drew into belongs to its own context
+}
+
+void Window::makeCurrent() {
+    if (SDL_GL_GetCurrentContext() != context_.get()) {
+        SDL_GL_MakeCurrent(window_.get(), context_.get());
+    }
+}
 
 void Window::startVideo(WindowMode mode) {
     // The program handles its own ends; SDL must not turn Ctrl-C into an event that nobody reads.
@@ -165,6 +173,7 @@ float Window::uiScale() const {
 }
 
 void Window::resize(Size size) {
+    makeCurrent();
     if (offscreen_) {
         Framebuffer larger(size); // may throw, and then the old one stays
         offscreen_ = std::move(larger);
@@ -180,6 +189,7 @@ void Window::setFullscreen(bool on) {
 }
 
 void Window::bind() {
+    makeCurrent();
     if (offscreen_) {
         offscreen_->bind();
         return;

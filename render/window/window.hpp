@@ -105,6 +105,7 @@ private:
     void startVideo(WindowMode mode);
     void openWindow(WindowOptions const& options);
     void openContext();
+    void makeCurrent();
 
     WindowMode mode_;
     float uiScaleWish_;

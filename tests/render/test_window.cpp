@@ -73,6 +73,20 @@ TEST(Windows, offscreenTakesAnySize) {
     EXPECT_EQ(window().size(), (Size{641, 479})); // what was there stays
 }
 
+TEST(Windows, twoKeepApart) {
+    window().resize({64, 48});
+    window().beginFrame(rgb(0x336699));
+    {
+        Window second({.size = {32, 32}, .mode = WindowMode::Offscreen});
+        second.beginFrame(rgb(0xCC2200));
+        EXPECT_EQ(window().readPixels().at(63, 47), (Pixel{0x33, 0x66, 0x99, 255}));
+        EXPECT_EQ(second.readPixels().at(31, 31), (Pixel{0xCC, 0x22, 0x00, 255}));
+        window().beginFrame(rgb(0x00AA00));
+        EXPECT_EQ(second.readPixels().at(31, 31), (Pixel{0xCC, 0x22, 0x00, 255}));
+    }
+    EXPECT_EQ(window().readPixels().at(63, 47), (Pixel{0x00, 0xAA, 0x00, 255}));
+}
+
 TEST(Pictures, comeBackFromPngAsTheyWere) {
     auto const image = picture({320, 200}, palette::paper, [](Canvas& canvas) {
         canvas.paper();

@@ -255,7 +255,7 @@ TEST(Running, filmsAndPicturesAreWritten) {
     EXPECT_GE(player.session().world().frame(), first + 3);
     player.key(SDLK_F12);
     EXPECT_TRUE(std::filesystem::exists(player.films() / "picture-1.png"));
-    player.key(SDLK_s, KMOD_LCTRL);
+    player.clickItem("picture");
     EXPECT_TRUE(std::filesystem::exists(player.films() / "picture-2.png"));
 }
 
