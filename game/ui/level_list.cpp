@@ -5,6 +5,7 @@
 #include "render/panels/icons.hpp"
 #include "render/panels/theme.hpp"
 
+#include <string>
 #include <system_error>
 
 namespace trembler::ui {
@@ -28,6 +29,20 @@ void drawMark(ImVec2 centre, bool solved, bool trouble) {
     }
 }
 
+/// The text, or as much of its beginning as fits into `width` pixels, and an ellipsis.
+std::string fitted(std::string const& text, float width) {
+    std::string shown = text;
+    std::size_t kept = text.size();
+    while (kept > 0 && ImGui::CalcTextSize(shown.c_str()).x > width) {
+        --kept;
+        while (kept > 0 && (static_cast<unsigned char>(text[kept]) & 0xC0U) == 0x80U) {
+            --kept; // never half a letter
+        }
+        shown = text.substr(0, kept) + "…";
+    }
+    return shown;
+}
+
 bool drawRow(Desk& desk, ShelfEntry const& entry, bool current) {
     float const width = ImGui::GetContentRegionAvail().x;
     bool const clicked = ImGui::InvisibleButton(entry.id.c_str(), {width, scaled(rowHeight)});
@@ -44,10 +59,14 @@ bool drawRow(Desk& desk, ShelfEntry const& entry, bool current) {
     }
     float const middle = 0.5F * (low.y + high.y);
     drawMark({low.x + scaled(22), middle}, desk.profile.solved(entry.id), trouble);
-    ImVec2 const size = ImGui::CalcTextSize(entry.title.c_str());
-    ImVec4 const clip{low.x, low.y, high.x - scaled(30), high.y};
-    list.AddText(nullptr, 0, {low.x + scaled(44), middle - 0.5F * size.y},
-                 imColour(trouble ? palette::inkSoft : palette::ink), entry.title.c_str(), nullptr, 0, &clip);
+    float const left = low.x + scaled(44);
+    std::string const shown = fitted(entry.title, high.x - scaled(32) - left);
+    ImVec2 const size = ImGui::CalcTextSize(shown.c_str());
+    list.AddText({left, middle - 0.5F * size.y}, imColour(trouble ? palette::inkSoft : palette::ink),
+                 shown.c_str());
+    if (hovered && !trouble && shown != entry.title) {
+        ImGui::SetTooltip("%s", words::wrapped(entry.title, 70).c_str());
+    }
     if (trouble) {
         drawIcon(list, Icon::Cross, {high.x - scaled(18), middle}, scaled(14), imColour(palette::warning));
         if (hovered) {
