@@ -123,6 +123,21 @@ TEST_P(Screens, menus) {
     player.look(named("keys"));
 }
 
+TEST_P(Screens, everyLevel) {
+    Player player(GetParam());
+    for (ShelfGroup const& group : player.app().desk().levels.groups()) {
+        for (ShelfEntry const& entry : group.levels) {
+            player.open(entry.file);
+            ASSERT_NE(player.app().play(), nullptr) << entry.id;
+            expectTidy(player, entry.id);
+            player.key(SDLK_SPACE);
+            player.simulate(16);
+            expectTidy(player, entry.id + " running");
+            player.look(named(("level-" + entry.file.stem().string()).c_str()));
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Screens, testing::Values(render::Size{1280, 720}, render::Size{3840, 2160}),
                          [](auto const& info) { return "lines" + std::to_string(info.param.height); });
 
