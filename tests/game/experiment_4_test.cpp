@@ -59,6 +59,37 @@ TEST_F(ExperimentFour, CarriesItsCargoAtTheDraughtOfArchimedes) {
     }
 }
 
+// Whatever lies where on the raft: it heels until the middle of all weight is above the middle of what is
+// displaced, which for upright walls is tan θ (GM + BM/2 tan²θ) = lever (the wall-sided formula of naval
+// architecture), here for a waterline in two pieces.
+TEST_F(ExperimentFour, HeelsByTheWallSidedFormula) {
+    open(variant(R"("part": "cargo box", "at": [0.6, 0.85])", R"("part": "cargo box", "at": [-0.2, 0.85])"));
+    runTo(2400);
+    ASSERT_EQ(aboard(), 3);
+    double const heel = angle("raft body");
+    double mass = raft + floats;
+    Vec2 moment{0, floats * -0.25};
+    for (int i = 1; i <= 3; ++i) {
+        Vec2 const off = at("cargo " + std::to_string(i)) - at("raft body");
+        Vec2 const deck{std::cos(heel) * off.x + std::sin(heel) * off.y,
+                        std::cos(heel) * off.y - std::sin(heel) * off.x};
+        moment += box * deck;
+        mass += box;
+    }
+    double const displaced = mass / water; // m²
+    double const draught = displaced / beam;
+    double const second = 2 * (0.6 * 0.6 * 0.6 / 12 + 0.6 * 0.85 * 0.85); // m³, of the waterline
+    double const bm = second / displaced;
+    double const gm = -0.25 - high / 2 + draught / 2 + bm - moment.y / mass;
+    double const lever = -moment.x / mass;
+    double tangent = 0;
+    for (int i = 0; i < 50; ++i) {
+        tangent = lever / (gm + bm / 2 * tangent * tangent);
+    }
+    EXPECT_GT(tangent, 0.02) << "else there is nothing to see";
+    EXPECT_NEAR(heel, std::atan(tangent), 0.02 * std::atan(tangent));
+}
+
 TEST_F(ExperimentFour, HeelsSpillsAndSettles) {
     open(file, "load the left end");
     double most = 0;
