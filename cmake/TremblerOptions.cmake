@@ -43,6 +43,9 @@ endfunction()
 # only once for the whole target.
 function(trembler_precompile target)
   if(TREMBLER_PCH)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      target_compile_options(${target} PRIVATE -fpch-preprocess) # or ccache stands aside
+    endif()
     target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <functional> <map> <memory> <optional>
       <set> <span> <string> <unordered_map> <vector> <fmt/format.h> ${ARGN})
   endif()

@@ -8,6 +8,7 @@ jobs=$(awk -v most="$(nproc)" '/^MemAvailable/ { n = int($2 / 1.5e6) } END { pri
 unset CXXFLAGS CPPFLAGS LDFLAGS # such as -march=native, which would change the simulation's bits
 export NINJA_STATUS='[%f/%t] '
 export CCACHE_BASEDIR=$root # two clones share what they have in common
+export CCACHE_SLOPPINESS=pch_defines,time_macros # what it asks for where headers are precompiled
 
 # progress LOG: appends its input to LOG and shows only how far it is ("[3/80] ..." or "3/80 Test ...").
 progress() {

@@ -18,7 +18,8 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                .shelf = PartShelf(parts, desk_.canvas),
                                .levels = LevelShelf(registry, options.levels),
                                .profile = Profile(options.profile),
-                               .recorder = Recorder(options.pictures)},
+                               .recorder = Recorder(options.pictures),
+                               .loudspeaker = options.loudspeaker},
       title_(desk_) {
     applySettings(desk_);
 }

@@ -16,7 +16,8 @@ struct GameOptions {
     std::filesystem::path pictures = "."; ///< films and pictures go below
     std::filesystem::path profile;        ///< settings and progress; empty: nothing is kept
     WorldOptions world;
-    bool steady = false; ///< nothing blinks: for tests
+    Loudspeaker* loudspeaker = nullptr; ///< must outlive the game; nullptr: it is silent
+    bool steady = false;                ///< nothing blinks: for tests
 };
 
 /// Driven picture by picture, so that tests can play it with pushed events. Thread of the window only; the

@@ -10,6 +10,10 @@
 #include "render/panels/toasts.hpp"
 #include "render/window/input_events.hpp"
 
+namespace trembler {
+class Loudspeaker;
+}
+
 namespace trembler::ui {
 
 /// Everything that lives as long as the program; GameApp owns it. Window thread only.
@@ -26,7 +30,8 @@ struct Desk {
     LevelShelf levels;
     Profile profile;
     Recorder recorder;
-    bool shadows = true; ///< soft shadows, as the settings or the graphics card have it
+    Loudspeaker* loudspeaker = nullptr; ///< nullptr: nobody listens
+    bool shadows = true;                ///< soft shadows, as the settings or the graphics card have it
 
     [[nodiscard]] bool shiftHeld() const { return (input.modifiers() & KMOD_SHIFT) != 0; }
     [[nodiscard]] bool controlHeld() const { return (input.modifiers() & KMOD_CTRL) != 0; }

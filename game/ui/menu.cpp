@@ -1,5 +1,6 @@
 #include "game/ui/menu.hpp"
 
+#include "audio/device/loudspeaker.hpp"
 #include "game/ui/level_list.hpp"
 #include "game/ui/play_cards.hpp"
 #include "game/ui/words.hpp"
@@ -22,6 +23,21 @@ void drawVeil() {
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, screen, imColour(faded(palette::paper, 0.80F)));
 }
 
+// Returns whether something was changed.
+bool drawSoundSettings(Layout& layout, Settings& settings) {
+    ImGui::TextUnformatted(words::volume);
+    ImGui::SetNextItemWidth(-1);
+    bool touched = ImGui::SliderInt("##volume", &settings.volume, 0, 100,
+                                    settings.volume == 0 ? "off" : "%d %%", ImGuiSliderFlags_AlwaysClamp);
+    layout.item("volume");
+    touched = ImGui::Checkbox(words::hrtf, &settings.hrtf) || touched;
+    layout.item("hrtf");
+    ImGui::PushFont(theme().fonts.small);
+    caption(words::hrtfTip);
+    ImGui::PopFont();
+    return touched;
+}
+
 bool wide(Layout& layout, char const* label, Icon icon, ButtonLook look = ButtonLook::Quiet) {
     bool const clicked = bigButton(label, {.icon = icon, .look = look, .width = -1});
     layout.item(label);
@@ -34,6 +50,9 @@ void applySettings(Desk& desk) {
     Settings const& settings = desk.profile.settings();
     desk.window.setUiScaleWish(settings.uiScale);
     desk.window.setFullscreen(settings.fullscreen);
+    if (desk.loudspeaker != nullptr) {
+        desk.loudspeaker->set({.volume = settings.volume / 100.0, .hrtf = settings.hrtf});
+    }
     desk.shadows = settings.shadows && (desk.profile.stated() || !desk.window.software());
 }
 
@@ -111,6 +130,7 @@ void Menu::drawSettings(Desk& desk) {
     ImGui::PushFont(theme().fonts.small);
     caption(words::shadowsTip);
     ImGui::PopFont();
+    touched = drawSoundSettings(layout, changed) || touched;
     if (ImGui::Checkbox(words::fullscreen, &changed.fullscreen)) {
         touched = true;
     }

@@ -1,5 +1,6 @@
 #include "game/ui/play.hpp"
 
+#include "audio/device/loudspeaker.hpp"
 #include "game/ui/app.hpp"
 #include "game/ui/screenshot.hpp"
 #include "runtime/level/read_level.hpp"
@@ -120,11 +121,14 @@ int playWithoutDisplay(Workshop const& workshop, PlayOptions const& options, std
 
 int playInWindow(Workshop const& workshop, PlayOptions const& options) {
     render::Window window({.title = "Trembler", .size = {1280, 720}});
+    Loudspeaker loudspeaker({.sampleFolders = {workshop.home / "assets" / "sounds"}},
+                            [](std::string const& text) { std::cout << text << std::endl; });
     GameApp app(window, workshop.registry, workshop.parts,
                 {.levels = workshop.home / "levels",
                  .pictures = options.pictures,
                  .profile = Profile::usualFile(),
-                 .world = options.world});
+                 .world = options.world,
+                 .loudspeaker = &loudspeaker});
     if (options.fullscreen) {
         window.setFullscreen(true);
     }

@@ -19,11 +19,15 @@ constexpr double pickReach = 6;
 PlayScreen::PlayScreen(Desk& desk, std::filesystem::path file, WorldOptions const& options)
     : desk_(desk), file_(std::move(file)),
       session_(desk.registry, desk.parts, loadLevel(desk.registry, file_), options),
-      placing_(session_, desk.toasts), hand_(session_), goals_(session_.level()) {
+      placing_(session_, desk.toasts), hand_(session_), ears_(desk.loudspeaker), goals_(session_.level()) {
     state_.names = desk.profile.settings().names;
     state_.nextLevel = desk.levels.after(file_) != nullptr;
     worldChanged();
     view_.setSubject(subject());
+}
+
+PlayScreen::~PlayScreen() {
+    ears_.leave(session_.world());
 }
 
 void PlayScreen::worldChanged() {
@@ -191,13 +195,17 @@ void PlayScreen::lookAround(Pointer const& pointer) {
     view_.drag(input.mouseMoved());
 }
 
+bool PlayScreen::fast() const {
+    return state_.fast || desk_.input.keyHeld(SDLK_TAB);
+}
+
 void PlayScreen::advance(double seconds) {
     if (session_.mode() != SessionMode::running) {
+        ears_.pause(seconds, camera());
         return;
     }
-    bool const fast = state_.fast || desk_.input.keyHeld(SDLK_TAB);
     // A film has every frame once, however long a picture takes.
-    int const due = state_.recording ? 1 : clock_.due(seconds, fast ? fastFactor : 1);
+    int const due = state_.recording ? 1 : clock_.due(seconds, fast() ? fastFactor : 1);
     for (int i = 0; i < due; ++i) {
         stepOnce();
     }
@@ -207,6 +215,7 @@ void PlayScreen::stepOnce() {
     if (building()) {
         placing_.reset();
         session_.start();
+        ears_.enter(session_.world());
         session_.pause();
         worldChanged();
     }
@@ -218,6 +227,10 @@ void PlayScreen::stepOnce() {
     replay_.beforeStep(session_);
     scene_.remember(session_.world());
     session_.step();
+    // In fast motion every fourth frame is heard, at its own pitch.
+    if (!fast() || session_.world().frame() % fastFactor == 0) {
+        ears_.frame(session_.world(), camera());
+    }
     stepped_ = true;
     noteSuccess();
 }
@@ -236,6 +249,7 @@ void PlayScreen::noteSuccess() {
 }
 
 void PlayScreen::stop() {
+    ears_.leave(session_.world());
     session_.stop();
     hand_.reset();
     replay_.clear();
@@ -256,6 +270,7 @@ void PlayScreen::runOrStop() {
     placing_.reset();
     clock_.reset();
     session_.start();
+    ears_.enter(session_.world());
     worldChanged();
 }
 

@@ -6,6 +6,7 @@
 #include "game/ui/command.hpp"
 #include "game/ui/components_panel.hpp"
 #include "game/ui/desk.hpp"
+#include "game/ui/ears.hpp"
 #include "game/ui/frame_clock.hpp"
 #include "game/ui/goal_areas.hpp"
 #include "game/ui/hand_tool.hpp"
@@ -28,6 +29,9 @@ class PlayScreen {
 public:
     /// Throws InputError if the level cannot be read or built.
     PlayScreen(Desk& desk, std::filesystem::path file, WorldOptions const& options);
+    ~PlayScreen();
+    PlayScreen(PlayScreen const&) = delete;
+    PlayScreen& operator=(PlayScreen const&) = delete;
 
     /// One picture's worth of the player's doing and of the world's time: between Gui::beginFrame and draw().
     PlayWish update(double seconds);
@@ -69,6 +73,7 @@ private:
     void stop();
     void stepOnce();
     void advance(double seconds);
+    [[nodiscard]] bool fast() const;
     void watchAgain();
     void askAllBack();
     void toggleRecording();
@@ -96,6 +101,7 @@ private:
     CameraControl view_;
     FrameClock clock_;
     Replay replay_;
+    Ears ears_;
     render::SceneView scene_;
     GoalAreas goals_;
     PlayState state_;

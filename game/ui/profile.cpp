@@ -22,6 +22,7 @@ Profile::Profile(fs::path file) : file_(std::move(file)) {
 void Profile::setSettings(Settings const& settings) {
     settings_ = settings;
     settings_.uiScale = std::clamp(settings.uiScale, 0.5F, 3.F);
+    settings_.volume = std::clamp(settings.volume, 0, 100);
     write();
 }
 
@@ -63,6 +64,10 @@ void Profile::read() {
     settings_.shadows = flag("shadows", settings_.shadows);
     settings_.fullscreen = flag("fullscreen", settings_.fullscreen);
     settings_.names = flag("names", settings_.names);
+    settings_.hrtf = flag("hrtf", settings_.hrtf);
+    if (auto const volume = all.find("volume"); volume != all.end() && volume->is_number_integer()) {
+        settings_.volume = std::clamp(volume->get<int>(), 0, 100);
+    }
     if (auto const solved = all.find("solved"); solved != all.end() && solved->is_array()) {
         for (Json const& id : *solved) {
             if (id.is_string()) {
@@ -83,6 +88,8 @@ void Profile::write() const {
                    {"shadows", settings_.shadows},
                    {"fullscreen", settings_.fullscreen},
                    {"names", settings_.names},
+                   {"volume", settings_.volume},
+                   {"hrtf", settings_.hrtf},
                    {"solved", solved_}};
     // Whole or not at all: a crash while writing must not cost the player's progress.
     fs::path const fresh = file_.string() + ".new";

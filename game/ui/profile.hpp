@@ -12,6 +12,8 @@ struct Settings {
     bool shadows = true;
     bool fullscreen = false;
     bool names = false; ///< names of objects in the world
+    int volume = 80;    ///< percent; 0: silence
+    bool hrtf = false;  ///< directions as ears tell them, for headphones
 };
 
 /// Written at once whenever it changes. A file that cannot be read or written is no reason to stop playing:

@@ -86,6 +86,9 @@ inline constexpr char const* toTitle = "Title screen";
 inline constexpr char const* uiSize = "Size of letters and buttons";
 inline constexpr char const* shadows = "Soft shadows";
 inline constexpr char const* shadowsTip = "Look better, cost time on a computer without a graphics card";
+inline constexpr char const* volume = "Volume";
+inline constexpr char const* hrtf = "Spatial sound for headphones";
+inline constexpr char const* hrtfTip = "Left, right and behind as the shape of our ears tells them";
 inline constexpr char const* fullscreen = "Fill the whole screen (F11)";
 inline constexpr char const* keys = "Keys";
 

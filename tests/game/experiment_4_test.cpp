@@ -2,6 +2,8 @@
 // however the water is reckoned.
 #include "tests/game/experiment.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -123,7 +125,7 @@ TEST_F(ExperimentFour, LiesHigherInBrine) {
 
 // The thesis's own way: particles that stand for a body (6.12).
 TEST_F(ExperimentFour, CarriesItsCargoOnParticlesToo) {
-    open(variant(gravity, std::string(gravity) + R"(, "detail": {"buoyancy": "particles"})"));
+    open(variant(gravity, fmt::format(R"({}, "detail": {{"buoyancy": "particles"}})", gravity)));
     runTo(1200);
     EXPECT_EQ(aboard(), 3);
     EXPECT_NEAR(height(), expectedHeight(3 * box), 0.05);

@@ -58,7 +58,7 @@ inline std::filesystem::path pictureFolder() {
 class Player {
 public:
     explicit Player(render::Size size = {1280, 720}, std::filesystem::path profile = {},
-                    std::filesystem::path levels = levelsFolder()) {
+                    std::filesystem::path levels = levelsFolder(), Loudspeaker* loudspeaker = nullptr) {
         SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
         window().resize(size);
         films_ = pictureFolder() / "films";
@@ -67,6 +67,7 @@ public:
                                                      .pictures = films_,
                                                      .profile = std::move(profile),
                                                      .world = {},
+                                                     .loudspeaker = loudspeaker,
                                                      .steady = true});
         app_->desk().shadows = false; // half the time of a picture, on a computer without a graphics card
         frames(3);

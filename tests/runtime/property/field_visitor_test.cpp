@@ -106,10 +106,10 @@ TEST(FieldVisitor, VisitingAColumnMarksItAsChangedAndACopyDoesNot) {
     Changer changer;
     column.visitCopy({0, 0}, changer);
     EXPECT_EQ(column.version(), version);
-    EXPECT_EQ(column[ObjectId(0, 0)].count, 3);
+    EXPECT_EQ((column[ObjectId{0, 0}].count), 3);
     column.visit({0, 0}, changer);
     EXPECT_GT(column.version(), version);
-    EXPECT_EQ(column[ObjectId(0, 0)].count, 4);
+    EXPECT_EQ((column[ObjectId{0, 0}].count), 4);
 }
 
 } // namespace

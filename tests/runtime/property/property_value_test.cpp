@@ -21,10 +21,10 @@ TEST(PropertyValue, ClonesDeeplyAndAssigns) {
     Column<Everything> column;
     clone->assignTo(column, {1, 0});
     value.assignTo(column, {2, 0});
-    EXPECT_EQ(column[ObjectId(1, 0)].words[0], "one");
-    EXPECT_EQ(column[ObjectId(2, 0)].words[0], "two");
+    EXPECT_EQ((column[ObjectId{1, 0}].words[0]), "one");
+    EXPECT_EQ((column[ObjectId{2, 0}].words[0]), "two");
     clone->assignTo(column, {2, 0});
-    EXPECT_EQ(column[ObjectId(2, 0)].words[0], "one") << "assigning replaces";
+    EXPECT_EQ((column[ObjectId{2, 0}].words[0]), "one") << "assigning replaces";
     EXPECT_EQ(column.size(), 2U);
 }
 
@@ -32,7 +32,7 @@ TEST(PropertyValue, IsMadeWithTheInitialValuesOfItsType) {
     std::unique_ptr<PropertyValue> const value = propertyInfo<Everything>().makeValue();
     Column<Everything> column;
     value->assignTo(column, {0, 0});
-    EXPECT_EQ(column[ObjectId(0, 0)].mood, Mood::calm);
+    EXPECT_EQ((column[ObjectId{0, 0}].mood), Mood::calm);
 }
 
 TEST(PropertyInfo, KnowsHowToMakeExactlyTheHomeOfItsKind) {
