@@ -88,7 +88,7 @@ TEST(ForEach, ChangesTheColumnsThemselves) {
                 columns.places, columns.speeds);
         for (std::uint32_t i = 0; i < 4; ++i) {
             double const expected = ((speeds >> i) & 1U) ? 101.0 * i : 1.0 * i;
-            EXPECT_EQ(columns.places[ObjectId(i, i % 3)].value.x, expected);
+            EXPECT_EQ((columns.places[ObjectId{i, i % 3}].value.x), expected);
         }
     }
 }
