@@ -118,7 +118,9 @@ std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b, 
     // sag.
     Point const across = to - start;
     double const sag = cableSag * std::abs(across.x);
-    return hangingWire(start, to, sag, std::clamp(static_cast<int>(length(across) / 0.08), 6, 28));
+    double const parts = std::clamp(length(across) / 0.08, 6.0, 28.0);
+    // A simulation that has come apart has no lengths.
+    return hangingWire(start, to, sag, std::isfinite(parts) ? static_cast<int>(parts) : 6);
 }
 
 void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,

@@ -1,6 +1,7 @@
 // A world like the thesis's Experiment I (Figure 6-3), built by hand: what the scene tests draw.
 #pragma once
 
+#include "audio/effect/register.hpp"
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/contacts.hpp"
 #include "physics/dynamics/shape.hpp"
@@ -20,6 +21,7 @@ inline Registry const& everything() {
     static Registry const* const registry = [] {
         auto* const made = new Registry;
         registerEverything(*made);
+        registerSound(*made);
         return made;
     }();
     return *registry;
