@@ -46,7 +46,16 @@ void Layout::endCard() {
 }
 
 void Layout::item(std::string name) {
-    nextItems_.push_back({std::move(name), rectOf(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()), 0});
+    // What is scrolled out of sight is not there.
+    ImDrawList const& list = *ImGui::GetWindowDrawList();
+    ImVec2 const from = list.GetClipRectMin();
+    ImVec2 const to = list.GetClipRectMax();
+    ImVec2 const low{std::max(ImGui::GetItemRectMin().x, from.x),
+                     std::max(ImGui::GetItemRectMin().y, from.y)};
+    ImVec2 const high{std::min(ImGui::GetItemRectMax().x, to.x), std::min(ImGui::GetItemRectMax().y, to.y)};
+    if (low.x < high.x && low.y < high.y) {
+        nextItems_.push_back({std::move(name), rectOf(low, high), 0});
+    }
 }
 
 std::string_view Layout::cardAt(render::Point point) const {
