@@ -4,6 +4,7 @@
 #include "runtime/math/vec2.hpp"
 #include "runtime/property/description.hpp"
 
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -37,7 +38,7 @@ inline constexpr double faintestImpact = 0.02; ///< m/s, change of the relative 
 class ImpactBook {
 public:
     /// Names a contact for as long as it exists. Looked up, never walked.
-    using Key = void const*;
+    using Key = std::uint64_t;
 
     /// A contact has come into being: nothing has pressed there yet.
     void begin(Key contact) { pressed_[contact] = 0; }

@@ -3,6 +3,7 @@
 #include "physics/buoyancy/liquid.hpp"
 #include "physics/dynamics/box2d/box2d_dynamics.hpp"
 #include "physics/dynamics/breaking.hpp"
+#include "physics/dynamics/chipmunk/chipmunk_dynamics.hpp"
 #include "physics/dynamics/completion.hpp"
 #include "physics/dynamics/hand.hpp"
 #include "physics/dynamics/joint_rules.hpp"
@@ -48,6 +49,7 @@ void registerDynamics(Registry& registry) {
     registry.completion(completeBody);
     registry.completion(completeJoint);
     registry.component<Box2dDynamics>();
+    registry.component<ChipmunkDynamics>();
     registry.component<DynamicsFromPlayer>();
     registry.component<PopulationFromDynamics>();
 }

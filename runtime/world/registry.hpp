@@ -26,6 +26,7 @@ struct Registration {
     std::unique_ptr<Component> (*make)();
     bool (*suits)(Store const&); ///< whether this detail level can serve a scene; nullptr: any scene
     int period = 1;              ///< runs in every nth frame (6.12.5)
+    std::string_view missing{};  ///< why this program knows it only by name, and what helps; mostly nothing
 };
 
 /// A declared hand-over (7.1.5): two resolvers may write one property, as every object belongs to one of them
@@ -71,6 +72,9 @@ public:
         }
         if constexpr (requires { C::period; }) {
             made.period = C::period;
+        }
+        if constexpr (requires { C::missing; }) {
+            made.missing = C::missing;
         }
         add(made);
     }

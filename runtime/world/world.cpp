@@ -122,7 +122,7 @@ std::size_t World::pick(std::vector<std::size_t> const& alternatives) const {
     bool found = false;
     for (std::size_t const i : alternatives) {
         Registration const& r = *entries_[i].registration;
-        bool const suits = r.suits == nullptr || r.suits(store_);
+        bool const suits = r.missing.empty() && (r.suits == nullptr || r.suits(store_));
         if (suits && (!found || r.info->text.cost < entries_[best].status.info->text.cost)) {
             best = i;
             found = true;
@@ -403,6 +403,10 @@ void World::setDetail(std::string const& effect, std::string const& level) {
             effects.insert(text.effect);
             if (text.effect == effect) {
                 levels.insert(text.level);
+            }
+            if (text.effect == effect && text.level == level && !entry.registration->missing.empty()) {
+                throw std::invalid_argument(
+                    fmt::format("{}={} cannot be had: {}", effect, level, entry.registration->missing));
             }
         }
     }

@@ -9,6 +9,10 @@ namespace {
 
 constexpr std::uintptr_t groundData = ~std::uintptr_t{0};
 
+ImpactBook::Key keyOf(b2Contact const* contact) {
+    return reinterpret_cast<std::uintptr_t>(contact);
+}
+
 // What drifts freely, however slowly, does not come to rest by itself: above these it must not fall asleep.
 constexpr double driftAcceleration = 1e-3; // m/s²
 constexpr double driftSpeed = 1e-4;        // m/s
@@ -309,13 +313,13 @@ void Box2dEngine::noteMoved() {
 void Box2dEngine::BeginContact(b2Contact* contact) {
     noteTouch(contact, 1);
     if (impactsWanted_) {
-        pressures_.begin(contact);
+        pressures_.begin(keyOf(contact));
     }
 }
 
 void Box2dEngine::EndContact(b2Contact* contact) {
     noteTouch(contact, -1);
-    pressures_.end(contact);
+    pressures_.end(keyOf(contact));
 }
 
 float Box2dEngine::speedGain(b2Body const* body) const {
@@ -350,7 +354,7 @@ void Box2dEngine::PostSolve(b2Contact* contact, b2ContactImpulse const* impulse)
     for (int i = 0; i < impulse->count; ++i) {
         sum += impulse->normalImpulses[i];
     }
-    double const blow = pressures_.press(contact, static_cast<double>(sum));
+    double const blow = pressures_.press(keyOf(contact), static_cast<double>(sum));
     b2Body const* const a = contact->GetFixtureA()->GetBody();
     b2Body const* const b = contact->GetFixtureB()->GetBody();
     auto const inverse = [](b2Body const* body) {

@@ -7,6 +7,9 @@
 namespace trembler::test {
 namespace {
 
+class Breaking : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Breaking);
+
 struct ReadsJointForces final : Interaction<ReadsJointForces, DynamicsRole, Reads<JointForces>> {
     static constexpr ComponentText text{
         .name = "Dynamics <- Forces of joints", .effect = "test", .level = "", .work = "Looks."};
@@ -24,7 +27,7 @@ Joint ropeOf(ObjectId weight, Vec2 from, Vec2 to, double breakForce) {
     return joint;
 }
 
-TEST(Breaking, ARopeBearsItsWeightAndNoMore) {
+TEST_P(Breaking, ARopeBearsItsWeightAndNoMore) {
     for (double const strength : {1.02, 0.98}) {
         Scene scene;
         ObjectId const weight = scene.ball({0, -1});
@@ -36,7 +39,7 @@ TEST(Breaking, ARopeBearsItsWeightAndNoMore) {
     }
 }
 
-TEST(Breaking, TheForceOfAJointIsWhatItCarries) {
+TEST_P(Breaking, TheForceOfAJointIsWhatItCarries) {
     for (int const substeps : {1, 4, 10}) {
         Scene scene({.solver = {.substeps = substeps},
                      .extend = [](Registry& r) { r.component<ReadsJointForces>(); }});
@@ -56,7 +59,7 @@ TEST(Breaking, TheForceOfAJointIsWhatItCarries) {
     }
 }
 
-TEST(Breaking, TheTraceLeadsFromTheBreakToThePull) {
+TEST_P(Breaking, TheTraceLeadsFromTheBreakToThePull) {
     Scene scene({.trace = true});
     scene.gravity = 0;
     ObjectId const weight = scene.ball({0, -1});
@@ -80,7 +83,7 @@ TEST(Breaking, TheTraceLeadsFromTheBreakToThePull) {
     EXPECT_TRUE(found);
 }
 
-TEST(Breaking, JointsGoWithTheirObjectsAndGearsWithTheirJoints) {
+TEST_P(Breaking, JointsGoWithTheirObjectsAndGearsWithTheirJoints) {
     Scene scene;
     ObjectId const a = scene.ball({0, 0});
     ObjectId const b = scene.ball({1, 0});

@@ -9,6 +9,9 @@
 namespace trembler::test {
 namespace {
 
+class Causes : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Causes);
+
 struct ReadsCauses final : Interaction<ReadsCauses, DynamicsRole, Reads<MotionCauses>> {
     static constexpr ComponentText text{
         .name = "Dynamics <- Causes", .effect = "test", .level = "", .work = "Looks."};
@@ -38,7 +41,7 @@ std::set<std::string> chainOf(Scene const& scene, std::string const& what,
     return chain;
 }
 
-TEST(Causes, LeadThroughARowOfImpactsToTheFirstPush) {
+TEST_P(Causes, LeadThroughARowOfImpactsToTheFirstPush) {
     Scene scene({.trace = true});
     scene.gravity = 0;
     ObjectId const first = scene.body("first", circlePiece(0.1), {0, 0});
@@ -56,7 +59,7 @@ TEST(Causes, LeadThroughARowOfImpactsToTheFirstPush) {
     EXPECT_EQ(chainOf(scene, "contact begun", {"first", "second"}).size(), 2U);
 }
 
-TEST(Causes, PassThroughJointsAndThroughWhatLiesOn) {
+TEST_P(Causes, PassThroughJointsAndThroughWhatLiesOn) {
     Scene scene({.trace = true});
     scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
     scene.fixed("wall", boxPiece(0.5, 3), {3.5, 1.5});
@@ -81,7 +84,7 @@ TEST(Causes, PassThroughJointsAndThroughWhatLiesOn) {
     EXPECT_FALSE(chainOf(scene, "contact begun", {"floor", "sledge"}).contains("addImpulse of sledge"));
 }
 
-TEST(Causes, OfEveryBodyCanBeReadAndAreFew) {
+TEST_P(Causes, OfEveryBodyCanBeReadAndAreFew) {
     Scene scene({.trace = true, .extend = [](Registry& r) { r.component<ReadsCauses>(); }});
     scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
     std::vector<ObjectId> balls;
@@ -103,7 +106,7 @@ TEST(Causes, OfEveryBodyCanBeReadAndAreFew) {
     EXPECT_TRUE(causes.of(ObjectId{}).empty());
 }
 
-TEST(Causes, EndsAreToldToo) {
+TEST_P(Causes, EndsAreToldToo) {
     Scene scene({.trace = true});
     scene.gravity = 0;
     ObjectId const a = scene.body("a", circlePiece(0.1), {0, 0});

@@ -10,6 +10,9 @@
 namespace trembler::test {
 namespace {
 
+class ContactsTest : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(ContactsTest);
+
 // A piece as a convex polygon (of one corner or more) and a radius around it, in the world.
 struct Rounded {
     std::vector<Vec2> corners;
@@ -137,7 +140,7 @@ void expectConsistent(Contacts const& contacts, Pairs& known) {
     RC_ASSERT(known == pairsOf(contacts.current));
 }
 
-TEST(Contacts, AgreeWithBruteForceInRandomScenes) {
+TEST_P(ContactsTest, AgreeWithBruteForceInRandomScenes) {
     EXPECT_TRUE(rc::check([] {
         Scene scene;
         scene.gravity = *rc::gen::element(0.0, 9.81);
@@ -188,7 +191,7 @@ TEST(Contacts, AgreeWithBruteForceInRandomScenes) {
     }));
 }
 
-TEST(Contacts, ACompoundTouchesOnceHoweverManyPiecesDo) {
+TEST_P(ContactsTest, ACompoundTouchesOnceHoweverManyPiecesDo) {
     Scene scene;
     ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     Shape const table{
@@ -212,7 +215,7 @@ TEST(Contacts, ACompoundTouchesOnceHoweverManyPiecesDo) {
     EXPECT_GT(scene.angle(id), 0.01);
 }
 
-TEST(Contacts, EndWhenAnObjectGoesAndItsSleepingNeighboursWake) {
+TEST_P(ContactsTest, EndWhenAnObjectGoesAndItsSleepingNeighboursWake) {
     Scene scene;
     ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     ObjectId const lower = scene.body("lower", boxPiece(0.5, 0.5), {0, 0.25});
@@ -241,7 +244,7 @@ struct ReadsPatches final : Interaction<ReadsPatches, DynamicsRole, Reads<Contac
     void apply(Access&) {}
 };
 
-TEST(Contacts, PatchesCarryTheWeight) {
+TEST_P(ContactsTest, PatchesCarryTheWeight) {
     for (double const scale : {1.0, 4.0}) {
         Scene scene({.solver = {.scale = scale, .sleeping = false},
                      .extend = [](Registry& r) { r.component<ReadsPatches>(); }});
@@ -273,7 +276,7 @@ public:
     static constexpr EngineMaker engineMaker = makeBox2dEngine;
 };
 
-TEST(Contacts, GoOnAcrossASwapInARunningWorld) {
+TEST_P(ContactsTest, GoOnAcrossASwapInARunningWorld) {
     EXPECT_TRUE(rc::check([] {
         Scene scene({.extend = [](Registry& r) { r.component<OtherDynamics>(); }});
         scene.fixed("floor", boxPiece(6, 0.5), {0, -0.25});

@@ -10,6 +10,9 @@
 namespace trembler::test {
 namespace {
 
+class DynamicsDeterminism : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(DynamicsDeterminism);
+
 // A pile with joints and compounds, whose shapes are given in the order of `order`.
 std::vector<std::uint64_t> hashes(std::vector<int> const& order, int threads = 1) {
     Scene scene({.threads = threads});
@@ -54,7 +57,7 @@ std::vector<std::uint64_t> hashes(std::vector<int> const& order, int threads = 1
     return made;
 }
 
-TEST(DynamicsDeterminism, SameBitsInEveryRunAndForEveryOrderOfFilling) {
+TEST_P(DynamicsDeterminism, SameBitsInEveryRunAndForEveryOrderOfFilling) {
     std::vector<int> order(16);
     std::iota(order.begin(), order.end(), 0);
     std::vector<std::uint64_t> const expected = hashes(order);
@@ -99,7 +102,7 @@ std::uint64_t pushed(void (*extend)(Registry&)) {
     return scene.world->stateHash();
 }
 
-TEST(DynamicsDeterminism, ForcesAddUpInAnyOrder) {
+TEST_P(DynamicsDeterminism, ForcesAddUpInAnyOrder) {
     std::uint64_t const expected = pushed([](Registry& r) {
         r.component<Push<0>>();
         r.component<Push<1>>();
@@ -117,7 +120,7 @@ TEST(DynamicsDeterminism, ForcesAddUpInAnyOrder) {
               }));
 }
 
-TEST(DynamicsDeterminism, TracingChangesNothing) {
+TEST_P(DynamicsDeterminism, TracingChangesNothing) {
     std::uint64_t hash[2];
     for (bool const trace : {false, true}) {
         Scene scene({.trace = trace});

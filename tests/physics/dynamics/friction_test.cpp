@@ -6,6 +6,11 @@
 namespace trembler::test {
 namespace {
 
+class FrictionTest : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(FrictionTest);
+class Collision : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Collision);
+
 // Distance slid down a slope with that ratio of tangent to friction between two times, and its acceleration.
 struct Slide {
     double way = 0;
@@ -26,7 +31,7 @@ Slide slide(double angle, double frictionA, double frictionB) {
     return {dot(scene.at(block) - start, down), dot(scene.velocity(block), down) - before};
 }
 
-TEST(Friction, SlidesIfAndOnlyIfTheSlopeIsSteeperThanTheFriction) {
+TEST_P(FrictionTest, SlidesIfAndOnlyIfTheSlopeIsSteeperThanTheFriction) {
     for (double const friction : {0.2, 0.5, 0.9}) {
         double const still = std::atan(0.95 * friction);
         EXPECT_LT(slide(still, friction, friction).way, 2e-3) << friction;
@@ -36,7 +41,7 @@ TEST(Friction, SlidesIfAndOnlyIfTheSlopeIsSteeperThanTheFriction) {
     }
 }
 
-TEST(Friction, AcceleratesByWhatFrictionLeavesAndAPairHasTheGeometricMean) {
+TEST_P(FrictionTest, AcceleratesByWhatFrictionLeavesAndAPairHasTheGeometricMean) {
     double const angle = 0.6;
     double const friction = std::sqrt(0.8 * 0.2);
     double const expected = 9.81 * (std::sin(angle) - friction * std::cos(angle));
@@ -44,7 +49,7 @@ TEST(Friction, AcceleratesByWhatFrictionLeavesAndAPairHasTheGeometricMean) {
     EXPECT_NEAR(slide(angle, 0, 1).acceleration, 9.81 * std::sin(angle), 0.01 * 9.81 * std::sin(angle));
 }
 
-TEST(Collision, ElasticHeadOn) {
+TEST_P(Collision, ElasticHeadOn) {
     for (double const ratio : {0.1, 1.0, 5.0}) {
         Scene scene;
         scene.gravity = 0;
@@ -62,7 +67,7 @@ TEST(Collision, ElasticHeadOn) {
     }
 }
 
-TEST(Collision, AGasKeepsItsMomentumAndItsEnergy) {
+TEST_P(Collision, AGasKeepsItsMomentumAndItsEnergy) {
     Scene scene;
     scene.gravity = 0;
     std::vector<ObjectId> balls;
@@ -97,7 +102,7 @@ TEST(Collision, AGasKeepsItsMomentumAndItsEnergy) {
     EXPECT_GT(energyAfter, energy * 0.99);
 }
 
-TEST(Collision, BouncesToTheSquareOfItsRestitution) {
+TEST_P(Collision, BouncesToTheSquareOfItsRestitution) {
     Scene scene;
     ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     ObjectId const ball = scene.ball({0, 2.1});
@@ -113,7 +118,7 @@ TEST(Collision, BouncesToTheSquareOfItsRestitution) {
     EXPECT_NEAR(highest, 2 * 0.8 * 0.8, 0.05);
 }
 
-TEST(Collision, GroupsSayWhoHitsWhom) {
+TEST_P(Collision, GroupsSayWhoHitsWhom) {
     struct Case {
         CollisionGroups a;
         CollisionGroups b;
@@ -137,7 +142,7 @@ TEST(Collision, GroupsSayWhoHitsWhom) {
 
 // A wall a decimetre thin that can move, a hundred metres per second: whoever tests places only jumps
 // through.
-TEST(Collision, BulletsHitWhatTheyWouldJumpThrough) {
+TEST_P(Collision, BulletsHitWhatTheyWouldJumpThrough) {
     int passed[2] = {0, 0};
     for (int const bullet : {0, 1}) {
         for (int phase = 0; phase < 24; ++phase) {
@@ -158,7 +163,7 @@ TEST(Collision, BulletsHitWhatTheyWouldJumpThrough) {
     EXPECT_EQ(passed[1], 0);
 }
 
-TEST(Collision, NothingPassesThroughWhatIsFixed) {
+TEST_P(Collision, NothingPassesThroughWhatIsFixed) {
     for (int phase = 0; phase < 20; ++phase) {
         Scene scene;
         scene.gravity = 0;

@@ -6,6 +6,9 @@
 namespace trembler::test {
 namespace {
 
+class Hand : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Hand);
+
 PlayerInput input(PlayerInput::Kind kind, ObjectId object, Vec2 at) {
     return {.kind = kind, .object = object, .other = {}, .at = at};
 }
@@ -14,7 +17,7 @@ Vec2 held(Scene const& scene, ObjectId id, Vec2 local) {
     return scene.at(id) + rotated(local, scene.angle(id));
 }
 
-TEST(Hand, PullsTheHeldPointToWhereItIsWithoutSwingingBeyond) {
+TEST_P(Hand, PullsTheHeldPointToWhereItIsWithoutSwingingBeyond) {
     for (double const mass : {0.01, 1.0, 1000.0}) {
         Scene scene;
         scene.gravity = 0;
@@ -34,7 +37,7 @@ TEST(Hand, PullsTheHeldPointToWhereItIsWithoutSwingingBeyond) {
     }
 }
 
-TEST(Hand, HoldsAgainstGravityAndLetsGo) {
+TEST_P(Hand, HoldsAgainstGravityAndLetsGo) {
     Scene scene({.trace = true});
     ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 2});
     scene.run(1);
@@ -55,7 +58,7 @@ TEST(Hand, HoldsAgainstGravityAndLetsGo) {
     EXPECT_TRUE(led);
 }
 
-TEST(Hand, IsNoStrongerThanFiftyWeights) {
+TEST_P(Hand, IsNoStrongerThanFiftyWeights) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 0});
@@ -67,7 +70,7 @@ TEST(Hand, IsNoStrongerThanFiftyWeights) {
     EXPECT_GT(scene.velocity(box).x, 490.5 * 2 * frameDuration);
 }
 
-TEST(Hand, DoesNotMoveWhatIsFixedNorForgetWhatIsGone) {
+TEST_P(Hand, DoesNotMoveWhatIsFixedNorForgetWhatIsGone) {
     Scene scene;
     ObjectId const wall = scene.fixed("wall", boxPiece(1, 1), {0, 0});
     ObjectId const ball = scene.ball({5, 0});

@@ -9,7 +9,12 @@
 namespace trembler {
 namespace {
 
+using test::engines;
+using test::OnEveryEngine;
 using test::Scene;
+
+class ImpactsTest : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(ImpactsTest);
 
 std::vector<Impact> blowsIn(Scene& scene, int frames) {
     std::vector<Impact> all;
@@ -21,14 +26,14 @@ std::vector<Impact> blowsIn(Scene& scene, int frames) {
     return all;
 }
 
-TEST(Impacts, AreNotWorkedOutWhereNobodyReadsThem) {
+TEST_P(ImpactsTest, AreNotWorkedOutWhereNobodyReadsThem) {
     Scene scene;
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     scene.ball({0, 1});
     EXPECT_TRUE(blowsIn(scene, 120).empty());
 }
 
-TEST(Impacts, ABouncingBallGetsTheImpulseThatTurnsItRound) {
+TEST_P(ImpactsTest, ABouncingBallGetsTheImpulseThatTurnsItRound) {
     Scene scene;
     scene.world->want<Impacts>();
     ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
@@ -54,7 +59,7 @@ TEST(Impacts, ABouncingBallGetsTheImpulseThatTurnsItRound) {
     EXPECT_LT(blows[0].since, 1.0 / 60);
 }
 
-TEST(Impacts, TwoBallsThatMeetInTheAirShareOneBlow) {
+TEST_P(ImpactsTest, TwoBallsThatMeetInTheAirShareOneBlow) {
     Scene scene;
     scene.gravity = 0;
     scene.world->want<Impacts>();
@@ -70,7 +75,7 @@ TEST(Impacts, TwoBallsThatMeetInTheAirShareOneBlow) {
     EXPECT_NEAR(blows[0].impulse, 2 * reduced * 4, 0.01 * reduced);
 }
 
-TEST(Impacts, PressureIsNoBlow) {
+TEST_P(ImpactsTest, PressureIsNoBlow) {
     Scene scene;
     scene.world->want<Impacts>();
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
@@ -81,7 +86,7 @@ TEST(Impacts, PressureIsNoBlow) {
     EXPECT_TRUE(blowsIn(scene, 300).empty());
 }
 
-TEST(Impacts, WhoComesLaterHearsOnlyNewBlows) {
+TEST_P(ImpactsTest, WhoComesLaterHearsOnlyNewBlows) {
     Scene scene;
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     scene.body("box", boxPiece(0.5, 0.5), {0, 0.25});
@@ -99,7 +104,7 @@ TEST(Impacts, WhoComesLaterHearsOnlyNewBlows) {
     EXPECT_FALSE(blowsIn(scene, 120).empty());
 }
 
-TEST(Impacts, WantingThemChangesNoBit) {
+TEST_P(ImpactsTest, WantingThemChangesNoBit) {
     auto const hashes = [](bool wanted) {
         Scene scene;
         if (wanted) {

@@ -7,6 +7,25 @@
 namespace trembler::test {
 namespace {
 
+class Hinge : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Hinge);
+class Weld : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Weld);
+class Slider : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Slider);
+class Distance : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Distance);
+class Rope : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Rope);
+class Pulley : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Pulley);
+class Gear : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Gear);
+class Wheel : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Wheel);
+class Joints : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Joints);
+
 Joint jointOf(JointForm form, ObjectId a, ObjectId b, Vec2 at) {
     Joint joint;
     joint.form = form;
@@ -20,7 +39,7 @@ Vec2 pointOf(Scene const& scene, ObjectId id, Vec2 local) {
     return scene.at(id) + rotated(local, scene.angle(id));
 }
 
-TEST(Hinge, HoldsTheLinksOfAChainTogether) {
+TEST_P(Hinge, HoldsTheLinksOfAChainTogether) {
     Scene scene;
     std::vector<ObjectId> links;
     for (int i = 0; i < 12; ++i) {
@@ -42,7 +61,7 @@ TEST(Hinge, HoldsTheLinksOfAChainTogether) {
     EXPECT_LT(scene.at(links.back()).y, -1); // it did swing
 }
 
-TEST(Hinge, MotorReachesItsSpeedAndTurnsTheWayItSays) {
+TEST_P(Hinge, MotorReachesItsSpeedAndTurnsTheWayItSays) {
     for (double const speed : {3.0, -7.0}) {
         Scene scene;
         ObjectId const disc = scene.body("disc", circlePiece(0.3), {1, 1});
@@ -57,7 +76,7 @@ TEST(Hinge, MotorReachesItsSpeedAndTurnsTheWayItSays) {
     }
 }
 
-TEST(Hinge, MotorGivesNoMoreThanItsStrength) {
+TEST_P(Hinge, MotorGivesNoMoreThanItsStrength) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const disc = scene.body("disc", circlePiece(0.3), {0, 0});
@@ -70,7 +89,7 @@ TEST(Hinge, MotorGivesNoMoreThanItsStrength) {
     EXPECT_NEAR(scene.spin(disc), 0.5 / (scene.mass(disc) * 0.09 / 2), 0.01);
 }
 
-TEST(Hinge, AVerySlowMotorIsNotTakenForRest) {
+TEST_P(Hinge, AVerySlowMotorIsNotTakenForRest) {
     Scene scene;
     ObjectId const disc = scene.body("hand of a clock", circlePiece(0.3), {0, 0});
     Joint joint = jointOf(JointForm::hinge, disc, {}, {0, 0});
@@ -82,7 +101,7 @@ TEST(Hinge, AVerySlowMotorIsNotTakenForRest) {
     EXPECT_NEAR(scene.angle(disc), -0.1, 2e-3);
 }
 
-TEST(Hinge, LimitsStopItOnBothSides) {
+TEST_P(Hinge, LimitsStopItOnBothSides) {
     Scene scene;
     ObjectId const door = scene.body("door", boxPiece(1, 0.1), {0.5, 0});
     Joint joint = jointOf(JointForm::hinge, door, {}, {0, 0});
@@ -102,7 +121,7 @@ TEST(Hinge, LimitsStopItOnBothSides) {
     EXPECT_NEAR(scene.angle(door), 0.3, 0.01);
 }
 
-TEST(Hinge, CountsFromWhereItWasMadeAndAsSeenFromB) {
+TEST_P(Hinge, CountsFromWhereItWasMadeAndAsSeenFromB) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const base = scene.body("base", boxPiece(1, 1), {0, 0}, 1.2);
@@ -120,7 +139,7 @@ TEST(Hinge, CountsFromWhereItWasMadeAndAsSeenFromB) {
     EXPECT_NEAR(scene.angle(arm) - scene.angle(base), -0.4 - 1.2 + 0.5, 0.01);
 }
 
-TEST(Weld, KeepsTwoBodiesInTheSamePose) {
+TEST_P(Weld, KeepsTwoBodiesInTheSamePose) {
     Scene scene;
     ObjectId const a = scene.body("a", boxPiece(0.4, 0.2), {0, 0}, 0.3);
     ObjectId const b = scene.body("b", circlePiece(0.15), {0.35, 0.1});
@@ -137,7 +156,7 @@ TEST(Weld, KeepsTwoBodiesInTheSamePose) {
     EXPECT_GT(std::abs(scene.angle(a)), 4);
 }
 
-TEST(Slider, RunsAlongItsAxisOnly) {
+TEST_P(Slider, RunsAlongItsAxisOnly) {
     double const slope = -0.5;
     Scene scene;
     ObjectId const cart = scene.body("cart", boxPiece(0.4, 0.2), {0, 0});
@@ -154,7 +173,7 @@ TEST(Slider, RunsAlongItsAxisOnly) {
     EXPECT_NEAR(dot(scene.velocity(cart), rotated({1, 0}, slope)), 9.81 * std::sin(0.5) * t, 0.01);
 }
 
-TEST(Slider, LimitsMotorAndStrength) {
+TEST_P(Slider, LimitsMotorAndStrength) {
     Scene scene;
     ObjectId const lift = scene.body("lift", boxPiece(0.4, 0.2), {0, 0});
     scene.give(lift, Mass{5});
@@ -176,7 +195,7 @@ TEST(Slider, LimitsMotorAndStrength) {
     EXPECT_NEAR(scene.at(lift).y, -0.5, 5e-3);
 }
 
-TEST(Distance, KeepsItsLengthWhileSwinging) {
+TEST_P(Distance, KeepsItsLengthWhileSwinging) {
     Scene scene;
     ObjectId const a = scene.ball({1, 0});
     ObjectId const b = scene.ball({2, 0});
@@ -192,7 +211,7 @@ TEST(Distance, KeepsItsLengthWhileSwinging) {
     }
 }
 
-TEST(Distance, ALengthThatIsStatedIsTakenUp) {
+TEST_P(Distance, ALengthThatIsStatedIsTakenUp) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const a = scene.ball({1, 0});
@@ -203,7 +222,7 @@ TEST(Distance, ALengthThatIsStatedIsTakenUp) {
     EXPECT_NEAR(length(scene.at(a)), 1.5, 2e-3);
 }
 
-TEST(Rope, IsSlackUntilItIsTaut) {
+TEST_P(Rope, IsSlackUntilItIsTaut) {
     Scene scene;
     ObjectId const weight = scene.ball({0.2, 0});
     Joint joint = jointOf(JointForm::rope, weight, {}, {0.2, 0});
@@ -221,7 +240,7 @@ TEST(Rope, IsSlackUntilItIsTaut) {
     EXPECT_GT(longest, 1.5 * 0.999);
 }
 
-TEST(Pulley, KeepsTheSumOfItsRopesAndFallsLikeAtwoodsMachine) {
+TEST_P(Pulley, KeepsTheSumOfItsRopesAndFallsLikeAtwoodsMachine) {
     for (double const ratio : {1.0, 2.0}) {
         Scene scene;
         ObjectId const a = scene.body("a", boxPiece(0.3, 0.3), {-1, -1});
@@ -248,7 +267,7 @@ TEST(Pulley, KeepsTheSumOfItsRopesAndFallsLikeAtwoodsMachine) {
     }
 }
 
-TEST(Gear, CouplesTwoHinges) {
+TEST_P(Gear, CouplesTwoHinges) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const small = scene.body("small", circlePiece(0.2), {0, 0});
@@ -270,7 +289,7 @@ TEST(Gear, CouplesTwoHinges) {
     EXPECT_NEAR(scene.angle(small) + 3 * scene.angle(large), 0, 0.02);
 }
 
-TEST(Gear, CouplesAHingeAndASliderAtAnyScale) {
+TEST_P(Gear, CouplesAHingeAndASliderAtAnyScale) {
     for (double const scale : {1.0, 4.0, 16.0}) {
         Scene scene({.solver = {.scale = scale}});
         scene.gravity = 0;
@@ -293,7 +312,7 @@ TEST(Gear, CouplesAHingeAndASliderAtAnyScale) {
     }
 }
 
-TEST(Wheel, SagsOnItsSpringAndTurnsFreely) {
+TEST_P(Wheel, SagsOnItsSpringAndTurnsFreely) {
     for (double const scale : {1.0, 4.0}) {
         Scene scene({.solver = {.scale = scale}});
         ObjectId const wheel = scene.body("wheel", circlePiece(0.3), {0, 0});
@@ -313,7 +332,7 @@ TEST(Wheel, SagsOnItsSpringAndTurnsFreely) {
     }
 }
 
-TEST(Joints, TiedObjectsCollideOnlyIfTheySaySo) {
+TEST_P(Joints, TiedObjectsCollideOnlyIfTheySaySo) {
     for (bool const collide : {false, true}) {
         Scene scene;
         scene.gravity = 0;

@@ -6,9 +6,12 @@
 namespace trembler::test {
 namespace {
 
+class Motion : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Motion);
+
 // Semi-implicit Euler (v += h g, then x += h v) is exact in v and falls ahead in x by g h t / 2. What
 // interactions say in one frame is done in the next, so the first frame knows no gravity yet.
-TEST(Motion, ProjectileFollowsTheParabolaOfItsIntegrator) {
+TEST_P(Motion, ProjectileFollowsTheParabolaOfItsIntegrator) {
     for (int const substeps : {1, 4, 16}) {
         Scene scene({.solver = {.substeps = substeps}});
         ObjectId const ball = scene.ball({0, 0});
@@ -27,7 +30,7 @@ TEST(Motion, ProjectileFollowsTheParabolaOfItsIntegrator) {
     }
 }
 
-TEST(Motion, MassFollowsFromDensityAndMaybeStatedInstead) {
+TEST_P(Motion, MassFollowsFromDensityAndMaybeStatedInstead) {
     Scene scene;
     ObjectId const plain = scene.body("plain", boxPiece(0.5, 0.2), {0, 0});
     ObjectId const steel = scene.body("steel", circlePiece(0.1), {5, 0});
@@ -44,7 +47,7 @@ TEST(Motion, MassFollowsFromDensityAndMaybeStatedInstead) {
     EXPECT_NE(scene.world->find<Rotation>(floor), nullptr);
 }
 
-TEST(Motion, TorqueTurnsByTheMomentOfInertia) {
+TEST_P(Motion, TorqueTurnsByTheMomentOfInertia) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const box = scene.body("box", boxPiece(0.6, 0.2), {1, 2});
@@ -59,7 +62,7 @@ TEST(Motion, TorqueTurnsByTheMomentOfInertia) {
     EXPECT_NEAR(length(scene.at(box) - Vec2{1, 2}), 0, 1e-6);
 }
 
-TEST(Motion, AForceOffTheCentreTurnsToo) {
+TEST_P(Motion, AForceOffTheCentreTurnsToo) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const disc = scene.body("disc", circlePiece(0.5), {0, 0});
@@ -74,7 +77,7 @@ TEST(Motion, AForceOffTheCentreTurnsToo) {
     EXPECT_NEAR(scene.spin(disc), -0.5 * frameDuration / (2 * 0.25 / 2), 1e-4);
 }
 
-TEST(Motion, AnImpulseIsGivenOnce) {
+TEST_P(Motion, AnImpulseIsGivenOnce) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const disc = scene.body("disc", circlePiece(0.5), {0, 0});
@@ -91,7 +94,7 @@ TEST(Motion, AnImpulseIsGivenOnce) {
     EXPECT_NEAR(scene.velocity(disc).x, 0, 1e-5);
 }
 
-TEST(Motion, DampingFollowsItsExponential) {
+TEST_P(Motion, DampingFollowsItsExponential) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const ball = scene.ball({0, 0});
@@ -104,7 +107,7 @@ TEST(Motion, DampingFollowsItsExponential) {
 }
 
 // An L of two boxes; the origin of its frame is the corner, its centre of mass is not.
-TEST(Motion, ACompoundTurnsAboutItsCentreOfMass) {
+TEST_P(Motion, ACompoundTurnsAboutItsCentreOfMass) {
     Scene scene;
     scene.gravity = 0;
     Shape const shape{{boxPiece(0.2, 1, {0, 0.5}), boxPiece(0.6, 0.2, {0.4, 0.1})}};
@@ -130,7 +133,7 @@ TEST(Motion, ACompoundTurnsAboutItsCentreOfMass) {
     EXPECT_NEAR(scene.spin(bracket), steady, 1e-5); // a force at the centre of mass turns nothing
 }
 
-TEST(Motion, ForcesBeyondReasonAreCutDownAndTheWorldGoesOn) {
+TEST_P(Motion, ForcesBeyondReasonAreCutDownAndTheWorldGoesOn) {
     Scene scene({.trace = true});
     ObjectId const ball = scene.ball({0, 0});
     ObjectId const other = scene.ball({3, 0});

@@ -6,6 +6,11 @@
 namespace trembler::test {
 namespace {
 
+class Pendulum : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Pendulum);
+class Spring : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Spring);
+
 // 2 K(k) / pi by the arithmetic-geometric mean: what a large swing takes longer than a small one.
 double stretchOfSwing(double amplitude) {
     double a = 1;
@@ -65,11 +70,11 @@ double smallSwing() {
     return 2 * pi * std::sqrt((0.2 * 0.2 / 2 + 1.5 * 1.5) / (9.81 * 1.5));
 }
 
-TEST(Pendulum, SmallSwing) {
+TEST_P(Pendulum, SmallSwing) {
     EXPECT_NEAR(pendulumPeriod(0.05, 4, 60 * 30), smallSwing(), 0.003 * smallSwing());
 }
 
-TEST(Pendulum, LargeSwingTakesLongerByTheEllipticIntegral) {
+TEST_P(Pendulum, LargeSwingTakesLongerByTheEllipticIntegral) {
     for (double const amplitude : {0.5, 1.0, 1.5, 2.0}) {
         double const expected = smallSwing() * stretchOfSwing(amplitude);
         EXPECT_NEAR(pendulumPeriod(amplitude, 64, 60 * 8), expected, 0.005 * expected) << amplitude;
@@ -79,7 +84,7 @@ TEST(Pendulum, LargeSwingTakesLongerByTheEllipticIntegral) {
 // A step runs along the tangent, and the pivot then takes the part of the velocity that has come to point
 // along the arm: 1 - cos(w h) of it. So a swing dies away by about w^2 h / 2 per second: first order in the
 // substep.
-TEST(Pendulum, LosesItsSwingInProportionToTheSubstep) {
+TEST_P(Pendulum, LosesItsSwingInProportionToTheSubstep) {
     auto const lost = [](int substeps) {
         Pendulum pendulum(1.5, substeps);
         Scene& scene = pendulum.scene;
@@ -94,7 +99,7 @@ TEST(Pendulum, LosesItsSwingInProportionToTheSubstep) {
     EXPECT_NEAR(lost(16), at4 / 4, 0.1 * at4);
 }
 
-TEST(Spring, OscillatesAtTheRootOfStiffnessOverMass) {
+TEST_P(Spring, OscillatesAtTheRootOfStiffnessOverMass) {
     for (double const stiffness : {20.0, 80.0, 300.0}) {
         Scene scene;
         scene.gravity = 0;
@@ -115,7 +120,7 @@ TEST(Spring, OscillatesAtTheRootOfStiffnessOverMass) {
     }
 }
 
-TEST(Spring, HangsAsFarAsItsForceCarries) {
+TEST_P(Spring, HangsAsFarAsItsForceCarries) {
     Scene scene;
     ObjectId const weight = scene.body("weight", boxPiece(0.2, 0.2), {0, -1});
     scene.give(weight, Mass{2});

@@ -4,6 +4,24 @@
 
 namespace trembler::test {
 
+std::vector<std::string> engines() {
+    Registry registry;
+    registerScene(registry);
+    std::vector<std::string> found;
+    for (Registration const& registration : registry.components()) {
+        ComponentText const& text = registration.info->text;
+        if (text.effect == "dynamics" && !text.level.empty() && registration.missing.empty()) {
+            found.emplace_back(text.level);
+        }
+    }
+    return found;
+}
+
+std::string& engineUnderTest() {
+    static std::string engine = "box2d";
+    return engine;
+}
+
 void DynamicsFromPull::apply(Access& access) {
     auto const& pulls = access.read<Pull>();
     auto const& masses = access.read<Mass>();
@@ -43,7 +61,9 @@ Scene::Scene(Options options) {
     }
     world = std::make_unique<World>(
         registry,
-        WorldOptions{.threads = options.threads, .detail = {}, .periods = {}, .trace = options.trace});
+        WorldOptions{.threads = options.threads,
+                     .detail = {{"dynamics", engineUnderTest()}},
+                     .periods = {}, .trace = options.trace});
     give(world->store().create("world"), options.solver);
 }
 

@@ -12,10 +12,31 @@
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/world.hpp"
 
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace trembler::test {
+
+/// The detail levels of Dynamics that this program has.
+[[nodiscard]] std::vector<std::string> engines();
+/// The one that scenes use unless told otherwise.
+[[nodiscard]] std::string& engineUnderTest();
+
+/// Tests that hold whichever engine computes.
+class OnEveryEngine : public ::testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override { engineUnderTest() = GetParam(); }
+    void TearDown() override { engineUnderTest() = "box2d"; }
+    [[nodiscard]] static bool on(std::string_view engine) { return GetParam() == engine; }
+};
+
+/// Behind the tests of a suite derived from OnEveryEngine.
+#define TREMBLER_ON_EVERY_ENGINE(suite)                                                                      \
+    INSTANTIATE_TEST_SUITE_P(Engines, suite, ::testing::ValuesIn(engines()),                                 \
+                             [](auto const& info) { return info.param; })
 
 /// Forces by the test's own hand: what an object has in this column pulls at it for as long as it stands.
 struct Pull {

@@ -6,6 +6,9 @@
 namespace trembler::test {
 namespace {
 
+class Sleep : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Sleep);
+
 struct Rest {
     explicit Rest(double friction = 0) {
         floor = scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
@@ -23,7 +26,7 @@ struct Rest {
     ObjectId other;
 };
 
-TEST(Sleep, APileComesToRest) {
+TEST_P(Sleep, APileComesToRest) {
     Scene scene;
     scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
     for (int i = 0; i < 10; ++i) {
@@ -36,7 +39,7 @@ TEST(Sleep, APileComesToRest) {
     EXPECT_EQ(scene.dynamics(), Activity::asleep);
 }
 
-TEST(Sleep, TheSameForcesSaidAgainWakeNobody) {
+TEST_P(Sleep, TheSameForcesSaidAgainWakeNobody) {
     Rest rest;
     for (int frame = 0; frame < 20; ++frame) {
         rest.scene.of<Pull>(rest.box).torque = 1e-9 * frame; // the interaction is applied anew
@@ -48,7 +51,7 @@ TEST(Sleep, TheSameForcesSaidAgainWakeNobody) {
     EXPECT_EQ(rest.scene.dynamics(), Activity::asleep);
 }
 
-TEST(Sleep, AChangedForceWakesTheOneThatItActsOn) {
+TEST_P(Sleep, AChangedForceWakesTheOneThatItActsOn) {
     Rest rest;
     Vec2 const other = rest.scene.at(rest.other);
     rest.scene.of<Pull>(rest.box).force = {1, 0};
@@ -59,14 +62,14 @@ TEST(Sleep, AChangedForceWakesTheOneThatItActsOn) {
     EXPECT_EQ(rest.scene.velocity(rest.other), (Vec2{}));
 }
 
-TEST(Sleep, ATorqueWakes) {
+TEST_P(Sleep, ATorqueWakes) {
     Rest rest;
     rest.scene.of<Pull>(rest.box).torque = rest.scene.mass(rest.box) * 9.81 * 0.3; // tips it over
     rest.scene.run(60);
     EXPECT_GT(rest.scene.angle(rest.box), 0.3);
 }
 
-TEST(Sleep, AnImpulseWakes) {
+TEST_P(Sleep, AnImpulseWakes) {
     Rest rest;
     rest.scene.give(rest.box, Kick{{0.01, 0}, rest.scene.at(rest.box), 1});
     rest.scene.run(1); // the first kick calls for the interaction that gives it
@@ -75,7 +78,7 @@ TEST(Sleep, AnImpulseWakes) {
     EXPECT_GT(rest.scene.velocity(rest.box).x, 0);
 }
 
-TEST(Sleep, FallingOntoASleeperWakesItAndItsPile) {
+TEST_P(Sleep, FallingOntoASleeperWakesItAndItsPile) {
     Rest rest(0.5);
     ObjectId const upper = rest.scene.body("upper", boxPiece(0.5, 0.5), {0.2, 3});
     rest.scene.give(upper, Velocity{{0, -3}});
@@ -88,7 +91,7 @@ TEST(Sleep, FallingOntoASleeperWakesItAndItsPile) {
 
 // Box2D drops the load of a body that falls asleep. Woken by a touch, it must have its weight at once: on a
 // frictionless slope under a load that balances it, any lapse would show as a hop.
-TEST(Sleep, AWokenBodyHasItsLoadAtOnce) {
+TEST_P(Sleep, AWokenBodyHasItsLoadAtOnce) {
     Rest rest(0.5);
     ObjectId const visitor = rest.scene.ball({-1, 0.11});
     rest.scene.world->store().complete(visitor);
@@ -102,7 +105,7 @@ TEST(Sleep, AWokenBodyHasItsLoadAtOnce) {
     EXPECT_LT(highest - start, 1e-4);
 }
 
-TEST(Sleep, WhatDriftsFreelyIsNotAtRest) {
+TEST_P(Sleep, WhatDriftsFreelyIsNotAtRest) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const slow = scene.ball({0, 0});
@@ -111,7 +114,7 @@ TEST(Sleep, WhatDriftsFreelyIsNotAtRest) {
     EXPECT_NEAR(scene.at(slow).x, 1e-2, 1e-4);
 }
 
-TEST(Sleep, AWeakForceMovesWhatIsFree) {
+TEST_P(Sleep, AWeakForceMovesWhatIsFree) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const planet = scene.ball({0, 0});
@@ -122,7 +125,7 @@ TEST(Sleep, AWeakForceMovesWhatIsFree) {
     EXPECT_NEAR(scene.at(planet).x, 2e-3 * 100 / 2, 2e-4);
 }
 
-TEST(Sleep, NothingMovesWithoutAForceAndThatCostsNothing) {
+TEST_P(Sleep, NothingMovesWithoutAForceAndThatCostsNothing) {
     Scene scene;
     scene.gravity = 0;
     scene.ball({0, 0});
@@ -130,7 +133,7 @@ TEST(Sleep, NothingMovesWithoutAForceAndThatCostsNothing) {
     EXPECT_EQ(scene.dynamics(), Activity::asleep);
 }
 
-TEST(Sleep, CanBeForbidden) {
+TEST_P(Sleep, CanBeForbidden) {
     Scene scene({.solver = {.sleeping = false}});
     scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
     scene.body("box", boxPiece(0.5, 0.5), {0, 0.26});
@@ -138,7 +141,7 @@ TEST(Sleep, CanBeForbidden) {
     EXPECT_EQ(scene.dynamics(), Activity::active);
 }
 
-TEST(Sleep, ARemovedJointLetsGo) {
+TEST_P(Sleep, ARemovedJointLetsGo) {
     Scene scene;
     ObjectId const weight = scene.ball({0, -1});
     Joint joint;

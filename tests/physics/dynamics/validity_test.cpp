@@ -11,6 +11,9 @@
 namespace trembler::test {
 namespace {
 
+class Validity : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Validity);
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 
@@ -159,7 +162,7 @@ void addWildJoints(Scene& scene, std::vector<ObjectId>& all) {
     }
 }
 
-TEST(Validity, NoObjectHoweverWildAborts) {
+TEST_P(Validity, NoObjectHoweverWildAborts) {
     EXPECT_TRUE(rc::check([] {
         Scene scene({.trace = true});
         std::vector<ObjectId> all{ObjectId{}};
@@ -201,7 +204,7 @@ TEST(Validity, NoObjectHoweverWildAborts) {
 }
 
 // The sound part of a random world stays sound: what is finite at the start is finite ever after.
-TEST(Validity, SoundBodiesStayFinite) {
+TEST_P(Validity, SoundBodiesStayFinite) {
     EXPECT_TRUE(rc::check([] {
         Scene scene;
         std::vector<ObjectId> all{ObjectId{}};
@@ -228,7 +231,7 @@ TEST(Validity, SoundBodiesStayFinite) {
     }));
 }
 
-TEST(Validity, WhatIsRefusedIsToldOnceAndTheRestGoesOn) {
+TEST_P(Validity, WhatIsRefusedIsToldOnceAndTheRestGoesOn) {
     Scene scene({.trace = true});
     ObjectId const bad = scene.body("bad", polygonPiece(ngon(9, 0.3)), {0, 5});
     ObjectId const good = scene.ball({3, 5});
