@@ -4,6 +4,9 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace trembler {
 
@@ -21,5 +24,12 @@ void addScreenshotCommand(CLI::App& program, int& result);
 
 /// Runs a command's work; says on standard error what is wrong with its input, if anything.
 [[nodiscard]] int guarded(std::function<int()> const& work);
+
+/// Takes "NAME=VALUE" apart; the last '=' counts, as component titles may hold others. Throws
+/// std::invalid_argument that names the option and the form expected.
+[[nodiscard]] std::pair<std::string, std::string> assignment(std::string const& text, char const* option,
+                                                             char const* form);
+/// The values of options "--detail EFFECT=LEVEL", the last of an effect counts.
+[[nodiscard]] std::map<std::string, std::string> detailOf(std::vector<std::string> const& options);
 
 } // namespace trembler

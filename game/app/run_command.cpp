@@ -30,16 +30,6 @@ struct Arguments {
     std::optional<int> substeps;
 };
 
-// "NAME=VALUE" apart; the last '=' counts, as component titles may hold others.
-std::pair<std::string, std::string> assignment(std::string const& text, char const* option,
-                                               char const* form) {
-    std::size_t const at = text.rfind('=');
-    if (at == std::string::npos || at == 0 || at + 1 == text.size()) {
-        throw std::invalid_argument(fmt::format("{} {}: expected {}", option, text, form));
-    }
-    return {text.substr(0, at), text.substr(at + 1)};
-}
-
 int asPeriod(std::string const& text, std::string const& value) {
     std::size_t used = 0;
     int period = 0;
@@ -84,11 +74,8 @@ int runLevel(Arguments const& arguments) {
     WorldOptions options;
     options.threads = arguments.threads;
     options.trace = !arguments.trace.empty();
-    options.detail = level.detail;
-    for (std::string const& text : arguments.detail) {
-        auto const [effect, name] = assignment(text, "--detail", "EFFECT=LEVEL");
-        options.detail[effect] = name;
-    }
+    options.detail = detailOf(arguments.detail);
+    options.detail.insert(level.detail.begin(), level.detail.end()); // what it asks for and nobody overrules
     for (std::string const& text : arguments.periods) {
         auto const [component, value] = assignment(text, "--period", "COMPONENT=N");
         options.periods[component] = asPeriod(text, value);
@@ -153,10 +140,16 @@ void addRunCommand(CLI::App& program, int& result) {
                         "Write every event and its causes to a file, one JSON line each");
     command->add_option("--hash-every", arguments->hashEvery,
                         "Also print the state's hash at every Nth frame");
-    command->add_option("--detail", arguments->detail, "EFFECT=LEVEL, for example electricity=single-cable");
-    command->add_option(
-        "--period", arguments->periods,
-        "COMPONENT=N: run a component in every Nth frame only, for example \"Dynamics Resolver=2\"");
+    command
+        ->add_option("--detail", arguments->detail,
+                     "EFFECT=LEVEL, for example electricity=single-cable or dynamics=chipmunk; `trembler "
+                     "components` lists them")
+        ->allow_extra_args(false); // the level may follow
+    command
+        ->add_option(
+            "--period", arguments->periods,
+            "COMPONENT=N: run a component in every Nth frame only, for example \"Dynamics Resolver=2\"")
+        ->allow_extra_args(false);
     command->add_option("--substeps", arguments->substeps, "Steps of the dynamics engine in a frame")
         ->check(CLI::Range(1, 64));
     command->callback([arguments, &result] { result = guarded([&] { return runLevel(*arguments); }); });

@@ -30,7 +30,7 @@ std::vector<fs::path> levelsUnder(fs::path const& path) {
     return found;
 }
 
-int verifyAll(std::vector<std::string> const& paths) {
+int verifyAll(std::vector<std::string> const& paths, std::vector<std::string> const& detail) {
     Workshop const workshop;
     std::vector<fs::path> levels;
     for (std::string const& path : paths) {
@@ -42,7 +42,7 @@ int verifyAll(std::vector<std::string> const& paths) {
     }
     bool sound = true;
     for (fs::path const& level : levels) {
-        std::vector<std::string> const failures = verifyLevel(workshop, level);
+        std::vector<std::string> const failures = verifyLevel(workshop, level, detailOf(detail));
         for (std::string const& failure : failures) {
             std::cout << failure << "\n";
         }
@@ -63,7 +63,13 @@ void addVerifyCommand(CLI::App& program, int& result) {
         "Check levels: valid, not solved by an empty toolbox (unless it is a demonstration), every recorded "
         "solution does what it says, and always in the same way. A line per failure, exit status 1 if any.");
     command->add_option("PATH", *paths, "Level files or folders (default: all levels)");
-    command->callback([paths, &result] { result = guarded([&] { return verifyAll(*paths); }); });
+    auto const detail = std::make_shared<std::vector<std::string>>();
+    command
+        ->add_option("--detail", *detail,
+                     "EFFECT=LEVEL: check them with this detail level, for example dynamics=ode")
+        ->allow_extra_args(false); // a path may follow
+    command->callback(
+        [paths, detail, &result] { result = guarded([&] { return verifyAll(*paths, *detail); }); });
 }
 
 } // namespace trembler

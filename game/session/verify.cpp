@@ -41,11 +41,15 @@ bool sameHashes(RunReport const& a, RunReport const& b) {
 
 } // namespace
 
-std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::path const& path) {
+std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::path const& path,
+                                     std::map<std::string, std::string> const& detail) {
     std::vector<std::string> failures;
     std::string const name = workshop.shortName(path);
     try {
-        LevelFile const level = loadLevel(workshop.registry, path);
+        LevelFile level = loadLevel(workshop.registry, path);
+        for (auto const& [effect, name] : detail) {
+            level.detail[effect] = name;
+        }
         if (level.goals.is_null()) {
             failures.push_back(fmt::format("{}: it has no goals", name));
         }

@@ -4,6 +4,7 @@
 #include "game/core/workshop.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,10 @@ namespace trembler {
 
 /// What is wrong with a level, a line each; empty if it is sound: it loads; with an empty toolbox it is not
 /// solved within 60 s (a demonstration: it is); each recorded solution fits and ends as recorded; and every
-/// run, repeated on another number of threads, ends in the same state. Takes seconds.
+/// run, repeated on another number of threads, ends in the same state. `detail` overrules the detail levels
+/// that the level asks for. Takes seconds.
 [[nodiscard]] std::vector<std::string> verifyLevel(Workshop const& workshop,
-                                                   std::filesystem::path const& level);
+                                                   std::filesystem::path const& level,
+                                                   std::map<std::string, std::string> const& detail = {});
 
 } // namespace trembler

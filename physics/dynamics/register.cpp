@@ -7,6 +7,7 @@
 #include "physics/dynamics/completion.hpp"
 #include "physics/dynamics/hand.hpp"
 #include "physics/dynamics/joint_rules.hpp"
+#include "physics/dynamics/ode/ode_dynamics.hpp"
 #include "physics/dynamics/shape_rules.hpp"
 #include "runtime/world/registry.hpp"
 
@@ -50,6 +51,7 @@ void registerDynamics(Registry& registry) {
     registry.completion(completeJoint);
     registry.component<Box2dDynamics>();
     registry.component<ChipmunkDynamics>();
+    registry.component<OdeDynamics>();
     registry.component<DynamicsFromPlayer>();
     registry.component<PopulationFromDynamics>();
 }

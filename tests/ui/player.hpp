@@ -162,7 +162,10 @@ public:
         frame();
         window().bind();
         image = window().readPixels();
-        writePng(image, pictureFolder() / (name + ".png"));
+        // Packing a large picture takes seconds: only for who wants to look at it.
+        if (image.size().height <= 1440 || std::getenv("TREMBLER_PICTURES") != nullptr) {
+            writePng(image, pictureFolder() / (name + ".png"));
+        }
         return image;
     }
 

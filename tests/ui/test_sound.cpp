@@ -7,6 +7,7 @@
 namespace trembler::ui::test {
 namespace {
 
+constexpr render::Size small{960, 540}; // there is nothing to look at
 auto const doorbell = levelsFolder() / "experiments/2-doorbell.json";
 
 /// What a loudspeaker has been told to do.
@@ -45,7 +46,7 @@ private:
 TEST(SoundInTheWindow, theDoorbellRingsUntilItIsStopped) {
     Heard heard;
     Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
-    Player player({1280, 720}, {}, levelsFolder(), &loudspeaker);
+    Player player(small, {}, levelsFolder(), &loudspeaker);
     player.open(doorbell);
     player.frames(10);
     EXPECT_EQ(heard.blocks, 0) << "nothing runs yet";
@@ -68,7 +69,7 @@ TEST(SoundInTheWindow, theDoorbellRingsUntilItIsStopped) {
 TEST(SoundInTheWindow, whatRingsDiesAwayInAPause) {
     Heard heard;
     Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
-    Player player({1280, 720}, {}, levelsFolder(), &loudspeaker);
+    Player player(small, {}, levelsFolder(), &loudspeaker);
     player.open(doorbell);
     player.clickItem("run");
     double loudest = 0;
@@ -91,7 +92,7 @@ TEST(SoundInTheWindow, volumeAndHrtfComeFromThePlayersSettings) {
     profile.setSettings(settings);
     Heard heard;
     Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
-    Player player({1280, 720}, file, levelsFolder(), &loudspeaker);
+    Player player(small, file, levelsFolder(), &loudspeaker);
     EXPECT_NEAR(heard.settings.volume, 0.25, 1e-9);
     EXPECT_TRUE(heard.settings.hrtf);
 }
@@ -100,7 +101,7 @@ TEST(SoundInTheWindow, listeningChangesNothing) {
     Heard heard;
     Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
     auto const hashAfter = [](Loudspeaker* listening) {
-        Player player({1280, 720}, {}, levelsFolder(), listening);
+        Player player(small, {}, levelsFolder(), listening);
         player.open(doorbell);
         player.clickItem("run");
         while (player.session().world().frame() < 200) {

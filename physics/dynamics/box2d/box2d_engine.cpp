@@ -1,5 +1,7 @@
 #include "physics/dynamics/box2d/box2d_engine.hpp"
 
+#include "physics/dynamics/box2d/box2d_shapes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -59,7 +61,16 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
     b2Body* const body = world_.CreateBody(&def);
     bodies_[slot] = {
         .body = body, .object = spec.object, .force = b2Vec2_zero, .torque = 0, .restlessJoints = 0};
-    addFixtures(*body, spec, scale_);
+    b2FixtureDef fixture; // whose density stays 0: mass and moment are set for the body as a whole
+    fixture.friction = static_cast<float>(spec.friction);
+    fixture.restitution = static_cast<float>(spec.restitution);
+    fixture.filter.categoryBits = static_cast<std::uint16_t>(spec.groups.category);
+    fixture.filter.maskBits = static_cast<std::uint16_t>(spec.groups.mask);
+    fixture.filter.groupIndex = static_cast<std::int16_t>(spec.groups.group);
+    makeShapes(spec, scale_, [&](b2Shape const& shape) {
+        fixture.shape = &shape;
+        body->CreateFixture(&fixture);
+    });
     if (!spec.fixed) {
         b2MassData mass;
         mass.mass = static_cast<float>(spec.mass);

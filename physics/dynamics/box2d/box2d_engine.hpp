@@ -99,9 +99,6 @@ private:
     double since_ = 0; // s, from the beginning of the frame to that of the substep
 };
 
-/// Adds the pieces of a shape to a Box2D body whose origin is at `centre` of the object's frame.
-void addFixtures(b2Body& body, BodySpec const& spec, double scale);
-
 [[nodiscard]] std::unique_ptr<Engine> makeBox2dEngine(double scale);
 
 } // namespace trembler

@@ -1,21 +1,13 @@
-#include "physics/dynamics/box2d/box2d_engine.hpp"
-
-#include <array>
+#include "physics/dynamics/box2d/box2d_shapes.hpp"
 
 namespace trembler {
 namespace {
 
-// The pieces of one object, on their way into a body.
-class FixtureMaker {
+// The pieces of one object in Box2D's terms.
+class ShapeMaker {
 public:
-    FixtureMaker(b2Body& body, BodySpec const& spec, double scale) : body_(body), spec_(spec), scale_(scale) {
-        // The density stays 0: mass and moment are set for the body as a whole.
-        fixture_.friction = static_cast<float>(spec.friction);
-        fixture_.restitution = static_cast<float>(spec.restitution);
-        fixture_.filter.categoryBits = static_cast<std::uint16_t>(spec.groups.category);
-        fixture_.filter.maskBits = static_cast<std::uint16_t>(spec.groups.mask);
-        fixture_.filter.groupIndex = static_cast<std::int16_t>(spec.groups.group);
-    }
+    ShapeMaker(BodySpec const& spec, double scale, std::function<void(b2Shape const&)> const& take)
+        : spec_(spec), scale_(scale), take_(take) {}
 
     void add(ShapePiece const& piece) {
         switch (piece.form) {
@@ -42,7 +34,7 @@ public:
     }
 
 private:
-    static constexpr double shortest = 0.005; // m of a capsule's straight part that is worth a fixture
+    static constexpr double shortest = 0.005; // m of a capsule's straight part that is worth a shape
 
     [[nodiscard]] b2Vec2 inBody(Vec2 point) const {
         Vec2 const v = point - spec_.spread.centre;
@@ -52,8 +44,7 @@ private:
         b2CircleShape circle;
         circle.m_p = inBody(at);
         circle.m_radius = static_cast<float>(radius * scale_);
-        fixture_.shape = &circle;
-        body_.CreateFixture(&fixture_);
+        take_(circle);
     }
     void addBox(ShapePiece const& piece, double width, double height) {
         b2PolygonShape box;
@@ -63,8 +54,7 @@ private:
             box.SetAsBox(static_cast<float>(width / 2 * scale_), static_cast<float>(height / 2 * scale_),
                          inBody(piece.at), static_cast<float>(piece.angle));
         }
-        fixture_.shape = &box;
-        body_.CreateFixture(&fixture_);
+        take_(box);
     }
     // Set() would look for the convex hull once more, and abort where single precision disagrees; these
     // corners are known to be convex and anticlockwise.
@@ -80,20 +70,18 @@ private:
             sum += polygon.m_vertices[i];
         }
         polygon.m_centroid = (1.0F / static_cast<float>(corners.size())) * sum;
-        fixture_.shape = &polygon;
-        body_.CreateFixture(&fixture_);
+        take_(polygon);
     }
 
-    b2Body& body_;
     BodySpec const& spec_;
     double scale_;
-    b2FixtureDef fixture_;
+    std::function<void(b2Shape const&)> const& take_;
 };
 
 } // namespace
 
-void addFixtures(b2Body& body, BodySpec const& spec, double scale) {
-    FixtureMaker maker(body, spec, scale);
+void makeShapes(BodySpec const& spec, double scale, std::function<void(b2Shape const&)> const& take) {
+    ShapeMaker maker(spec, scale, take);
     for (ShapePiece const& piece : spec.shape->pieces) {
         maker.add(piece);
     }

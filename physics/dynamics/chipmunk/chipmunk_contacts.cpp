@@ -2,9 +2,8 @@
 #ifdef TREMBLER_HAS_CHIPMUNK
 #include "physics/dynamics/chipmunk/chipmunk_engine.hpp"
 
-#include <chipmunk/chipmunk_structs.h>
-
 #include <algorithm>
+#include <chipmunk/chipmunk_structs.h>
 #include <utility>
 
 namespace trembler {
@@ -37,8 +36,8 @@ cpBool ChipmunkEngine::beforeSolving(cpArbiter* arbiter, cpSpace* /*space*/, cpD
         double approach = 0;
         for (int i = 0; i < arbiter->count; ++i) {
             cpContact const& contact = arbiter->contacts[i];
-            cpVect const relative = cpvsub(velocityAt(*arbiter->body_b, contact.r2),
-                                           velocityAt(*arbiter->body_a, contact.r1));
+            cpVect const relative =
+                cpvsub(velocityAt(*arbiter->body_b, contact.r2), velocityAt(*arbiter->body_a, contact.r1));
             approach = std::max(approach, -cpvdot(relative, arbiter->n));
         }
         if (approach < engine.bounceThreshold(a, b, engine.h_)) {

@@ -5,7 +5,6 @@
 #include "physics/dynamics/chipmunk/chipmunk_joint.hpp"
 
 #include <chipmunk/chipmunk_structs.h>
-
 #include <cmath>
 
 namespace trembler {

@@ -53,7 +53,7 @@ private:
     void noteContact(cpArbiter const& arbiter);
 
     std::unique_ptr<cpSpace, SpaceFree> space_;
-    std::vector<cpBody*> bodies_;                 // by slot
+    std::vector<cpBody*> bodies_;                // by slot
     std::vector<std::unique_ptr<Place>> places_; // by slot
     std::vector<std::unique_ptr<ChipmunkJoint, JointFree>> joints_;
     std::vector<PieceContact>* found_ = nullptr; // while it steps

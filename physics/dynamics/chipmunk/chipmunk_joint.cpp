@@ -56,8 +56,8 @@ void apply(cpConstraint* constraint, cpFloat /*h*/) {
             RowTerm const& term = row.terms[static_cast<std::size_t>(i)];
             cpBody const& body = bodyOf(joint, term);
             speed += term.linear.x * body.v.x + term.linear.y * body.v.y + term.angular * body.w;
-            correction += term.linear.x * body.v_bias.x + term.linear.y * body.v_bias.y +
-                          term.angular * body.w_bias;
+            correction +=
+                term.linear.x * body.v_bias.x + term.linear.y * body.v_bias.y + term.angular * body.w_bias;
         }
         push(joint, row, row.solve(speed));
         if (row.corrects) {
@@ -108,8 +108,7 @@ void ChipmunkEngine::makeJoint(SlotIndex slot, JointSpec const& spec) {
     for (SlotIndex const body : rows.slots()) {
         all.push_back(body == noSlot ? cpSpaceGetStaticBody(space_.get()) : bodies_[body]);
     }
-    cpBody* const second =
-        spec.b == noSlot ? cpSpaceGetStaticBody(space_.get()) : bodies_[spec.b];
+    cpBody* const second = spec.b == noSlot ? cpSpaceGetStaticBody(space_.get()) : bodies_[spec.b];
     joints_[slot].reset(
         new ChipmunkJoint(bodies_[spec.a], second, std::move(rows), std::move(all), spec.joint->collide));
     cpSpaceAddConstraint(space_.get(), joints_[slot].get());

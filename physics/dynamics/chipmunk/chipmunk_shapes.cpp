@@ -2,11 +2,10 @@
 #ifdef TREMBLER_HAS_CHIPMUNK
 #include "physics/dynamics/chipmunk/chipmunk_engine.hpp"
 
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
 #include <mutex>
+#include <unistd.h>
 
 namespace trembler {
 namespace {

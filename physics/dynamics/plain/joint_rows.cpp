@@ -7,7 +7,7 @@ namespace trembler {
 namespace {
 
 constexpr double unbounded = 1e300;
-constexpr double correctionShare = 0.2;  // of an error of place, in one substep
+constexpr double correctionShare = 0.9;  // of an error of place, in one substep
 constexpr double fastestCorrection = 10; // m/s or rad/s
 constexpr double shortest = 1e-9;        // m: below it a distance has no direction
 
@@ -241,9 +241,8 @@ void JointRows::preparePulley(Ends const& ends) {
     double const sizeB = length(ropeB);
     Vec2 const alongA = sizeA > shortest ? ropeA / sizeA : Vec2{0, -1};
     Vec2 const alongB = joint_.ratio * (sizeB > shortest ? ropeB / sizeB : Vec2{0, -1});
-    Coordinate const sum{
-        sizeA + joint_.ratio * sizeB,
-        {{{a_, alongA, cross(ends.armA, alongA)}, {b_, alongB, cross(ends.armB, alongB)}}}};
+    Coordinate const sum{sizeA + joint_.ratio * sizeB,
+                         {{{a_, alongA, cross(ends.armA, alongA)}, {b_, alongB, cross(ends.armB, alongB)}}}};
     rigid(sum, sum.value - anchors_.length - joint_.ratio * anchors_.lengthB);
 }
 

@@ -99,7 +99,7 @@ private:
     double h_ = 0;
     std::array<JointRow, 5> rows_;
     int count_ = 0;
-    std::vector<JointRows> coupled_;    // of a gear
+    std::vector<JointRows> coupled_;   // of a gear
     std::optional<double> constant_{}; // of a gear: what its sum was when it came into being
 };
 

@@ -242,7 +242,8 @@ void PlainEngine::step(double duration, DynamicsSettings const& settings) {
     double const h = duration / settings.substeps;
     for (int i = 0; i < settings.substeps; ++i) {
         substep(h, settings);
-        touches_.findImpacts(h * i, [this](SlotIndex slot) { return moves(slot) ? 1 / bodies_[slot].mass : 0; });
+        touches_.findImpacts(h * i,
+                             [this](SlotIndex slot) { return moves(slot) ? 1 / bodies_[slot].mass : 0; });
     }
     if (settings.sleeping) {
         findRest(duration);
@@ -254,8 +255,8 @@ void PlainEngine::substep(double h, DynamicsSettings const& settings) {
     move(h, settings, found_);
     // A touch wakes; what is left is asleep on both sides.
     for (PieceContact const& contact : found_) {
-        wake(contact.slotA);
-        wake(contact.slotB);
+        rouseSleeper(contact.slotA);
+        rouseSleeper(contact.slotB);
     }
     touches_.take(found_, [this](PieceContact const& contact) {
         return awake_[contact.slotA] == 0 && awake_[contact.slotB] == 0;

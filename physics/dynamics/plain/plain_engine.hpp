@@ -82,6 +82,12 @@ protected:
         return slot != noSlot && bodies_[slot].object.valid() && !bodies_[slot].fixed;
     }
     [[nodiscard]] bool isAwake(SlotIndex slot) const { return awake_[slot] != 0; }
+    /// Wakes a body that something touches; one that is awake may go on growing tired.
+    void rouseSleeper(SlotIndex slot) {
+        if (!isAwake(slot)) {
+            wake(slot);
+        }
+    }
     /// To be called where a library has woken a body by itself.
     void noteAwake(SlotIndex slot);
     /// What load, drag and damping make of a body's velocity within `h` (s), for every body once a substep.

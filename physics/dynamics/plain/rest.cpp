@@ -9,9 +9,9 @@ namespace trembler {
 namespace {
 
 // Slower than this for that long is at rest, as in Box2D at its usual scale.
-constexpr double slowSpeed = 0.0025;                // m/s
-constexpr double slowSpin = 2.0 / 180 * pi;         // rad/s
-constexpr double timeToSleep = 0.5 - 1e-9;          // s
+constexpr double slowSpeed = 0.0025;        // m/s
+constexpr double slowSpin = 2.0 / 180 * pi; // rad/s
+constexpr double timeToSleep = 0.5 - 1e-9;  // s
 // What drifts freely, however slowly, does not come to rest by itself: above these it must not fall asleep.
 constexpr double driftAcceleration = 1e-3; // m/s²
 constexpr double driftSpeed = 1e-4;        // m/s

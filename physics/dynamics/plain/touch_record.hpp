@@ -15,12 +15,12 @@ struct PieceContact {
     ContactPatch patch; ///< whose a < b
 };
 
-/// One piece of the body in a slot.
+/// One piece of the body in a slot; an engine may make up to three out of one of ours.
 [[nodiscard]] constexpr std::uint32_t pieceName(SlotIndex slot, std::size_t piece) {
-    return slot << 8 | static_cast<std::uint32_t>(piece); // maximumPieces is 256
+    return slot << 10 | static_cast<std::uint32_t>(piece); // maximumPieces is 256
 }
 [[nodiscard]] constexpr SlotIndex slotOfPiece(std::uint32_t piece) {
-    return piece >> 8;
+    return piece >> 10;
 }
 [[nodiscard]] constexpr std::uint64_t pieceKey(std::uint32_t a, std::uint32_t b) {
     return a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;

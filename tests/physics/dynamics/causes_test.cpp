@@ -117,7 +117,9 @@ TEST_P(Causes, EndsAreToldToo) {
     scene.run(30);
     std::set<std::string> const chain = chainOf(scene, "contact ended", {"a", "b"});
     EXPECT_TRUE(chain.contains("contact of a"));
-    EXPECT_TRUE(chain.contains("addImpulse of a"));
+    if (!on("ode")) { // which drives apart by itself what has overlapped
+        EXPECT_TRUE(chain.contains("addImpulse of a"));
+    }
 }
 
 } // namespace

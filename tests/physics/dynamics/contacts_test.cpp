@@ -276,8 +276,10 @@ public:
     static constexpr EngineMaker engineMaker = makeBox2dEngine;
 };
 
-TEST_P(ContactsTest, GoOnAcrossASwapInARunningWorld) {
-    EXPECT_TRUE(rc::check([] {
+TEST(Swap, ContactsGoOnWhicheverEngineTakesOver) {
+    std::vector<std::string> levels = engines();
+    levels.emplace_back("other");
+    EXPECT_TRUE(rc::check([&] {
         Scene scene({.extend = [](Registry& r) { r.component<OtherDynamics>(); }});
         scene.fixed("floor", boxPiece(6, 0.5), {0, -0.25});
         int const count = *rc::gen::inRange(1, 12);
@@ -288,7 +290,7 @@ TEST_P(ContactsTest, GoOnAcrossASwapInARunningWorld) {
         Pairs known;
         for (int frame = 0; frame < 240; ++frame) {
             if (frame > 0 && *rc::gen::inRange(0, 20) == 0) {
-                scene.world->setDetail("dynamics", *rc::gen::element<std::string>("box2d", "other"));
+                scene.world->setDetail("dynamics", *rc::gen::elementOf(levels));
             }
             scene.run(1);
             expectConsistent(scene.contacts(), known);
@@ -314,13 +316,18 @@ TEST(Swap, APileThatRestsStaysWhereItIs) {
     for (ObjectId const box : boxes) {
         places.push_back(scene.at(box));
     }
-    for (char const* level : {"other", "box2d", "other"}) {
+    // Engines differ in how deep things sink into each other, but not by more than their skins.
+    std::vector<std::string> levels{"other", "box2d", "other"};
+    for (std::string const& engine : engines()) {
+        levels.push_back(engine);
+    }
+    for (std::string const& level : levels) {
         scene.world->setDetail("dynamics", level);
         scene.run(40);
         EXPECT_NEAR(length(scene.at(bob) - Vec2{2, 1.5}), 1, 2e-3); // the pin is where it was
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        EXPECT_NEAR(length(scene.at(boxes[i]) - places[i]), 0, 2e-3);
+        EXPECT_NEAR(length(scene.at(boxes[i]) - places[i]), 0, 5 * 2.5e-3);
     }
 }
 

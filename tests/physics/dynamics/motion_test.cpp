@@ -9,7 +9,8 @@ namespace {
 class Motion : public OnEveryEngine {};
 TREMBLER_ON_EVERY_ENGINE(Motion);
 
-// Semi-implicit Euler (v += h g, then x += h v) is exact in v and falls ahead in x by g h t / 2. What
+// Semi-implicit Euler (v += h g, then x += h v) is exact in v and falls ahead in x by g h t / 2; Chipmunk
+// does it the other way round, and lags as much. What
 // interactions say in one frame is done in the next, so the first frame knows no gravity yet.
 TEST_P(Motion, ProjectileFollowsTheParabolaOfItsIntegrator) {
     for (int const substeps : {1, 4, 16}) {
@@ -22,7 +23,8 @@ TEST_P(Motion, ProjectileFollowsTheParabolaOfItsIntegrator) {
         for (int frame = 1; frame <= 120; ++frame) {
             scene.run(1);
             double const t = frame * frameDuration;
-            double const y = 9 * (t + frameDuration) - 9.81 * t * t / 2 - 9.81 * h * t / 2;
+            double const y =
+                9 * (t + frameDuration) - 9.81 * t * t / 2 - (on("chipmunk") ? -1 : 1) * 9.81 * h * t / 2;
             ASSERT_NEAR(scene.at(ball).x, 7 * (t + frameDuration), 5e-4);
             ASSERT_NEAR(scene.at(ball).y, y, 5e-4) << substeps << " substeps, t = " << t;
             ASSERT_NEAR(scene.velocity(ball).y, 9 - 9.81 * t, 5e-4);

@@ -6,8 +6,8 @@
 namespace trembler::test {
 namespace {
 
-class Pendulum : public OnEveryEngine {};
-TREMBLER_ON_EVERY_ENGINE(Pendulum);
+class PendulumTest : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(PendulumTest);
 class Spring : public OnEveryEngine {};
 TREMBLER_ON_EVERY_ENGINE(Spring);
 
@@ -70,11 +70,11 @@ double smallSwing() {
     return 2 * pi * std::sqrt((0.2 * 0.2 / 2 + 1.5 * 1.5) / (9.81 * 1.5));
 }
 
-TEST_P(Pendulum, SmallSwing) {
+TEST_P(PendulumTest, SmallSwing) {
     EXPECT_NEAR(pendulumPeriod(0.05, 4, 60 * 30), smallSwing(), 0.003 * smallSwing());
 }
 
-TEST_P(Pendulum, LargeSwingTakesLongerByTheEllipticIntegral) {
+TEST_P(PendulumTest, LargeSwingTakesLongerByTheEllipticIntegral) {
     for (double const amplitude : {0.5, 1.0, 1.5, 2.0}) {
         double const expected = smallSwing() * stretchOfSwing(amplitude);
         EXPECT_NEAR(pendulumPeriod(amplitude, 64, 60 * 8), expected, 0.005 * expected) << amplitude;
@@ -84,17 +84,24 @@ TEST_P(Pendulum, LargeSwingTakesLongerByTheEllipticIntegral) {
 // A step runs along the tangent, and the pivot then takes the part of the velocity that has come to point
 // along the arm: 1 - cos(w h) of it. So a swing dies away by about w^2 h / 2 per second: first order in the
 // substep.
-TEST_P(Pendulum, LosesItsSwingInProportionToTheSubstep) {
+TEST_P(PendulumTest, LosesItsSwingInProportionToTheSubstep) {
     auto const lost = [](int substeps) {
         Pendulum pendulum(1.5, substeps);
         Scene& scene = pendulum.scene;
         scene.run(60 * 5);
         double const speed = length(scene.velocity(pendulum.bob));
-        return 1 - (speed * speed / 2 + 9.81 * (scene.at(pendulum.bob).y + 1.5)) /
-                       (9.81 * 1.5 * (1 - std::cos(1.5)));
+        double const spin = scene.spin(pendulum.bob);
+        double const energy =
+            speed * speed / 2 + 0.2 * 0.2 / 2 * spin * spin / 2 + 9.81 * (scene.at(pendulum.bob).y + 1.5);
+        return 1 - energy / (9.81 * 1.5 * (1 - std::cos(1.5)));
     };
     double const at4 = lost(4);
     EXPECT_LT(at4, 0.12);
+    if (on("ode")) { // whose correction of places gives most of it back
+        EXPECT_LT(std::abs(at4), 0.005);
+        EXPECT_LT(std::abs(lost(16)), std::abs(at4) / 2);
+        return;
+    }
     EXPECT_NEAR(lost(8), at4 / 2, 0.1 * at4);
     EXPECT_NEAR(lost(16), at4 / 4, 0.1 * at4);
 }

@@ -59,11 +59,10 @@ Scene::Scene(Options options) {
     if (options.extend != nullptr) {
         options.extend(registry);
     }
-    world = std::make_unique<World>(
-        registry,
-        WorldOptions{.threads = options.threads,
-                     .detail = {{"dynamics", engineUnderTest()}},
-                     .periods = {}, .trace = options.trace});
+    world = std::make_unique<World>(registry, WorldOptions{.threads = options.threads,
+                                                           .detail = {{"dynamics", engineUnderTest()}},
+                                                           .periods = {},
+                                                           .trace = options.trace});
     give(world->store().create("world"), options.solver);
 }
 

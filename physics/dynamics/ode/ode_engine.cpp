@@ -1,0 +1,297 @@
+#ifdef TREMBLER_HAS_ODE
+#include "physics/dynamics/ode/ode_engine.hpp"
+
+#include "physics/dynamics/ode/ode_dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace trembler {
+namespace {
+
+constexpr double jointCorrection = 0.8;   // of an error of place, in one substep
+constexpr double contactCorrection = 0.2;
+constexpr double fastestCorrection = 0.25; // m/s, of bodies that overlap: ODE's stays with them as speed
+constexpr std::size_t mostRowsSolvedExactly = 150;
+constexpr int sweepsPerIteration = 12; // ODE's relaxation has nothing to start from
+
+} // namespace
+
+OdeEngine::OdeEngine(double scale) : contacts_(dJointGroupCreate(0)), finder_(scale) {
+    dWorldID const world = world_.get();
+    dWorldSetGravity(world, 0, 0, 0); // gravity is a force like any other
+    dWorldSetERP(world, jointCorrection);
+    dWorldSetContactMaxCorrectingVel(world, fastestCorrection);
+    dWorldSetContactSurfaceLayer(world, skinDepth);
+    dWorldSetAutoDisableFlag(world, 0);
+}
+
+void OdeEngine::makeBody(SlotIndex slot, BodySpec const& spec) {
+    if (motions_.size() <= slot) {
+        motions_.resize(slot + std::size_t{1});
+        ids_.resize(slot + std::size_t{1});
+    }
+    motions_[slot] = spec.motion;
+    if (!spec.fixed) {
+        dBodyID const body = dBodyCreate(world_.get());
+        ids_[slot].reset(body);
+        dMass mass;
+        double const inertia = spec.mass * spec.spread.inertiaPerMass;
+        dMassSetParameters(&mass, spec.mass, 0, 0, 0, inertia, inertia, inertia, 0, 0, 0);
+        dBodySetMass(body, &mass);
+        dBodySetGyroscopicMode(body, 0);
+        tell(slot);
+    }
+    finder_.add(slot, spec);
+}
+
+void OdeEngine::dropBody(SlotIndex slot) {
+    finder_.remove(slot);
+    ids_[slot].reset();
+}
+
+void OdeEngine::tell(SlotIndex slot) {
+    dBodyID const body = ids_[slot].get();
+    Motion const& motion = motions_[slot];
+    dBodySetPosition(body, motion.centre.x, motion.centre.y, 0);
+    dQuaternion const turned{std::cos(motion.angle / 2), 0, 0, std::sin(motion.angle / 2)};
+    dBodySetQuaternion(body, turned);
+    dBodySetLinearVel(body, motion.velocity.x, motion.velocity.y, 0);
+    dBodySetAngularVel(body, 0, 0, motion.spin);
+}
+
+void OdeEngine::setMotion(SlotIndex slot, Motion const& motion) {
+    motions_[slot] = motion;
+    finder_.place(slot, motion.centre, motion.angle);
+    if (ids_[slot]) {
+        tell(slot);
+        return;
+    }
+    for (auto const& joined : joined_) { // what is fixed is part of ODE's world
+        if (joined && (joined->a == slot || joined->b == slot)) {
+            attach(*joined);
+        }
+    }
+}
+
+void OdeEngine::rouse(SlotIndex slot) {
+    dBodyEnable(ids_[slot].get());
+}
+
+void OdeEngine::layToRest(std::span<SlotIndex const> island) {
+    for (SlotIndex const slot : island) {
+        dBodyDisable(ids_[slot].get());
+    }
+}
+
+void OdeEngine::move(double h, DynamicsSettings const& settings, std::vector<PieceContact>& found) {
+    findTouches();
+    for (SlotIndex const slot : awakeSlots_) {
+        accelerate(slot, motions_[slot], h);
+    }
+    solveRows(h, settings.velocityIterations);
+    for (SlotIndex const slot : awakeSlots_) {
+        tell(slot);
+    }
+    addContacts(h);
+    prepareJoints(h);
+    if (largestIsland() <= mostRowsSolvedExactly) {
+        world_.stepExactly(h);
+    } else {
+        world_.stepQuickly(h, sweepsPerIteration * settings.velocityIterations);
+    }
+    reportContacts(h, found);
+    noteJointImpulses(h);
+    dJointGroupEmpty(contacts_.get());
+    for (SlotIndex const slot : awakeSlots_) {
+        readBack(slot, h);
+    }
+}
+
+void OdeEngine::readBack(SlotIndex slot, double h) {
+    Motion& motion = motions_[slot];
+    Motion const before = motion;
+    dReal const* const velocity = dBodyGetLinearVel(ids_[slot].get());
+    dReal const* const spin = dBodyGetAngularVel(ids_[slot].get());
+    motion.velocity = {velocity[0], velocity[1]};
+    motion.spin = spin[2];
+    if (!isFinite(motion.velocity) || !std::isfinite(motion.spin)) { // a singular case has come to nothing
+        motion = before;
+        motion.velocity = {};
+        motion.spin = 0;
+    }
+    double const speed = length(motion.velocity);
+    if (speed > maximumSpeed) {
+        motion.velocity *= maximumSpeed / speed;
+    }
+    motion.spin = std::clamp(motion.spin, -maximumSpeed, maximumSpeed);
+    Vec2 const way = h * motion.velocity;
+    motion.centre += freeShare(slot, before, way) * way;
+    motion.angle += h * motion.spin;
+    finder_.place(slot, motion.centre, motion.angle);
+    tell(slot);
+}
+
+double OdeEngine::freeShare(SlotIndex slot, Motion const& from, Vec2 way) const {
+    BodyEntry const& entry = bodies()[slot];
+    if (length(way) <= reachOf(entry)) {
+        return 1;
+    }
+    return finder_.freeShare(from.centre + rotated(entry.core.at, from.angle), entry.core.radius, way,
+                             [&](SlotIndex other) {
+                                 return other != slot && (bodies()[other].fixed || entry.bullet) &&
+                                        mayTouch(std::min(slot, other), std::max(slot, other));
+                             });
+}
+
+bool OdeEngine::mayTouch(SlotIndex a, SlotIndex b) const {
+    return (moves(a) || moves(b)) && canHit(bodies()[a].groups, bodies()[b].groups) &&
+           (apart_.empty() || !apart_.contains({a, b}));
+}
+
+void OdeEngine::findTouches() {
+    touches_.clear();
+    std::vector<SlotIndex> asked;
+    std::vector<std::uint8_t> done(motions_.size(), 0);
+    for (;;) {
+        // Whom a touch wakes may touch, and wake, others.
+        asked.clear();
+        for (SlotIndex slot = 0; slot < motions_.size(); ++slot) {
+            if (done[slot] == 0 && moves(slot) && isAwake(slot)) {
+                asked.push_back(slot);
+                done[slot] = 1;
+            }
+        }
+        if (asked.empty()) {
+            break;
+        }
+        std::size_t const before = touches_.size();
+        finder_.find(
+            asked, [this](SlotIndex a, SlotIndex b) { return mayTouch(a, b); }, touches_);
+        for (std::size_t i = before; i < touches_.size(); ++i) {
+            rouseSleeper(touches_[i].a);
+            rouseSleeper(touches_[i].b);
+        }
+    }
+    std::sort(touches_.begin(), touches_.end(),
+              [](FoundTouch const& x, FoundTouch const& y) { return x.key < y.key; });
+    touches_.erase(std::unique(touches_.begin(), touches_.end(),
+                               [](FoundTouch const& x, FoundTouch const& y) { return x.key == y.key; }),
+                   touches_.end());
+    awakeSlots_.clear();
+    for (SlotIndex slot = 0; slot < motions_.size(); ++slot) {
+        if (done[slot] != 0) {
+            awakeSlots_.push_back(slot);
+        }
+    }
+}
+
+void OdeEngine::addContacts(double h) {
+    feedback_.resize(touches_.size());
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+        FoundTouch const& touch = touches_[i];
+        bool const flipped = idOf(touch.a) == nullptr; // ODE's first body must move
+        dContact contact{};
+        contact.surface.mode = dContactMu2 | dContactFDir1 | dContactApprox1 | dContactSoftERP;
+        contact.surface.soft_erp = contactCorrection;
+        contact.surface.mu = frictionOf(touch.a, touch.b);
+        contact.surface.mu2 = 0; // nothing moves out of the plane
+        double const bounce = restitutionOf(touch.a, touch.b);
+        if (bounce > 0) {
+            contact.surface.mode |= dContactBounce;
+            contact.surface.bounce = bounce;
+            contact.surface.bounce_vel = bounceThreshold(touch.a, touch.b, h);
+        }
+        Vec2 const inward = flipped ? touch.normal : -touch.normal; // into ODE's first body
+        contact.geom.normal[0] = inward.x;
+        contact.geom.normal[1] = inward.y;
+        contact.fdir1[0] = -inward.y;
+        contact.fdir1[1] = inward.x;
+        for (std::size_t n = 0; n < static_cast<std::size_t>(touch.count); ++n) {
+            contact.geom.pos[0] = touch.points[n].x;
+            contact.geom.pos[1] = touch.points[n].y;
+            contact.geom.depth = std::max(touch.depth[n], 0.0);
+            dJointID const joint = dJointCreateContact(world_.get(), contacts_.get(), &contact);
+            dJointAttach(joint, idOf(flipped ? touch.b : touch.a), idOf(flipped ? touch.a : touch.b));
+            feedback_[i][n] = {};
+            dJointSetFeedback(joint, &feedback_[i][n]);
+        }
+    }
+}
+
+void OdeEngine::reportContacts(double h, std::vector<PieceContact>& found) const {
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+        FoundTouch const& touch = touches_[i];
+        bool const flipped = idOf(touch.a) == nullptr;
+        PieceContact contact;
+        contact.key = touch.key;
+        contact.slotA = touch.a;
+        contact.slotB = touch.b;
+        ContactPatch& patch = contact.patch;
+        patch.a = bodies()[touch.a].object;
+        patch.b = bodies()[touch.b].object;
+        patch.normal = touch.normal;
+        patch.count = touch.count;
+        for (std::size_t n = 0; n < static_cast<std::size_t>(touch.count); ++n) {
+            dReal const* const onFirst = feedback_[i][n].f1;
+            Vec2 const onB = (flipped ? h : -h) * Vec2{onFirst[0], onFirst[1]};
+            patch.points[n] = touch.points[n];
+            patch.normalImpulse[n] = std::max(dot(onB, touch.normal), 0.0);
+            patch.tangentImpulse[n] = dot(onB, -perpendicular(touch.normal)); // the normal turned clockwise
+        }
+        if (patch.b < patch.a) {
+            std::swap(patch.a, patch.b);
+            std::swap(contact.slotA, contact.slotB);
+            patch.normal = -patch.normal;
+        }
+        found.push_back(contact);
+    }
+}
+
+std::size_t OdeEngine::largestIsland() {
+    parents_.resize(motions_.size());
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+    rowsOf_.assign(motions_.size(), 0);
+    auto const rootOf = [&](std::size_t slot) {
+        while (parents_[slot] != slot) {
+            slot = parents_[slot] = parents_[parents_[slot]];
+        }
+        return slot;
+    };
+    auto const link = [&](SlotIndex a, SlotIndex b) {
+        if (moves(a) && moves(b)) {
+            parents_[rootOf(a)] = rootOf(b);
+        }
+    };
+    for (FoundTouch const& touch : touches_) {
+        link(touch.a, touch.b);
+    }
+    for (auto const& joined : joined_) {
+        if (joined && (joined->main || joined->drive)) {
+            link(joined->a, joined->b);
+        }
+    }
+    auto const count = [&](SlotIndex a, SlotIndex b, int rows) {
+        SlotIndex const slot = moves(a) ? a : b;
+        rowsOf_[rootOf(slot)] += static_cast<std::size_t>(rows);
+    };
+    for (FoundTouch const& touch : touches_) {
+        count(touch.a, touch.b, 2 * touch.count);
+    }
+    for (auto const& joined : joined_) {
+        if (joined && joined->main) {
+            bool const line =
+                joined->joint.form == JointForm::distance || joined->joint.form == JointForm::spring;
+            count(joined->a, joined->b, line ? 1 : 6);
+        }
+    }
+    return rowsOf_.empty() ? 0 : *std::max_element(rowsOf_.begin(), rowsOf_.end());
+}
+
+std::unique_ptr<Engine> makeOdeEngine(double scale) {
+    return std::make_unique<OdeEngine>(scale);
+}
+
+} // namespace trembler
+#endif

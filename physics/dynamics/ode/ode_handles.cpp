@@ -1,0 +1,44 @@
+#ifdef TREMBLER_HAS_ODE
+#include "physics/dynamics/ode/ode_handles.hpp"
+
+#include <mutex>
+#include <stdexcept>
+
+namespace trembler {
+
+OdeWorld::OdeWorld() {
+    static std::once_flag started;
+    std::call_once(started, [] {
+        dInitODE2(0);
+        if (dCheckConfiguration("ODE_double_precision") == 0) {
+            throw std::runtime_error("ODE was built for single precision; Debian's counts in double");
+        }
+        // Where its solver meets a singular case ODE says so and goes on; what it says helps no player.
+        dSetMessageHandler([](int, char const*, va_list) {});
+    });
+    world_ = dWorldCreate();
+    threading_ = dThreadingAllocateSelfThreadedImplementation();
+    dWorldSetStepThreadingImplementation(world_, dThreadingImplementationGetFunctions(threading_),
+                                         threading_);
+}
+
+OdeWorld::~OdeWorld() {
+    dWorldDestroy(world_);
+    dThreadingFreeImplementation(threading_);
+}
+
+void OdeWorld::stepExactly(double h) {
+    dWorldStep(world_, h);
+}
+
+void OdeWorld::stepQuickly(double h, int iterations) {
+    // It shuffles rows with a generator that all worlds of a process share.
+    static std::mutex shuffling;
+    std::lock_guard const lock(shuffling);
+    dRandSetSeed(1);
+    dWorldSetQuickStepNumIterations(world_, iterations);
+    dWorldQuickStep(world_, h);
+}
+
+} // namespace trembler
+#endif

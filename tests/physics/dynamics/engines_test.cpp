@@ -1,0 +1,44 @@
+// What holds between engines: one that is not there is refused by name, and gears turn on every one.
+#include "physics/dynamics/dynamics_resolver.hpp"
+#include "tests/physics/dynamics/scene.hpp"
+
+namespace trembler::test {
+namespace {
+
+class NotThere final : public DynamicsResolver<NotThere> {
+public:
+    static constexpr ComponentText text{.name = "No Dynamics",
+                                        .effect = "dynamics",
+                                        .level = "absent",
+                                        .work = "Nothing.",
+                                        .cost = -1}; // the cheapest, and yet it must not be picked
+    static constexpr EngineMaker engineMaker = nullptr;
+    static constexpr std::string_view missing = "this program was built without it";
+};
+
+TEST(EngineChoice, OneThatIsNotThereIsRefusedAndTheRestGoesOn) {
+    Registry registry;
+    registerScene(registry);
+    registry.component<NotThere>();
+    World world(registry, {});
+    try {
+        world.setDetail("dynamics", "absent");
+        ADD_FAILURE() << "taken";
+    } catch (std::invalid_argument const& error) {
+        EXPECT_STREQ(error.what(), "dynamics=absent cannot be had: this program was built without it");
+    }
+    EXPECT_THROW(
+        World(registry, WorldOptions{.threads = 1, .detail = {{"dynamics", "absent"}}, .periods = {}}),
+        std::invalid_argument);
+    ObjectId const ball = world.store().create("ball");
+    world.store().column<Shape>().set(ball, Shape{{circlePiece(0.1)}});
+    world.store().column<Position>().set(ball, Position{{0, 1}});
+    world.store().column<Velocity>().set(ball, Velocity{{1, 0}});
+    world.start();
+    world.step();
+    world.step();
+    EXPECT_NEAR(world.find<Position>(ball)->value.x, 2 * frameDuration, 1e-6);
+}
+
+} // namespace
+} // namespace trembler::test
