@@ -129,7 +129,7 @@ int main() {
     }
     constexpr Case cases[] = {
         {"pyramid of 55 boxes", [](Scene& s) { pyramid(s, 10); }, 300},
-        {"chain of 30 links, a ball of ten links' mass swings", [](Scene& s) { chain(s, 30, 100); }, 600},
+        {"chain of 30 links, a ball of ten links' mass swings", [](Scene& s) { chain(s, 30, 10); }, 600},
         {"heap of 200 balls and boxes", [](Scene& s) { heap(s, 200); }, 300},
     };
     for (Case const& one : cases) {

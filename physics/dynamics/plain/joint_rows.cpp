@@ -7,7 +7,7 @@ namespace trembler {
 namespace {
 
 constexpr double unbounded = 1e300;
-constexpr double correctionShare = 0.9;  // of an error of place, in one substep
+constexpr double correctionShare = 0.6;  // of an error of place, in one substep
 constexpr double fastestCorrection = 10; // m/s or rad/s
 constexpr double shortest = 1e-9;        // m: below it a distance has no direction
 

@@ -57,7 +57,8 @@ TEST_P(Hinge, HoldsTheLinksOfAChainTogether) {
                 worst, length(pointOf(scene, links[i], {-0.2, 0}) - pointOf(scene, links[i - 1], {0.2, 0})));
         }
     }
-    EXPECT_LT(worst, on("box2d") ? 3e-3 : 6e-3);
+    // The others correct errors of place less thoroughly: docs/engines.md.
+    EXPECT_LT(worst, on("box2d") ? 3e-3 : on("chipmunk") ? 8e-3 : 15e-3);
     EXPECT_LT(scene.at(links.back()).y, -1); // it did swing
 }
 
