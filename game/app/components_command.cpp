@@ -27,6 +27,10 @@ void addComponentsCommand(CLI::App& program, int& result) {
             Registry registry;
             registerEffects(registry);
             registry.check();
+            for (std::string const& effect : gameEffectsLeftOut()) {
+                std::cerr << "This program was built without " << effect
+                          << ": only its properties are known.\n";
+            }
             if (arguments->json) {
                 std::cout << notationJson(registry).dump(2) << "\n";
             } else {
