@@ -29,14 +29,19 @@ public:
     }
     void add(double seconds) { seconds_.push_back(seconds); }
     /// In s; 0 if nothing was timed.
-    [[nodiscard]] double median() const {
+    [[nodiscard]] double median() const { return quantile(0.5); }
+    /// The duration that this share of all, 0 to 1, is shorter than. A small one tells what a machine that
+    /// has other work does when it has none.
+    [[nodiscard]] double quantile(double share) const {
         if (seconds_.empty()) {
             return 0;
         }
         std::vector<double> sorted = seconds_;
-        auto const middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-        std::nth_element(sorted.begin(), middle, sorted.end());
-        return *middle;
+        auto const last = static_cast<double>(sorted.size() - 1);
+        auto const at = sorted.begin() + static_cast<std::ptrdiff_t>(
+                                             std::min(share * static_cast<double>(sorted.size()), last));
+        std::nth_element(sorted.begin(), at, sorted.end());
+        return *at;
     }
 
 private:

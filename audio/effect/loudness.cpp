@@ -12,10 +12,19 @@ namespace {
 
 struct Source {
     ObjectId object;
-    Vec2 at;
+    Vec2 at;              // m
     double loudness = 0;  // Pa² at 1 m
     double frequency = 0; // Hz
     EventId event;
+};
+
+/// From a source to a listener.
+struct Way {
+    Source const* source;
+    Vec2 to;          // m
+    std::size_t ear;  // the listener's entry
+    double faintest;  // Pa²
+    double heard = 0; // Pa²
 };
 
 std::vector<Source> sourcesOf(Sounds const& sounds) {
@@ -62,46 +71,55 @@ double Loudness::at(ObjectId ear) const {
 }
 
 std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
-                                        PathDetail detail) {
+                                        PathDetail detail, ForPaths const& forPaths) {
     constexpr double margin = 0.01; // 20 dB
     std::vector<ObjectId> ears;
     std::set_union(columns.ears.owners().begin(), columns.ears.owners().end(),
                    columns.sensors.owners().begin(), columns.sensors.owners().end(),
                    std::back_inserter(ears));
     std::vector<Source> const sources = sourcesOf(sounds);
-    std::vector<Obstacle> obstacles;
-    if (!sources.empty()) {
-        obstacles = obstaclesOf(columns);
-    }
     std::vector<Loudness::Entry> entries;
+    std::vector<Way> ways; // by ear, and of each ear in order of sources
     for (ObjectId const ear : ears) {
-        Loudness::Entry entry{ear, silentLevel, {}, {}};
         Position const* const position = columns.position.find(ear);
         SoundSensor const* const sensor = columns.sensors.find(ear);
         bool const onlySwitches = sensor != nullptr && !columns.ears.has(ear);
         double const faintest = onlySwitches ? margin * meanSquareOf(sensor->threshold) : inaudible;
-        double sum = 0;
-        double most = 0;
         for (Source const& source : sources) {
             if (position == nullptr) {
                 break;
             }
             double const free = source.loudness / std::max(0.01, lengthSquared(position->value - source.at));
-            if (free < faintest) {
-                continue;
-            }
-            double const share = transmission(obstacles, std::span(&ear, 1), source.at, position->value,
-                                              source.frequency, detail);
-            double const heard = source.loudness * share;
-            sum += heard;
-            if (heard > most) {
-                most = heard;
-                entry.loudest = source.object;
-                entry.event = source.event;
+            if (free >= faintest) {
+                ways.push_back({&source, position->value, entries.size(), faintest, 0});
             }
         }
-        entry.level = levelOf(sum);
-        entries.push_back(entry);
+        entries.push_back({ear, silentLevel, {}, {}});
+    }
+    if (!ways.empty()) {
+        std::vector<Obstacle> const obstacles = obstaclesOf(columns);
+        ObstacleField const field(obstacles);
+        forPaths(ways.size(), [&](std::size_t begin, std::size_t end) {
+            for (Way& way : std::span(ways).subspan(begin, end - begin)) {
+                way.heard = way.source->loudness * transmission(field, std::span(&entries[way.ear].ear, 1),
+                                                                way.source->at, way.to, way.source->frequency,
+                                                                detail);
+            }
+        });
+    }
+    auto way = ways.cbegin();
+    for (std::size_t ear = 0; ear < entries.size(); ++ear) {
+        double sum = 0;
+        double most = 0;
+        for (; way != ways.cend() && way->ear == ear; ++way) {
+            sum += way->heard;
+            if (way->heard > most) {
+                most = way->heard;
+                entries[ear].loudest = way->source->object;
+                entries[ear].event = way->source->event;
+            }
+        }
+        entries[ear].level = levelOf(sum);
     }
     return entries;
 }

@@ -11,6 +11,7 @@
 #include "runtime/world/store.hpp"
 
 #include <cstdint>
+#include <functional>
 
 namespace trembler {
 
@@ -45,10 +46,15 @@ struct LoudnessColumns {
     Column<Rotation> const& rotation;
 };
 
-/// Every source counts by its A-weighted energy, with what air and walls leave of it. Sources that even in
-/// free air would be 20 dB below the faintest level that matters to a listener are left out.
+/// Calls f(begin, end) for ranges that cover [0, count), perhaps at the same time.
+using ForPaths =
+    std::function<void(std::size_t count, std::function<void(std::size_t, std::size_t)> const& f)>;
+
+/// Every source counts by its A-weighted energy, with what air and walls leave of it. Sources that arrive
+/// more than 20 dB below the faintest level that matters to a listener are left out. `forPaths` runs
+/// over the ways from sources to listeners; it shows in no result.
 [[nodiscard]] std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
-                                                      PathDetail detail);
+                                                      PathDetail detail, ForPaths const& forPaths);
 
 /// `Self` adds `text` and `static constexpr PathDetail detail`.
 template <class Self>
@@ -61,6 +67,7 @@ class LoudnessDps
 public:
     using CalledFor = NeedsAny<Ear, SoundSensor>;
     using Access = typename Base::Access;
+    static constexpr std::size_t waysToARange = 8;
 
     void update(Access& access) {
         std::vector<Loudness::Entry> entries = loudnessOf(
@@ -68,7 +75,8 @@ public:
             {access.template read<Ear>(), access.template read<SoundSensor>(), access.template read<Shape>(),
              access.template read<Look>(), access.template read<Density>(), access.template read<Position>(),
              access.template read<Rotation>()},
-            Self::detail);
+            Self::detail,
+            [&](std::size_t count, auto const& f) { access.forRanges(count, f, waysToARange); });
         auto const& before = access.template derived<Loudness>().entries;
         bool const same =
             std::equal(entries.begin(), entries.end(), before.begin(), before.end(),

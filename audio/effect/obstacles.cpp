@@ -117,9 +117,11 @@ double chordOf(Obstacle const& obstacle, Vec2 from, Vec2 to) {
 double detourAround(Obstacle const& obstacle, Vec2 from, Vec2 to) {
     // On either side: a taut string from one point to the other around the corners of that side. As the
     // polygon is convex, it is the hull of these corners and the two points, less the straight line.
+    thread_local std::vector<Vec2> string; // both kept for their memory: this is asked very often
+    thread_local std::vector<Vec2> corners;
     auto const around = [&](double side) {
-        std::vector<Vec2> string{from};
-        std::vector<Vec2> corners;
+        string.assign(1, from);
+        corners.clear();
         Vec2 const way = to - from;
         for (Vec2 const corner : obstacle.corners) {
             if (side * cross(way, corner - from) > 0) {

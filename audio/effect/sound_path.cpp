@@ -15,41 +15,46 @@ constexpr double worthAWay =
 
 } // namespace
 
+// Both formulas are told in dB; as shares of energy they need no logarithm.
+
 double shareThrough(double massPerArea, double frequency) {
-    double const loss = 20 * std::log10(std::max(1e-9, massPerArea * frequency)) - 47;
-    return powerOf(-std::max(0.0, loss));
+    constexpr double lossless = 50118.72336272725; // 47 dB
+    double const product = std::max(1e-9, massPerArea * frequency);
+    return std::min(1.0, lossless / (product * product));
 }
 
 double shareAround(double detour, double frequency) {
-    constexpr double most = 24; // dB
+    constexpr double most = 251.18864315095797; // 24 dB
     double const fresnel = 2 * std::max(0.0, detour) * frequency / speedOfSound;
-    double const loss = std::min(most, 10 * std::log10(3 + 20 * fresnel));
-    return powerOf(-loss);
+    return 1 / std::min(most, 3 + 20 * fresnel);
 }
 
-double transmission(std::span<Obstacle const> obstacles, std::span<ObjectId const> exempt, Vec2 from, Vec2 to,
-                    double frequency, PathDetail detail) {
+double transmission(ObstacleField const& field, std::span<ObjectId const> exempt, Vec2 from, Vec2 to,
+                    double frequency, PathDetail detail, double least) {
     double const distance = std::max(nearest, length(to - from));
-    std::vector<Obstacle const*> walls;
-    for (Obstacle const& obstacle : obstacles) {
-        // Sound begins at the surface of what it is in; what is built in is heard outside, and shields it.
-        if (std::find(exempt.begin(), exempt.end(), obstacle.object) == exempt.end() &&
-            !contains(obstacle, from) && !contains(obstacle, to)) {
-            walls.push_back(&obstacle);
-        }
-    }
+    // Sound begins at the surface of what it is in; what is built in is heard outside, and shields it.
+    auto const inTheWay = [&](Obstacle const& obstacle) {
+        return std::find(exempt.begin(), exempt.end(), obstacle.object) == exempt.end() &&
+               !contains(obstacle, from) && !contains(obstacle, to);
+    };
+    thread_local std::vector<std::uint32_t> onTheLine; // kept for its memory
+    field.along(from, to, onTheLine);
     double through = 1;
     double eachAlone = 1;
-    for (Obstacle const* const wall : walls) {
-        double const chord = chordOf(*wall, from, to);
-        if (chord < thinnest) {
+    for (std::uint32_t const n : onTheLine) {
+        Obstacle const& wall = field.all()[n];
+        double const chord = chordOf(wall, from, to);
+        if (chord < thinnest || !inTheWay(wall)) {
             continue;
         }
-        double const share = shareThrough(wall->density * chord, frequency);
+        double const share = shareThrough(wall.density * chord, frequency);
         through *= share;
         if (detail == PathDetail::straight) {
-            double const detour = detourAround(*wall, from, to) - length(to - from);
+            double const detour = detourAround(wall, from, to) - length(to - from);
             eachAlone *= std::min(1.0, share + shareAround(detour, frequency));
+            if (eachAlone < least * distance * distance) {
+                return 0;
+            }
         }
     }
     double const direct = through / (distance * distance);
@@ -58,6 +63,12 @@ double transmission(std::span<Obstacle const> obstacles, std::span<ObjectId cons
     }
     if (through > worthAWay) {
         return direct;
+    }
+    std::vector<Obstacle const*> walls;
+    for (Obstacle const& obstacle : field.all()) {
+        if (inTheWay(obstacle)) {
+            walls.push_back(&obstacle);
+        }
     }
     double const way = shortestWay(walls, from, to);
     if (way < 0) {

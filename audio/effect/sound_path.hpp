@@ -1,7 +1,7 @@
 // What is left of a sound on its way from here to there.
 #pragma once
 
-#include "audio/effect/obstacles.hpp"
+#include "audio/effect/obstacle_field.hpp"
 
 namespace trembler {
 
@@ -24,8 +24,10 @@ enum class PathDetail {
 
 /// The mean square pressure at `to` over that at 1 m from a source at `from`, in free air 1/r². Obstacles of
 /// the objects in `exempt` (the listener), and those that an end lies in, are not in the way. Two
-/// ends nearer than 10 cm count as 10 cm apart. `frequency` in Hz. Echoes are left out. Thread-safe.
-[[nodiscard]] double transmission(std::span<Obstacle const> obstacles, std::span<ObjectId const> exempt,
-                                  Vec2 from, Vec2 to, double frequency, PathDetail detail);
+/// ends nearer than 10 cm count as 10 cm apart. `frequency` in Hz. Echoes are left out. Along a straight line
+/// what would be less than `least` may come out as 0: walls are not counted on once it no longer matters.
+/// Thread-safe.
+[[nodiscard]] double transmission(ObstacleField const& field, std::span<ObjectId const> exempt, Vec2 from,
+                                  Vec2 to, double frequency, PathDetail detail, double least = 0);
 
 } // namespace trembler

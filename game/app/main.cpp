@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
         "  trembler play levels/first/1-first-contact.json        one level\n"
         "  trembler run LEVEL --solution NAME                     replay a recorded solution, no window\n"
         "  trembler run LEVEL --trace account.jsonl               and write down what led to what\n"
+        "  trembler run LEVEL --sound it.wav                      and write what it sounds like\n"
         "  trembler verify                                        check every level\n"
         "  trembler components                                    what there is, and in which order it runs\n"
         "\n"

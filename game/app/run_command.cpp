@@ -5,6 +5,9 @@
 #include "game/session/solution_file.hpp"
 #include "physics/dynamics/settings.hpp"
 #include "runtime/level/read_level.hpp"
+#ifndef TREMBLER_HEADLESS
+#include "game/ui/run_sound.hpp"
+#endif
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -28,7 +31,36 @@ struct Arguments {
     std::vector<std::string> detail;
     std::vector<std::string> periods;
     std::optional<int> substeps;
+    std::string sound;
 };
+
+#ifdef TREMBLER_HEADLESS
+
+/// Stands in for ui::RunSound.
+class RunSound {
+public:
+    RunSound(std::string const&, std::string const&, Workshop const&, RunOptions&) {
+        throw std::runtime_error("--sound: this build was made without sound; build it without "
+                                 "-DTREMBLER_HEADLESS=ON");
+    }
+    void finish() {}
+};
+
+#else
+
+class RunSound {
+public:
+    RunSound(std::string const& file, std::string const& level, Workshop const& workshop, RunOptions& run)
+        : sound_(
+              file, {.synthesiser = {}, .output = {}, .sampleFolders = ui::sampleFolders(workshop, level)},
+              [](std::string const& what) { std::cerr << "trembler: " << what << "\n"; }, run) {}
+    void finish() { sound_.finish(); }
+
+private:
+    ui::RunSound sound_;
+};
+
+#endif
 
 int asPeriod(std::string const& text, std::string const& value) {
     std::size_t used = 0;
@@ -104,7 +136,14 @@ int runLevel(Arguments const& arguments) {
         }
         run.trace = &trace;
     }
+    std::optional<RunSound> sound;
+    if (!arguments.sound.empty()) {
+        sound.emplace(arguments.sound, arguments.level, workshop, run);
+    }
     RunReport const report = trembler::run(session, arguments.level, run);
+    if (sound) {
+        sound->finish();
+    }
     if (!arguments.trace.empty() && !trace.flush()) {
         throw std::runtime_error(
             fmt::format("--trace {}: writing failed, the account is not complete", arguments.trace));
@@ -138,6 +177,10 @@ void addRunCommand(CLI::App& program, int& result) {
     command->add_flag("--json", arguments->json, "Print one JSON object instead of words");
     command->add_option("--trace", arguments->trace,
                         "Write every event and its causes to a file, one JSON line each");
+    command->add_option(
+        "--sound", arguments->sound,
+        "Write what it sounds like to a .wav file, as heard in front of the middle of the level; "
+        "needs no sound device");
     command->add_option("--hash-every", arguments->hashEvery,
                         "Also print the state's hash at every Nth frame");
     command

@@ -9,11 +9,17 @@ RunReport run(Session& session, std::string levelName, RunOptions const& options
     RunReport report;
     report.level = std::move(levelName);
     session.stop();
+    if (options.enter) {
+        options.enter(session);
+    }
     std::size_t traced = 0;
     auto const before = std::chrono::steady_clock::now();
     for (std::uint64_t frame = 1; frame <= options.frames; ++frame) {
         session.step();
         World const& world = session.world();
+        if (options.frame) {
+            options.frame(world);
+        }
         if (session.solved() && !report.solvedFrame) {
             report.solvedFrame = frame;
         }

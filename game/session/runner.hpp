@@ -14,8 +14,11 @@ struct RunOptions {
     bool stopWhenSolved = false;
     std::uint64_t hashEvery = 0;   ///< 0: only the last
     std::ostream* trace = nullptr; ///< where the account goes, JSON lines
-    /// Called now and then with the frames done, for a sign of progress.
+    /// Called after every frame with the frames done, for a sign of progress.
     std::function<void(std::uint64_t)> progress;
+    /// For onlookers, who change nothing: called before the first frame, and after every one.
+    std::function<void(Session&)> enter;
+    std::function<void(World const&)> frame;
 };
 
 /// Runs a session from its beginning for a number of frames. The world must trace if options.trace is set.

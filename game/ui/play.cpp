@@ -2,6 +2,7 @@
 
 #include "audio/device/loudspeaker.hpp"
 #include "game/ui/app.hpp"
+#include "game/ui/run_sound.hpp"
 #include "game/ui/screenshot.hpp"
 #include "runtime/level/read_level.hpp"
 
@@ -68,21 +69,6 @@ std::optional<std::uint64_t> playOut(Session& session, std::uint64_t frames, std
     return solved;
 }
 
-// Beside the levels, and the program's own.
-std::vector<fs::path> sampleFolders(Workshop const& workshop, PlayOptions const& options) {
-    std::vector<fs::path> folders;
-    if (!options.level.empty()) {
-        folders.push_back(options.level.parent_path());
-    }
-    for (fs::path const& level : workshop.levels()) {
-        if (folders.empty() || folders.back() != level.parent_path()) {
-            folders.push_back(level.parent_path());
-        }
-    }
-    folders.push_back(workshop.home / "assets" / "sounds");
-    return folders;
-}
-
 void writePicture(Workshop const& workshop, Session const& session, fs::path const& file, std::ostream& out) {
     try {
         render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
@@ -137,7 +123,7 @@ int playWithoutDisplay(Workshop const& workshop, PlayOptions const& options, std
 int playInWindow(Workshop const& workshop, PlayOptions const& options) {
     render::Window window({.title = "Trembler", .size = {1280, 720}});
     Loudspeaker loudspeaker(
-        {.synthesiser = {}, .output = {}, .sampleFolders = sampleFolders(workshop, options)},
+        {.synthesiser = {}, .output = {}, .sampleFolders = sampleFolders(workshop, options.level)},
         [](std::string const& text) { std::cout << text << std::endl; });
     GameApp app(window, workshop.registry, workshop.parts,
                 {.levels = workshop.home / "levels",

@@ -39,13 +39,15 @@ public:
                                        access.template read<Liquid>(),   access.template read<Fixed>()};
         Flotation::HullMaker const makeHull = static_cast<Self&>(*this).prepare(access, flotation_);
         bool const moved = flotation_.follow(
-            columns, makeHull, [&](std::size_t count, auto const& f) { access.forRanges(count, f); });
+            columns, makeHull, [&](std::size_t count, auto const& f) { access.forRanges(count, f, hulls); });
         if (moved || otherGravity) {
             publish(access, columns, gravity);
         }
     }
 
 private:
+    static constexpr std::size_t hulls = 32; // to a range: each is a polygon to be cut, or many particles
+
     // While nobody has called yet, in the first frame, what the world began with stands (see startGravity()).
     Vec2 gravityNow(Access& access) const {
         Vec2 sum;

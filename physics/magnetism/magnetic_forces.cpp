@@ -74,7 +74,8 @@ void MagneticForces::update(Access& access) {
     }
     forces.resize(poles_.size() + soft_.size());
     // Every receiver sums over all others by itself, so no bit depends on threads.
-    access.forRanges(forces.size(), [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t receivers = 32; // as each of them is a sum over all others
+    auto const sumUp = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             bool const isPole = i < poles_.size();
             Pole const& self = isPole ? poles_[i] : soft_[i - poles_.size()];
@@ -105,7 +106,8 @@ void MagneticForces::update(Access& access) {
             }
             forces[i] = {self.object, self.at, total, causeOf(from)};
         }
-    });
+    };
+    access.forRanges(forces.size(), sumUp, receivers);
     std::stable_sort(
         forces.begin(), forces.end(),
         [](MagneticForce::Entry const& a, MagneticForce::Entry const& b) { return a.object < b.object; });

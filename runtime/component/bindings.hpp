@@ -47,17 +47,16 @@ private:
     std::array<std::uint64_t, sizeof...(P)> seen_{};
 };
 
-/// Splits [0, count) into chunks that depend on nothing but count.
-[[nodiscard]] constexpr std::size_t chunkCount(std::size_t count) {
-    return count == 0 ? 1 : (count + chunkRows - 1) / chunkRows;
+/// Splits [0, count) into chunks that depend on nothing but count and rows.
+[[nodiscard]] constexpr std::size_t chunkCount(std::size_t count, std::size_t rows = chunkRows) {
+    return count == 0 ? 1 : (count + rows - 1) / rows;
 }
 
 template <class F>
-void forRanges(Executor& executor, std::size_t count, F&& f) {
-    std::size_t const chunks = chunkCount(count);
-    executor.forIndices(chunks, [&](std::size_t chunk) {
-        f(chunk, chunk * chunkRows, std::min(count, (chunk + 1) * chunkRows));
-    });
+void forRanges(Executor& executor, std::size_t count, F&& f, std::size_t rows = chunkRows) {
+    std::size_t const chunks = chunkCount(count, rows);
+    executor.forIndices(
+        chunks, [&](std::size_t chunk) { f(chunk, chunk * rows, std::min(count, (chunk + 1) * rows)); });
 }
 
 /// What the three kinds of access have in common.
@@ -80,11 +79,13 @@ public:
         return sinks_.empty() ? EventId{} : sinks_.front().record(what, objects, causes);
     }
     /// Calls f(begin, end) for consecutive ranges that cover [0, count), perhaps at the same time. f must
-    /// write only what belongs to its range.
+    /// write only what belongs to its range. `rows` > 0 is the length of a range: a constant of the
+    /// component, less where each row is much work (some microseconds a range are worth a thread's while).
     template <class F>
-    void forRanges(std::size_t count, F&& f) {
-        detail::forRanges(*context_.executor, count,
-                          [&](std::size_t, std::size_t begin, std::size_t end) { f(begin, end); });
+    void forRanges(std::size_t count, F&& f, std::size_t rows = chunkRows) {
+        detail::forRanges(
+            *context_.executor, count,
+            [&](std::size_t, std::size_t begin, std::size_t end) { f(begin, end); }, rows);
     }
 
 protected:

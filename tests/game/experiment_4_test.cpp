@@ -40,6 +40,17 @@ protected:
     [[nodiscard]] double height() const {
         return (at("flotation device A").y + at("flotation device B").y) / 2;
     }
+    /// What a hand does in one frame.
+    void hand(PlayerInput::Kind kind, Vec2 where, std::string const& object = "") {
+        session().feed({kind, object.empty() ? ObjectId{} : id(object), {}, where});
+        step();
+    }
+    /// Moves the hand evenly, for so many frames.
+    void carry(Vec2 from, Vec2 to, int frames) {
+        for (int i = 1; i <= frames; ++i) {
+            hand(PlayerInput::Kind::move, from + static_cast<double>(i) / frames * (to - from));
+        }
+    }
     [[nodiscard]] int aboard() const {
         int count = 0;
         for (int i = 1; i <= 13; ++i) {
@@ -105,6 +116,80 @@ TEST_F(ExperimentFour, HeelsSpillsAndSettles) {
     EXPECT_NEAR(height(), expectedHeight(0), 0.003) << "it has come up";
     EXPECT_NEAR(angle("raft body"), 0, 0.01);
     EXPECT_NEAR(spin("raft body"), 0, 0.001);
+    EXPECT_FALSE(session().solved());
+}
+
+// 6.12.2: a box from the ground of the basin is picked up and put on the raft, which lies deeper by just
+// that.
+TEST_F(ExperimentFour, CargoFromTheGroundGoesOnBoard) {
+    open(file);
+    runTo(900);
+    double const before = height();
+    ASSERT_EQ(aboard(), 3);
+    Vec2 const found = at("cargo 8");
+    Vec2 const clear{-2, 1};
+    double const deck = at("raft body").y + 0.05;
+    Vec2 const place{at("cargo 1").x / 2 + at("cargo 2").x / 2, deck + 0.3};
+    ASSERT_GT(at("cargo 2").x - at("cargo 1").x, 0.4) << "there is room between the two";
+    hand(PlayerInput::Kind::grab, found, "cargo 8");
+    carry(found, {clear.x, found.y + 0.2}, 60);
+    carry({clear.x, found.y + 0.2}, clear, 180);
+    EXPECT_GT(at("cargo 8").y, 0.5) << "the hand lifts it out of the water";
+    carry(clear, place, 120);
+    hand(PlayerInput::Kind::release, place);
+    runTo(world().frame() + 1200);
+    EXPECT_TRUE(touching("cargo 8", "raft body"));
+    EXPECT_EQ(aboard(), 4);
+    EXPECT_NEAR(before - height(), box / (water * beam), 0.003);
+    EXPECT_NEAR(height(), expectedHeight(4 * box), 0.003);
+}
+
+// 6.12.3: new forces, no matter the source.
+TEST_F(ExperimentFour, BobsUpAgainWhereAHandPushedItDown) {
+    open(file);
+    step();
+    for (std::string const number : {"1", "2", "3"}) {
+        hand(PlayerInput::Kind::remove, {}, "cargo " + number);
+    }
+    runTo(900);
+    double const rest = height();
+    EXPECT_NEAR(rest, expectedHeight(0), 0.003);
+    Vec2 const deck = at("raft body");
+    hand(PlayerInput::Kind::grab, deck, "raft body");
+    carry(deck, deck - Vec2{0, 0.6}, 60);
+    runTo(world().frame() + 60);
+    EXPECT_LT(height(), rest - 0.1);
+    hand(PlayerInput::Kind::release, {});
+    double highest = -10;
+    for (int i = 0; i < 240; ++i) {
+        step();
+        highest = std::max(highest, height());
+    }
+    EXPECT_GT(highest, rest + 0.02) << "it overshoots";
+    runTo(world().frame() + 1200);
+    EXPECT_NEAR(height(), rest, 0.002);
+}
+
+TEST_F(ExperimentFour, TipsItsCargoOffWithoutAFloat) {
+    open(file);
+    runTo(600);
+    ASSERT_EQ(aboard(), 3);
+    session().feed({PlayerInput::Kind::remove, id("flotation device A"), {}, {}});
+    double most = 0;
+    while (world().frame() < 1200) {
+        step();
+        most = std::max(most, angle("raft body"));
+    }
+    EXPECT_GT(most, 0.3) << "left end down";
+    EXPECT_EQ(aboard(), 0);
+    EXPECT_GT(at("flotation device B").y, -0.3) << "the other one still floats";
+}
+
+TEST_F(ExperimentFour, GoesDownWhereItDisplacesTooLittle) {
+    ASSERT_LT(200 * (2.4 * 0.1 + 2 * 0.24), raft + floats);
+    open(variant(R"("density": 1000)", R"("density": 200)"));
+    runTo(1800);
+    EXPECT_NEAR(height(), -2 + high / 2, 0.02) << "it lies on the ground";
     EXPECT_FALSE(session().solved());
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace trembler {
@@ -48,6 +49,36 @@ TEST(Obstacles, ChordsAreWhatSamplingFinds) {
         }
         double const expected = length(to - from) * hits / samples;
         RC_ASSERT(std::abs(chordOf(box, from, to) - expected) <= 2 * length(to - from) / samples + 1e-12);
+    }));
+}
+
+TEST(ObstacleField, MissesNothingThatALineMeets) {
+    EXPECT_TRUE(rc::check("against a look at every obstacle", [] {
+        std::vector<Obstacle> boxes;
+        for (int i = *rc::gen::inRange(0, 60); i > 0; --i) {
+            boxes.push_back(boxAt({somewhere(-20, 20), somewhere(-4, 4)}, 0.02 + somewhere(0, 2),
+                                  0.02 + somewhere(0, 2), somewhere(-3, 3)));
+        }
+        ObstacleField const field(boxes);
+        Vec2 const from{somewhere(-22, 22), somewhere(-5, 5)};
+        bool const upright = *rc::gen::arbitrary<bool>();
+        Vec2 const to{upright ? from.x : somewhere(-22, 22), somewhere(-5, 5)};
+        std::vector<std::uint32_t> found{12345};
+        field.along(from, to, found);
+        RC_ASSERT(std::is_sorted(found.begin(), found.end()));
+        RC_ASSERT(std::adjacent_find(found.begin(), found.end()) == found.end());
+        for (std::uint32_t n = 0; n < boxes.size(); ++n) {
+            bool const listed = std::binary_search(found.begin(), found.end(), n);
+            bool const met =
+                chordOf(boxes[n], from, to) > 0 || inside(boxes[n], from) || inside(boxes[n], to);
+            RC_ASSERT(listed || !met);
+            // And it is worth asking: what is far from the line is not listed.
+            bool const far = std::max(from.x, to.x) < boxes[n].low.x - 0.01 ||
+                             std::min(from.x, to.x) > boxes[n].high.x + 0.01 ||
+                             std::max(from.y, to.y) < boxes[n].low.y - 0.01 ||
+                             std::min(from.y, to.y) > boxes[n].high.y + 0.01;
+            RC_ASSERT(!(listed && far));
+        }
     }));
 }
 
@@ -163,18 +194,20 @@ TEST(Obstacles, WaysNeverCrossWhatIsInTheWay) {
 
 TEST(SoundPath, FreeAirIsTheInverseSquare) {
     for (double const r : {0.5, 1.0, 3.0, 20.0}) {
-        EXPECT_NEAR(transmission({}, {}, {0, 0}, {r, 0}, 1000, PathDetail::straight), 1 / (r * r), 1e-12);
-        EXPECT_NEAR(transmission({}, {}, {0, 0}, {0, r}, 1000, PathDetail::around), 1 / (r * r), 1e-12);
+        EXPECT_NEAR(transmission(ObstacleField({}), {}, {0, 0}, {r, 0}, 1000, PathDetail::straight),
+                    1 / (r * r), 1e-12);
+        EXPECT_NEAR(transmission(ObstacleField({}), {}, {0, 0}, {0, r}, 1000, PathDetail::around),
+                    1 / (r * r), 1e-12);
     }
-    EXPECT_NEAR(transmission({}, {}, {1, 1}, {1, 1}, 1000, PathDetail::around), 100, 1e-9);
+    EXPECT_NEAR(transmission(ObstacleField({}), {}, {1, 1}, {1, 1}, 1000, PathDetail::around), 100, 1e-9);
 }
 
 TEST(SoundPath, NeitherSourceNorListenerShieldsItself) {
     std::vector<Obstacle> const wall{boxAt({2, 0}, 1, 4)};
     std::vector<ObjectId> const exempt{wall.front().object};
-    EXPECT_LT(transmission(wall, {}, {0, 0}, {4, 0}, 1000, PathDetail::around), 0.01 / 16);
-    EXPECT_EQ(transmission(wall, exempt, {0, 0}, {4, 0}, 1000, PathDetail::around), 1.0 / 16);
-    EXPECT_EQ(transmission(wall, {}, {0, 0}, {2, 0}, 1000, PathDetail::straight), 1.0 / 4)
+    EXPECT_LT(transmission(ObstacleField(wall), {}, {0, 0}, {4, 0}, 1000, PathDetail::around), 0.01 / 16);
+    EXPECT_EQ(transmission(ObstacleField(wall), exempt, {0, 0}, {4, 0}, 1000, PathDetail::around), 1.0 / 16);
+    EXPECT_EQ(transmission(ObstacleField(wall), {}, {0, 0}, {2, 0}, 1000, PathDetail::straight), 1.0 / 4)
         << "let into the wall";
 }
 
@@ -192,7 +225,8 @@ TEST(SoundPath, MassLawAndScreens) {
 TEST(SoundPath, AClosedRoomIsQuieterThanAnOpenOne) {
     double const distance = 4;
     auto const level = [&](bool closed, PathDetail detail) {
-        return 10 * std::log10(transmission(room(closed), {}, {0, 0}, {-distance, 0}, 1000, detail));
+        std::vector<Obstacle> const walls = room(closed);
+        return 10 * std::log10(transmission(ObstacleField(walls), {}, {0, 0}, {-distance, 0}, 1000, detail));
     };
     double const free = -20 * std::log10(distance);
     EXPECT_NEAR(level(true, PathDetail::around), free - (20 * std::log10(400.0 * 1000) - 47), 0.1)
@@ -215,7 +249,7 @@ TEST(SoundPath, NeverLouderThanFreeAir) {
         double const frequency = 50 + somewhere(0, 4000);
         double const r = std::max(0.1, length(to - from));
         for (PathDetail const detail : {PathDetail::straight, PathDetail::around}) {
-            double const share = transmission(boxes, {}, from, to, frequency, detail);
+            double const share = transmission(ObstacleField(boxes), {}, from, to, frequency, detail);
             RC_ASSERT(share > 0 && share <= 1 / (r * r) * (1 + 1e-12));
         }
     }));

@@ -1,0 +1,42 @@
+// What a world sounds like, written into a file instead of played: no sound device, no clock.
+#pragma once
+
+#include "audio/device/loudspeaker.hpp"
+
+#include <memory>
+
+namespace trembler {
+
+class OpenAlOutput;
+
+/// A .wav file, 16 bits, left and right at the synthesiser's rate, one block of samples per frame of the
+/// world. It holds what the game's loudspeaker would have played, through OpenAL's device that plays into
+/// memory; the same world makes the same file, bit for bit. Full scale is 100 dB at the listener, as in
+/// OpenAlOutput; what is louder is clipped. Used by one thread at a time.
+class SoundFile {
+public:
+    /// Throws std::invalid_argument if the name does not end in .wav or the file cannot be written, and
+    /// std::runtime_error if OpenAL cannot play into memory here.
+    SoundFile(std::filesystem::path file, LoudspeakerOptions const& options, Loudspeaker::Tell tell = {});
+    ~SoundFile();
+    SoundFile(SoundFile const&) = delete;
+    SoundFile& operator=(SoundFile const&) = delete;
+
+    /// Before the first frame of the world that is to be heard.
+    void enter(World& world) { loudspeaker_->enter(world); }
+    /// After every step of the world.
+    void frame(World const& world, Listener const& listener);
+    /// Completes the file. Throws std::runtime_error if not all of it could be written.
+    void finish();
+
+private:
+    struct Handle;
+
+    std::filesystem::path file_;
+    OpenAlOutput* output_ = nullptr; // the loudspeaker's
+    std::unique_ptr<Loudspeaker> loudspeaker_;
+    std::unique_ptr<Handle> handle_;
+    bool complete_ = true;
+};
+
+} // namespace trembler

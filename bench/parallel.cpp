@@ -1,0 +1,257 @@
+// What a second thread gains where it should: a hall of machines, 2,000 objects that call on eight effects,
+// all of them at work in every frame. Two worlds of the same scene, on one thread and on two, take turns
+// frame by frame, so what disturbs the machine disturbs both. Beside the speed-up stands what the schedule
+// allows: the time of every component on one thread, and the longest chain of them that must run one after
+// the other.
+#include "audio/effect/sounds.hpp"
+#include "bench/machine_hall.hpp"
+#include "bench/measure.hpp"
+#include "game/core/effects.hpp"
+#include "runtime/schedule/schedule.hpp"
+#include "runtime/world/world.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace {
+
+using namespace trembler;
+
+constexpr int machines = 40;
+constexpr std::size_t objects = 2000;
+
+/// How long to measure; the command line may say otherwise.
+struct Plan {
+    int runs = 5;
+    int frames = 300;
+    int warmUp = 120; // frames, until everything has fallen to where it is thrown about
+};
+
+Registry const& effects() {
+    static Registry const registry = [] {
+        Registry made;
+        registerEffects(made);
+        return made;
+    }();
+    return registry;
+}
+
+std::unique_ptr<World> hall(int threads, int listeners) {
+    WorldOptions options;
+    options.threads = threads;
+    auto world = std::make_unique<World>(effects(), options);
+    bench::MachineHall(world->store()).build(machines, objects, listeners);
+    world->want<Sounds>(); // as a loudspeaker does
+    world->start();
+    return world;
+}
+
+double stepTime(World& world) {
+    auto const start = std::chrono::steady_clock::now();
+    world.step();
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What a component took per frame, and how often it had anything to do.
+struct Share {
+    ComponentInfo const* info = nullptr;
+    bool present = false;
+    std::vector<double> times; // µs, by frame; 0 where it slept
+    [[nodiscard]] double mean() const {
+        double sum = 0;
+        for (double const time : times) {
+            sum += time;
+        }
+        return times.empty() ? 0 : sum / static_cast<double>(times.size());
+    }
+    [[nodiscard]] double activity() const {
+        auto const slept = std::count(times.begin(), times.end(), 0.0);
+        return times.empty() ? 0 : 1 - static_cast<double>(slept) / static_cast<double>(times.size());
+    }
+};
+
+/// How long a frame must take, in µs: a phase is never shorter than its longest chain of components that must
+/// follow one another, nor than half of its work on two threads.
+struct Bounds {
+    double all = 0;     ///< one thread
+    double whole = 0;   ///< two, were every component one piece
+    double divided = 0; ///< two, with those that run over ranges on both
+};
+
+/// Components that spread ranges of their work over threads by themselves.
+bool divides(ComponentInfo const& info) {
+    static std::set<std::string_view> const names{"Buoyancy", "Magnetic Forces", "Straight Loudness",
+                                                  "Loudness around Corners"};
+    return names.contains(info.text.name);
+}
+
+Bounds boundsOf(std::vector<ComponentStatus> const& status, std::set<std::string_view> const& inside) {
+    Bounds bounds;
+    for (ComponentKind const kind :
+         {ComponentKind::resolver, ComponentKind::dps, ComponentKind::interaction}) {
+        std::vector<ComponentInfo const*> infos;
+        std::vector<double> times;
+        double sum = 0;
+        double shortcuts = 0;
+        for (ComponentStatus const& each : status) {
+            if (each.info->kind == kind && each.lastMicroseconds > 0) {
+                if (inside.contains(each.info->text.name)) {
+                    shortcuts += each.lastMicroseconds;
+                    continue;
+                }
+                infos.push_back(each.info);
+                times.push_back(each.lastMicroseconds);
+                sum += each.lastMicroseconds;
+            }
+        }
+        std::vector<std::pair<std::size_t, std::size_t>> edges;
+        if (kind == ComponentKind::resolver) {
+            edges = deriveEdges(infos);
+        }
+        auto const longest = [&](double shareOfDivided) {
+            std::vector<double> chains(times.size(), 0);
+            double most = 0;
+            for (std::size_t i = 0; i < times.size(); ++i) {
+                chains[i] += times[i] * (divides(*infos[i]) ? shareOfDivided : 1);
+                most = std::max(most, chains[i]);
+                for (auto const& [before, after] : edges) {
+                    if (before == i) {
+                        chains[after] = std::max(chains[after], chains[i]);
+                    }
+                }
+            }
+            return most;
+        };
+        // What runs inside a derived property set has no phase of its own; it is short.
+        bounds.all += sum + shortcuts;
+        bounds.whole += std::max(longest(1), sum / 2) + shortcuts;
+        bounds.divided += std::max(longest(0.5), sum / 2) + shortcuts;
+    }
+    return bounds;
+}
+
+struct Run {
+    bench::Series one;
+    bench::Series two;
+    bool same = true;
+    std::vector<Share> shares;
+    Bounds bounds; // means over frames
+};
+
+Run measure(Plan const& plan, int listeners) {
+    auto const single = hall(1, listeners);
+    auto const twin = hall(2, listeners);
+    std::set<std::string_view> inside;
+    for (Shortcut const& shortcut : effects().shortcuts()) {
+        for (Registration const& registration : effects().components()) {
+            if (registration.info->type == shortcut.interaction) {
+                inside.insert(registration.info->text.name);
+            }
+        }
+    }
+    Run run;
+    for (ComponentStatus const& status : single->status()) {
+        run.shares.push_back({status.info, status.activity != Activity::absent, {}});
+    }
+    for (int frame = 0; frame < plan.warmUp + plan.frames; ++frame) {
+        bool const oneFirst = frame % 2 == 0;
+        double const first = stepTime(oneFirst ? *single : *twin);
+        double const second = stepTime(oneFirst ? *twin : *single);
+        run.same = run.same && single->stateHash() == twin->stateHash();
+        if (frame < plan.warmUp) {
+            continue;
+        }
+        run.one.add(oneFirst ? first : second);
+        run.two.add(oneFirst ? second : first);
+        std::vector<ComponentStatus> const status = single->status();
+        for (std::size_t i = 0; i < status.size(); ++i) {
+            run.shares[i].times.push_back(status[i].activity == Activity::active ? status[i].lastMicroseconds
+                                                                                 : 0);
+        }
+        Bounds const bounds = boundsOf(status, inside);
+        run.bounds.all += bounds.all / plan.frames;
+        run.bounds.whole += bounds.whole / plan.frames;
+        run.bounds.divided += bounds.divided / plan.frames;
+    }
+    return run;
+}
+
+void print(std::vector<Run> const& all, std::string const& name) {
+    bench::Series one;
+    bench::Series two;
+    bench::Series gain;
+    bench::Series fastOne;
+    bench::Series fastTwo;
+    std::string each;
+    for (Run const& run : all) {
+        one.add(run.one.median());
+        two.add(run.two.median());
+        gain.add(run.one.median() / run.two.median());
+        fastOne.add(run.one.quantile(0.1));
+        fastTwo.add(run.two.quantile(0.1));
+        each += fmt::format(" {:.2f}", run.one.median() / run.two.median());
+    }
+    Run const& shown = all.back();
+    std::set<std::string_view> called;
+    for (Share const& share : shown.shares) {
+        if (share.present && share.info->text.effect != "player" && share.info->text.effect != "population") {
+            called.insert(share.info->text.effect);
+        }
+    }
+    Bounds const& bounds = shown.bounds;
+    bench::Table table(fmt::format("{}: {} machines, {} objects, called on: {}", name, machines, objects,
+                                   fmt::join(called, ", ")));
+    table.row("one thread", one.median(), "µs per frame");
+    table.row("two threads", two.median(), "µs per frame");
+    table.row("speed-up", gain.median(), fmt::format("x (runs:{})", each));
+    table.row("speed-up of the fastest tenth of frames", fastOne.median() / fastTwo.median(),
+              fmt::format("x ({:.0f} to {:.0f} µs)", fastOne.median(), fastTwo.median()));
+    table.row("what components take, one after the other", bounds.all, "µs per frame, mean");
+    table.row("speed-up that the schedule allows, components undivided", bounds.all / bounds.whole, "x");
+    table.row("speed-up that it allows, ranges on both threads", bounds.all / bounds.divided, "x");
+    table.print();
+    std::vector<Share> shares = shown.shares;
+    std::stable_sort(shares.begin(), shares.end(),
+                     [](Share const& a, Share const& b) { return a.mean() > b.mean(); });
+    for (Share const& share : shares) {
+        if (share.mean() > 0) {
+            std::printf("  %-46s %9.1f µs, active in %3.0f %%%s\n", title(*share.info).c_str(), share.mean(),
+                        100 * share.activity(), divides(*share.info) ? ", in ranges" : "");
+        }
+    }
+    std::printf("\n");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Plan plan;
+    for (int i = 1; i + 1 < argc; i += 2) {
+        std::string const what = argv[i];
+        int const number = std::max(1, std::atoi(argv[i + 1]));
+        if (what == "--runs") {
+            plan.runs = number;
+        } else if (what == "--frames") {
+            plan.frames = number;
+        } else if (what == "--warm-up") {
+            plan.warmUp = number;
+        }
+    }
+    bool same = true;
+    for (auto const& [listeners, name] :
+         {std::pair{0, "A hall of machines"}, std::pair{4, "The same with four ears"}}) {
+        std::vector<Run> all;
+        for (int i = 0; i < plan.runs; ++i) {
+            all.push_back(measure(plan, listeners));
+            same = same && all.back().same;
+        }
+        print(all, name);
+    }
+    std::printf("every frame the same, bit for bit, on one thread and on two: %s\n", same ? "yes" : "NO");
+    return same ? 0 : 1;
+}
