@@ -28,9 +28,7 @@ void markSingleCable(Circuit const& circuit, std::vector<std::uint8_t>& on) {
 }
 
 bool SingleCableElectricity::suits(Store const& store) {
-    auto const* const returns = store.findColumn<ElectricalReturn>();
-    static constexpr std::uint64_t never = 1; // the structure version of a column that never had a row
-    return returns == nullptr || returns->structureVersion() == never;
+    return sufficientLevel(store).level == ElectricalLevel::singleCable;
 }
 
 } // namespace trembler

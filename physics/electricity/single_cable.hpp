@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/electricity/state_update.hpp"
+#include "physics/electricity/sufficient_level.hpp"
 #include "runtime/component/dps.hpp"
 
 namespace trembler {
@@ -13,7 +14,7 @@ void markSingleCable(Circuit const& circuit, std::vector<std::uint8_t>& on);
 class SingleCableElectricity final
     : public Dps<SingleCableElectricity,
                  Reads<ElectricityGraph, GraphChanges, Conductor, ElectricalSource, ElectricalReturn>,
-                 Derives<ElectricalState>> {
+                 Derives<ElectricalState, ElectricalQuantities>> {
 public:
     static constexpr ComponentText text{
         .name = "Single-cable Electricity",
@@ -23,9 +24,9 @@ public:
                 "it may take part in. Looks only at circuits that have changed.",
         .cost = 1};
     using CalledFor = NeedsAny<Conductor>;
-    /// Whole cables, return included, are what a world means that has never had a return of its own. One that
-    /// lost its last return must not light up because of that.
+    /// In worlds that never had a return; see neverHadReturns().
     static bool suits(Store const& store);
+    static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access) { updateElectricalState(access, update_, markSingleCable); }
 
 private:

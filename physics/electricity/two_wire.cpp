@@ -103,4 +103,8 @@ void markTwoWire(Circuit const& circuit, std::vector<std::uint8_t>& on) {
     }
 }
 
+bool TwoWireElectricity::suits(Store const& store) {
+    return sufficientLevel(store).level != ElectricalLevel::nodal;
+}
+
 } // namespace trembler
