@@ -4,6 +4,7 @@
 #include "physics/buoyancy/register.hpp"
 #include "physics/buoyancy/settings.hpp"
 #include "physics/dynamics/register.hpp"
+#include "physics/electricity/nodal_properties.hpp"
 #include "physics/electricity/properties.hpp"
 #include "physics/electricity/register.hpp"
 #include "physics/gravity/properties.hpp"
@@ -34,7 +35,8 @@ std::optional<std::string> connectNothing(Store& /*store*/, ObjectId /*a*/, Obje
 }
 
 void knowElectricity(Registry& registry) {
-    registerOnly<Conductor, ElectricalSource, ElectricalReturn, ElectricalDevice>(registry);
+    registerOnly<Conductor, ElectricalSource, ElectricalReturn, ElectricalDevice, Resistance, Emf, RatedPower,
+                 Fuse, CurrentCapacity>(registry);
     registry.connector(connectNothing);
 }
 
@@ -57,9 +59,11 @@ constexpr Effect effects[] = {
     {"gravity", registerGravity, registerOnly<GravityField, GravityLaw>},
 #endif
 #ifdef TREMBLER_WITHOUT_MAGNETISM
-    {"magnetism", nullptr, registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet>},
+    {"magnetism", nullptr,
+     registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet, MagnetismSettings>},
 #else
-    {"magnetism", registerMagnetism, registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet>},
+    {"magnetism", registerMagnetism,
+     registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet, MagnetismSettings>},
 #endif
 #ifdef TREMBLER_WITHOUT_BUOYANCY
     {"buoyancy", nullptr, registerOnly<Liquid, BuoyancySettings>},

@@ -20,6 +20,7 @@ void addRunCommand(CLI::App& program, int& result);
 void addVerifyCommand(CLI::App& program, int& result);
 void addComponentsCommand(CLI::App& program, int& result);
 void addSchemaCommand(CLI::App& program, int& result);
+void addAccuracyCommand(CLI::App& program, int& result);
 void addScreenshotCommand(CLI::App& program, int& result);
 
 /// Runs a command's work; says on standard error what is wrong with its input, if anything.

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
         "  trembler run LEVEL --sound it.wav                      and write what it sounds like\n"
         "  trembler verify                                        check every level\n"
         "  trembler components                                    what there is, and in which order it runs\n"
+        "  trembler accuracy                                      what accuracy costs, effect by effect\n"
         "\n"
         "Each command has its own --help."};
     program.require_subcommand(1);
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
     trembler::addVerifyCommand(program, result);
     trembler::addComponentsCommand(program, result);
     trembler::addSchemaCommand(program, result);
+    trembler::addAccuracyCommand(program, result);
     trembler::addScreenshotCommand(program, result);
     try {
         program.parse(argc, argv);

@@ -96,6 +96,11 @@ std::function<void(std::uint64_t)> progressOf(std::uint64_t frames) {
 
 // The circuits as they are when the run is over.
 void exportSpice(Session const& session, std::string const& path) {
+#ifdef TREMBLER_WITHOUT_ELECTRICITY
+    throw std::runtime_error(
+        fmt::format("--export-spice {}: this program was built without electricity ({})", path,
+                    session.level().title));
+#else
     std::string const netlist = spiceNetlist(session.world().store(), session.level().title);
     if (netlist.empty()) {
         throw std::invalid_argument(
@@ -109,6 +114,7 @@ void exportSpice(Session const& session, std::string const& path) {
     if (!file.flush()) {
         throw std::runtime_error(fmt::format("--export-spice {}: the file cannot be written", path));
     }
+#endif
 }
 
 int runLevel(Arguments const& arguments) {

@@ -33,6 +33,7 @@ struct GravityLaw {
                                        PropertyPlace::world};
     double constant = 6.6743e-11;
     double softening = 0.01;
+    double openingAngle = 0.35;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -48,6 +49,14 @@ struct GravityLaw {
                         .minimum = 1e-6,
                         .maximum = 1e6},
               self.softening);
+        visit(FieldInfo{.key = "opening_angle",
+                        .unit = "",
+                        .meaning =
+                            "at the detail level \"tree\": a cluster whose radius is a smaller share of "
+                            "its distance than this acts as a whole; 0: never",
+                        .minimum = 0,
+                        .maximum = 1},
+              self.openingAngle);
     }
 };
 

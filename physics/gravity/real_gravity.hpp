@@ -3,6 +3,7 @@
 
 #include "physics/dynamics/body.hpp"
 #include "physics/gravity/properties.hpp"
+#include "physics/inverse_square/points.hpp"
 #include "runtime/component/dps.hpp"
 #include "runtime/placement.hpp"
 
@@ -21,8 +22,9 @@ public:
     void update(Access& access);
 
 private:
-    std::vector<Vec2> places_;
-    std::vector<double> masses_;
+    inverse_square::Points sources_;
+    inverse_square::Points receivers_;
+    std::vector<Vec2> fields_;
 };
 
 } // namespace trembler

@@ -3,6 +3,7 @@
 #include "physics/dynamics/from_gravity.hpp"
 #include "physics/gravity/linear_gravity.hpp"
 #include "physics/gravity/real_gravity.hpp"
+#include "physics/gravity/tree_gravity.hpp"
 #include "runtime/world/registry.hpp"
 
 namespace trembler {
@@ -10,6 +11,7 @@ namespace trembler {
 void registerGravity(Registry& registry) {
     registry.component<LinearGravity>();
     registry.component<RealGravity>();
+    registry.component<TreeGravity>();
     registry.component<DynamicsFromGravity>();
     registry.shortcut<DynamicsFromGravity, LinearGravity>();
 }

@@ -1,4 +1,4 @@
-// Gravity: linear and real, behind the same derived property.
+// Gravity: linear, real and by a tree, behind the same derived property.
 #pragma once
 
 namespace trembler {

@@ -110,6 +110,43 @@ struct Electromagnet {
     }
 };
 
+/// How exactly a world's magnetic forces are computed, at the detail levels that are not exact.
+struct MagnetismSettings {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Magnetism settings", "magnetism",
+                                       "How exactly magnetic forces are computed.", PropertyPlace::world};
+    double cutoff = 0;
+    double forceThreshold = 0.01;
+    double openingAngle = 0.25;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "cutoff",
+                        .unit = "m",
+                        .meaning = "at the detail level \"grid\": poles farther apart do not act on each "
+                                   "other; 0: chosen by the force threshold",
+                        .minimum = 0,
+                        .maximum = 1e6},
+              self.cutoff);
+        visit(FieldInfo{.key = "force_threshold",
+                        .unit = "N",
+                        .meaning = "at the detail level \"grid\": no pair of poles with a force of at least "
+                                   "this is weakened or left out",
+                        .minimum = 1e-9,
+                        .maximum = 1e6},
+              self.forceThreshold);
+        visit(FieldInfo{.key = "opening_angle",
+                        .unit = "",
+                        .meaning =
+                            "at the detail level \"tree\": a cluster whose radius is a smaller share of "
+                            "its distance than this acts as a whole; 0: never",
+                        .minimum = 0,
+                        .maximum = 1},
+              self.openingAngle);
+    }
+    friend bool operator==(MagnetismSettings const&, MagnetismSettings const&) = default;
+};
+
 /// When each magnet was last switched, for the trace.
 struct MagnetSwitching {
     static constexpr PropertyKind kind = PropertyKind::resolver;

@@ -3,6 +3,8 @@
 #include "physics/dynamics/from_magnetism.hpp"
 #include "physics/magnetism/from_electricity.hpp"
 #include "physics/magnetism/magnetic_forces.hpp"
+#include "physics/magnetism/magnetic_grid.hpp"
+#include "physics/magnetism/magnetic_tree.hpp"
 #include "physics/magnetism/magnetics_resolver.hpp"
 #include "runtime/world/registry.hpp"
 
@@ -26,6 +28,8 @@ void registerMagnetism(Registry& registry) {
     registry.completion(completeMagnet);
     registry.component<MagneticsResolver>();
     registry.component<MagneticForces>();
+    registry.component<MagneticGrid>();
+    registry.component<MagneticTree>();
     registry.component<MagneticsFromElectricity>();
     registry.component<DynamicsFromMagneticForces>();
 }

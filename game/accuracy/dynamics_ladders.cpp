@@ -1,0 +1,141 @@
+// Dynamics: substeps and iterations, against closed forms, against what must not move, and against 64
+// substeps.
+#include "game/accuracy/dynamics_scenes.hpp"
+#include "game/accuracy/effect_clock.hpp"
+#include "game/accuracy/ladder.hpp"
+#include "runtime/world/world.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trembler::accuracy {
+namespace {
+
+Rung measure(std::string level, DynamicsScene scene, int frames) {
+    scene.world->start();
+    EffectClock clock("dynamics");
+    double worst = 0;
+    for (int frame = 1; frame <= frames; ++frame) {
+        scene.world->step();
+        clock.frame(*scene.world);
+        double const now = scene.error(*scene.world, frame);
+        worst = std::isfinite(now) ? std::max(worst, now) : std::numeric_limits<double>::infinity();
+    }
+    return {std::move(level), clock.median(), worst, {}, false, {}};
+}
+
+std::string substepsName(int substeps) {
+    return fmt::format("{} substep{}", substeps, substeps == 1 ? "" : "s");
+}
+
+struct Words {
+    std::string scene;
+    std::string error; ///< "over ... s" is added
+    std::string reference;
+    std::string remark;
+};
+
+/// Frames, and those of a brief run.
+struct Length {
+    int frames;
+    int brief;
+    [[nodiscard]] int of(Effort effort) const { return effort.brief ? brief : frames; }
+};
+
+Ladder begin(Words const& words, int frames) {
+    return {"",
+            words.scene,
+            "m",
+            fmt::format("{}, over {:g} s", words.error, frames * frameDuration),
+            words.reference,
+            true,
+            {},
+            words.remark};
+}
+
+Plan substepsPlan(Words words, DynamicsSceneMaker make, Length length) {
+    return {"dynamics", [=](Workshop const& workshop, Effort effort) {
+                Ladder ladder = begin(words, length.of(effort));
+                for (int const substeps : {1, 2, 4, 8, 16, 64}) {
+                    if (effort.brief && substeps > 8) {
+                        break;
+                    }
+                    DynamicsSettings solver;
+                    solver.substeps = substeps;
+                    ladder.rungs.push_back(
+                        measure(substepsName(substeps), make(workshop, solver), length.of(effort)));
+                }
+                return ladder;
+            }};
+}
+
+Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Length length) {
+    return {"dynamics", [=](Workshop const& workshop, Effort effort) {
+                Ladder ladder = begin(words, length.of(effort));
+                for (int const iterations : {1, 2, 4, 8, 16, 32, 64}) {
+                    DynamicsSettings solver;
+                    solver.substeps = substeps;
+                    solver.velocityIterations = iterations;
+                    ladder.rungs.push_back(measure(
+                        fmt::format("{} velocity iteration{}", iterations, iterations == 1 ? "" : "s"),
+                        make(workshop, solver), length.of(effort)));
+                }
+                return ladder;
+            }};
+}
+
+Ladder climbFallingChain(Workshop const& workshop, Effort effort) {
+    constexpr int links = 10;
+    int const frames = effort.brief ? 30 : 60;
+    Ladder ladder = begin({"a chain of 10 links swings down",
+                           "greatest distance of a link from where it should be", "64 substeps", ""},
+                          frames);
+    auto const path = std::make_shared<ChainPath>();
+    DynamicsSettings solver;
+    solver.substeps = 64;
+    static_cast<void>(measure("", fallingChain(workshop, solver, links, path, true), frames));
+    for (int const substeps : {1, 2, 4, 8, 16}) {
+        solver.substeps = substeps;
+        ladder.rungs.push_back(
+            measure(substepsName(substeps), fallingChain(workshop, solver, links, path, false), frames));
+    }
+    return ladder;
+}
+
+} // namespace
+
+void addDynamicsPlans(std::vector<Plan>& plans) {
+    plans.push_back(
+        substepsPlan({"a thrown ball", "greatest distance from its path", "the parabola (closed form)",
+                      "The engine's steps are of the first order: half the step, half the error."},
+                     thrownBall, {120, 30}));
+    plans.push_back(substepsPlan({"a pendulum of 1.5 rad", "greatest distance from its place",
+                                  "its equation of motion, integrated until it converged", ""},
+                                 pendulum, {300, 60}));
+    plans.push_back({"dynamics", climbFallingChain});
+    auto const chain = [](Workshop const& workshop, DynamicsSettings const& solver) {
+        return loadedChain(workshop, solver, 30, 100 * 1.0);
+    };
+    std::string const gap = "widest gap of a joint";
+    std::string const whole = "a chain without gaps";
+    plans.push_back(substepsPlan({"a chain of 30 links under a hundred times a link's mass", gap, whole,
+                                  "Below four substeps the chain's zig-zag mode is faster than the step can "
+                                  "follow, and it bursts: a chain that is torn costs more time, too."},
+                                 chain, {300, 60}));
+    plans.push_back(iterationsPlan({"the same chain at 1 substep, by velocity iterations", gap, whole,
+                                    "No number of iterations makes up for steps that are too long."},
+                                   chain, 1, {300, 40}));
+    plans.push_back(iterationsPlan({"the same chain at 4 substeps, by velocity iterations", gap, whole,
+                                    "Where the step is short enough, more iterations help; eight substeps of "
+                                    "eight iterations cost what four of 32 cost."},
+                                   chain, 4, {300, 40}));
+    plans.push_back(substepsPlan(
+        {"a stack of 20 boxes", "farthest that a box has moved sideways", "a stack that stands still", ""},
+        [](Workshop const& workshop, DynamicsSettings const& solver) { return stack(workshop, solver, 20); },
+        {1200, 60}));
+}
+
+} // namespace trembler::accuracy

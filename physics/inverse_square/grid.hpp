@@ -1,0 +1,44 @@
+// Inverse-square sums that end at a cutoff: O(n) times the neighbours within it.
+#pragma once
+
+#include "physics/inverse_square/kernels.hpp"
+#include "physics/inverse_square/spatial_order.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace trembler::inverse_square {
+
+/// Squares as wide as the cutoff; a receiver looks at its own and the eight around it. Only squares that hold
+/// something take memory, however wide the world. The sums of one receiver run through its neighbours in an
+/// order made from their places alone, so no bit depends on threads or on the order of objects.
+///
+/// Whoever cuts inverse squares off loses the far field: what is left out of n like poles at the density
+/// p per m² grows with n. That is what the tree is for.
+class Grid {
+public:
+    /// `cutoff` > 0, m. O(n log n).
+    void build(Points const& sources, double cutoff);
+    void setReceivers(Points const& receivers);
+    /// Adds to `totals`, whose order is the receivers' as given, what the rows in [begin, end) of the ordered
+    /// receivers get: pairs nearer than `inner` (< cutoff, m) in full, and smoothly less from there to
+    /// nothing at the cutoff. Different ranges at the same time.
+    void add(std::size_t begin, std::size_t end, double inner, double softening2,
+             std::span<Vec2> totals) const;
+
+private:
+    [[nodiscard]] std::uint32_t cell(double offset) const;
+    void orderByCell(Points const& points, std::vector<Ordered>& order) const;
+    [[nodiscard]] std::size_t firstAtOrAfter(std::uint64_t key) const;
+
+    double cutoff_ = 0;
+    double inverse_ = 0; // 1/m, of the width of a square
+    Vec2 origin_;
+    std::vector<Ordered> order_; // of the sources: row of squares, then column
+    Points sources_;             // in order
+    std::vector<Ordered> receiverOrder_;
+    Points receivers_; // in order
+};
+
+} // namespace trembler::inverse_square

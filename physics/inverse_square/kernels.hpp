@@ -1,0 +1,91 @@
+// The innermost loops of inverse-square sums: four receivers at a time, one source after the other.
+#pragma once
+
+#include "physics/inverse_square/points.hpp"
+
+#include <span>
+
+namespace trembler::inverse_square {
+
+/// So many receivers go through the sources together. Each adds up its own sum, source by source in their
+/// order, so every bit is that of a plain loop whatever the width of the processor's vectors.
+inline constexpr std::size_t blockSize = 4;
+
+struct alignas(32) Block {
+    double x[blockSize];
+    double y[blockSize];
+    double weight[blockSize];
+    double owner[blockSize];
+    double sumX[blockSize];
+    double sumY[blockSize];
+};
+
+/// Sources far away, taken as a whole: moments about a centre up to the second.
+struct Cluster {
+    double x = 0; ///< m, the centre
+    double y = 0;
+    double weight = 0;  ///< Σ w
+    double dipoleX = 0; ///< Σ w δ, δ from the centre
+    double dipoleY = 0;
+    double xx = 0; ///< Σ w δx²
+    double xy = 0;
+    double yy = 0;
+};
+
+/// Takes the sums smoothly to zero between `inner` and `outer` (m): with t = (outer² - r²) / (outer² -
+/// inner²), held between 0 and 1, by the factor t² (3 - 2 t).
+struct Window {
+    double outerSquared = 0;
+    double inverseSpan = 0;
+    Window() = default;
+    Window(double inner, double outer)
+        : outerSquared(outer * outer), inverseSpan(1 / (outer * outer - inner * inner)) {}
+};
+
+/// One implementation for one kind of processor. All of them give the same bits: additions,
+/// multiplications, divisions and roots are correctly rounded in vectors of every width.
+struct Kernels {
+    char const* name;
+    std::size_t width;
+    /// Adds to the block's sums what the sources in [begin, end) give. `softening2` = s² > 0, m².
+    void (*addPairs)(Points const&, std::size_t begin, std::size_t end, double softening2, Block&);
+    void (*addWindowed)(Points const&, std::size_t begin, std::size_t end, double softening2, Window const&,
+                        Block&);
+    /// The Taylor expansion of the same sum about the cluster's centre, up to second order: its relative
+    /// error is about (size of the cluster / its distance)³.
+    void (*addClusters)(std::span<Cluster const>, double softening2, Block&);
+};
+
+/// Everything that this processor can run, narrowest first; there is always one.
+[[nodiscard]] std::span<Kernels const> availableKernels();
+/// The widest of them.
+[[nodiscard]] Kernels const& kernels();
+
+/// Adds to totals[i] what all sources give receiver i, for i in [begin, end): O(sources · receivers).
+void addAllPairs(Points const& sources, Points const& receivers, std::size_t begin, std::size_t end,
+                 double softening2, std::span<Vec2> totals);
+
+/// Receivers into a block: row(k) among the receivers and totalRow(k) among the totals, for k in [0, count),
+/// 0 < count <= blockSize. The last one fills up the block.
+template <class Row, class TotalRow>
+void fillBlock(Block& block, Points const& receivers, std::span<Vec2 const> totals, std::size_t count,
+               Row&& row, TotalRow&& totalRow) {
+    for (std::size_t k = 0; k < blockSize; ++k) {
+        std::size_t const i = row(k < count ? k : count - 1);
+        Vec2 const total = totals[totalRow(k < count ? k : count - 1)];
+        block.x[k] = receivers.x[i];
+        block.y[k] = receivers.y[i];
+        block.weight[k] = receivers.weight[i];
+        block.owner[k] = receivers.owner[i];
+        block.sumX[k] = total.x;
+        block.sumY[k] = total.y;
+    }
+}
+template <class TotalRow>
+void emptyBlock(Block const& block, std::span<Vec2> totals, std::size_t count, TotalRow&& totalRow) {
+    for (std::size_t k = 0; k < count; ++k) {
+        totals[totalRow(k)] = {block.sumX[k], block.sumY[k]};
+    }
+}
+
+} // namespace trembler::inverse_square

@@ -1,0 +1,29 @@
+// An order of points along a curve that fills the plane: neighbours in it are near one another. It is made
+// from the points alone, never from the order in which they are given.
+#pragma once
+
+#include "physics/inverse_square/points.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace trembler::inverse_square {
+
+struct Ordered {
+    std::uint64_t key = 0;
+    std::uint32_t row = 0; ///< in the points as given
+};
+
+/// Keys after Morton (1966): the bits of both coordinates in turn, coarsest first. Ascending by key; points
+/// of one key by place, weight and owner, so only identical points may change places. Coordinates are told
+/// apart to 2^-32 of the greater extent of all points. O(n log n); `order` is written anew and lends its
+/// memory. At most 2^32 points.
+void orderAlongCurve(Points const& points, std::vector<Ordered>& order);
+
+/// Ascending by key, then by the points' place, weight and owner.
+void sortByKeyAndPoint(Points const& points, std::vector<Ordered>& order);
+
+/// The points in that order.
+void copyInOrder(Points const& points, std::vector<Ordered> const& order, Points& into);
+
+} // namespace trembler::inverse_square

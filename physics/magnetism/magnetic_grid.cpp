@@ -1,0 +1,35 @@
+#include "physics/magnetism/magnetic_grid.hpp"
+
+#include <algorithm>
+
+namespace trembler {
+
+double magneticCutoff(MagnetismSettings const& settings, Column<MagneticStrength> const& strengths) {
+    if (settings.cutoff > 0) {
+        return settings.cutoff;
+    }
+    double pole = 0;
+    double other = 0;
+    for (MagneticStrength const& strength : strengths.values()) {
+        pole = std::max(pole, strength.strength);
+        other = std::max({other, strength.strength, strength.susceptibility});
+    }
+    // Nothing magnetic at all leaves a length that is as good as any.
+    double const full = std::sqrt(magneticConstant * pole * other / settings.forceThreshold);
+    return std::max(full, magneticSoftening) / fullShareOfCutoff;
+}
+
+void MagneticGrid::sum(Access& access, MagneticSum sum, inverse_square::Points const& sources,
+                       inverse_square::Points const& receivers, std::span<Vec2> totals) {
+    auto const& all = access.read<MagnetismSettings>();
+    double const cutoff = magneticCutoff(all.empty() ? MagnetismSettings{} : all.values().front(),
+                                         access.read<MagneticStrength>());
+    inverse_square::Grid& grid = grids_[static_cast<std::size_t>(sum)];
+    grid.build(sources, cutoff);
+    grid.setReceivers(receivers);
+    access.forRanges(receivers.size(), [&](std::size_t begin, std::size_t end) {
+        grid.add(begin, end, fullShareOfCutoff * cutoff, magneticSoftening * magneticSoftening, totals);
+    });
+}
+
+} // namespace trembler

@@ -1,0 +1,39 @@
+// The forces between magnets that are near one another.
+#pragma once
+
+#include "physics/inverse_square/grid.hpp"
+#include "physics/magnetism/magnetic_level.hpp"
+
+#include <array>
+
+namespace trembler {
+
+/// Poles act in full up to this share of the cutoff, and smoothly less from there on.
+inline constexpr double fullShareOfCutoff = 0.8;
+
+/// The cutoff in m: the one set, or the one that follows from the threshold. The force between the two
+/// strongest magnets of the world falls to the threshold F at √(µ0/4π q1 q2 / F); up to there every pair acts
+/// in full. Strengths count as they are written down: what is switched off now may be on in the next frame,
+/// and the cutoff must not move.
+[[nodiscard]] double magneticCutoff(MagnetismSettings const& settings,
+                                    Column<MagneticStrength> const& strengths);
+
+/// The forces of MagneticForces, cut off. Forces end smoothly and are central, so they have a potential and
+/// crossing the cutoff neither gives nor takes energy. What is left out are the many weak pulls from afar.
+class MagneticGrid final : public MagneticLevel<MagneticGrid, MagnetismSettings> {
+public:
+    static constexpr ComponentText text{
+        .name = "Magnetic Grid",
+        .effect = "magnetism",
+        .level = "grid",
+        .work = "Adds up the forces that magnets within a cutoff length exert.",
+        .cost = 2}; // not picked by itself: what it leaves out has no bound that a scene could be asked about
+
+    void sum(Access& access, MagneticSum sum, inverse_square::Points const& sources,
+             inverse_square::Points const& receivers, std::span<Vec2> totals);
+
+private:
+    std::array<inverse_square::Grid, magneticSums> grids_; // each keeps its memory
+};
+
+} // namespace trembler

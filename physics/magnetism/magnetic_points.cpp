@@ -1,0 +1,132 @@
+#include "physics/magnetism/magnetic_points.hpp"
+
+#include "physics/dynamics/mass_properties.hpp"
+#include "runtime/property/for_each.hpp"
+
+#include <algorithm>
+
+namespace trembler {
+
+Vec2 poleForce(Vec2 r, double q1, double q2) {
+    double const d2 = lengthSquared(r) + magneticSoftening * magneticSoftening;
+    return (-magneticConstant * q1 * q2 / (d2 * std::sqrt(d2))) * r;
+}
+
+// Shapes hardly ever change, and their centres of mass take a while to compute: once will do.
+void MagneticPoints::findCentres(MagneticColumns const& columns) {
+    std::uint64_t const version = columns.shapes.version() + columns.strengths.structureVersion();
+    if (version == centresVersion_) {
+        return;
+    }
+    centresVersion_ = version;
+    centres_.assign(columns.strengths.size(), {});
+    for (std::size_t row = 0; row < columns.strengths.size(); ++row) {
+        if (Shape const* const shape = columns.shapes.find(columns.strengths.owners()[row])) {
+            centres_[row] = centreOfMass(*shape);
+        }
+    }
+}
+
+void MagneticPoints::gather(MagneticColumns const& columns) {
+    findCentres(columns);
+    poleObjects_.clear();
+    softObjects_.clear();
+    for (auto* const points : {&poles_, &unsignedPoles_, &soft_, &repelled_, &pulledPoles_, &pulledSoft_}) {
+        points->clear();
+    }
+    auto const addPole = [&](ObjectId id, Vec2 at, double q) {
+        poleObjects_.push_back(id);
+        poles_.add(at, q, id.index);
+        unsignedPoles_.add(at, std::abs(q), id.index);
+        repelled_.add(at, -magneticConstant * q, id.index);
+        pulledPoles_.add(at, magneticConstant * std::abs(q), id.index);
+    };
+    forEach(
+        [&](ObjectId id, MagneticStrength const& strength, Position const& position) {
+            Rotation const* const rotation = columns.rotations.find(id);
+            double const angle = rotation == nullptr ? 0 : rotation->angle;
+            if (strength.susceptibility > 0) {
+                Vec2 const at = position.value + rotated(centres_[columns.strengths.row(id)], angle);
+                softObjects_.push_back(id);
+                soft_.add(at, strength.susceptibility, id.index);
+                pulledSoft_.add(at, magneticConstant * strength.susceptibility, id.index);
+            }
+            Magnet const* const magnet = columns.magnets.find(id);
+            MagneticPoles const* const poles = columns.poleSets.find(id);
+            if (magnet == nullptr || poles == nullptr || !(magnet->level * strength.strength > 0)) {
+                return;
+            }
+            double const q = magnet->level * strength.strength;
+            if (poles->poles == PoleSet::north || poles->poles == PoleSet::both) {
+                addPole(id, position.value + rotated(poles->north, angle), q);
+            }
+            if (poles->poles == PoleSet::south || poles->poles == PoleSet::both) {
+                addPole(id, position.value + rotated(poles->south, angle), -q);
+            }
+        },
+        columns.strengths, columns.positions);
+    onPoles_.assign(poles_.size(), {});
+    onSoft_.assign(soft_.size(), {});
+}
+
+inverse_square::Points const& MagneticPoints::sources(MagneticSum sum) const {
+    return sum == MagneticSum::polesOnPoles  ? poles_
+           : sum == MagneticSum::softOnPoles ? soft_
+                                             : unsignedPoles_;
+}
+
+inverse_square::Points const& MagneticPoints::receivers(MagneticSum sum) const {
+    return sum == MagneticSum::polesOnPoles  ? repelled_
+           : sum == MagneticSum::softOnPoles ? pulledPoles_
+                                             : pulledSoft_;
+}
+
+std::span<Vec2> MagneticPoints::totals(MagneticSum sum) {
+    return sum == MagneticSum::polesOnSoft ? onSoft_ : onPoles_;
+}
+
+ObjectId MagneticPoints::strongest(MagneticSum sum, std::size_t receiver) const {
+    inverse_square::Points const& from = sources(sum);
+    inverse_square::Points const& on = receivers(sum);
+    double most = -1;
+    ObjectId found;
+    for (std::size_t j = 0; j < from.size(); ++j) {
+        if (from.owner[j] != on.owner[receiver]) {
+            Vec2 const force = poleForce(from.at(j) - on.at(receiver), 1, from.weight[j]);
+            if (lengthSquared(force) > most) {
+                most = lengthSquared(force);
+                found = poleObjects_[j];
+            }
+        }
+    }
+    return found;
+}
+
+void MagneticPoints::exportForces(std::span<EventId const> switching, MagneticForce& into) const {
+    auto& forces = into.forces;
+    forces.clear();
+    if (!active()) {
+        return;
+    }
+    auto const causeOf = [&](MagneticSum sum, std::size_t receiver, ObjectId self) {
+        if (switching.empty()) {
+            return EventId{};
+        }
+        ObjectId from = strongest(sum, receiver);
+        from = from.valid() ? from : self;
+        return from.valid() && from.index < switching.size() ? switching[from.index] : EventId{};
+    };
+    for (std::size_t i = 0; i < poleObjects_.size(); ++i) {
+        forces.push_back({poleObjects_[i], poles_.at(i), onPoles_[i],
+                          causeOf(MagneticSum::polesOnPoles, i, poleObjects_[i])});
+    }
+    for (std::size_t i = 0; i < softObjects_.size(); ++i) {
+        forces.push_back(
+            {softObjects_[i], soft_.at(i), onSoft_[i], causeOf(MagneticSum::polesOnSoft, i, ObjectId{})});
+    }
+    std::inplace_merge(
+        forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(poleObjects_.size()), forces.end(),
+        [](MagneticForce::Entry const& a, MagneticForce::Entry const& b) { return a.object < b.object; });
+}
+
+} // namespace trembler

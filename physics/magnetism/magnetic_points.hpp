@@ -1,0 +1,74 @@
+// The poles that act in a world and what they attract, as points, with their sums turned into F_M. All detail
+// levels of magnetism start and end here.
+#pragma once
+
+#include "physics/dynamics/shape.hpp"
+#include "physics/inverse_square/points.hpp"
+#include "physics/magnetism/properties.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/property/column.hpp"
+
+#include <span>
+#include <vector>
+
+namespace trembler {
+
+struct MagneticColumns {
+    Column<Position> const& positions;
+    Column<Rotation> const& rotations;
+    Column<Shape> const& shapes;
+    Column<MagneticPoles> const& poleSets;
+    Column<MagneticStrength> const& strengths;
+    Column<Magnet> const& magnets;
+};
+
+/// Which acts on which. Each is one inverse-square sum.
+enum class MagneticSum : std::size_t {
+    polesOnPoles, ///< like poles repel
+    softOnPoles,  ///< the pull that a pole exerts acts back on it
+    polesOnSoft,  ///< a soft object is drawn to either pole, as if of the opposite sign
+};
+inline constexpr std::size_t magneticSums = 3;
+
+class MagneticPoints {
+public:
+    void gather(MagneticColumns const& columns);
+
+    /// Whether anything acts at all.
+    [[nodiscard]] bool active() const { return !poles_.empty(); }
+    /// With µ0/4π and all signs in the receivers' weights, so that the sum is the force in N.
+    [[nodiscard]] inverse_square::Points const& sources(MagneticSum sum) const;
+    [[nodiscard]] inverse_square::Points const& receivers(MagneticSum sum) const;
+    /// Where the sum belongs: in the order of the receivers. polesOnPoles and softOnPoles add up in one.
+    [[nodiscard]] std::span<Vec2> totals(MagneticSum sum);
+
+    /// Entries ascending by object, north before south. `switching`: events by object index, empty while
+    /// nobody traces; what pulls hardest is then looked for among all sources, O(n²).
+    void exportForces(std::span<EventId const> switching, MagneticForce& into) const;
+
+private:
+    void findCentres(MagneticColumns const& columns);
+    [[nodiscard]] ObjectId strongest(MagneticSum sum, std::size_t receiver) const;
+
+    std::vector<Vec2> centres_;        // m, centres of mass in their own frames, by row of MagneticStrength
+    std::uint64_t centresVersion_ = 0; // of what they were made from
+
+    std::vector<ObjectId> poleObjects_; // ascending
+    std::vector<ObjectId> softObjects_;
+    inverse_square::Points poles_;         // weight: strength in A m, north positive
+    inverse_square::Points unsignedPoles_; // the same without signs
+    inverse_square::Points soft_;          // weight: susceptibility in A m
+    inverse_square::Points repelled_;      // the poles as they receive from poles
+    inverse_square::Points pulledPoles_;   // the poles as they receive from soft objects
+    inverse_square::Points pulledSoft_;
+    std::vector<Vec2> onPoles_; // N
+    std::vector<Vec2> onSoft_;
+};
+
+/// µ0/4π in N/A².
+inline constexpr double magneticConstant = 1e-7;
+
+/// Force (N) on a pole at distance vector `r` (m, from it to the other pole) with strengths q1, q2 (A m).
+[[nodiscard]] Vec2 poleForce(Vec2 r, double q1, double q2);
+
+} // namespace trembler

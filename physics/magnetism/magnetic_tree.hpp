@@ -1,0 +1,36 @@
+// The forces between very many magnets: far clusters of poles as wholes.
+#pragma once
+
+#include "physics/inverse_square/tree.hpp"
+#include "physics/magnetism/magnetic_level.hpp"
+
+#include <array>
+
+namespace trembler {
+
+class Store;
+
+/// The forces of MagneticForces by a tree (see inverse_square::Tree). Clusters hold poles of both signs: what
+/// cancels in their sum still acts by its dipole and its second moments. The settings' opening angle says
+/// which clusters are far; docs/accuracy.md, what that costs.
+class MagneticTree final : public MagneticLevel<MagneticTree, MagnetismSettings> {
+public:
+    static constexpr ComponentText text{
+        .name = "Magnetic Tree",
+        .effect = "magnetism",
+        .level = "tree",
+        .work = "Adds up the forces that magnets exert, far clusters of poles as wholes.",
+        .cost = 0};
+    /// So many objects with poles: three times as fast as all pairs; it overtakes them at about 300
+    /// (bench_many_bodies).
+    static constexpr std::size_t worthwhile = 1500;
+    static bool suits(Store const& store);
+
+    void sum(Access& access, MagneticSum sum, inverse_square::Points const& sources,
+             inverse_square::Points const& receivers, std::span<Vec2> totals);
+
+private:
+    std::array<inverse_square::Tree, magneticSums> trees_; // each keeps its memory
+};
+
+} // namespace trembler
