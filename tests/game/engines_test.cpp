@@ -1,6 +1,10 @@
 // Every level of the thesis on every engine: recorded solutions solve it, what is recorded as failing fails.
 #include "game/session/verify.hpp"
 #include "tests/game/experiment.hpp"
+#include "tests/game/motor_kit.hpp"
+
+#include <algorithm>
+#include <cctype>
 
 namespace trembler {
 namespace {
@@ -42,6 +46,26 @@ TEST_P(Engines, VerifyTheLevel) {
     for (std::string const& failure : failures) {
         ADD_FAILURE() << failure;
     }
+}
+
+// A motor does not notice that its bodies are computed by another engine every two seconds.
+TEST_F(Experiment, AMotorTurnsOnWhileEnginesSwap) {
+    std::vector<std::string> engines = otherEngines();
+    engines.emplace_back("box2d");
+    open("3-electric-motor.json");
+    Tachometer tachometer(world());
+    for (std::size_t swap = 0; swap < 12; ++swap) {
+        session().setDetail("dynamics", engines[swap % engines.size()]);
+        double const before = tachometer.turns();
+        for (int frame = 0; frame < 240; ++frame) {
+            step();
+            tachometer.look(world());
+        }
+        if (swap > 1) { // it has started by then
+            EXPECT_GT(tachometer.turns() - before, 0.5) << engines[swap % engines.size()];
+        }
+    }
+    EXPECT_TRUE(session().solved());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Engines, ::testing::ValuesIn(everyCase()), [](auto const& info) {
