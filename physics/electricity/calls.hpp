@@ -52,9 +52,19 @@ struct RemoveConnection : ConnectionKey {
     [[nodiscard]] int delta() const { return -1; }
 };
 
+/// A fuse melts.
+struct BlowFuse {
+    static constexpr CallText text{"blowFuse", "(object)",
+                                   "Blows a fuse, for good: it loses its connections and takes no more."};
+    static constexpr Algebra algebra = Algebra::destroy;
+    ObjectId fuse;
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {fuse}; }
+    [[nodiscard]] ObjectId key() const { return fuse; }
+};
+
 struct ElectricityRole {
     static constexpr std::string_view name = "Electricity";
-    using Calls = CallList<AddConnection, RemoveConnection>;
+    using Calls = CallList<AddConnection, RemoveConnection, BlowFuse>;
 };
 
 } // namespace trembler

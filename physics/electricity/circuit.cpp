@@ -4,6 +4,18 @@
 
 namespace trembler {
 
+std::vector<std::string_view> Circuit::terminalNetworks() const {
+    std::vector<std::string_view> found;
+    for (auto const* const terminals : {&sources, &returns}) {
+        for (Terminal const& terminal : *terminals) {
+            found.push_back(terminal.network);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
 void CircuitWalk::begin(ElectricityColumns const& columns) {
     base_ = next_;
     std::span<ObjectId const> const vertices = columns.graph.owners();

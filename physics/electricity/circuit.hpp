@@ -41,6 +41,8 @@ struct Circuit {
     [[nodiscard]] bool takesPart(std::uint32_t vertex, std::string_view network) const {
         return networks[vertex].empty() || networks[vertex] == network;
     }
+    /// The networks that have a source or a return here, ascending.
+    [[nodiscard]] std::vector<std::string_view> terminalNetworks() const;
 };
 
 /// Walks from objects to everything that they are connected to, each circuit once. Breadth first and without

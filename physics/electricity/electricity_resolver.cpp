@@ -23,6 +23,7 @@ constexpr std::size_t journalLimit = 4096;
 void ElectricityResolver::advance(Access& access) {
     touched_.clear();
     followObjects(access);
+    blowFuses(access);
     carryOutCalls(access);
     publish(access);
     first_ = false;
@@ -115,11 +116,60 @@ void ElectricityResolver::followNetworks(Access& access) {
     parts_ = std::move(now);
 }
 
+// A blown fuse stays a vertex, but an isolated one. A level may start with one, wires and all.
+void ElectricityResolver::blowFuses(Access& access) {
+    struct Blown {
+        ObjectId fuse;
+        EventId cause;
+    };
+    auto const& fuses = access.read<Fuse>();
+    std::vector<Blown> blown;
+    access.forCalls<BlowFuse>([&](BlowFuse const& call, CallOrigin origin) {
+        if (Fuse const* const fuse = fuses.find(call.fuse); fuse != nullptr && !fuse->blown) {
+            blown.push_back({call.fuse, origin.cause});
+        }
+    });
+    std::sort(blown.begin(), blown.end(), [](Blown const& x, Blown const& y) {
+        return std::tie(x.fuse, x.cause) < std::tie(y.fuse, y.cause);
+    });
+    auto const same = [](Blown const& x, Blown const& y) { return x.fuse == y.fuse; };
+    blown.erase(std::unique(blown.begin(), blown.end(), same), blown.end());
+    for (Blown& one : blown) {
+        access.write<Fuse>()[one.fuse].blown = true;
+        one.cause = access.event("blown", std::span(&one.fuse, 1), std::span(&one.cause, 1));
+    }
+    if (first_) {
+        for (std::size_t r = 0; r < fuses.size(); ++r) {
+            if (fuses.values()[r].blown) {
+                blown.push_back({fuses.owners()[r], {}});
+            }
+        }
+    }
+    for (Blown const& one : blown) {
+        ElectricityGraph const* const row = access.read<ElectricityGraph>().find(one.fuse);
+        if (row == nullptr) {
+            continue;
+        }
+        std::vector<ElectricityGraph::Connection> const connections = row->connections;
+        for (ElectricityGraph::Connection const& connection : connections) {
+            setConnection(access.write<ElectricityGraph>(), one.fuse, connection.to, {});
+            std::array const pair{one.fuse, connection.to};
+            EventId const event = access.event("disconnected", pair, std::span(&one.cause, 1));
+            touch(one.fuse, event);
+            touch(connection.to, event);
+        }
+    }
+}
+
 void ElectricityResolver::carryOutCalls(Access& access) {
     changes_.clear();
     auto const& graph = access.read<ElectricityGraph>();
+    auto const conducts = [&](ObjectId id) {
+        Fuse const* const fuse = access.read<Fuse>().find(id);
+        return graph.has(id) && (fuse == nullptr || !fuse->blown);
+    };
     auto const note = [&](auto const& call, CallOrigin origin) {
-        if (call.a != call.b && graph.has(call.a) && graph.has(call.b)) { // non-conductors never enter
+        if (call.a != call.b && conducts(call.a) && conducts(call.b)) { // non-conductors never enter
             auto const [a, b] = std::minmax(call.a, call.b);
             changes_.push_back({a, b, call.cause, call.delta(), origin.cause});
         }

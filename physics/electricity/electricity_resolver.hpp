@@ -4,6 +4,7 @@
 #include "physics/electricity/calls.hpp"
 #include "physics/electricity/graph.hpp"
 #include "physics/electricity/graph_changes.hpp"
+#include "physics/electricity/nodal_properties.hpp"
 #include "physics/electricity/properties.hpp"
 #include "runtime/component/resolver.hpp"
 
@@ -15,7 +16,7 @@ namespace trembler {
 /// come and go are the one thing besides calls that changes the graph; a frame without either costs O(1).
 class ElectricityResolver final : public Resolver<ElectricityResolver, ElectricityRole,
                                                   Reads<Conductor, ElectricalSource, ElectricalReturn>,
-                                                  Writes<ElectricityGraph>, Provides<GraphChanges>> {
+                                                  Writes<ElectricityGraph, Fuse>, Provides<GraphChanges>> {
 public:
     static constexpr ComponentText text{.name = "Electricity",
                                         .effect = "electricity",
@@ -23,7 +24,8 @@ public:
                                         .work =
                                             "Manipulates the electricity graph as instructed: counts the "
                                             "connections of each pair of conductors by cause. Connections to "
-                                            "objects that are gone go with them."};
+                                            "objects that are gone go with them. Blows fuses: what has "
+                                            "blown has no connections."};
     using CalledFor = NeedsAny<Conductor>;
     void advance(Access& access);
 
@@ -48,6 +50,7 @@ private:
     void followVertices(Access& access);
     void followNetworks(Access& access);
     void dropLooseEnds(Access& access);
+    void blowFuses(Access& access);
     void carryOutCalls(Access& access);
     void changePair(Access& access, std::span<Change const> changes);
     void publish(Access& access);

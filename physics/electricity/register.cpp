@@ -2,8 +2,10 @@
 
 #include "physics/electricity/electricity_resolver.hpp"
 #include "physics/electricity/from_dynamics.hpp"
+#include "physics/electricity/from_fuses.hpp"
 #include "physics/electricity/from_player.hpp"
 #include "physics/electricity/initial_connections.hpp"
+#include "physics/electricity/nodal.hpp"
 #include "physics/electricity/single_cable.hpp"
 #include "physics/electricity/two_wire.hpp"
 #include "runtime/world/registry.hpp"
@@ -34,6 +36,57 @@ std::optional<std::string> checkTerminal(Store const& store, ObjectId id) {
     return std::nullopt;
 }
 
+// What says something about currents is about a conductor.
+template <class P>
+std::optional<std::string> checkConducts(Store const& store, ObjectId id) {
+    auto const* const conductors = store.findColumn<Conductor>();
+    if (conductors == nullptr || !conductors->has(id)) {
+        return fmt::format(
+            "'{}' is no conductor, so no current can reach it; expected the property '{}' beside '{}'",
+            store.nameOf(id), Conductor::text.key, P::text.key);
+    }
+    return std::nullopt;
+}
+
+// One that is neither none nor within what the solver is made for.
+std::optional<std::string> checkOhm(Store const& store, ObjectId id, double ohm, std::string_view what) {
+    if (ohm != 0 && (ohm < leastResistance || ohm > greatestResistance)) {
+        return fmt::format("the {} of '{}' is {} ohm; expected 0, or {} to {} ohm", what, store.nameOf(id),
+                           ohm, leastResistance, greatestResistance);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> checkResistance(Store const& store, ObjectId id) {
+    if (auto wrong = checkConducts<Resistance>(store, id)) {
+        return wrong;
+    }
+    return checkOhm(store, id, (*store.findColumn<Resistance>())[id].ohm, "resistance");
+}
+
+std::optional<std::string> checkEmf(Store const& store, ObjectId id) {
+    auto const* const sources = store.findColumn<ElectricalSource>();
+    if (sources == nullptr || !sources->has(id)) {
+        return fmt::format(
+            "'{}' is no source, so its EMF drives nothing; expected the property '{}' beside '{}'",
+            store.nameOf(id), ElectricalSource::text.key, Emf::text.key);
+    }
+    return checkOhm(store, id, (*store.findColumn<Emf>())[id].internalResistance, "internal resistance");
+}
+
+std::optional<std::string> checkRating(Store const& store, ObjectId id) {
+    if (auto wrong = checkConducts<RatedPower>(store, id)) {
+        return wrong;
+    }
+    auto const* const resistances = store.findColumn<Resistance>();
+    if (resistances != nullptr && resistances->has(id)) {
+        return std::nullopt; // what is stated counts, not what follows
+    }
+    RatedPower const& rated = (*store.findColumn<RatedPower>())[id];
+    return checkOhm(store, id, rated.voltage * rated.voltage / rated.power,
+                    "resistance that follows from the rating");
+}
+
 // Every conductor is a vertex from its birth on, even where it is the one that calls for the resolver.
 void makeVertex(Store& store, ObjectId id) {
     if (store.column<Conductor>().has(id)) {
@@ -47,13 +100,21 @@ void registerElectricity(Registry& registry) {
     registry.component<ElectricityResolver>();
     registry.component<SingleCableElectricity>();
     registry.component<TwoWireElectricity>();
+    registry.component<NodalElectricity>();
     registry.component<ElectricityFromDynamics>();
     registry.component<ElectricityFromPlayer>();
+    registry.component<ElectricityFromFuses>();
     registry.property<ElectricalDevice>();
+    registry.property<CurrentCapacity>();
     registry.completion(makeVertex);
     registry.connector(connectInitially);
     registry.rule({&propertyInfo<ElectricalSource>(), checkTerminal<ElectricalSource>});
     registry.rule({&propertyInfo<ElectricalReturn>(), checkTerminal<ElectricalReturn>});
+    registry.rule({&propertyInfo<Resistance>(), checkResistance});
+    registry.rule({&propertyInfo<Emf>(), checkEmf});
+    registry.rule({&propertyInfo<RatedPower>(), checkRating});
+    registry.rule({&propertyInfo<Fuse>(), checkConducts<Fuse>});
+    registry.rule({&propertyInfo<CurrentCapacity>(), checkConducts<CurrentCapacity>});
 }
 
 } // namespace trembler

@@ -5,8 +5,8 @@ namespace trembler {
 
 class Registry;
 
-/// Registers the Electricity resolver, the single-cable and two-wire detail levels and the interactions on
-/// electricity. After dynamics.
+/// Registers the Electricity resolver, its detail levels (single-cable, two-wire, nodal, flow) and the
+/// interactions on electricity. After dynamics.
 void registerElectricity(Registry& registry);
 
 } // namespace trembler

@@ -1,5 +1,7 @@
 #include "physics/electricity/single_cable.hpp"
 
+#include "physics/electricity/sufficient_level.hpp"
+
 #include <algorithm>
 
 namespace trembler {
@@ -28,9 +30,7 @@ void markSingleCable(Circuit const& circuit, std::vector<std::uint8_t>& on) {
 }
 
 bool SingleCableElectricity::suits(Store const& store) {
-    auto const* const returns = store.findColumn<ElectricalReturn>();
-    static constexpr std::uint64_t never = 1; // the structure version of a column that never had a row
-    return returns == nullptr || returns->structureVersion() == never;
+    return sufficientLevel(store).level == ElectricalLevel::singleCable;
 }
 
 } // namespace trembler

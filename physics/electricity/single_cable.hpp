@@ -13,7 +13,7 @@ void markSingleCable(Circuit const& circuit, std::vector<std::uint8_t>& on);
 class SingleCableElectricity final
     : public Dps<SingleCableElectricity,
                  Reads<ElectricityGraph, GraphChanges, Conductor, ElectricalSource, ElectricalReturn>,
-                 Derives<ElectricalState>> {
+                 Derives<ElectricalState, ElectricalQuantities>> {
 public:
     static constexpr ComponentText text{
         .name = "Single-cable Electricity",
@@ -23,8 +23,7 @@ public:
                 "it may take part in. Looks only at circuits that have changed.",
         .cost = 1};
     using CalledFor = NeedsAny<Conductor>;
-    /// Whole cables, return included, are what a world means that has never had a return of its own. One that
-    /// lost its last return must not light up because of that.
+    /// In worlds that never had a return; see neverHadReturns().
     static bool suits(Store const& store);
     void update(Access& access) { updateElectricalState(access, update_, markSingleCable); }
 

@@ -5,14 +5,16 @@
 namespace trembler {
 
 void StateUpdate::run(ElectricityColumns const& columns, GraphChanges const& changes,
-                      ElectricalState const& state, Analyse analyse) {
+                      ElectricalState const& state, Analyse const& analyse,
+                      std::span<ObjectId const> touchedToo) {
     entries_.clear();
     gone_.clear();
     causes_.clear();
     circuits_ = 0;
+    sawAll_ = false;
     std::span<ObjectId const> const vertices = columns.graph.owners();
     bound_ = vertices.empty() ? 0 : vertices.back().index + std::size_t{1};
-    if (seen_ == changes.number) {
+    if (seen_ == changes.number && touchedToo.empty()) {
         return;
     }
     walk_.begin(columns);
@@ -28,6 +30,9 @@ void StateUpdate::run(ElectricityColumns const& columns, GraphChanges const& cha
             } else if (object.index < state.byIndex.size() && state.byIndex[object.index].object == object) {
                 gone_.push_back(object);
             }
+        }
+        for (ObjectId const object : touchedToo) {
+            lookAt(columns, object, state, analyse);
         }
         for (auto const& [object, event, number] : touched) {
             std::uint32_t const circuit =
@@ -46,7 +51,8 @@ void StateUpdate::run(ElectricityColumns const& columns, GraphChanges const& cha
 }
 
 void StateUpdate::lookAtAll(ElectricityColumns const& columns, ElectricalState const& state,
-                            Analyse analyse) {
+                            Analyse const& analyse) {
+    sawAll_ = true;
     for (ElectricalState::Entry const& entry : state.byIndex) {
         if (entry.object.valid() && !columns.graph.has(entry.object)) {
             gone_.push_back(entry.object);
@@ -58,7 +64,7 @@ void StateUpdate::lookAtAll(ElectricityColumns const& columns, ElectricalState c
 }
 
 void StateUpdate::lookAt(ElectricityColumns const& columns, ObjectId seed, ElectricalState const& state,
-                         Analyse analyse) {
+                         Analyse const& analyse) {
     if (!walk_.walk(columns, seed, circuit_)) {
         return;
     }

@@ -4,7 +4,9 @@
 
 #include "physics/electricity/circuit.hpp"
 #include "physics/electricity/graph_changes.hpp"
+#include "physics/electricity/quantities.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace trembler {
@@ -14,8 +16,9 @@ namespace trembler {
 /// state as it stands, so it does not matter who computed that.
 class StateUpdate {
 public:
-    /// Marks which vertices of a circuit are on. `on` comes with a 0 for every vertex.
-    using Analyse = void (*)(Circuit const& circuit, std::vector<std::uint8_t>& on);
+    /// Marks which vertices of a circuit are on. `on` comes with a 0 for every vertex. Called once for each
+    /// circuit that is looked at, in the order of their numbers.
+    using Analyse = std::function<void(Circuit const& circuit, std::vector<std::uint8_t>& on)>;
 
     /// A conductor whose entry in the state must be written.
     struct Entry {
@@ -25,13 +28,20 @@ public:
         bool switched = false; ///< from on to off or the other way; a new conductor was off
     };
 
+    /// `touched` are objects of which something has changed that the graph does not know; their circuits are
+    /// looked at, too.
     void run(ElectricityColumns const& columns, GraphChanges const& changes, ElectricalState const& state,
-             Analyse analyse);
+             Analyse const& analyse, std::span<ObjectId const> touched = {});
 
     /// Whether the state must change at all.
     [[nodiscard]] bool anything() const { return !entries_.empty() || !gone_.empty(); }
     /// Ascending by object.
     [[nodiscard]] std::span<Entry const> entries() const { return entries_; }
+    /// Objects that the state still knows and that are gone.
+    [[nodiscard]] std::span<ObjectId const> gone() const { return gone_; }
+    /// Circuits looked at, and whether they are all that there are.
+    [[nodiscard]] std::uint32_t circuits() const { return circuits_; }
+    [[nodiscard]] bool sawAll() const { return sawAll_; }
     /// Why a circuit was looked at: the connections made and broken in it. Empty while nobody traces.
     [[nodiscard]] std::span<EventId const> causes(std::uint32_t circuit) const {
         return circuit < causes_.size() ? std::span<EventId const>(causes_[circuit])
@@ -52,9 +62,9 @@ public:
     }
 
 private:
-    void lookAtAll(ElectricityColumns const& columns, ElectricalState const& state, Analyse analyse);
+    void lookAtAll(ElectricityColumns const& columns, ElectricalState const& state, Analyse const& analyse);
     void lookAt(ElectricityColumns const& columns, ObjectId seed, ElectricalState const& state,
-                Analyse analyse);
+                Analyse const& analyse);
     void prepare(ElectricalState& state, std::uint64_t frame) const;
 
     std::optional<std::uint64_t> seen_; // the latest change that the state accounts for
@@ -62,20 +72,25 @@ private:
     Circuit circuit_;
     std::vector<std::uint8_t> on_;
     std::uint32_t circuits_ = 0;
+    bool sawAll_ = false;
     std::vector<Entry> entries_;
     std::vector<ObjectId> gone_;
     std::vector<std::vector<EventId>> causes_; // by circuit
     std::size_t bound_ = 0;                    // one past the highest index of a vertex
 };
 
-/// The whole update() of a detail level.
+/// The whole update() of a detail level that knows on and off only.
 template <class Access>
-void updateElectricalState(Access& access, StateUpdate& update, StateUpdate::Analyse analyse) {
+void updateElectricalState(Access& access, StateUpdate& update, StateUpdate::Analyse const& analyse) {
     ElectricityColumns const columns{
         access.template read<ElectricityGraph>(), access.template read<Conductor>(),
         access.template read<ElectricalSource>(), access.template read<ElectricalReturn>()};
     update.run(columns, access.template read<GraphChanges>(), access.template derived<ElectricalState>(),
                analyse);
+    if (ElectricalQuantities const& others = access.template derived<ElectricalQuantities>();
+        !others.byIndex.empty()) { // left by a level that knows more
+        access.template derive<ElectricalQuantities>() = {};
+    }
     if (update.anything()) { // otherwise whoever reads the state can go on sleeping
         update.writeTo(access.template derive<ElectricalState>(), access.frame(),
                        [&](std::string_view what, std::span<ObjectId const> objects,

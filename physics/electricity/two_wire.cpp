@@ -1,5 +1,7 @@
 #include "physics/electricity/two_wire.hpp"
 
+#include "physics/electricity/sufficient_level.hpp"
+
 #include <boost/graph/biconnected_components.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 
@@ -101,6 +103,10 @@ void markTwoWire(Circuit const& circuit, std::vector<std::uint8_t>& on) {
         }
         rest = rest.subspan(sources.size());
     }
+}
+
+bool TwoWireElectricity::suits(Store const& store) {
+    return sufficientLevel(store).level != ElectricalLevel::nodal;
 }
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// Electricity's dear detail level, two-wire (A.6): who lies on a path from source to return is on.
+// Electricity's detail level two-wire (A.6): who lies on a path from source to return is on.
 #pragma once
 
 #include "physics/electricity/state_update.hpp"
@@ -19,7 +19,7 @@ void markTwoWire(Circuit const& circuit, std::vector<std::uint8_t>& on);
 class TwoWireElectricity final
     : public Dps<TwoWireElectricity,
                  Reads<ElectricityGraph, GraphChanges, Conductor, ElectricalSource, ElectricalReturn>,
-                 Derives<ElectricalState>> {
+                 Derives<ElectricalState, ElectricalQuantities>> {
 public:
     static constexpr ComponentText text{.name = "Two-wire Electricity",
                                         .effect = "electricity",
@@ -30,6 +30,8 @@ public:
                                             "object twice. Looks only at circuits that have changed.",
                                         .cost = 2};
     using CalledFor = NeedsAny<Conductor>;
+    /// Where nothing has a resistance, an EMF, a rating or a fuse.
+    static bool suits(Store const& store);
     void update(Access& access) { updateElectricalState(access, update_, markTwoWire); }
 
 private:

@@ -1,0 +1,135 @@
+// What objects are in volts, amperes and ohms: the properties that call for nodal analysis.
+#pragma once
+
+#include "runtime/property/description.hpp"
+
+namespace trembler {
+
+/// The least resistance above zero, and the greatest, in ohm. What is 0 conducts ideally. Between the two lie
+/// twelve orders of magnitude, which is what the solver is tested with.
+inline constexpr double leastResistance = 1e-3;
+inline constexpr double greatestResistance = 1e9;
+
+/// Between any two of its connections a current meets the whole resistance: half of it lies between the
+/// object's middle and each connection. So a bar with three connections is a star of three halves.
+struct Resistance {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Resistance", "resistance",
+                                       "What the object sets against a current from one side to the other."};
+    double ohm = 0;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "value",
+                        .unit = "ohm",
+                        .meaning = "0, an ideal conductor, or at least 0.001",
+                        .minimum = 0,
+                        .maximum = greatestResistance,
+                        .required = true},
+              self.ohm);
+    }
+    friend bool operator==(Resistance const&, Resistance const&) = default;
+};
+
+/// How a source drives current from the return node of its network, which is at 0 V, to the object.
+struct Emf {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Electromotive force", "emf",
+                                       "What an electrical source drives a current with."};
+    double voltage = 0;
+    double internalResistance = 0;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "voltage",
+                        .unit = "V",
+                        .meaning = "of the object above the return of its network, without a load",
+                        .minimum = -1e6,
+                        .maximum = 1e6,
+                        .required = true},
+              self.voltage);
+        visit(FieldInfo{.key = "internal_resistance",
+                        .unit = "ohm",
+                        .meaning = "in series with it; 0, an ideal source, or at least 0.001",
+                        .minimum = 0,
+                        .maximum = greatestResistance},
+              self.internalResistance);
+    }
+    friend bool operator==(Emf const&, Emf const&) = default;
+};
+
+/// What stands on a lamp: 6 V, 3 W. Where no resistance is stated it follows, V²/P.
+struct RatedPower {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Rated power", "rated",
+                                       "The power at which the object works as it should, and at which "
+                                       "voltage it takes it."};
+    double power = 1;
+    double voltage = 1;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "power",
+                        .unit = "W",
+                        .meaning = "at which it is as bright as it should be",
+                        .minimum = 0,
+                        .maximum = 1e9,
+                        .minimumExcluded = true,
+                        .required = true},
+              self.power);
+        visit(FieldInfo{.key = "voltage",
+                        .unit = "V",
+                        .meaning = "across it, at that power",
+                        .minimum = 0,
+                        .maximum = 1e6,
+                        .minimumExcluded = true,
+                        .required = true},
+              self.voltage);
+    }
+    friend bool operator==(RatedPower const&, RatedPower const&) = default;
+};
+
+/// Carries a current up to its rating. Above it blows, and does not conduct any more.
+struct Fuse {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Fuse", "fuse", "Blows where a current is above its rating."};
+    double current = 1;
+    bool blown = false;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "current",
+                        .unit = "A",
+                        .meaning = "that it carries without blowing",
+                        .minimum = 0,
+                        .maximum = 1e9,
+                        .minimumExcluded = true,
+                        .required = true},
+              self.current);
+        visit(FieldInfo{.key = "blown", .unit = "", .meaning = "whether it has blown, for good"}, self.blown);
+    }
+    friend bool operator==(Fuse const&, Fuse const&) = default;
+};
+
+/// What an object can carry at most, for the detail level that computes flows.
+struct CurrentCapacity {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Current capacity", "current_capacity",
+                                       "The current that the object can carry at most, where electricity is "
+                                       "computed as a flow."};
+    double ampere = 1;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "value",
+                        .unit = "A",
+                        .meaning = "in whole microamperes",
+                        .minimum = 0,
+                        .maximum = 1e6,
+                        .required = true},
+              self.ampere);
+    }
+    friend bool operator==(CurrentCapacity const&, CurrentCapacity const&) = default;
+};
+
+} // namespace trembler

@@ -1,0 +1,81 @@
+// Volts, amperes and watts, derived by the detail levels of electricity that know of them.
+#pragma once
+
+#include "runtime/object/object_id.hpp"
+#include "runtime/property/description.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler {
+
+/// How a circuit was analysed.
+enum class ElectricalLevel : std::uint8_t { singleCable, twoWire, flow, nodal };
+
+/// What in a circuit calls for a level.
+enum class ElectricalReason : std::uint8_t {
+    noReturn,   ///< the world never had a return: whole cables are meant
+    onOffOnly,  ///< it has returns, but nothing in it has a resistance, an EMF, a rating or a fuse
+    resistance, ///< something has
+    emf,
+    rating,
+    fuse,
+    asked, ///< the level was asked for
+};
+
+/// What is known of circuits beyond on and off. Empty while the level at work, single-cable or two-wire,
+/// knows nothing beyond.
+struct ElectricalQuantities {
+    static constexpr PropertyKind kind = PropertyKind::derived;
+    static constexpr PropertyText text{
+        "Electrical quantities", "electrical_quantities",
+        "Potentials, currents and powers of objects, and what is wrong with their circuits."};
+    struct Entry {
+        ObjectId object;       ///< invalid while no conductor has this index
+        ObjectId circuit;      ///< the first object of its circuit, by id
+        double potential = 0;  ///< V, of its middle above the return of its network
+        double current = 0;    ///< A through it: half of what its connections carry, in and out together
+        double power = 0;      ///< W that become heat, or light, in it
+        double supplied = 0;   ///< W that its EMF gives
+        double brightness = 0; ///< power over rated power; 0 for what has no rating
+        double overload = 0;   ///< of a fuse: current over its rating; above 1 it will blow
+        EventId event;         ///< "overloaded"; none while nobody traces
+        bool floating = false; ///< no way leads to a source or a return: its potential is anything
+    };
+    /// One circuit: everything that is connected to `first`, the first of its objects by id.
+    struct Circuit {
+        ObjectId first;
+        std::uint32_t objects = 0;
+        ElectricalLevel level = ElectricalLevel::twoWire;
+        ElectricalReason reason = ElectricalReason::onOffOnly;
+        ObjectId because;      ///< the first object that is the reason, where one is
+        double residual = 0;   ///< nodal: what Kirchhoff's first law is missed by, of the largest current
+        bool floating = false; ///< all of it
+        std::vector<ObjectId> shorted; ///< sources, ascending
+        double flow = 0;               ///< flow: A that can flow at most
+        std::vector<ObjectId>
+            bottleneck; ///< flow: objects that let no more through, nearest the source; ascending
+    };
+    std::vector<Entry> byIndex;    ///< by object index
+    std::vector<Circuit> circuits; ///< ascending by `first`
+    std::uint64_t frame = 0;       ///< of the last change
+
+    /// The entry of an object, or nullptr if nothing is known of it.
+    [[nodiscard]] Entry const* find(ObjectId id) const {
+        return id.index < byIndex.size() && byIndex[id.index].object == id ? &byIndex[id.index] : nullptr;
+    }
+    /// The circuit of an object, or nullptr.
+    [[nodiscard]] Circuit const* circuitOf(ObjectId id) const;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+[[nodiscard]] std::string_view nameOf(ElectricalLevel level);
+/// In words, for people: "a resistance".
+[[nodiscard]] std::string_view nameOf(ElectricalReason reason);
+
+} // namespace trembler
