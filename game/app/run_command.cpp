@@ -4,6 +4,7 @@
 #include "game/session/runner.hpp"
 #include "game/session/solution_file.hpp"
 #include "physics/dynamics/settings.hpp"
+#include "physics/electricity/spice.hpp"
 #include "runtime/level/read_level.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +29,7 @@ struct Arguments {
     std::vector<std::string> detail;
     std::vector<std::string> periods;
     std::optional<int> substeps;
+    std::string spice;
 };
 
 int asPeriod(std::string const& text, std::string const& value) {
@@ -58,6 +60,23 @@ std::function<void(std::uint64_t)> progressOf(std::uint64_t frames) {
             std::cerr << "\r                              \r";
         }
     };
+}
+
+// The circuits as they are when the run is over.
+void exportSpice(Session const& session, std::string const& path) {
+    std::string const netlist = spiceNetlist(session.world().store(), session.level().title);
+    if (netlist.empty()) {
+        throw std::invalid_argument(
+            fmt::format("--export-spice {}: the level has no circuit with a resistance, "
+                        "an EMF, a rated power or a fuse, so there are no volts to "
+                        "compute",
+                        path));
+    }
+    std::ofstream file(path);
+    file << netlist;
+    if (!file.flush()) {
+        throw std::runtime_error(fmt::format("--export-spice {}: the file cannot be written", path));
+    }
 }
 
 int runLevel(Arguments const& arguments) {
@@ -109,6 +128,9 @@ int runLevel(Arguments const& arguments) {
         throw std::runtime_error(
             fmt::format("--trace {}: writing failed, the account is not complete", arguments.trace));
     }
+    if (!arguments.spice.empty()) {
+        exportSpice(session, arguments.spice);
+    }
     if (arguments.json) {
         std::cout << toJson(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
                   << "\n";
@@ -152,6 +174,8 @@ void addRunCommand(CLI::App& program, int& result) {
         ->allow_extra_args(false);
     command->add_option("--substeps", arguments->substeps, "Steps of the dynamics engine in a frame")
         ->check(CLI::Range(1, 64));
+    command->add_option("--export-spice", arguments->spice,
+                        "Write the circuits, as they are after the last frame, as a netlist for ngspice -b");
     command->callback([arguments, &result] { result = guarded([&] { return runLevel(*arguments); }); });
 }
 

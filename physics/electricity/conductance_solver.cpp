@@ -4,12 +4,7 @@
 // compiler.
 #define EIGEN_MPL2_ONLY
 #define EIGEN_DONT_VECTORIZE
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
 #include <Eigen/SparseCholesky>
-#pragma GCC diagnostic pop
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
