@@ -1,6 +1,7 @@
 #include "physics/electricity/register.hpp"
 
 #include "physics/electricity/electricity_resolver.hpp"
+#include "physics/electricity/flow.hpp"
 #include "physics/electricity/from_dynamics.hpp"
 #include "physics/electricity/from_fuses.hpp"
 #include "physics/electricity/from_player.hpp"
@@ -101,11 +102,11 @@ void registerElectricity(Registry& registry) {
     registry.component<SingleCableElectricity>();
     registry.component<TwoWireElectricity>();
     registry.component<NodalElectricity>();
+    registry.component<FlowElectricity>();
     registry.component<ElectricityFromDynamics>();
     registry.component<ElectricityFromPlayer>();
     registry.component<ElectricityFromFuses>();
     registry.property<ElectricalDevice>();
-    registry.property<CurrentCapacity>();
     registry.completion(makeVertex);
     registry.connector(connectInitially);
     registry.rule({&propertyInfo<ElectricalSource>(), checkTerminal<ElectricalSource>});
