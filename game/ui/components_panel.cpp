@@ -158,6 +158,11 @@ void ComponentsPanel::drawLevels(Layout& layout, Session& session, Toasts& toast
         bool const unfolded = ImGui::BeginCombo(("##" + effect.effect).c_str(), shown.c_str());
         if (!unfolded) {
             layout.item("detail of " + effect.effect);
+            if (ImGui::IsItemHovered()) {
+                if (std::string const why = session.world().why(effect.effect); !why.empty()) {
+                    ImGui::SetTooltip("%s", words::wrapped(words::calledForBy(why), 60).c_str());
+                }
+            }
             continue;
         }
         if (ImGui::Selectable(automatic.c_str(), effect.chosen.empty())) {

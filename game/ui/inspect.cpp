@@ -3,7 +3,9 @@
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/contacts.hpp"
 #include "physics/electricity/graph.hpp"
+#include "physics/electricity/nodal_properties.hpp"
 #include "physics/electricity/properties.hpp"
+#include "physics/electricity/quantities.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/input/input_resolver.hpp"
@@ -150,6 +152,24 @@ InspectorSection situation(World const& world, ObjectId object) {
         say(words::electricity,
             std::string(state->isOn(object) ? words::electricityOn : words::electricityOff),
             words::electricityMeaning);
+    }
+    if (auto const* quantities = world.find<ElectricalQuantities>(); quantities != nullptr) {
+        auto const* const entry = quantities->find(object);
+        auto const* const circuit = quantities->circuitOf(object);
+        if (entry != nullptr && circuit != nullptr && circuit->level == ElectricalLevel::nodal) {
+            say(words::potential,
+                entry->floating ? std::string(words::floating) : readable(entry->potential) + " V",
+                words::potentialMeaning);
+            say(words::current, readable(entry->current) + " A", words::currentMeaning);
+            bool const rated = world.find<RatedPower>(object) != nullptr;
+            say(words::power,
+                readable(entry->power) + " W" + (rated ? words::ofRated(entry->brightness) : std::string()),
+                words::powerMeaning);
+            if (std::find(circuit->shorted.begin(), circuit->shorted.end(), object) !=
+                circuit->shorted.end()) {
+                say(words::shortCircuit, std::string(words::yes), words::shortMeaning);
+            }
+        }
     }
     if (auto const* graph = world.find<ElectricityGraph>(object);
         graph != nullptr && !graph->connections.empty()) {

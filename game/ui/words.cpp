@@ -30,6 +30,14 @@ std::string recorded(int frames, std::string const& folder) {
 std::string andMore(std::size_t count) {
     return fmt::format("and {} more", count);
 }
+std::string calledForBy(std::string const& why) {
+    return "The scene calls for " + why + ".";
+}
+
+std::string ofRated(double share) {
+    return fmt::format(" ({:.0f} % of its rating)", 100 * share);
+}
+
 std::string idleNow(std::string const& chosen, std::string const& working) {
     return chosen + " (at work: " + working + ")";
 }

@@ -108,6 +108,16 @@ inline constexpr char const* touches = "touches";
 inline constexpr char const* touchesMeaning = "whom it touches at this moment";
 inline constexpr char const* weight = "weight";
 inline constexpr char const* weightMeaning = "the force of gravity on it";
+inline constexpr char const* potential = "potential";
+inline constexpr char const* potentialMeaning = "above the return of its network";
+inline constexpr char const* floating = "floating: no way leads to a source or a return";
+inline constexpr char const* current = "current";
+inline constexpr char const* currentMeaning = "through it";
+inline constexpr char const* power = "power";
+inline constexpr char const* powerMeaning = "that becomes heat or light in it";
+inline constexpr char const* shortCircuit = "short circuit";
+inline constexpr char const* shortMeaning =
+    "it loses nearly all of its voltage inside, or drives next to no load";
 inline constexpr char const* magneticPull = "magnetic force";
 inline constexpr char const* magneticMeaning = "the sum of all magnetic forces on it";
 inline constexpr char const* objectIsGone = "It is not in the world at the moment.";
@@ -168,6 +178,8 @@ inline constexpr KeyHelp keyHelp[] = {
 [[nodiscard]] std::string recorded(int frames, std::string const& folder);
 [[nodiscard]] std::string andMore(std::size_t count);
 [[nodiscard]] std::string automaticNow(std::string const& level);
+[[nodiscard]] std::string calledForBy(std::string const& why);
+[[nodiscard]] std::string ofRated(double share);
 [[nodiscard]] std::string idleNow(std::string const& chosen, std::string const& working);
 [[nodiscard]] std::string hintOf(std::size_t shown, std::size_t total);
 [[nodiscard]] std::string solvedWith(double seconds, int parts);

@@ -32,6 +32,7 @@ public:
         .cost = 4};
     using CalledFor = NeedsAny<Conductor>;
     static bool suits(Store const&) { return false; } // of itself
+    static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access);
 
 private:

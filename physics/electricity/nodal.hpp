@@ -37,6 +37,7 @@ public:
     static constexpr double leastShare = 1e-9;
     static constexpr double leastPower = 0.01;
     using CalledFor = NeedsAny<Conductor>;
+    static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access);
 
 private:

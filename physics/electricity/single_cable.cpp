@@ -1,7 +1,5 @@
 #include "physics/electricity/single_cable.hpp"
 
-#include "physics/electricity/sufficient_level.hpp"
-
 #include <algorithm>
 
 namespace trembler {

@@ -1,7 +1,5 @@
 #include "physics/electricity/two_wire.hpp"
 
-#include "physics/electricity/sufficient_level.hpp"
-
 #include <boost/graph/biconnected_components.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 

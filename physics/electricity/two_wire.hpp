@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/electricity/state_update.hpp"
+#include "physics/electricity/sufficient_level.hpp"
 #include "runtime/component/dps.hpp"
 
 namespace trembler {
@@ -32,6 +33,7 @@ public:
     using CalledFor = NeedsAny<Conductor>;
     /// Where nothing has a resistance, an EMF, a rating or a fuse.
     static bool suits(Store const& store);
+    static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access) { updateElectricalState(access, update_, markTwoWire); }
 
 private:

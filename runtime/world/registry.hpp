@@ -27,6 +27,7 @@ struct Registration {
     bool (*suits)(Store const&); ///< whether this detail level can serve a scene; nullptr: any scene
     int period = 1;              ///< runs in every nth frame (6.12.5)
     std::string_view missing{};  ///< why this program knows it only by name, and what helps; mostly nothing
+    std::string (*why)(Store const&) = nullptr; ///< in words, what in a scene calls for which detail level
 };
 
 /// A declared hand-over (7.1.5): two resolvers may write one property, as every object belongs to one of them
@@ -69,6 +70,9 @@ public:
                           [] { return std::unique_ptr<Component>(std::make_unique<C>()); }, nullptr};
         if constexpr (requires(Store const& store) { C::suits(store); }) {
             made.suits = [](Store const& store) { return C::suits(store); };
+        }
+        if constexpr (requires(Store const& store) { C::why(store); }) {
+            made.why = [](Store const& store) { return std::string(C::why(store)); };
         }
         if constexpr (requires { C::period; }) {
             made.period = C::period;

@@ -460,6 +460,16 @@ void World::setPeriod(std::string const& componentTitle, int period) {
     options_.periods[title(*named.front()->status.info)] = period;
 }
 
+std::string World::why(std::string_view effect) const {
+    for (Entry const& entry : entries_) {
+        if (entry.component && entry.registration->why != nullptr &&
+            entry.status.info->text.effect == effect) {
+            return entry.registration->why(store_);
+        }
+    }
+    return {};
+}
+
 std::vector<ComponentStatus> World::status() const {
     std::vector<ComponentStatus> all;
     all.reserve(entries_.size());

@@ -74,6 +74,9 @@ public:
 
     /// One entry per registered component: resolvers, then derived property sets, then interactions.
     [[nodiscard]] std::vector<ComponentStatus> status() const;
+    /// What in the scene calls for the detail level that an effect has if nobody asks for one, in words for
+    /// people; empty if its components do not say.
+    [[nodiscard]] std::string why(std::string_view effect) const;
     /// Counts somebody outside, a loudspeaker or an overlay, among the readers of a resolver or derived
     /// property, so that it is computed even if no component reads it. Changes no state of the world.
     /// Counted: every want() needs its own release(). Between frames only.
