@@ -4,6 +4,7 @@
 #include "physics/buoyancy/register.hpp"
 #include "physics/buoyancy/settings.hpp"
 #include "physics/dynamics/register.hpp"
+#include "physics/electricity/nodal_properties.hpp"
 #include "physics/electricity/properties.hpp"
 #include "physics/electricity/register.hpp"
 #include "physics/gravity/properties.hpp"
@@ -34,7 +35,8 @@ std::optional<std::string> connectNothing(Store& /*store*/, ObjectId /*a*/, Obje
 }
 
 void knowElectricity(Registry& registry) {
-    registerOnly<Conductor, ElectricalSource, ElectricalReturn, ElectricalDevice>(registry);
+    registerOnly<Conductor, ElectricalSource, ElectricalReturn, ElectricalDevice, Resistance, Emf, RatedPower,
+                 Fuse, CurrentCapacity>(registry);
     registry.connector(connectNothing);
 }
 

@@ -64,7 +64,12 @@ std::function<void(std::uint64_t)> progressOf(std::uint64_t frames) {
 
 // The circuits as they are when the run is over.
 void exportSpice(Session const& session, std::string const& path) {
+#ifdef TREMBLER_WITHOUT_ELECTRICITY
+    std::string const netlist;
+    (void)session;
+#else
     std::string const netlist = spiceNetlist(session.world().store(), session.level().title);
+#endif
     if (netlist.empty()) {
         throw std::invalid_argument(
             fmt::format("--export-spice {}: the level has no circuit with a resistance, "
