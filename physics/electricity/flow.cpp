@@ -94,6 +94,7 @@ void FlowElectricity::analyse(Circuit const& circuit, std::vector<std::uint8_t>&
     CircuitQuantities& found =
         found_.emplace_back(quantitiesOf(circuit, {ElectricalLevel::flow, ElectricalReason::asked, {}}));
     std::vector<Microamperes> limits;
+    limits.reserve(circuit.size());
     for (ObjectId const object : circuit.objects) {
         limits.push_back(limitOf(object));
     }

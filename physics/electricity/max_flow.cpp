@@ -84,8 +84,8 @@ public:
     }
 
 private:
-    [[nodiscard]] static Vertex in(std::uint32_t n) { return 2 * n; }
-    [[nodiscard]] static Vertex out(std::uint32_t n) { return 2 * n + 1; }
+    [[nodiscard]] static Vertex in(std::uint32_t n) { return Vertex{2} * n; }
+    [[nodiscard]] static Vertex out(std::uint32_t n) { return Vertex{2} * n + 1; }
     [[nodiscard]] Vertex source() const { return 2 * order_.size(); }
     [[nodiscard]] Vertex sink() const { return 2 * order_.size() + 1; }
     [[nodiscard]] Vertex gate() const { return 2 * order_.size() + 2; }

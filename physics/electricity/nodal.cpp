@@ -63,11 +63,11 @@ void NodalElectricity::findChangedParts(NodalColumns const& columns) {
         for (; was != parts_.end() && was->object < part.object; ++was) {
             changed_.push_back(was->object);
         }
-        if (was == parts_.end() || was->object != part.object) {
-            changed_.push_back(part.object);
-        } else if (Part const& known = *was++; known != part) {
+        bool const known = was != parts_.end() && was->object == part.object;
+        if (!known || *was != part) {
             changed_.push_back(part.object);
         }
+        was += known ? 1 : 0;
     }
     for (; was != parts_.end(); ++was) {
         changed_.push_back(was->object);

@@ -1,18 +1,6 @@
 #include "physics/electricity/quantities.hpp"
 
-#include <algorithm>
-
 namespace trembler {
-
-ElectricalQuantities::Circuit const* ElectricalQuantities::circuitOf(ObjectId id) const {
-    Entry const* const entry = find(id);
-    if (entry == nullptr) {
-        return nullptr;
-    }
-    auto const at = std::lower_bound(circuits.begin(), circuits.end(), entry->circuit,
-                                     [](Circuit const& c, ObjectId first) { return c.first < first; });
-    return at == circuits.end() || at->first != entry->circuit ? nullptr : &*at;
-}
 
 std::string_view nameOf(ElectricalLevel level) {
     switch (level) {

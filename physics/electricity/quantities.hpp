@@ -5,6 +5,7 @@
 #include "runtime/property/description.hpp"
 #include "runtime/trace/event.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -68,7 +69,15 @@ struct ElectricalQuantities {
         return id.index < byIndex.size() && byIndex[id.index].object == id ? &byIndex[id.index] : nullptr;
     }
     /// The circuit of an object, or nullptr.
-    [[nodiscard]] Circuit const* circuitOf(ObjectId id) const;
+    [[nodiscard]] Circuit const* circuitOf(ObjectId id) const {
+        Entry const* const entry = find(id);
+        if (entry == nullptr) {
+            return nullptr;
+        }
+        auto const at = std::lower_bound(circuits.begin(), circuits.end(), entry->circuit,
+                                         [](Circuit const& c, ObjectId first) { return c.first < first; });
+        return at == circuits.end() || at->first != entry->circuit ? nullptr : &*at;
+    }
 
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}

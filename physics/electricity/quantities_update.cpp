@@ -62,6 +62,7 @@ void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuanti
     }
     // A circuit is as it was unless it was looked at, or its first object went to another.
     std::vector<ObjectId> looked;
+    looked.reserve(found.size());
     for (CircuitQuantities const& one : found) {
         looked.push_back(one.circuit.first);
     }
