@@ -57,9 +57,11 @@ constexpr Effect effects[] = {
     {"gravity", registerGravity, registerOnly<GravityField, GravityLaw>},
 #endif
 #ifdef TREMBLER_WITHOUT_MAGNETISM
-    {"magnetism", nullptr, registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet>},
+    {"magnetism", nullptr,
+     registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet, MagnetismSettings>},
 #else
-    {"magnetism", registerMagnetism, registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet>},
+    {"magnetism", registerMagnetism,
+     registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet, MagnetismSettings>},
 #endif
 #ifdef TREMBLER_WITHOUT_BUOYANCY
     {"buoyancy", nullptr, registerOnly<Liquid, BuoyancySettings>},
