@@ -132,7 +132,8 @@ Ladder climbFallingChain(Workshop const& workshop, Effort effort) {
 void addDynamicsPlans(std::vector<Plan>& plans) {
     plans.push_back(
         substepsPlan({"a thrown ball", "greatest distance from its path", "the parabola (closed form)",
-                      "The engine's steps are of the first order: half the step, half the error."},
+                      "The engine's steps are of the first order: half the step, half the error, "
+                      "down to the rounding of its single precision."},
                      thrownBall, {120, 30}));
     plans.push_back(substepsPlan({"a pendulum of 1.5 rad", "greatest distance from its place",
                                   "its equation of motion, integrated until it converged", ""},
