@@ -3,6 +3,7 @@
 #include "game/accuracy/dynamics_scenes.hpp"
 #include "game/accuracy/effect_clock.hpp"
 #include "game/accuracy/ladder.hpp"
+#include "game/core/workshop.hpp"
 #include "runtime/world/world.hpp"
 
 #include <fmt/format.h>
@@ -63,8 +64,8 @@ Plan substepsPlan(Words words, DynamicsSceneMaker make, Length length) {
                     if (effort.brief && substeps > 8) {
                         break;
                     }
-                    DynamicsSettings solver;
-                    solver.substeps = substeps;
+                    Solver solver;
+                    solver.settings.substeps = substeps;
                     ladder.rungs.push_back(
                         measure(substepsName(substeps), make(workshop, solver), length.of(effort)));
                 }
@@ -76,12 +77,33 @@ Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Length l
     return {"dynamics", [=](Workshop const& workshop, Effort effort) {
                 Ladder ladder = begin(words, length.of(effort));
                 for (int const iterations : {1, 2, 4, 8, 16, 32, 64}) {
-                    DynamicsSettings solver;
-                    solver.substeps = substeps;
-                    solver.velocityIterations = iterations;
+                    Solver solver;
+                    solver.settings.substeps = substeps;
+                    solver.settings.velocityIterations = iterations;
                     ladder.rungs.push_back(measure(
                         fmt::format("{} velocity iteration{}", iterations, iterations == 1 ? "" : "s"),
                         make(workshop, solver), length.of(effort)));
+                }
+                return ladder;
+            }};
+}
+
+// Every registered engine, at two numbers of substeps.
+Plan enginesPlan(Words words, DynamicsSceneMaker make, Length length) {
+    return {"dynamics", [=](Workshop const& workshop, Effort effort) {
+                Ladder ladder = begin(words, length.of(effort));
+                for (Registration const& one : workshop.registry.components()) {
+                    if (one.info->kind != ComponentKind::resolver || one.info->roleName != "Dynamics") {
+                        continue;
+                    }
+                    for (int const substeps : {4, 8}) {
+                        Solver solver;
+                        solver.engine = one.info->text.level;
+                        solver.settings.substeps = substeps;
+                        ladder.rungs.push_back(
+                            measure(fmt::format("{}, {}", solver.engine, substepsName(substeps)),
+                                    make(workshop, solver), length.of(effort)));
+                    }
                 }
                 return ladder;
             }};
@@ -94,11 +116,11 @@ Ladder climbFallingChain(Workshop const& workshop, Effort effort) {
                            "greatest distance of a link from where it should be", "64 substeps", ""},
                           frames);
     auto const path = std::make_shared<ChainPath>();
-    DynamicsSettings solver;
-    solver.substeps = 64;
+    Solver solver;
+    solver.settings.substeps = 64;
     static_cast<void>(measure("", fallingChain(workshop, solver, links, path, true), frames));
     for (int const substeps : {1, 2, 4, 8, 16}) {
-        solver.substeps = substeps;
+        solver.settings.substeps = substeps;
         ladder.rungs.push_back(
             measure(substepsName(substeps), fallingChain(workshop, solver, links, path, false), frames));
     }
@@ -110,13 +132,14 @@ Ladder climbFallingChain(Workshop const& workshop, Effort effort) {
 void addDynamicsPlans(std::vector<Plan>& plans) {
     plans.push_back(
         substepsPlan({"a thrown ball", "greatest distance from its path", "the parabola (closed form)",
-                      "The engine's steps are of the first order: half the step, half the error."},
+                      "The engine's steps are of the first order: half the step, half the error, "
+                      "down to the rounding of its single precision."},
                      thrownBall, {120, 30}));
     plans.push_back(substepsPlan({"a pendulum of 1.5 rad", "greatest distance from its place",
                                   "its equation of motion, integrated until it converged", ""},
                                  pendulum, {300, 60}));
     plans.push_back({"dynamics", climbFallingChain});
-    auto const chain = [](Workshop const& workshop, DynamicsSettings const& solver) {
+    auto const chain = [](Workshop const& workshop, Solver const& solver) {
         return loadedChain(workshop, solver, 30, 100 * 1.0);
     };
     std::string const gap = "widest gap of a joint";
@@ -134,8 +157,17 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
                                    chain, 4, {300, 40}));
     plans.push_back(substepsPlan(
         {"a stack of 20 boxes", "farthest that a box has moved sideways", "a stack that stands still", ""},
-        [](Workshop const& workshop, DynamicsSettings const& solver) { return stack(workshop, solver, 20); },
+        [](Workshop const& workshop, Solver const& solver) { return stack(workshop, solver, 20); },
         {1200, 60}));
+    plans.push_back(
+        enginesPlan({"engines: a chain of 30 links under a hundred times a link's mass", gap, whole,
+                     "See [engines.md](engines.md) for what else is different about them."},
+                    chain, {300, 30}));
+    plans.push_back(enginesPlan(
+        {"engines: a stack of 10 boxes", "farthest that a box has moved sideways",
+         "a stack that stands still", ""},
+        [](Workshop const& workshop, Solver const& solver) { return stack(workshop, solver, 10); },
+        {600, 30}));
 }
 
 } // namespace trembler::accuracy

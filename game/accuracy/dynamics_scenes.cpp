@@ -18,11 +18,13 @@ namespace {
 
 constexpr double g = 9.81; // m/s²
 
-std::unique_ptr<World> emptyWorld(Workshop const& workshop, DynamicsSettings const& solver) {
-    auto world = std::make_unique<World>(workshop.registry);
+std::unique_ptr<World> emptyWorld(Workshop const& workshop, Solver const& solver) {
+    WorldOptions options;
+    options.detail["dynamics"] = solver.engine;
+    auto world = std::make_unique<World>(workshop.registry, options);
     Store& store = world->store();
     ObjectId const settings = store.create("world");
-    store.column<DynamicsSettings>().set(settings, solver);
+    store.column<DynamicsSettings>().set(settings, solver.settings);
     store.column<GravityField>().set(settings, {{0, -g}});
     return world;
 }
@@ -69,7 +71,7 @@ std::string linkName(int i) {
 
 // Interactions speak for the first time at the end of the first frame, so gravity acts from the second on:
 // time counts from there.
-DynamicsScene thrownBall(Workshop const& workshop, DynamicsSettings const& solver) {
+DynamicsScene thrownBall(Workshop const& workshop, Solver const& solver) {
     DynamicsScene scene{emptyWorld(workshop, solver), {}};
     ObjectId const ball = body(*scene.world, "ball", circlePiece(0.1), {0, 0}, 1);
     Vec2 const velocity{4, 9};
@@ -82,7 +84,7 @@ DynamicsScene thrownBall(Workshop const& workshop, DynamicsSettings const& solve
     return scene;
 }
 
-DynamicsScene pendulum(Workshop const& workshop, DynamicsSettings const& solver) {
+DynamicsScene pendulum(Workshop const& workshop, Solver const& solver) {
     constexpr double arm = 1.5;    // m
     constexpr double radius = 0.2; // m
     constexpr double amplitude = 1.5;
@@ -117,8 +119,7 @@ DynamicsScene pendulum(Workshop const& workshop, DynamicsSettings const& solver)
     return scene;
 }
 
-DynamicsScene loadedChain(Workshop const& workshop, DynamicsSettings const& solver, int links,
-                          double ballMass) {
+DynamicsScene loadedChain(Workshop const& workshop, Solver const& solver, int links, double ballMass) {
     DynamicsScene scene{emptyWorld(workshop, solver), {}};
     World& world = *scene.world;
     struct Pin {
@@ -160,9 +161,9 @@ DynamicsScene loadedChain(Workshop const& workshop, DynamicsSettings const& solv
     return scene;
 }
 
-DynamicsScene stack(Workshop const& workshop, DynamicsSettings const& solver, int boxes) {
-    DynamicsSettings awake = solver;
-    awake.sleeping = false;
+DynamicsScene stack(Workshop const& workshop, Solver const& solver, int boxes) {
+    Solver awake = solver;
+    awake.settings.sleeping = false;
     DynamicsScene scene{emptyWorld(workshop, awake), {}};
     ObjectId const floor = body(*scene.world, "floor", boxPiece(20, 1), {0, -0.5}, 1);
     scene.world->store().column<Fixed>().set(floor, {});
@@ -181,7 +182,7 @@ DynamicsScene stack(Workshop const& workshop, DynamicsSettings const& solver, in
     return scene;
 }
 
-DynamicsScene fallingChain(Workshop const& workshop, DynamicsSettings const& solver, int links,
+DynamicsScene fallingChain(Workshop const& workshop, Solver const& solver, int links,
                            std::shared_ptr<ChainPath> path, bool record) {
     DynamicsScene scene{emptyWorld(workshop, solver), {}};
     std::vector<ObjectId> all;

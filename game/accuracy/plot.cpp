@@ -11,8 +11,9 @@ namespace {
 
 constexpr double left = 90;
 constexpr double top = 60;
-constexpr double width = 560;
+constexpr double width = 430;
 constexpr double height = 300;
+constexpr double legend = left + width + 34;
 constexpr char const* frontColour = "#2b6ca3";
 constexpr char const* restColour = "#b3541e";
 
@@ -145,28 +146,30 @@ private:
                 fmt::format("<path d='{}' stroke='{}' stroke-width='2' fill='none'/>\n", path, frontColour);
         }
     }
-    // Labels keep out of one another's way: each takes the nearest free line below or above its dot.
+    // Dots have numbers, which are read at the side: names beside the dots would run into one another.
     void dots(Ladder const& ladder) {
-        std::vector<std::pair<double, double>> taken;
+        double line = top + 4;
+        int number = 0;
         for (Rung const& rung : ladder.rungs) {
-            bool const filled = rung.onFront || !ladder.rivals;
-            text_ += fmt::format(
-                "<circle cx='{:.1f}' cy='{:.1f}' r='4.5' fill='{}' stroke='{}' stroke-width='2'/>\n", x(rung),
-                y(rung), filled ? frontColour : "#faf6ec", filled ? frontColour : restColour);
-            bool const onTheRight = x(rung) < left + 0.7 * width;
-            double const at = x(rung) + (onTheRight ? 9 : -9);
-            double line = y(rung) - 5;
-            auto const isTaken = [&](double where) {
-                return std::any_of(taken.begin(), taken.end(), [&](auto const& other) {
-                    return std::abs(other.first - at) < 150 && std::abs(other.second - where) < 13;
-                });
-            };
-            for (int k = 1; k < 24 && isTaken(line); ++k) {
-                line = y(rung) - 5 + (k % 2 == 0 ? 13.0 : -13.0) * ((k + 1) / 2);
-            }
-            taken.emplace_back(at, line);
-            text_ += fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='11' text-anchor='{}'>{}</text>\n",
-                                 at, line, onTheRight ? "start" : "end", escaped(rung.level));
+            ++number;
+            bool const good = rung.onFront || !ladder.rivals;
+            char const* const fill = good ? frontColour : "#faf6ec";
+            char const* const stroke = good ? frontColour : restColour;
+            // Beside the dot on alternate sides, as neighbours in the ladder are often neighbours here.
+            double const side = number % 2 == 0 ? 14 : -6;
+            text_ += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='4.5' fill='{}' stroke='{}' "
+                                 "stroke-width='2'/><text x='{:.1f}' y='{:.1f}' font-size='11' fill='{}' "
+                                 "text-anchor='{}'>{}</text>\n",
+                                 x(rung), y(rung), fill, stroke, x(rung) + (side > 0 ? 7 : -7),
+                                 y(rung) + side, stroke, side > 0 ? "start" : "end", number);
+            text_ += fmt::format("<text x='{:.1f}' y='{:.1f}' fill='{}' text-anchor='end'>{}</text>"
+                                 "<text x='{:.1f}' y='{:.1f}'>{}</text>\n",
+                                 legend, line, stroke, number, legend + 8, line, escaped(rung.level));
+            line += 20;
+        }
+        if (ladder.rivals) {
+            text_ += fmt::format("<text x='{:.1f}' y='{:.1f}' fill='{}'>blue: the front</text>\n", legend + 8,
+                                 line + 12, frontColour);
         }
     }
 

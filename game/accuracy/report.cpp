@@ -38,6 +38,11 @@ std::string slugOf(Ladder const& ladder) {
 
 namespace {
 
+std::string capitalised(std::string text) {
+    text.at(0) = static_cast<char>(std::toupper(static_cast<unsigned char>(text.at(0))));
+    return text;
+}
+
 std::string placeText(Ladder const& ladder, Rung const& rung) {
     if (!ladder.rivals) {
         return "";
@@ -50,7 +55,7 @@ constexpr std::string_view intro = R"(# What accuracy costs
 Every effect has detail levels that offer the same properties, so that a level, the command line (`--detail`) or the
 running game can swap one for another. This page says how far each of them is off and what it costs:
 
-    build/trembler accuracy --markdown --plot docs/pictures > docs/accuracy.md
+    build/trembler accuracy --markdown --plot docs/pictures/accuracy >docs/accuracy.md
 
 A *ladder* is one effect in one scene. Its error is measured against something that is independent of the level: a
 closed form, a sum over everything in more digits, or the level that has converged. Its time is the median over the
@@ -134,12 +139,10 @@ std::string asMarkdown(std::vector<Ladder> const& ladders, std::string const& pi
     for (Ladder const& ladder : ladders) {
         if (ladder.effect != effect) {
             effect = ladder.effect;
-            text += fmt::format("## {}{}\n\n",
-                                static_cast<char>(std::toupper(static_cast<unsigned char>(effect[0]))),
-                                effect.substr(1));
+            text += fmt::format("## {}\n\n", capitalised(effect));
         }
-        text += fmt::format("### {}\n\nError: {}. Reference: {}.\n\n", ladder.scene, ladder.error,
-                            ladder.reference);
+        text += fmt::format("### {}\n\nError: {}. Reference: {}.\n\n", capitalised(ladder.scene),
+                            ladder.error, ladder.reference);
         text += fmt::format(
             "| level | µs per frame | error ({}) | {} what it cannot tell |\n|---|---|---|{}---|\n",
             ladder.unit, ladder.rivals ? "|" : "", ladder.rivals ? "---|" : "");

@@ -56,6 +56,9 @@ int report(Arguments const& arguments) {
             throw std::invalid_argument(fmt::format("--plot {}: the folder cannot be made", arguments.plot));
         }
     }
+    if (!arguments.json.empty() && arguments.json != "-") {
+        write(arguments.json, ""); // rather now than after all the work
+    }
     bool const watched = isatty(STDERR_FILENO) != 0;
     auto const ladders = accuracy::climb(
         workshop, arguments.effects, {.brief = arguments.brief}, [&](std::string const& effect) {

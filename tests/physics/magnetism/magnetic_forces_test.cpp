@@ -245,6 +245,7 @@ TEST(MagneticForcesParallel, OfThreeThousandPolesAreTheSameBitsForAnyNumberOfThr
     std::vector<MagneticForce::Entry> first;
     for (int const threads : {1, 2, 3, 8}) {
         MagnetWorld magnets(threads);
+        magnets.world.setDetail("magnetism", "pairwise"); // or so many magnets would get a tree
         for (int i = 0; i < 1500; ++i) {
             Vec2 const at{0.37 * (i % 40), 0.41 * (i / 40)};
             magnets.magnet(at, 0.1 * i, 100 + i, barPoles(0.2));
