@@ -1,5 +1,6 @@
 // trembler run: a level without a window.
 #include "game/app/commands.hpp"
+#include "game/core/effects.hpp"
 #include "game/core/workshop.hpp"
 #include "game/session/runner.hpp"
 #include "game/session/solution_file.hpp"
@@ -163,6 +164,9 @@ int runLevel(Arguments const& arguments) {
     }
     std::optional<RunSound> sound;
     if (!arguments.sound.empty()) {
+        if (gameEffectsLeftOut().contains("sound")) {
+            throw std::invalid_argument("--sound: this build was made without the effect sound");
+        }
         sound.emplace(arguments.sound, arguments.level, workshop, run);
     }
     RunReport const report = trembler::run(session, arguments.level, run);
