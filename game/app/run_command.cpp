@@ -98,9 +98,8 @@ std::function<void(std::uint64_t)> progressOf(std::uint64_t frames) {
 // The circuits as they are when the run is over.
 void exportSpice(Session const& session, std::string const& path) {
 #ifdef TREMBLER_WITHOUT_ELECTRICITY
-    throw std::runtime_error(
-        fmt::format("--export-spice {}: this program was built without electricity ({})", path,
-                    session.level().title));
+    throw std::runtime_error(fmt::format("--export-spice {}: this program was built without electricity ({})",
+                                         path, session.level().title));
 #else
     std::string const netlist = spiceNetlist(session.world().store(), session.level().title);
     if (netlist.empty()) {

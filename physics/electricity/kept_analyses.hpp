@@ -16,7 +16,8 @@ namespace trembler {
 class KeptAnalyses {
 public:
     static constexpr std::size_t structuresKept = 3;
-    static constexpr std::size_t nodesKept = 300'000; ///< over all, about a kilobyte each; beyond, all is forgotten
+    static constexpr std::size_t nodesKept =
+        300'000; ///< over all, about a kilobyte each; beyond, all is forgotten
 
     NodalSolution const& solve(Netlist const& netlist, std::string_view network);
 

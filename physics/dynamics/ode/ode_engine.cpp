@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-constexpr double jointCorrection = 0.4;   // of an error of place, in one substep
+constexpr double jointCorrection = 0.4; // of an error of place, in one substep
 constexpr double contactCorrection = 0.2;
 constexpr double fastestCorrection = 0.25; // m/s, of bodies that overlap: ODE's stays with them as speed
 constexpr std::size_t mostRowsSolvedExactly = 150;
