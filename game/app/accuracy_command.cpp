@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct AccuracyArguments {
     std::vector<std::string> effects;
     std::string json;
     std::string plot;
@@ -47,7 +47,7 @@ std::string fromDocs(std::string const& plot) {
     return text.starts_with("docs/") ? text.substr(5) : text;
 }
 
-int report(Arguments const& arguments) {
+int report(AccuracyArguments const& arguments) {
     Workshop const workshop;
     if (!arguments.plot.empty()) {
         std::error_code error;
@@ -90,7 +90,7 @@ int report(Arguments const& arguments) {
 } // namespace
 
 void addAccuracyCommand(CLI::App& program, int& result) {
-    auto const arguments = std::make_shared<Arguments>();
+    auto const arguments = std::make_shared<AccuracyArguments>();
     CLI::App* const command = program.add_subcommand(
         "accuracy", "Measure how far every detail level is off and what it costs, scene by scene");
     command->add_option("EFFECT", arguments->effects, "Effects, for example gravity (default: all)");

@@ -22,7 +22,7 @@
 namespace trembler {
 namespace {
 
-struct Arguments {
+struct RunArguments {
     std::string level;
     std::optional<std::uint64_t> frames;
     std::string solution;
@@ -117,7 +117,7 @@ void exportSpice(Session const& session, std::string const& path) {
 #endif
 }
 
-int runLevel(Arguments const& arguments) {
+int runLevel(RunArguments const& arguments) {
     Workshop const workshop;
     LevelFile level = loadLevel(workshop.registry, arguments.level);
     if (arguments.substeps) {
@@ -191,7 +191,7 @@ int runLevel(Arguments const& arguments) {
 } // namespace
 
 void addRunCommand(CLI::App& program, int& result) {
-    auto const arguments = std::make_shared<Arguments>();
+    auto const arguments = std::make_shared<RunArguments>();
     CLI::App* const command = program.add_subcommand(
         "run", "Run a level without a window. Exit status: 0 solved, 1 not solved, 2 bad input.");
     command->add_option("LEVEL", arguments->level, "Level file")->required();

@@ -8,7 +8,7 @@
 namespace trembler {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t noNode = std::numeric_limits<std::uint32_t>::max();
 
 double withinLimits(double ohm) {
     if (!(ohm > 0)) {
@@ -43,7 +43,7 @@ void makeNetlist(Circuit const& circuit, NodalColumns const& columns, std::strin
     }
     std::sort(netlist.vertex.begin(), netlist.vertex.end(),
               [&](std::uint32_t a, std::uint32_t b) { return circuit.objects[a] < circuit.objects[b]; });
-    std::vector<std::uint32_t> node(circuit.size(), none);
+    std::vector<std::uint32_t> node(circuit.size(), noNode);
     netlist.objects.clear();
     netlist.resistances.clear();
     for (std::uint32_t n = 0; n < netlist.vertex.size(); ++n) {
@@ -55,7 +55,7 @@ void makeNetlist(Circuit const& circuit, NodalColumns const& columns, std::strin
     netlist.branches.clear();
     for (std::uint32_t n = 0; n < netlist.vertex.size(); ++n) {
         for (std::uint32_t const w : circuit.neighboursOf(netlist.vertex[n])) {
-            if (std::uint32_t const m = node[w]; m != none && n < m) {
+            if (std::uint32_t const m = node[w]; m != noNode && n < m) {
                 netlist.branches.push_back({n, m, Netlist::Kind::connection,
                                             0.5 * netlist.resistances[n] + 0.5 * netlist.resistances[m], 0});
             }

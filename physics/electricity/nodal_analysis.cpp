@@ -8,7 +8,7 @@
 namespace trembler {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t noCluster = std::numeric_limits<std::uint32_t>::max();
 
 /// Disjoint sets whose representative is their least element.
 class Sets {
@@ -72,7 +72,7 @@ void NodalAnalysis::contract() {
             sets.join(branch.from, branch.to);
         }
     }
-    cluster_.assign(nodes(), none);
+    cluster_.assign(nodes(), noCluster);
     clusters_ = 0;
     for (std::uint32_t v = 0; v < nodes(); ++v) {
         std::uint32_t const first = sets.find(v);
@@ -173,7 +173,7 @@ void NodalAnalysis::solveBetweenClusters() {
 // Ideal branches are edges of conductance 1. Each ideal source pulls its current out of a node of its
 // cluster's own, the pump; what leaves through resistances is known already.
 void NodalAnalysis::solveWithinClusters() {
-    std::vector<std::uint32_t> pump(clusters_, none);
+    std::vector<std::uint32_t> pump(clusters_, noCluster);
     std::uint32_t count = nodes();
     std::vector<ConductanceSolver::Edge> edges;
     std::vector<std::size_t> branches;
@@ -185,7 +185,7 @@ void NodalAnalysis::solveWithinClusters() {
             injected[branch.to] += solution_.currents[b];
         } else if (branch.kind == Netlist::Kind::source) {
             std::uint32_t& from = pump[clusterOf(branch.to)];
-            from = from == none ? count++ : from;
+            from = from == noCluster ? count++ : from;
             edges.push_back({from, branch.to});
             branches.push_back(b);
         } else {
@@ -201,7 +201,7 @@ void NodalAnalysis::solveWithinClusters() {
     fixed[netlist_.earth()] = 1;
     grounded[clusterOf(netlist_.earth())] = 1;
     for (std::uint32_t c = 0; c < clusters_; ++c) {
-        if (pump[c] != none) {
+        if (pump[c] != noCluster) {
             fixed[pump[c]] = 1;
             grounded[c] = 1;
         }

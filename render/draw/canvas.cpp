@@ -1,6 +1,8 @@
 // The canvas' frame and its filled shapes; lines are in canvas_lines.cpp.
 #include "render/draw/canvas.hpp"
 
+#include "render/draw/narrow.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,10 +13,6 @@ namespace {
 constexpr std::size_t mostCorners = 64;
 /// Shadows fall to the lower right, away from the shaders' light.
 constexpr Point shadowDirection{0.5, -0.866};
-
-float narrow(double value) {
-    return static_cast<float>(value);
-}
 
 std::uint8_t flagsOf(Style const& style) {
     unsigned flags = 0;

@@ -1,5 +1,6 @@
 // The canvas' lines: wires, rings, arrows and what moves along them.
 #include "render/draw/canvas.hpp"
+#include "render/draw/narrow.hpp"
 #include "render/draw/path.hpp"
 
 #include <algorithm>
@@ -10,10 +11,6 @@
 namespace trembler::render {
 
 namespace {
-
-float narrow(double value) {
-    return static_cast<float>(value);
-}
 
 bool usable(std::span<Point const> points) {
     return points.size() >= 2 && std::all_of(points.begin(), points.end(), finite);

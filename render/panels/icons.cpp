@@ -143,7 +143,7 @@ void scissors(Pen const& pen) {
 }
 
 /// A ball on a floor, and the mark where they touch.
-void contact(Pen const& pen) {
+void contactIcon(Pen const& pen) {
     pen.circle(0, -0.26F, 0.52F);
     pen.line(-0.86F, 0.40F, 0.86F, 0.40F);
     pen.triangle(0, 0.44F, -0.24F, 0.88F, 0.24F, 0.88F);
@@ -278,7 +278,7 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colo
     case Icon::Scissors:
         return scissors(pen);
     case Icon::Contact:
-        return contact(pen);
+        return contactIcon(pen);
     case Icon::Gauge:
         return gauge(pen);
     case Icon::Fit:

@@ -1,12 +1,6 @@
 #include "runtime/level/read_area.hpp"
 
 namespace trembler {
-namespace {
-
-constexpr double farthest = 1e6; // m, like Position
-
-} // namespace
-
 std::optional<Box> readBox(JsonNode const& node) {
     constexpr double smallest = 1e-3;
     if (!node.value().is_array() || node.size() != 4) {
@@ -14,10 +8,10 @@ std::optional<Box> readBox(JsonNode const& node) {
             "a list [x, y, width, height] of four numbers, in m, (x, y) the lower left corner");
         return std::nullopt;
     }
-    auto const x = node.element(0).number(-farthest, farthest);
-    auto const y = node.element(1).number(-farthest, farthest);
-    auto const width = node.element(2).number(smallest, 2 * farthest);
-    auto const height = node.element(3).number(smallest, 2 * farthest);
+    auto const x = node.element(0).number(-farthestPlace, farthestPlace);
+    auto const y = node.element(1).number(-farthestPlace, farthestPlace);
+    auto const width = node.element(2).number(smallest, 2 * farthestPlace);
+    auto const height = node.element(3).number(smallest, 2 * farthestPlace);
     return x && y && width && height ? std::optional(Box{{*x, *y}, {*width, *height}}) : std::nullopt;
 }
 
@@ -35,7 +29,7 @@ std::optional<Area> readArea(JsonNode const& node) {
     }
     bool good = true;
     for (std::size_t i = 0; i < node.size(); ++i) {
-        auto const corner = node.element(i).vector(-farthest, farthest);
+        auto const corner = node.element(i).vector(-farthestPlace, farthestPlace);
         good = good && corner;
         area.corners.push_back(corner.value_or(Vec2{}));
     }

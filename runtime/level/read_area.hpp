@@ -6,6 +6,9 @@
 
 namespace trembler {
 
+/// m, of any place from the origin along each axis, like Position.
+inline constexpr double farthestPlace = 1e6;
+
 /// [x, y, width, height] in m, (x, y) the lower left corner.
 [[nodiscard]] std::optional<Box> readBox(JsonNode const& node);
 /// A box, or a polygon [[x, y], ...] of at least three corners.

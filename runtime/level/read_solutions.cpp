@@ -1,6 +1,7 @@
 #include "runtime/level/read_solutions.hpp"
 
 #include "runtime/level/field_outline.hpp"
+#include "runtime/level/read_area.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 namespace trembler {
 namespace {
 
-constexpr double farthest = 1e6;             // m, like Position
 constexpr double mostDegrees = 1e6;          // more turns than anybody makes
 constexpr std::int64_t lastFrame = 10000000; // two days of simulated time
 
@@ -24,7 +24,7 @@ std::optional<Placement> readPlacement(JsonNode const& node) {
     auto const angle = reader.optional("angle_deg");
     reader.finish();
     auto const partName = part ? part->name("the name of a part") : std::nullopt;
-    auto const place = at ? at->vector(-farthest, farthest) : std::nullopt;
+    auto const place = at ? at->vector(-farthestPlace, farthestPlace) : std::nullopt;
     auto const turned = angle ? angle->number(-mostDegrees, mostDegrees) : std::optional(0.0);
     if (!partName || !place || !turned) {
         return std::nullopt;
@@ -48,12 +48,12 @@ bool readInputBody(MemberReader& reader, JsonNode const& body, RecordedInput& in
     case PlayerInput::Kind::grab: {
         bool const named = readName(body, input.object);
         auto const at = reader.required("at", "a list [x, y] of two numbers, in m: where it is held");
-        auto const place = at ? at->vector(-farthest, farthest) : std::nullopt;
+        auto const place = at ? at->vector(-farthestPlace, farthestPlace) : std::nullopt;
         input.at = place.value_or(Vec2{});
         return named && place;
     }
     case PlayerInput::Kind::move: {
-        auto const place = body.vector(-farthest, farthest);
+        auto const place = body.vector(-farthestPlace, farthestPlace);
         input.at = place.value_or(Vec2{});
         return place.has_value();
     }

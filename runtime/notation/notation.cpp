@@ -15,7 +15,7 @@ struct Row {
     std::string text;
 };
 
-struct Box {
+struct NotationBox {
     std::string title;
     std::vector<Row> rows;
     std::vector<CallInfo> const* calls = nullptr;
@@ -55,8 +55,8 @@ std::string shortcutNote(Registry const& registry, ComponentInfo const& info) {
     return places.empty() ? places : places + " (shortcut of 5.7.3)";
 }
 
-Box boxOf(Registry const& registry, ComponentInfo const& info) {
-    Box box{title(info), {}, &info.calls, &info};
+NotationBox boxOf(Registry const& registry, ComponentInfo const& info) {
+    NotationBox box{title(info), {}, &info.calls, &info};
     switch (info.kind) {
     case ComponentKind::resolver:
         box.rows.push_back({"Resolver properties", set(info.offers)});
@@ -168,7 +168,7 @@ std::string scheduleText(Registry const& registry, std::string_view bullet) {
 std::string notationBox(Registry const& registry, Registration const& component) {
     constexpr std::size_t width = 110;
     constexpr std::size_t labelWidth = 22;
-    Box const box = boxOf(registry, *component.info);
+    NotationBox const box = boxOf(registry, *component.info);
     std::string const line(width, '-');
     std::string text = line + "\n" + box.title + "\n" + line + "\n";
     for (Row const& row : box.rows) {
@@ -203,7 +203,7 @@ std::string notationMarkdown(Registry const& registry) {
         return s;
     };
     for (Registration const& component : registry.components()) {
-        Box const box = boxOf(registry, *component.info);
+        NotationBox const box = boxOf(registry, *component.info);
         text += fmt::format("### {}\n\n| | |\n|---|---|\n", box.title);
         for (Row const& row : box.rows) {
             text += fmt::format("| {} | {} |\n", row.label, escaped(row.text));

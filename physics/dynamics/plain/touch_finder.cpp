@@ -26,6 +26,8 @@ struct TreeQuery {
         return true;
     }
 };
+template <class Visitor>
+TreeQuery(Visitor) -> TreeQuery<Visitor>; // clang 14 has none for aggregates
 
 } // namespace
 
