@@ -1,0 +1,16 @@
+#include "tests/stability/hard_case.hpp"
+
+#include <iterator>
+
+namespace trembler::stability {
+
+std::vector<HardCase> allCases() {
+    std::vector<HardCase> all;
+    for (auto const& some : {chainCases, stackCases, smallCases, impactCases}) {
+        auto part = some();
+        std::move(part.begin(), part.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+} // namespace trembler::stability
