@@ -1,10 +1,10 @@
 // The hard cases of tests/stability/ over many jittered seeds: what is reached with the automatic settings,
-// and the cheapest fixed setting that holds. It makes the table of docs/stability.md.
+// and the cheapest fixed setting that holds. It makes the tables of docs/stability.md:
 //
-//   bench_stability [--seeds N] [--case TEXT] [--engine NAME] [--substeps N,N...] [--scale X] [--iterations
-//   N]
+//   bench_stability --markdown > table.md
 //
-// TEXT picks the cases whose name contains it. With --substeps only these are tried and all figures shown.
+// --case TEXT picks the cases whose name contains it. With --substeps only these are tried, and all figures
+// shown. Progress goes to the standard error.
 #include "tests/stability/hard_case.hpp"
 
 #include <CLI/CLI.hpp>
@@ -28,10 +28,16 @@ struct Worst {
 Worst worstOf(HardCase const& one, Setting const& setting, int seeds, bool stopAtFault) {
     Worst worst;
     auto const begin = std::chrono::steady_clock::now();
-    int runs = 0;
-    for (int seed = 1; seed <= seeds; ++seed) {
+    int const runs = one.jittered ? seeds : 1;
+    int done = 0;
+    for (int seed = 1; seed <= runs && (worst.holds || !stopAtFault); ++seed) {
+        fmt::print(stderr, "\r{} {}, {} substeps, seed {} of {}    ", one.row, one.name,
+                   setting.solver.substeps == DynamicsSettings::automatic
+                       ? "automatic"
+                       : std::to_string(setting.solver.substeps),
+                   seed, runs);
         std::vector<Figure> const figures = one.run(setting, static_cast<std::uint64_t>(seed));
-        ++runs;
+        ++done;
         if (worst.figures.empty()) {
             worst.figures = figures;
         }
@@ -39,20 +45,26 @@ Worst worstOf(HardCase const& one, Setting const& setting, int seeds, bool stopA
             worst.figures[i].value = std::max(worst.figures[i].value, figures[i].value);
         }
         worst.holds = worst.holds && holds(figures);
-        if (stopAtFault && !worst.holds) {
-            break;
-        }
     }
-    worst.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / runs;
+    fmt::print(stderr, "\r{:100}\r", "");
+    worst.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / done;
     return worst;
 }
 
-std::string text(std::vector<Figure> const& figures) {
+std::string withUnit(double value, std::string const& unit) {
+    return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+std::string text(std::vector<Figure> const& figures, bool limits) {
     std::string all;
     for (Figure const& figure : figures) {
-        all += fmt::format("{}{} {:.3g}{}{}{}", all.empty() ? "" : "; ", figure.what, figure.value,
-                           figure.unit.empty() ? "" : " ", figure.unit,
-                           figure.holds() ? "" : fmt::format(" (limit {:.3g})", figure.limit));
+        if (limits && !(figure.limit < std::numeric_limits<double>::infinity())) {
+            continue;
+        }
+        bool const bad = !limits && !figure.holds();
+        all += fmt::format("{}{} {}{}{}{}", all.empty() ? "" : "; ", figure.what, limits ? "≤ " : "",
+                           bad ? "**" : "", withUnit(limits ? figure.limit : figure.value, figure.unit),
+                           bad ? "**" : "");
     }
     return all;
 }
@@ -62,7 +74,7 @@ std::string cheapest(HardCase const& one, Setting setting, int seeds) {
     for (int const n : {1, 2, 4, 6, 8, 12, 16, 24, 32, 48, 64}) {
         setting.solver.substeps = n;
         if (worstOf(one, setting, seeds, true).holds) {
-            return fmt::format("{} substeps", n);
+            return fmt::format("{} substep{}", n, n == 1 ? "" : "s");
         }
     }
     return "none up to 64 substeps";
@@ -76,16 +88,24 @@ int main(int argc, char** argv) {
     std::string wanted;
     std::vector<int> substeps;
     bool search = true;
+    bool markdown = false;
     Setting setting;
-    app.add_option("--seeds", seeds)->check(CLI::Range(1, 1000));
-    app.add_option("--case", wanted);
-    app.add_option("--engine", setting.engine);
-    app.add_option("--substeps", substeps)->delimiter(',');
-    app.add_option("--scale", setting.solver.scale);
+    app.add_option("--seeds", seeds, "Jittered worlds of each case")->check(CLI::Range(1, 1000));
+    app.add_option("--case", wanted, "Only cases whose name contains this");
+    app.add_option("--engine", setting.engine, "box2d, chipmunk or ode");
+    app.add_option("--substeps", substeps, "Only these fixed numbers of substeps")->delimiter(',');
+    app.add_option("--scale", setting.solver.scale, "Engine units per metre; 0: automatic");
     app.add_option("--iterations", setting.solver.velocityIterations);
     app.add_option("--position-iterations", setting.solver.positionIterations);
     app.add_flag("!--no-search", search, "Leave out the search for the cheapest setting");
+    app.add_flag("--markdown", markdown, "The table of docs/stability.md");
     CLI11_PARSE(app, argc, argv);
+    if (markdown) {
+        fmt::print("| case | must hold | reached with automatic settings, worst of {} seeds | holds | "
+                   "cheapest fixed setting that holds |\n|---|---|---|---|---|\n",
+                   seeds);
+    }
+    bool all = true;
     for (HardCase const& one : allCases()) {
         std::string const name = one.name.empty() ? one.row : one.row + ", " + one.name;
         if (name.find(wanted) == std::string::npos) {
@@ -95,15 +115,25 @@ int main(int argc, char** argv) {
             setting.solver.substeps = n;
             Worst const worst = worstOf(one, setting, seeds, false);
             fmt::print("{:<48} {:>2} substeps {} {}; {:.2f} s\n", name, n, worst.holds ? "holds" : "FAILS",
-                       text(worst.figures), worst.seconds);
+                       text(worst.figures, false), worst.seconds);
             std::fflush(stdout);
         }
-        if (substeps.empty()) {
-            Worst const worst = worstOf(one, setting, seeds, false);
-            fmt::print("| {} | {} | {} | {} |\n", name, worst.holds ? "yes" : "**no**", text(worst.figures),
-                       !one.tunable ? "" : search ? cheapest(one, setting, seeds) : "not searched");
-            std::fflush(stdout);
+        if (!substeps.empty()) {
+            continue;
         }
+        Worst const worst = worstOf(one, setting, seeds, false);
+        all = all && worst.holds;
+        if (markdown) {
+            fmt::print("| {} | {} | {} | {} | {} |\n", name, text(worst.figures, true),
+                       text(worst.figures, false), worst.holds ? "yes" : "**no**",
+                       !one.tunable ? "–"
+                       : search     ? cheapest(one, setting, seeds)
+                                    : "not searched");
+        } else {
+            fmt::print("{:<58} {} {}; {:.2f} s\n", name, worst.holds ? "holds" : "FAILS",
+                       text(worst.figures, false), worst.seconds);
+        }
+        std::fflush(stdout);
     }
-    return 0;
+    return all ? 0 : 1;
 }

@@ -28,6 +28,7 @@ struct DynamicsColumns {
     Column<JointAnchors> const& anchors;
     Column<DynamicsSettings> const& settings;
     Column<GravityField> const& gravityField;
+    Column<GravityLaw> const& gravityLaw;
     Column<Position> const& position;
     Column<Rotation> const& rotation;
     Column<Velocity> const& velocity;

@@ -13,13 +13,12 @@ namespace trembler {
 
 namespace detail {
 template <class Self>
-using DynamicsBase =
-    Resolver<Self, DynamicsRole,
-             Reads<Shape, Mass, Fixed, Bullet, Friction, Restitution, CollisionGroups, Damping, Liquid, Joint,
-                   JointAnchors, DynamicsSettings, GravityField>,
-             Writes<Position, Velocity, AngularVelocity, Rotation>,
-             Provides<Contacts, ContactPatches, Impacts, JointForces, OverloadedJoints, MotionCauses,
-                      SolverChoice>>;
+using DynamicsBase = Resolver<
+    Self, DynamicsRole,
+    Reads<Shape, Mass, Fixed, Bullet, Friction, Restitution, CollisionGroups, Damping, Liquid, Joint,
+          JointAnchors, DynamicsSettings, GravityField, GravityLaw>,
+    Writes<Position, Velocity, AngularVelocity, Rotation>,
+    Provides<Contacts, ContactPatches, Impacts, JointForces, OverloadedJoints, MotionCauses, SolverChoice>>;
 } // namespace detail
 
 /// `Self` adds `text` and `static constexpr EngineMaker engineMaker`.
@@ -47,7 +46,7 @@ public:
             access.template read<Restitution>(),  access.template read<CollisionGroups>(),
             access.template read<Damping>(),      access.template read<Joint>(),
             access.template read<JointAnchors>(), access.template read<DynamicsSettings>(),
-            access.template read<GravityField>(),
+            access.template read<GravityField>(), access.template read<GravityLaw>(),
             access.template read<Position>(),     access.template read<Rotation>(),
             access.template read<Velocity>(),     access.template read<AngularVelocity>()};
         for (Refusal const& refusal : simulation_.follow(columns)) {

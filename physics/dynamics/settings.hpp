@@ -41,12 +41,13 @@ struct DynamicsSettings {
                         .minimum = 1,
                         .maximum = 256},
               self.positionIterations);
-        visit(FieldInfo{.key = "scale",
-                        .unit = "1/m",
-                        .meaning = "units of length of the engine per metre; 0: as the shapes need, 4 or more",
-                        .minimum = 0,
-                        .maximum = 64},
-              self.scale);
+        visit(
+            FieldInfo{.key = "scale",
+                      .unit = "1/m",
+                      .meaning = "units of length of the engine per metre; 0: as the shapes need, 4 or more",
+                      .minimum = 0,
+                      .maximum = 64},
+            self.scale);
         visit(FieldInfo{.key = "sleeping",
                         .unit = "",
                         .meaning = "bodies at rest are left out until disturbed"},

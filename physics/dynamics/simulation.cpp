@@ -9,15 +9,21 @@
 namespace trembler {
 namespace {
 
-// Semi-implicit Euler needs ω dt < 2. Twice as fine also keeps what the solver leaves over in each substep
-// from adding up to visible jitter; welds, which it turns back by the hold of one point, need more. Measured:
-// docs/stability.md.
+// Semi-implicit Euler needs ω dt < 2. Twice as fine also keeps a zig-zag from swinging visibly; welds that an
+// engine solves one by one, and turns back by the hold of one point, need more. Measured: docs/stability.md.
 constexpr double tautMargin = 2;
 constexpr double weldMargin = 6;
-constexpr double loadFactor = 2;
-// Joints that are new carry nothing yet, and what hangs on them would fall, stretch them and swing for ever
-// after. So, where much hangs on them, the frame in which they are made and the next, in which forces first
-// act on what has just been made, look for what they carry with many more iterations.
+// What rests on a body, as a multiple r of its mass: 0.9 √r substeps hold stacks of equals. Something heavy
+// on something light takes more rounds as well, half of r, between these two.
+constexpr double stackFactor = 0.9;
+constexpr double heaviest = 32;
+constexpr int mostRounds = 64;
+// Joints in one piece that an engine can still solve one by one, in the iterations of a few substeps.
+constexpr std::size_t largestOneByOne = 24;
+// Joints that are new carry nothing yet, and where they are solved one by one, what hangs on them would fall,
+// stretch them and swing for ever after. So, where much hangs on them, the frame in which they are made and
+// the next, in which forces first act on what has just been made, look for what they carry with many more
+// iterations.
 constexpr int settlingFrames = 2;
 constexpr int settlingSubsteps = 64;
 constexpr int settlingIterations = 256;
@@ -25,16 +31,26 @@ constexpr int settlingIterations = 256;
 constexpr double farthestPerStep = 1.9;
 constexpr double widestPerStep = 1.5;
 constexpr int leastSubsteps = 4;
+// But where masses fly freely about each other, a step is a frame: as long as the forces that depend on their
+// places stand. Split up, it would let these lag behind, and the energy of an orbit grow without end.
 
 } // namespace
 
+// The unit of an automatic scale is chosen for the first bodies that move, and kept as long as any do: a new
+// unit is a new engine, which knows nothing of the old one's contacts.
+double Simulation::scaleNow(DynamicsSettings const& settings, DynamicsColumns const& columns) const {
+    if (settings.scale != DynamicsSettings::automatic) {
+        return settings.scale;
+    }
+    auto const moves = [](Body const& body) { return body.object.valid() && !body.fixed; };
+    bool const keep = engine_ && settings_.scale == DynamicsSettings::automatic &&
+                      (columns.bodiesVersion() == bodiesVersion_ ||
+                       std::any_of(bodies_.bodies().begin(), bodies_.bodies().end(), moves));
+    return keep ? engineScale_ : scaleFor(columns);
+}
+
 void Simulation::makeEngine(DynamicsSettings const& settings, DynamicsColumns const& columns) {
-    // The unit of an automatic scale is chosen for the bodies that are there at first, and kept: a new unit
-    // is a new engine, which knows nothing of the old one's contacts.
-    double const scale = settings.scale != DynamicsSettings::automatic ? settings.scale
-                         : engineScale_ > 0 && settings_.scale == DynamicsSettings::automatic
-                             ? engineScale_
-                             : scaleFor(columns);
+    double const scale = scaleNow(settings, columns);
     if (engine_ && scale == engineScale_) {
         return;
     }
@@ -45,28 +61,33 @@ void Simulation::makeEngine(DynamicsSettings const& settings, DynamicsColumns co
     touching_ = {};
     bodiesVersion_ = 0;
     contactSubsteps_ = 0;
+    contactRounds_ = 0;
 }
 
-void Simulation::noteDemand(DynamicsColumns const& columns, bool jointsChanged) {
-    if (settings_.substeps != DynamicsSettings::automatic) {
-        jointSubsteps_ = contactSubsteps_ = 0;
-        settling_ = 0;
-        return;
-    }
+void Simulation::noteDemand(double gravity, bool jointsChanged, DynamicsColumns const& columns) {
     double const before = jointSubsteps_;
-    double const gravity = length(columns.gravity());
     double const halfFrame = frameDuration / 2;
-    jointSubsteps_ = std::max(tautMargin * zigZagFrequency(columns, bodies_, joints_, gravity) * halfFrame,
-                              weldMargin * bendingFrequency(columns, bodies_, joints_, gravity) * halfFrame);
-    if (jointSubsteps_ > leastSubsteps && (jointsChanged || before <= leastSubsteps)) {
+    JointDemand const demand = jointDemand(columns, bodies_, joints_, gravity);
+    double const taut = tautMargin * demand.zigZag * halfFrame;
+    double const bending = weldMargin * demand.bending * halfFrame;
+    bool const atOnce = std::max(taut, bending) > leastSubsteps || demand.network > largestOneByOne;
+    choice_.jointsAtOnce = engine_->solveJointsAtOnce(atOnce);
+    jointSubsteps_ = choice_.jointsAtOnce ? taut : std::max(taut, bending);
+    if (!choice_.jointsAtOnce && jointSubsteps_ > leastSubsteps &&
+        (jointsChanged || before <= leastSubsteps)) {
         settling_ = settlingFrames;
     }
 }
 
+void Simulation::forgetDemand() {
+    jointSubsteps_ = contactSubsteps_ = 0;
+    contactRounds_ = settling_ = 0;
+    demandGravity_ = -1;
+    choice_.jointsAtOnce = engine_->solveJointsAtOnce(false);
+}
+
 std::vector<Refusal> Simulation::follow(DynamicsColumns const& columns) {
     DynamicsSettings const settings = columns.worldSettings();
-    bool const automaticNow =
-        settings.substeps == DynamicsSettings::automatic && settings_.substeps != DynamicsSettings::automatic;
     makeEngine(settings, columns);
     settings_ = settings;
     std::vector<Refusal> refusals;
@@ -91,8 +112,11 @@ std::vector<Refusal> Simulation::follow(DynamicsColumns const& columns) {
         jointsVersion_ = columns.jointsVersion();
         motionStructure_ = columns.motionStructure();
     }
-    if (jointsChanged || automaticNow || settings.substeps != DynamicsSettings::automatic) {
-        noteDemand(columns, jointsChanged);
+    if (settings.substeps != DynamicsSettings::automatic) {
+        forgetDemand();
+    } else if (double const gravity = length(columns.gravity()); jointsChanged || gravity != demandGravity_) {
+        demandGravity_ = gravity;
+        noteDemand(gravity, jointsChanged, columns);
     }
     if (columns.motionVersion() != motionVersion_) {
         bodies_.followMotion(columns, *engine_);
@@ -108,7 +132,9 @@ void Simulation::endLoads() {
 
 void Simulation::noteContacts(DynamicsColumns const& columns, std::span<TouchingPair const> touching) {
     if (settings_.substeps == DynamicsSettings::automatic) {
-        contactSubsteps_ = loadFactor * std::sqrt(loadRatio(columns, bodies_, touching, columns.gravity()));
+        double const ratio = loadRatio(columns, bodies_, touching, columns.gravity());
+        contactSubsteps_ = stackFactor * std::sqrt(ratio);
+        contactRounds_ = ratio > heaviest ? static_cast<int>(std::min<double>(mostRounds, ratio / 2)) : 0;
     }
 }
 
@@ -126,14 +152,19 @@ DynamicsSettings Simulation::chosen(double duration, DynamicsColumns const& colu
         }
         double const motion =
             duration * std::max(fastest * engineScale_ / farthestPerStep, spin / widestPerStep);
-        chosen.substeps = roundedSubsteps(std::max({jointSubsteps_, contactSubsteps_, motion}));
+        bool const orbits = !touching_.any() && joints_.joints().empty() && !columns.gravityLaw.empty();
+        double const least = orbits ? 1 : leastSubsteps;
+        chosen.substeps = roundedSubsteps(std::max({least, jointSubsteps_, contactSubsteps_, motion}));
+        chosen.velocityIterations = std::max(chosen.velocityIterations, contactRounds_);
         if (settling_ > 0) {
             --settling_;
             chosen.substeps = settlingSubsteps;
             chosen.velocityIterations = std::max(chosen.velocityIterations, settlingIterations);
         }
     }
-    choice_ = {chosen.substeps, chosen.velocityIterations, chosen.scale};
+    choice_.substeps = chosen.substeps;
+    choice_.velocityIterations = chosen.velocityIterations;
+    choice_.scale = chosen.scale;
     return chosen;
 }
 

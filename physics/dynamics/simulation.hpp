@@ -42,7 +42,9 @@ public:
 
 private:
     void makeEngine(DynamicsSettings const& settings, DynamicsColumns const& columns);
-    void noteDemand(DynamicsColumns const& columns, bool jointsChanged);
+    [[nodiscard]] double scaleNow(DynamicsSettings const& settings, DynamicsColumns const& columns) const;
+    void noteDemand(double gravity, bool jointsChanged, DynamicsColumns const& columns);
+    void forgetDemand();
     [[nodiscard]] DynamicsSettings chosen(double duration, DynamicsColumns const& columns);
 
     EngineMaker maker_;
@@ -52,6 +54,8 @@ private:
     double engineScale_ = 0;     // that the engine was made with
     double jointSubsteps_ = 0;   // that the joints ask for
     double contactSubsteps_ = 0; // that the contacts ask for
+    int contactRounds_ = 0;      // of the solver, that they ask for
+    double demandGravity_ = -1;  // m/s², that the joints' demand was found for
     int settling_ = 0;           // frames in which new joints still look for their loads
     BodyTable bodies_;
     JointTable joints_;

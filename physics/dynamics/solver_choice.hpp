@@ -13,6 +13,7 @@ struct SolverChoice {
                                        "How exactly the last frame's motion was computed."};
     std::int32_t substeps = 4;
     std::int32_t velocityIterations = 8;
+    bool jointsAtOnce = false;
     double scale = 4;
 
     template <class Self, class Visitor>
@@ -21,6 +22,10 @@ struct SolverChoice {
               self.substeps);
         visit(FieldInfo{.key = "velocity_iterations", .unit = "", .meaning = "of the solver, per substep"},
               self.velocityIterations);
+        visit(FieldInfo{.key = "joints_at_once",
+                        .unit = "",
+                        .meaning = "whether joints were solved exactly, as one system of equations"},
+              self.jointsAtOnce);
         visit(FieldInfo{.key = "scale", .unit = "1/m", .meaning = "units of length of the engine per metre"},
               self.scale);
     }

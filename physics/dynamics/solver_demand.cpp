@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace trembler {
 namespace {
@@ -13,7 +15,8 @@ namespace {
 struct Hold {
     SlotIndex body = noSlot;
     Vec2 at;
-    double pull = 0; // N
+    double pull = 0;   // N
+    bool weld = false; // it cannot turn about it
 };
 
 bool moves(BodyTable const& bodies, SlotIndex slot) {
@@ -21,6 +24,9 @@ bool moves(BodyTable const& bodies, SlotIndex slot) {
 }
 
 double squareFrequency(Body const& body, std::span<Hold const> holds) {
+    if (std::any_of(holds.begin(), holds.end(), [](Hold const& hold) { return hold.weld; })) {
+        return 0;
+    }
     double pull = 0;
     double reach = holds.size() == 1 ? length(holds.front().at) : 0;
     for (Hold const& hold : holds) {
@@ -56,11 +62,8 @@ double thicknessOf(ShapePiece const& piece) {
     return least;
 }
 
-} // namespace
-
-double zigZagFrequency(DynamicsColumns const& columns, BodyTable const& bodies, JointTable const& joints,
+double zigZagFrequency(BodyTable const& bodies, JointTable const& joints, std::span<JointLoad const> loads,
                        double gravity) {
-    std::vector<JointLoad> const loads = jointLoads(columns, bodies, joints);
     std::vector<Hold> holds;
     for (std::size_t slot = 0; slot < loads.size(); ++slot) {
         TiedJoint const& tied = joints.joints()[slot];
@@ -68,11 +71,12 @@ double zigZagFrequency(DynamicsColumns const& columns, BodyTable const& bodies, 
             continue;
         }
         double const pull = loads[slot].mass * gravity;
+        bool const weld = tied.joint.form == JointForm::weld;
         if (moves(bodies, tied.a)) {
-            holds.push_back({tied.a, tied.anchors.onA - bodies[tied.a].centre, pull});
+            holds.push_back({tied.a, tied.anchors.onA - bodies[tied.a].centre, pull, weld});
         }
         if (moves(bodies, tied.b)) {
-            holds.push_back({tied.b, tied.anchors.onB - bodies[tied.b].centre, pull});
+            holds.push_back({tied.b, tied.anchors.onB - bodies[tied.b].centre, pull, weld});
         }
     }
     std::stable_sort(holds.begin(), holds.end(),
@@ -88,8 +92,7 @@ double zigZagFrequency(DynamicsColumns const& columns, BodyTable const& bodies, 
 }
 
 double bendingFrequency(DynamicsColumns const& columns, BodyTable const& bodies, JointTable const& joints,
-                        double gravity) {
-    std::vector<JointLoad> const loads = jointLoads(columns, bodies, joints);
+                        std::span<JointLoad const> loads, double gravity) {
     double most = 0;
     for (std::size_t slot = 0; slot < loads.size(); ++slot) {
         TiedJoint const& tied = joints.joints()[slot];
@@ -97,11 +100,9 @@ double bendingFrequency(DynamicsColumns const& columns, BodyTable const& bodies,
         if (load.mass <= 0 || !load.alone || tied.joint.form != JointForm::weld) {
             continue;
         }
-        Body const& body = bodies[tied.a];
-        Vec2 const at =
-            columns.position.values()[columns.position.row(body.object)].value +
-            rotated(tied.anchors.onA,
-                    (columns.rotation.has(body.object) ? columns.rotation.find(body.object)->angle : 0));
+        ObjectId const a = bodies[tied.a].object; // what is fixed need not state how it is turned
+        double const angle = columns.rotation.has(a) ? columns.rotation.find(a)->angle : 0;
+        Vec2 const at = columns.position.find(a)->value + rotated(tied.anchors.onA, angle);
         double const moment = load.mass * gravity * length(load.centre - at);
         for (SlotIndex const side : {tied.a, tied.b}) {
             if (moves(bodies, side)) {
@@ -110,6 +111,48 @@ double bendingFrequency(DynamicsColumns const& columns, BodyTable const& bodies,
         }
     }
     return std::sqrt(most);
+}
+
+std::size_t largestNetwork(BodyTable const& bodies, JointTable const& joints) {
+    std::vector<SlotIndex> leader(bodies.bodies().size());
+    std::iota(leader.begin(), leader.end(), SlotIndex{0});
+    auto const find = [&](SlotIndex slot) {
+        while (leader[slot] != slot) {
+            slot = leader[slot] = leader[leader[slot]];
+        }
+        return slot;
+    };
+    auto const counts = [&](TiedJoint const& tied) {
+        JointForm const form = tied.joint.form;
+        return tied.object.valid() && (moves(bodies, tied.a) || moves(bodies, tied.b)) &&
+               (form == JointForm::hinge || form == JointForm::weld || form == JointForm::distance);
+    };
+    for (TiedJoint const& tied : joints.joints()) {
+        if (counts(tied) && moves(bodies, tied.a) && moves(bodies, tied.b)) {
+            leader[find(tied.a)] = find(tied.b);
+        }
+    }
+    std::vector<std::size_t> ties(leader.size(), 0);
+    std::size_t most = 0;
+    for (TiedJoint const& tied : joints.joints()) {
+        if (counts(tied)) {
+            std::size_t& count = ties[find(moves(bodies, tied.a) ? tied.a : tied.b)];
+            most = std::max(most, ++count);
+        }
+    }
+    return most;
+}
+
+} // namespace
+
+JointDemand jointDemand(DynamicsColumns const& columns, BodyTable const& bodies, JointTable const& joints,
+                        double gravity) {
+    if (joints.joints().empty()) {
+        return {};
+    }
+    std::vector<JointLoad> const loads = jointLoads(columns, bodies, joints);
+    return {zigZagFrequency(bodies, joints, loads, gravity),
+            bendingFrequency(columns, bodies, joints, loads, gravity), largestNetwork(bodies, joints)};
 }
 
 double loadRatio(DynamicsColumns const& columns, BodyTable const& bodies,
@@ -190,11 +233,13 @@ double scaleFor(DynamicsColumns const& columns) {
         }
         thicknesses.push_back(least);
     }
+    constexpr std::size_t many = 20;
+    double const thick = thicknesses.size() < many ? 0.06 : 0.4;
     double scale = 4;
     if (!thicknesses.empty()) {
         auto const middle = thicknesses.begin() + static_cast<std::ptrdiff_t>(thicknesses.size() / 2);
         std::nth_element(thicknesses.begin(), middle, thicknesses.end());
-        while (scale < 64 && *middle * scale < 0.4) {
+        while (scale < 64 && *middle * scale < thick) {
             scale *= 2;
         }
     }
@@ -202,7 +247,7 @@ double scaleFor(DynamicsColumns const& columns) {
 }
 
 int roundedSubsteps(double wanted) {
-    for (int const n : {4, 6, 8, 12, 16, 24, 32, 48}) {
+    for (int const n : {1, 2, 4, 6, 8, 12, 16, 24, 32, 48}) {
         if (wanted <= n) {
             return n;
         }

@@ -30,12 +30,20 @@ struct HardCase {
     bool tunable = true;
     /// Whether one run takes so little that every test run can afford it.
     bool quick = true;
+    /// Whether the seed makes any difference.
+    bool jittered = true;
 };
 
 [[nodiscard]] std::vector<HardCase> chainCases();
 [[nodiscard]] std::vector<HardCase> stackCases();
 [[nodiscard]] std::vector<HardCase> smallCases();
 [[nodiscard]] std::vector<HardCase> impactCases();
+[[nodiscard]] std::vector<HardCase> magnetCases();
+[[nodiscard]] std::vector<HardCase> relayCases();
+[[nodiscard]] std::vector<HardCase> liquidCases();
+[[nodiscard]] std::vector<HardCase> networkCases();
+[[nodiscard]] std::vector<HardCase> orbitCases();
+[[nodiscard]] std::vector<HardCase> machineCases();
 /// Everything, in the order of the table.
 [[nodiscard]] std::vector<HardCase> allCases();
 

@@ -11,8 +11,8 @@ namespace trembler::stability {
 namespace {
 
 // Two hundred lanes side by side, without gravity: a ball of 5 cm and 0.1 kg flies at a wall of 0.1 m and
-// 10 kg. It has passed if its centre has crossed the wall's middle plane between the wall's ends, as seen from
-// the wall, which a hit may send spinning.
+// 10 kg. It has passed if its centre has crossed the wall's middle plane between the wall's ends, as seen
+// from the wall, which a hit may send spinning.
 std::vector<Figure> bullets(Setting const& setting, std::uint64_t seed, double speed, bool free) {
     constexpr std::size_t lanes = 200;
     constexpr double wallHeight = 1;
@@ -51,8 +51,7 @@ std::vector<Figure> bullets(Setting const& setting, std::uint64_t seed, double s
             lost = orWorst(speed - rig.fastest());
         }
     }
-    auto const passed =
-        std::count_if(all.begin(), all.end(), [](Lane const& lane) { return lane.passed; });
+    auto const passed = std::count_if(all.begin(), all.end(), [](Lane const& lane) { return lane.passed; });
     return {{"passed, of 200", "", 0, static_cast<double>(passed)},
             {"speed lost in flight", "m/s", 0.01 * speed, lost}};
 }

@@ -75,7 +75,8 @@ std::vector<Figure> cardHouse(Setting const& setting, std::uint64_t seed) {
 } // namespace
 
 std::vector<HardCase> smallCases() {
-    return {{"pyramid of 5 cm boxes, base 30", "", smallPyramid, true, false}, {"card house of 5 levels", "", cardHouse}};
+    return {{"pyramid of 5 cm boxes, base 30", "", smallPyramid, true, false},
+            {"card house of 5 levels", "", cardHouse}};
 }
 
 } // namespace trembler::stability
