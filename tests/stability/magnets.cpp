@@ -43,18 +43,30 @@ public:
     }
 
     [[nodiscard]] double energy() const {
+        double sum = kinetic() + potential().sum;
+        for (ObjectId const id : rig.bodies()) {
+            sum += mass * gravity_ * rig.at(id).y;
+        }
+        return sum;
+    }
+    /// J
+    [[nodiscard]] double kinetic() const {
         double sum = 0;
         for (ObjectId const id : rig.bodies()) {
             AngularVelocity const* const spin = rig.world->find<AngularVelocity>(id);
             double const w = spin == nullptr ? 0 : spin->value;
-            sum += mass / 2 * lengthSquared(rig.velocity(id)) +
-                   mass * (wide * wide + high * high) / 24 * w * w + mass * gravity_ * rig.at(id).y;
+            sum +=
+                mass / 2 * lengthSquared(rig.velocity(id)) + mass * (wide * wide + high * high) / 24 * w * w;
         }
-        return sum + potential();
+        return sum;
     }
-    /// J, µ0/4π q1 q2 / √(r² + s²) for every two poles of two magnets.
-    [[nodiscard]] double potential() const {
-        double sum = 0;
+    struct Potential {
+        double sum = 0;  // J
+        double size = 0; // J, without signs
+    };
+    /// µ0/4π q1 q2 / √(r² + s²) for every two poles of two magnets.
+    [[nodiscard]] Potential potential() const {
+        Potential found;
         std::vector<Vec2> places;
         for (Pole const& pole : poles_) {
             places.push_back(rig.at(pole.of) + rotated(pole.at, rig.angle(pole.of)));
@@ -62,12 +74,14 @@ public:
         for (std::size_t i = 0; i < poles_.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 if (poles_[i].of != poles_[j].of) {
-                    sum += 1e-7 * poles_[i].strength * poles_[j].strength /
-                           std::hypot(length(places[i] - places[j]), magneticSoftening);
+                    double const one = 1e-7 * poles_[i].strength * poles_[j].strength /
+                                       std::hypot(length(places[i] - places[j]), magneticSoftening);
+                    found.sum += one;
+                    found.size += std::abs(one);
                 }
             }
         }
-        return sum;
+        return found;
     }
 
     Rig rig;
@@ -82,17 +96,16 @@ private:
     double gravity_;
 };
 
-// By how much the energy rises at most above what it has been before, as a share of the greatest that the
-// poles had between them, or that came free.
+// By how much the energy rises at most above what it has been before, as a share of the greatest that there
+// has been in motion and between every two poles.
 std::vector<Figure> watch(Magnets& magnets, int frames) {
     double least = magnets.energy();
-    double scale = std::abs(magnets.potential());
+    double scale = 0;
     double growth = 0;
     for (int frame = 0; frame < frames && std::isfinite(growth); ++frame) {
         magnets.rig.step();
         double const now = orWorst(magnets.energy());
-        double const between = magnets.potential();
-        scale = std::max({scale, std::abs(between), std::abs(now - between)});
+        scale = std::max(scale, magnets.potential().size + magnets.kinetic());
         least = std::min(least, now);
         growth = std::max(growth, orWorst((now - least) / scale));
     }
