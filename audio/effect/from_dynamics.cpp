@@ -119,8 +119,7 @@ void SoundFromDynamics::tellImpacts(Access& access) {
 
 void SoundFromDynamics::tellRubbing(Access& access) {
     Scene const scene(access);
-    auto const& settings = access.read<DynamicsSettings>().values();
-    double const substeps = settings.empty() ? DynamicsSettings{}.substeps : settings.front().substeps;
+    double const substeps = access.read<SolverChoice>().substeps;
     auto const friction = [&](ObjectId id) {
         Friction const* const stated = scene.template find<Friction>(id);
         return stated == nullptr ? Friction{}.coefficient : stated->coefficient;

@@ -6,7 +6,7 @@
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/contacts.hpp"
 #include "physics/dynamics/impacts.hpp"
-#include "physics/dynamics/settings.hpp"
+#include "physics/dynamics/solver_choice.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "physics/look.hpp"
 #include "runtime/component/interaction.hpp"
@@ -20,7 +20,7 @@ namespace trembler {
 class SoundFromDynamics final
     : public Interaction<SoundFromDynamics, SoundRole,
                          Reads<Impacts, ContactPatches, Contacts, Shape, Look, Acoustics, Sample, Mass, Fixed,
-                               Friction, DynamicsSettings, Position, Rotation, Velocity, AngularVelocity>> {
+                               Friction, SolverChoice, Position, Rotation, Velocity, AngularVelocity>> {
 public:
     static constexpr ComponentText text{.name = "Sound <- Dynamics",
                                         .effect = "sound",

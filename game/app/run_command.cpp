@@ -224,8 +224,10 @@ void addRunCommand(CLI::App& program, int& result) {
             "--period", arguments->periods,
             "COMPONENT=N: run a component in every Nth frame only, for example \"Dynamics Resolver=2\"")
         ->allow_extra_args(false);
-    command->add_option("--substeps", arguments->substeps, "Steps of the dynamics engine in a frame")
-        ->check(CLI::Range(1, 64));
+    command
+        ->add_option("--substeps", arguments->substeps,
+                     "Steps of the dynamics engine in a frame; 0: as many as the scene needs")
+        ->check(CLI::Range(0, 64));
     command->add_option("--export-spice", arguments->spice,
                         "Write the circuits, as they are after the last frame, as a netlist for ngspice -b");
     command->callback([arguments, &result] { result = guarded([&] { return runLevel(*arguments); }); });

@@ -109,12 +109,11 @@ void LiquidDrag::update(Access& access) {
     auto const& rotations = access.read<Rotation>();
     auto const& velocities = access.read<Velocity>();
     auto const& spins = access.read<AngularVelocity>();
-    auto const& solver = access.read<DynamicsSettings>();
     auto const& settings = access.read<BuoyancySettings>();
 
     Vec2 const gravity = access.read<LinearGravityVector>().gravity;
     bool const ahead = settings.empty() || settings.values().front().lookAhead;
-    int const substeps = (solver.empty() ? DynamicsSettings{} : solver.values().front()).substeps;
+    int const substeps = access.read<SolverChoice>().substeps;
     // A force that lags by half of a time t, but is integrated in n steps, lags by (1 - 1/n) t/2.
     auto const lagOf = [&](double frames) {
         return ahead ? frames * frameDuration / 2 * (1 - 1 / (frames * substeps)) : 0;

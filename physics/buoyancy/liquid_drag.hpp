@@ -4,7 +4,7 @@
 #include "physics/buoyancy/liquid.hpp"
 #include "physics/buoyancy/results.hpp"
 #include "physics/buoyancy/settings.hpp"
-#include "physics/dynamics/settings.hpp"
+#include "physics/dynamics/solver_choice.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "runtime/component/dps.hpp"
 #include "runtime/placement.hpp"
@@ -48,7 +48,7 @@ struct LiquidResistance {
 /// mass. What the engine's own N substeps make up for is left out: (1 - 1/N) t/2.
 class LiquidDrag final : public Dps<LiquidDrag,
                                     Reads<Immersions, LinearGravityVector, Liquid, Shape, Position, Rotation,
-                                          Velocity, AngularVelocity, DynamicsSettings, BuoyancySettings>,
+                                          Velocity, AngularVelocity, SolverChoice, BuoyancySettings>,
                                     Derives<LiquidResistance>> {
 public:
     static constexpr ComponentText text{

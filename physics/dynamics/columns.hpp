@@ -6,6 +6,7 @@
 #include "physics/dynamics/joint_anchors.hpp"
 #include "physics/dynamics/settings.hpp"
 #include "physics/dynamics/shape.hpp"
+#include "physics/gravity/properties.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/property/column.hpp"
 
@@ -26,6 +27,8 @@ struct DynamicsColumns {
     Column<Joint> const& joint;
     Column<JointAnchors> const& anchors;
     Column<DynamicsSettings> const& settings;
+    Column<GravityField> const& gravityField;
+    Column<GravityLaw> const& gravityLaw;
     Column<Position> const& position;
     Column<Rotation> const& rotation;
     Column<Velocity> const& velocity;
@@ -45,13 +48,18 @@ struct DynamicsColumns {
         return position.structureVersion() + rotation.structureVersion() + velocity.structureVersion() +
                spin.structureVersion();
     }
+    /// m/s², of the world; where it states none, Earth's, as magnets and motors pull as well.
+    [[nodiscard]] Vec2 gravity() const {
+        Vec2 const stated = gravityField.empty() ? Vec2{} : gravityField.values().front().acceleration;
+        return stated == Vec2{} || !isFinite(stated) ? Vec2{0, -9.81} : stated;
+    }
     /// Held to the ranges of its description, whoever wrote it.
     [[nodiscard]] DynamicsSettings worldSettings() const {
         DynamicsSettings made = settings.empty() ? DynamicsSettings{} : settings.values().front();
-        made.substeps = std::clamp(made.substeps, 1, 64);
+        made.substeps = std::clamp(made.substeps, 0, 64);
         made.velocityIterations = std::clamp(made.velocityIterations, 1, 256);
         made.positionIterations = std::clamp(made.positionIterations, 1, 256);
-        made.scale = made.scale >= 1 && made.scale <= 64 ? made.scale : DynamicsSettings{}.scale;
+        made.scale = made.scale >= 1 && made.scale <= 64 ? made.scale : 0;
         return made;
     }
 };

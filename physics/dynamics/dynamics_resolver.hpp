@@ -13,12 +13,12 @@ namespace trembler {
 
 namespace detail {
 template <class Self>
-using DynamicsBase =
-    Resolver<Self, DynamicsRole,
-             Reads<Shape, Mass, Fixed, Bullet, Friction, Restitution, CollisionGroups, Damping, Liquid, Joint,
-                   JointAnchors, DynamicsSettings>,
-             Writes<Position, Velocity, AngularVelocity, Rotation>,
-             Provides<Contacts, ContactPatches, Impacts, JointForces, OverloadedJoints, MotionCauses>>;
+using DynamicsBase = Resolver<
+    Self, DynamicsRole,
+    Reads<Shape, Mass, Fixed, Bullet, Friction, Restitution, CollisionGroups, Damping, Liquid, Joint,
+          JointAnchors, DynamicsSettings, GravityField, GravityLaw>,
+    Writes<Position, Velocity, AngularVelocity, Rotation>,
+    Provides<Contacts, ContactPatches, Impacts, JointForces, OverloadedJoints, MotionCauses, SolverChoice>>;
 } // namespace detail
 
 /// `Self` adds `text` and `static constexpr EngineMaker engineMaker`.
@@ -46,6 +46,7 @@ public:
             access.template read<Restitution>(),  access.template read<CollisionGroups>(),
             access.template read<Damping>(),      access.template read<Joint>(),
             access.template read<JointAnchors>(), access.template read<DynamicsSettings>(),
+            access.template read<GravityField>(), access.template read<GravityLaw>(),
             access.template read<Position>(),     access.template read<Rotation>(),
             access.template read<Velocity>(),     access.template read<AngularVelocity>()};
         for (Refusal const& refusal : simulation_.follow(columns)) {
@@ -58,9 +59,12 @@ public:
         }
         drainImpulses(access);
         simulation_.engine().noteImpacts(access.template wanted<Impacts>());
-        bool const moved = simulation_.step(access.duration());
+        bool const moved = simulation_.step(access.duration(), columns);
         updateImpacts(access, moved);
         if (moved) {
+            if (!(access.template provided<SolverChoice>() == simulation_.choice())) {
+                access.template provide<SolverChoice>() = simulation_.choice();
+            }
             writeMotion(access);
             simulation_.noteWritten(columns);
         }
@@ -69,6 +73,9 @@ public:
                                         access.template provided<Contacts>().current);
         }
         bool const contactsChanged = updateContacts(access);
+        if (contactsChanged) {
+            simulation_.noteContacts(columns, access.template provided<Contacts>().current);
+        }
         if (!moved && overloadNews_) {
             access.template provide<OverloadedJoints>() = {};
             overloadNews_ = false;

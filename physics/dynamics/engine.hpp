@@ -112,6 +112,9 @@ public:
     [[nodiscard]] virtual std::span<std::uint8_t const> awake() const = 0;
     [[nodiscard]] virtual bool anyAwake() const = 0;
 
+    /// Whether hinges, welds and rigid distances are to be solved exactly, all at once, in every substep to
+    /// come. Off at first. Returns whether they will be: an engine that cannot goes on as it did.
+    virtual bool solveJointsAtOnce(bool) { return false; }
     /// Moves everything on by `duration` (s), split into the settings' substeps.
     virtual void step(double duration, DynamicsSettings const& settings) = 0;
     /// The bodies that were awake in the last step, ascending by slot.

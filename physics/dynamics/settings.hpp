@@ -6,26 +6,27 @@
 namespace trembler {
 
 /// Substeps beat iterations at equal cost: what breaks a stack or a taut chain is the length of the step, not
-/// the convergence within it. Four hold a stack of fifty boxes and a chain under a hundred times its links'
-/// mass.
+/// the convergence within it. How many a scene needs follows from the scene, see solver_demand.hpp; an
+/// ordinary one gets four.
 struct DynamicsSettings {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
         "Solver", "solver", "How exactly the motion of rigid bodies is computed.", PropertyPlace::world};
-    std::int32_t substeps = 4;
+    static constexpr std::int32_t automatic = 0; ///< as many as the scene needs, but at least four
+    std::int32_t substeps = automatic;
     std::int32_t velocityIterations = 8;
     std::int32_t positionIterations = 3;
     /// Box2D is made for things of 0.1 to 10 units and keeps shapes 0.015 units apart; its parts here are
-    /// decimetres. Powers of two lose no bits.
-    double scale = 4;
+    /// decimetres. Powers of two lose no bits. 0: automatic, from the sizes of shapes.
+    double scale = 0;
     bool sleeping = true;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "substeps",
                         .unit = "",
-                        .meaning = "steps of the engine in a frame",
-                        .minimum = 1,
+                        .meaning = "steps of the engine in a frame; 0: as many as the scene needs, 4 or more",
+                        .minimum = 0,
                         .maximum = 64},
               self.substeps);
         visit(FieldInfo{.key = "velocity_iterations",
@@ -40,12 +41,13 @@ struct DynamicsSettings {
                         .minimum = 1,
                         .maximum = 256},
               self.positionIterations);
-        visit(FieldInfo{.key = "scale",
-                        .unit = "1/m",
-                        .meaning = "units of length of the engine per metre",
-                        .minimum = 1,
-                        .maximum = 64},
-              self.scale);
+        visit(
+            FieldInfo{.key = "scale",
+                      .unit = "1/m",
+                      .meaning = "units of length of the engine per metre; 0: as the shapes need, 4 or more",
+                      .minimum = 0,
+                      .maximum = 64},
+            self.scale);
         visit(FieldInfo{.key = "sleeping",
                         .unit = "",
                         .meaning = "bodies at rest are left out until disturbed"},

@@ -4,6 +4,7 @@
 
 #include "physics/dynamics/causes.hpp"
 #include "physics/dynamics/loads.hpp"
+#include "physics/dynamics/solver_choice.hpp"
 #include "physics/dynamics/touching.hpp"
 
 #include <memory>
@@ -22,7 +23,11 @@ public:
     void startLoads() { loads_.clear(bodies_.bodies().size()); }
     void endLoads();
     /// Moves everything on by `duration` (s); returns false if all is at rest and nothing was done.
-    bool step(double duration);
+    bool step(double duration, DynamicsColumns const& columns);
+    /// To be told whenever the pairs that touch have changed.
+    void noteContacts(DynamicsColumns const& columns, std::span<TouchingPair const> touching);
+    /// What the last step was computed with.
+    [[nodiscard]] SolverChoice const& choice() const { return choice_; }
     /// To be told after the moved bodies have been written into the columns: these versions are its own
     /// doing.
     void noteWritten(DynamicsColumns const& columns) { motionVersion_ = columns.motionVersion(); }
@@ -36,9 +41,22 @@ public:
     [[nodiscard]] CauseBook& causes() { return causes_; }
 
 private:
+    void makeEngine(DynamicsSettings const& settings, DynamicsColumns const& columns);
+    [[nodiscard]] double scaleNow(DynamicsSettings const& settings, DynamicsColumns const& columns) const;
+    void noteDemand(double gravity, bool jointsChanged, DynamicsColumns const& columns);
+    void forgetDemand();
+    [[nodiscard]] DynamicsSettings chosen(double duration, DynamicsColumns const& columns);
+
     EngineMaker maker_;
     std::unique_ptr<Engine> engine_;
-    DynamicsSettings settings_;
+    DynamicsSettings settings_; // as stated
+    SolverChoice choice_;
+    double engineScale_ = 0;     // that the engine was made with
+    double jointSubsteps_ = 0;   // that the joints ask for
+    double contactSubsteps_ = 0; // that the contacts ask for
+    int contactRounds_ = 0;      // of the solver, that they ask for
+    double demandGravity_ = -1;  // m/s², that the joints' demand was found for
+    int settling_ = 0;           // frames in which new joints still look for their loads
     BodyTable bodies_;
     JointTable joints_;
     LoadTable loads_;

@@ -16,6 +16,8 @@ public:
     /// over.
     void compare(Contacts const& before, Contacts& next) const;
     [[nodiscard]] bool changed() const { return changed_; }
+    /// Whether anything touches anything.
+    [[nodiscard]] bool any() const { return !counts_.empty(); }
     void markSeen() {
         changed_ = false;
         brief_.clear();

@@ -1,8 +1,11 @@
 // What the detail levels of the magnetic forces have in common: everything but the way of adding up.
 #pragma once
 
+#include "physics/dynamics/settings.hpp"
 #include "physics/magnetism/magnetic_points.hpp"
 #include "runtime/component/dps.hpp"
+
+#include <algorithm>
 
 namespace trembler {
 
@@ -11,24 +14,27 @@ namespace trembler {
 /// which adds to `totals` what the sources do to each receiver, see inverse_square::Points. `More` are
 /// properties that it reads besides.
 template <class Self, class... More>
-class MagneticLevel
-    : public Dps<
-          Self,
-          Reads<Position, Rotation, Shape, MagneticPoles, MagneticStrength, Magnet, MagnetSwitching, More...>,
-          Derives<MagneticForce>> {
-    using Base = Dps<
-        Self,
-        Reads<Position, Rotation, Shape, MagneticPoles, MagneticStrength, Magnet, MagnetSwitching, More...>,
-        Derives<MagneticForce>>;
+class MagneticLevel : public Dps<Self,
+                                 Reads<Position, Rotation, Velocity, AngularVelocity, Shape, MagneticPoles,
+                                       MagneticStrength, Magnet, MagnetSwitching, DynamicsSettings, More...>,
+                                 Derives<MagneticForce>> {
+    using Base = Dps<Self,
+                     Reads<Position, Rotation, Velocity, AngularVelocity, Shape, MagneticPoles,
+                           MagneticStrength, Magnet, MagnetSwitching, DynamicsSettings, More...>,
+                     Derives<MagneticForce>>;
 
 public:
     using Access = typename Base::Access;
     using CalledFor = NeedsAll<Magnet, MagneticStrength, Position>;
 
     void update(Access& access) {
+        auto const& solver = access.template read<DynamicsSettings>();
+        double const lag = frameDuration / 2 * (1 - 1.0 / ordinarySubsteps(solver));
         points_.gather({access.template read<Position>(), access.template read<Rotation>(),
+                        access.template read<Velocity>(), access.template read<AngularVelocity>(),
                         access.template read<Shape>(), access.template read<MagneticPoles>(),
-                        access.template read<MagneticStrength>(), access.template read<Magnet>()});
+                        access.template read<MagneticStrength>(), access.template read<Magnet>()},
+                       lag);
         if (points_.active()) {
             for (MagneticSum const sum :
                  {MagneticSum::polesOnPoles, MagneticSum::softOnPoles, MagneticSum::polesOnSoft}) {
@@ -43,6 +49,14 @@ public:
     }
 
 private:
+    // As stated, or as many as an ordinary scene gets. It does without Dynamics, so it cannot ask that; where
+    // there are in fact more, what is left of the lag is at most an eighth of a frame.
+    static int ordinarySubsteps(Column<DynamicsSettings> const& settings) {
+        int const stated =
+            settings.empty() ? DynamicsSettings::automatic : settings.values().front().substeps;
+        return stated == DynamicsSettings::automatic ? 4 : std::max(stated, 1);
+    }
+
     MagneticPoints points_;
 };
 

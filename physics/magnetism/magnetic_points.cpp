@@ -12,6 +12,18 @@ Vec2 poleForce(Vec2 r, double q1, double q2) {
     return (-magneticConstant * q1 * q2 / (d2 * std::sqrt(d2))) * r;
 }
 
+namespace {
+
+// What is in the way is not known, and beyond something it would be pulled back.
+constexpr double farthestShift = magneticSoftening / 2;
+
+Vec2 shortened(Vec2 shift) {
+    double const size = length(shift);
+    return size > farthestShift ? farthestShift / size * shift : shift;
+}
+
+} // namespace
+
 // Shapes hardly ever change, and their centres of mass take a while to compute: once will do.
 void MagneticPoints::findCentres(MagneticColumns const& columns) {
     std::uint64_t const version = columns.shapes.version() + columns.strengths.structureVersion();
@@ -27,15 +39,18 @@ void MagneticPoints::findCentres(MagneticColumns const& columns) {
     }
 }
 
-void MagneticPoints::gather(MagneticColumns const& columns) {
+void MagneticPoints::gather(MagneticColumns const& columns, double lag) {
     findCentres(columns);
     poleObjects_.clear();
     softObjects_.clear();
+    poleShifts_.clear();
+    softShifts_.clear();
     for (auto* const points : {&poles_, &unsignedPoles_, &soft_, &repelled_, &pulledPoles_, &pulledSoft_}) {
         points->clear();
     }
-    auto const addPole = [&](ObjectId id, Vec2 at, double q) {
+    auto const addPole = [&](ObjectId id, Vec2 at, double q, Vec2 shift) {
         poleObjects_.push_back(id);
+        poleShifts_.push_back(shift);
         poles_.add(at, q, id.index);
         unsignedPoles_.add(at, std::abs(q), id.index);
         repelled_.add(at, -magneticConstant * q, id.index);
@@ -44,10 +59,18 @@ void MagneticPoints::gather(MagneticColumns const& columns) {
     forEach(
         [&](ObjectId id, MagneticStrength const& strength, Position const& position) {
             Rotation const* const rotation = columns.rotations.find(id);
-            double const angle = rotation == nullptr ? 0 : rotation->angle;
+            Velocity const* const velocity = columns.velocities.find(id);
+            AngularVelocity const* const spin = columns.spins.find(id);
+            double const now = rotation == nullptr ? 0 : rotation->angle;
+            double const angle = spin == nullptr ? now : now + lag * spin->value;
+            Vec2 const shift = velocity == nullptr ? Vec2{} : shortened(lag * velocity->value);
+            // It is its centre of mass that goes straight on.
+            Vec2 const centre = centres_[columns.strengths.row(id)];
+            Vec2 const origin = position.value + shift + (rotated(centre, now) - rotated(centre, angle));
             if (strength.susceptibility > 0) {
-                Vec2 const at = position.value + rotated(centres_[columns.strengths.row(id)], angle);
+                Vec2 const at = origin + rotated(centre, angle);
                 softObjects_.push_back(id);
+                softShifts_.push_back(shift);
                 soft_.add(at, strength.susceptibility, id.index);
                 pulledSoft_.add(at, magneticConstant * strength.susceptibility, id.index);
             }
@@ -58,10 +81,10 @@ void MagneticPoints::gather(MagneticColumns const& columns) {
             }
             double const q = magnet->level * strength.strength;
             if (poles->poles == PoleSet::north || poles->poles == PoleSet::both) {
-                addPole(id, position.value + rotated(poles->north, angle), q);
+                addPole(id, origin + rotated(poles->north, angle), q, shift);
             }
             if (poles->poles == PoleSet::south || poles->poles == PoleSet::both) {
-                addPole(id, position.value + rotated(poles->south, angle), -q);
+                addPole(id, origin + rotated(poles->south, angle), -q, shift);
             }
         },
         columns.strengths, columns.positions);
@@ -117,12 +140,12 @@ void MagneticPoints::exportForces(std::span<EventId const> switching, MagneticFo
         return from.valid() && from.index < switching.size() ? switching[from.index] : EventId{};
     };
     for (std::size_t i = 0; i < poleObjects_.size(); ++i) {
-        forces.push_back({poleObjects_[i], poles_.at(i), onPoles_[i],
+        forces.push_back({poleObjects_[i], poles_.at(i) - poleShifts_[i], onPoles_[i],
                           causeOf(MagneticSum::polesOnPoles, i, poleObjects_[i])});
     }
     for (std::size_t i = 0; i < softObjects_.size(); ++i) {
-        forces.push_back(
-            {softObjects_[i], soft_.at(i), onSoft_[i], causeOf(MagneticSum::polesOnSoft, i, ObjectId{})});
+        forces.push_back({softObjects_[i], soft_.at(i) - softShifts_[i], onSoft_[i],
+                          causeOf(MagneticSum::polesOnSoft, i, ObjectId{})});
     }
     std::inplace_merge(
         forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(poleObjects_.size()), forces.end(),

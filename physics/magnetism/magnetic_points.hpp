@@ -16,6 +16,8 @@ namespace trembler {
 struct MagneticColumns {
     Column<Position> const& positions;
     Column<Rotation> const& rotations;
+    Column<Velocity> const& velocities;
+    Column<AngularVelocity> const& spins;
     Column<Shape> const& shapes;
     Column<MagneticPoles> const& poleSets;
     Column<MagneticStrength> const& strengths;
@@ -32,7 +34,11 @@ inline constexpr std::size_t magneticSums = 3;
 
 class MagneticPoints {
 public:
-    void gather(MagneticColumns const& columns);
+    /// Forces stand for a frame. An engine that integrates them in n substeps lets them lag by (1 - 1/n)/2 of
+    /// it behind the places that they belong to, which feeds oscillations, and all energy that they have
+    /// grows. So points are taken where their objects will be by `lag` (s): a body that only they act on then
+    /// drifts, is pulled, and drifts on, which is symplectic.
+    void gather(MagneticColumns const& columns, double lag);
 
     /// Whether anything acts at all.
     [[nodiscard]] bool active() const { return !poles_.empty(); }
@@ -55,6 +61,8 @@ private:
 
     std::vector<ObjectId> poleObjects_; // ascending
     std::vector<ObjectId> softObjects_;
+    std::vector<Vec2> poleShifts_; // m, from where the body is to where it was taken to be
+    std::vector<Vec2> softShifts_;
     inverse_square::Points poles_;         // weight: strength in A m, north positive
     inverse_square::Points unsignedPoles_; // the same without signs
     inverse_square::Points soft_;          // weight: susceptibility in A m

@@ -245,6 +245,34 @@ void Box2dEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
     body.SetAngularVelocity(b2Clamp(body.GetAngularVelocity(), -spin, spin));
 }
 
+bool Box2dEngine::solveJointsAtOnce(bool wanted) {
+    if (wanted != (atOnce_ != nullptr)) {
+        atOnce_ = wanted ? std::make_unique<JointsAtOnce>() : nullptr;
+        tiesStale_ = wanted;
+        coldStart_ = wanted;
+    }
+    return wanted;
+}
+
+void Box2dEngine::applyJoints(float substep) {
+    if (!atOnce_) {
+        return;
+    }
+    if (std::exchange(tiesStale_, false)) {
+        std::vector<b2Joint*> joints;
+        for (JointEntry const& entry : joints_) {
+            joints.push_back(entry.joint);
+        }
+        atOnce_->setJoints(joints);
+    }
+    atOnce_->solve(substep, [this](b2Body const& body) {
+        BodyEntry const& entry = bodies_[slotOf(&body)];
+        return JointsAtOnce::Pull{entry.force, entry.torque};
+    });
+    // Box2D starts from the impulses of its last step, which would carry what is carried already.
+    world_.SetWarmStarting(!std::exchange(coldStart_, false));
+}
+
 void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
     if (world_.GetAllowSleeping() != settings.sleeping) {
         world_.SetAllowSleeping(settings.sleeping);
@@ -262,6 +290,7 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
     for (int substep = 0; substep < settings.substeps; ++substep) {
         since_ = duration * substep / settings.substeps;
         applyDrags(static_cast<double>(h));
+        applyJoints(h);
         world_.Step(h, settings.velocityIterations, settings.positionIterations);
         noteDragged();
         bool const last = substep + 1 == settings.substeps;
@@ -281,9 +310,11 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
                 }
             }
         }
-        for (JointEntry& entry : joints_) {
+        for (SlotIndex slot = 0; slot < joints_.size(); ++slot) {
+            JointEntry& entry = joints_[slot];
             if (entry.joint != nullptr) {
-                entry.force += fromEngine(entry.joint->GetReactionForce(1 / h)) / settings.substeps;
+                b2Vec2 const before = atOnce_ ? (1 / h) * atOnce_->impulse(slot) : b2Vec2_zero;
+                entry.force += fromEngine(entry.joint->GetReactionForce(1 / h) + before) / settings.substeps;
             }
         }
     }

@@ -4,7 +4,7 @@
 // that its reckoning of moments about another origin, in single precision, never loses them.
 #pragma once
 
-#include "physics/dynamics/engine.hpp"
+#include "physics/dynamics/box2d/joints_at_once.hpp"
 
 #include <box2d/box2d.h>
 
@@ -27,6 +27,7 @@ public:
     void applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) override;
     [[nodiscard]] std::span<std::uint8_t const> awake() const override { return awake_; }
     [[nodiscard]] bool anyAwake() const override { return anyAwake_ || disturbed_; }
+    bool solveJointsAtOnce(bool wanted) override;
     void step(double duration, DynamicsSettings const& settings) override;
     [[nodiscard]] std::span<MovedBody const> moved() const override { return moved_; }
     [[nodiscard]] std::vector<TouchChange>& touchChanges() override { return touches_; }
@@ -64,6 +65,7 @@ private:
     /// Slows down what is dragged, by what drag does in the coming substep.
     void applyDrags(double substep);
     void noteDragged();
+    void applyJoints(float substep);
     [[nodiscard]] Twist momentumOf(b2Body const& body) const;
     void noteMoved();
     [[nodiscard]] bool drifts(BodyEntry const& entry) const;
@@ -83,10 +85,13 @@ private:
     b2Body* ground_ = nullptr; // what joints to the world hold on to
     std::vector<BodyEntry> bodies_;
     std::vector<JointEntry> joints_;
-    std::vector<DraggedBody> dragged_;    // by slot
-    std::vector<SlotIndex> draggedSlots_; // of those that any drag acts on
-    std::vector<std::uint8_t> awake_;     // by slot: awake, and its load is with Box2D
-    float substep_ = 0;                   // s
+    std::vector<DraggedBody> dragged_;     // by slot
+    std::vector<SlotIndex> draggedSlots_;  // of those that any drag acts on
+    std::vector<std::uint8_t> awake_;      // by slot: awake, and its load is with Box2D
+    std::unique_ptr<JointsAtOnce> atOnce_; // while joints are to be solved so
+    bool tiesStale_ = false;               // it does not know of all joints
+    bool coldStart_ = false;               // what Box2D's joints have carried so far is to be forgotten
+    float substep_ = 0;                    // s
     bool anyAwake_ = false;
     bool disturbed_ = false; // Box2D may have woken bodies that awake_ does not know of
     std::vector<MovedBody> moved_;

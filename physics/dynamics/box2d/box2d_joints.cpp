@@ -125,6 +125,7 @@ void Box2dEngine::addJoint(SlotIndex slot, JointSpec const& spec) {
     if (joints_.size() <= slot) {
         joints_.resize(slot + std::size_t{1});
     }
+    tiesStale_ = true;
     Joint const& joint = *spec.joint;
     bool const motor =
         joint.form == JointForm::hinge || joint.form == JointForm::slider || joint.form == JointForm::wheel;
@@ -146,6 +147,7 @@ void Box2dEngine::addJoint(SlotIndex slot, JointSpec const& spec) {
 void Box2dEngine::removeJoint(SlotIndex slot) {
     JointEntry const entry = joints_[slot];
     world_.DestroyJoint(entry.joint);
+    tiesStale_ = true;
     joints_[slot] = {};
     for (SlotIndex const body : {entry.a, entry.b}) {
         if (body != noSlot) {

@@ -155,7 +155,7 @@ TEST(Stability, lookingAheadIsWhatKeepsAnOscillationFromGrowing) {
             }
             growth[ahead ? 1 : 0] = oscillationOf(heights).growth;
         }
-        double const steps = period * DynamicsSettings{}.substeps;
+        double const steps = period * SolverChoice{}.substeps;
         double const rate = g / 0.3 * period / 60.0 / 4 * (1 - 1 / steps);
         double const expected = std::exp(rate * 6); // from the first to the last quarter of 8 s
         EXPECT_NEAR(std::log(growth[0]) / std::log(expected), 1, 0.15) << period;

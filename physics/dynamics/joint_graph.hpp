@@ -1,0 +1,23 @@
+// Which weight hangs on which joint.
+#pragma once
+
+#include "physics/dynamics/bodies.hpp"
+#include "physics/dynamics/joints.hpp"
+
+#include <vector>
+
+namespace trembler {
+
+/// What a joint has to carry.
+struct JointLoad {
+    double mass = 0;    ///< kg, that hangs on it
+    Vec2 centre;        ///< m, where that mass is; only if `alone`
+    bool alone = false; ///< nothing else ties that mass to the rest
+};
+
+/// By slot of the joints. One walk over the graph of bodies and joints, all fixed bodies and the world being
+/// one node of it: a joint that is a bridge of the graph (Tarjan 1974) carries what is beyond it.
+[[nodiscard]] std::vector<JointLoad> jointLoads(DynamicsColumns const& columns, BodyTable const& bodies,
+                                                JointTable const& joints);
+
+} // namespace trembler

@@ -1,0 +1,35 @@
+// What the settings of the world's solver came to.
+#pragma once
+
+#include "runtime/property/description.hpp"
+
+namespace trembler {
+
+/// What Dynamics computed the last frame with. With automatic settings it follows from the scene's own
+/// columns and contacts, hence from what the state hash covers.
+struct SolverChoice {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Solver choice", "solver_choice",
+                                       "How exactly the last frame's motion was computed."};
+    std::int32_t substeps = 4;
+    std::int32_t velocityIterations = 8;
+    bool jointsAtOnce = false;
+    double scale = 4;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "substeps", .unit = "", .meaning = "steps of the engine in the frame"},
+              self.substeps);
+        visit(FieldInfo{.key = "velocity_iterations", .unit = "", .meaning = "of the solver, per substep"},
+              self.velocityIterations);
+        visit(FieldInfo{.key = "joints_at_once",
+                        .unit = "",
+                        .meaning = "whether joints were solved exactly, as one system of equations"},
+              self.jointsAtOnce);
+        visit(FieldInfo{.key = "scale", .unit = "1/m", .meaning = "units of length of the engine per metre"},
+              self.scale);
+    }
+    friend bool operator==(SolverChoice const&, SolverChoice const&) = default;
+};
+
+} // namespace trembler
