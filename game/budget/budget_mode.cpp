@@ -39,6 +39,7 @@ void BudgetMode::clear() {
     log_.clear();
     controller_ = {};
     knobs_.clear();
+    knobsStructure_ = 0;
     figures_ = {};
     decisions_.clear();
     lastFrame_ = 0;
@@ -63,6 +64,16 @@ double BudgetMode::error() const {
 void BudgetMode::look(World const& world) {
     log_.look(world);
     knobs_ = knobsOf(world, log_);
+    knobsFrame_ = world.frame();
+    knobsStructure_ = world.store().structureVersion();
+    knobsOptions_.detail = world.options().detail;
+    knobsOptions_.periods = world.options().periods;
+}
+
+bool BudgetMode::stale(World const& world) const {
+    bool const placed = world.frame() == 0 && knobsStructure_ != world.store().structureVersion();
+    return knobsStructure_ == 0 || knobsFrame_ > world.frame() || placed ||
+           knobsOptions_.detail != world.options().detail || knobsOptions_.periods != world.options().periods;
 }
 
 void BudgetMode::startMeasuring(World const& world) {
@@ -77,7 +88,7 @@ void BudgetMode::startMeasuring(World const& world) {
     measuring_ = true;
 }
 
-void BudgetMode::beforeStep(Session& session) {
+void BudgetMode::beforeStep(Session& session, bool decide) {
     if (!budget_ && !watching_) {
         measuring_ = false;
         return;
@@ -103,11 +114,11 @@ void BudgetMode::beforeStep(Session& session) {
     worst_ = std::max(worst_, total - lastTotal_);
     lastTotal_ = total;
     if (frame >= measureFrom_ + round) {
-        finishRound(session);
+        finishRound(session, decide);
     }
 }
 
-void BudgetMode::finishRound(Session& session) {
+void BudgetMode::finishRound(Session& session, bool decide) {
     World const& world = session.world();
     double const frames = static_cast<double>(world.frame() - measureFrom_);
     figures_ = {};
@@ -120,10 +131,10 @@ void BudgetMode::finishRound(Session& session) {
         figures_.effects[std::string(status.info->text.effect)] += each;
         figures_.microseconds += each;
     }
-    knobs_ = knobsOf(world, log_);
+    look(world);
     startMeasuring(world);
-    if (budget_) {
-        decide(session);
+    if (budget_ && decide) {
+        this->decide(session);
     }
 }
 

@@ -46,10 +46,12 @@ public:
     /// Whether somebody looks at figures() and knobs() even while it is off.
     void watch(bool watching) { watching_ = watching; }
 
-    /// To be called directly before each Session::step.
-    void beforeStep(Session& session);
+    /// To be called directly before each Session::step. Without `decide` it only measures and estimates.
+    void beforeStep(Session& session, bool decide = true);
     /// Estimates anew at once; the world need not run.
     void look(World const& world);
+    /// Whether the knobs are those of another run, or of none, or of before something was changed.
+    [[nodiscard]] bool stale(World const& world) const;
     /// Another level: forgets everything but the budget.
     void clear();
 
@@ -73,7 +75,7 @@ public:
 
 private:
     void startMeasuring(World const& world);
-    void finishRound(Session& session);
+    void finishRound(Session& session, bool decide);
     void decide(Session& session);
 
     Registry const& registry_;
@@ -83,6 +85,9 @@ private:
     MotionLog log_;
     Controller controller_;
     std::vector<Knob> knobs_;
+    std::uint64_t knobsFrame_ = 0; // of the world that they were looked up in
+    WorldOptions knobsOptions_;    // its levels and periods then
+    std::uint64_t knobsStructure_ = 0;
     Figures figures_;
     std::vector<Decision> decisions_;
     std::uint64_t lastFrame_ = 0;

@@ -209,10 +209,9 @@ void Session::feed(PlayerInput const& input) {
 }
 
 void Session::startAgain() {
-    if (mode_ != SessionMode::building) {
-        WorldOptions const began = startOptions_;
-        stop();
-        for (RecordedChange const& back : differences(registry_, world_->options(), began)) {
+    stop();
+    if (startOptions_) {
+        for (RecordedChange const& back : differences(registry_, world_->options(), *startOptions_)) {
             apply(registry_, *world_, back);
         }
     }
@@ -292,7 +291,7 @@ Solution Session::record(std::string name) const {
     WorldOptions plain;
     plain.detail = level_.detail;
     solution.changes =
-        differences(registry_, plain, mode_ == SessionMode::building ? world_->options() : startOptions_);
+        differences(registry_, plain, mode_ == SessionMode::building ? world_->options() : *startOptions_);
     solution.changes.insert(solution.changes.end(), changes_.begin(), changes_.end());
     solution.frames = static_cast<int>(world_->frame());
     solution.solves = solved();

@@ -100,7 +100,8 @@ public:
     void change(RecordedChange change);
     /// All such changes of this run, those of setDetail() and setPeriod() among them.
     [[nodiscard]] std::span<RecordedChange const> changes() const { return changes_; }
-    /// Ends the run and begins it anew with the levels and periods that it began with.
+    /// Ends the run, if one goes on, and begins it, or the last one, anew with the levels and periods that it
+    /// began with.
     void startAgain();
 
     [[nodiscard]] bool solved() const;
@@ -141,8 +142,8 @@ private:
     std::vector<std::pair<int, ObjectId>> objects_; // of the placed parts
     std::vector<RecordedInput> inputs_;
     std::vector<RecordedChange> changes_;
-    WorldOptions startOptions_;         // as they were when the run began
-    std::vector<RecordedInput> script_; // inputs of a loaded solution
+    std::optional<WorldOptions> startOptions_; // as they were when the run began
+    std::vector<RecordedInput> script_;        // inputs of a loaded solution
     std::vector<RecordedChange> scriptChanges_;
 };
 
