@@ -1,5 +1,6 @@
 // trembler run: a level without a window.
 #include "game/app/commands.hpp"
+#include "game/budget/budget_mode.hpp"
 #include "game/core/effects.hpp"
 #include "game/core/workshop.hpp"
 #include "game/session/runner.hpp"
@@ -7,6 +8,7 @@
 #include "physics/dynamics/settings.hpp"
 #include "physics/electricity/spice.hpp"
 #include "runtime/level/read_level.hpp"
+#include "runtime/level/write_level.hpp"
 #ifndef TREMBLER_HEADLESS
 #include "game/ui/run_sound.hpp"
 #endif
@@ -35,6 +37,8 @@ struct RunArguments {
     std::optional<int> substeps;
     std::string sound;
     std::string spice;
+    std::optional<double> budget; // ms
+    std::string record;
 };
 
 #ifdef TREMBLER_HEADLESS
@@ -117,6 +121,44 @@ void exportSpice(Session const& session, std::string const& path) {
 #endif
 }
 
+void addBudget(nlohmann::ordered_json& all, budget::BudgetMode const& mode) {
+    nlohmann::ordered_json decisions = nlohmann::ordered_json::array();
+    for (budget::Decision const& decision : mode.decisions()) {
+        decisions.push_back({{"frame", decision.frame},
+                             {"effect", decision.effect},
+                             {"from", decision.from},
+                             {"to", decision.to},
+                             {"saves_us", decision.microseconds},
+                             {"error", decision.error.share},
+                             {"error_unit", decision.of},
+                             {"error_m", decision.error.metres}});
+    }
+    all["budget"] = {{"budget_us", *mode.budget()},
+                     {"last_round_us", mode.figures().microseconds},
+                     {"slowest_frame_us", mode.figures().worst},
+                     {"kept", mode.kept()},
+                     {"error_m", mode.error()},
+                     {"decisions", decisions}};
+}
+
+std::string budgetInWords(budget::BudgetMode const& mode) {
+    std::string text;
+    for (budget::Decision const& decision : mode.decisions()) {
+        text += fmt::format("  frame {:>6}  {}\n", decision.frame, inWords(decision));
+    }
+    return text + fmt::format("  budget {:.3g} ms, last second {:.3g} ms per frame{}\n",
+                              *mode.budget() / 1000, mode.figures().microseconds / 1000,
+                              mode.kept() ? "" : ": nothing that would do is cheap enough");
+}
+
+void writeRecord(Session const& session, std::string const& path) {
+    std::ofstream file(path);
+    file << writeSolution(session.record("recorded")).dump(2) << "\n";
+    if (!file.flush()) {
+        throw std::runtime_error(fmt::format("--record {}: the file cannot be written", path));
+    }
+}
+
 int runLevel(RunArguments const& arguments) {
     Workshop const workshop;
     LevelFile level = loadLevel(workshop.registry, arguments.level);
@@ -139,10 +181,24 @@ int runLevel(RunArguments const& arguments) {
     }
     std::optional<Solution> solution;
     if (!arguments.solution.empty()) {
-        solution = findOrLoadSolution(level, arguments.solution);
+        solution = findOrLoadSolution(workshop.registry, level, arguments.solution);
+    }
+    if (solution && arguments.budget && !solution->changes.empty()) {
+        throw std::invalid_argument(
+            "--budget: the solution was recorded with changes of its own; run it without "
+            "--budget to repeat it");
+    }
+    if (!arguments.record.empty() &&
+        !std::ofstream(arguments.record, std::ios::app)) { // before the work is done
+        throw std::invalid_argument(fmt::format("--record {}: the file cannot be written", arguments.record));
     }
     Session session(workshop.registry, workshop.parts, std::move(level), options);
     RunOptions run;
+    budget::BudgetMode mode(workshop.registry);
+    if (arguments.budget) {
+        mode.setBudget(1000 * *arguments.budget);
+        run.before = [&mode](Session& running) { mode.beforeStep(running); };
+    }
     run.frames = arguments.frames.value_or(600);
     if (solution) {
         session.load(*solution);
@@ -179,11 +235,20 @@ int runLevel(RunArguments const& arguments) {
     if (!arguments.spice.empty()) {
         exportSpice(session, arguments.spice);
     }
+    if (!arguments.record.empty()) {
+        writeRecord(session, arguments.record);
+    }
     if (arguments.json) {
-        std::cout << toJson(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-                  << "\n";
+        nlohmann::ordered_json all = toJson(report);
+        if (arguments.budget) {
+            addBudget(all, mode);
+        }
+        std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
     } else {
         std::cout << toWords(report);
+        if (arguments.budget) {
+            std::cout << budgetInWords(mode);
+        }
     }
     return report.solved ? exitSolved : exitNotSolved;
 }
@@ -228,6 +293,14 @@ void addRunCommand(CLI::App& program, int& result) {
         ->add_option("--substeps", arguments->substeps,
                      "Steps of the dynamics engine in a frame; 0: as many as the scene needs")
         ->check(CLI::Range(0, 64));
+    command
+        ->add_option(
+            "--budget", arguments->budget,
+            "Milliseconds per frame: levels and periods are chosen, while it runs, so that the error is "
+            "least; the choices depend on this computer's speed, so record them to repeat the run")
+        ->check(CLI::Range(1e-3, 1e3));
+    command->add_option("--record", arguments->record,
+                        "Write the run, with all that was changed in it, as a solution for --solution");
     command->add_option("--export-spice", arguments->spice,
                         "Write the circuits, as they are after the last frame, as a netlist for ngspice -b");
     command->callback([arguments, &result] { result = guarded([&] { return runLevel(*arguments); }); });

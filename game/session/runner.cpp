@@ -15,6 +15,9 @@ RunReport run(Session& session, std::string levelName, RunOptions const& options
     std::size_t traced = 0;
     auto const before = std::chrono::steady_clock::now();
     for (std::uint64_t frame = 1; frame <= options.frames; ++frame) {
+        if (options.before) {
+            options.before(session);
+        }
         session.step();
         World const& world = session.world();
         if (options.frame) {

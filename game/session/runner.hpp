@@ -19,6 +19,8 @@ struct RunOptions {
     /// For onlookers, who change nothing: called before the first frame, and after every one.
     std::function<void(Session&)> enter;
     std::function<void(World const&)> frame;
+    /// Called directly before every frame; may change things as a player might.
+    std::function<void(Session&)> before;
 };
 
 /// Runs a session from its beginning for a number of frames. The world must trace if options.trace is set.

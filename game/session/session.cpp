@@ -2,6 +2,7 @@
 
 #include "game/session/fit.hpp"
 #include "runtime/level/build_world.hpp"
+#include "runtime/level/world_change.hpp"
 
 #include <fmt/format.h>
 
@@ -91,7 +92,8 @@ Verdict Session::check(Placement const& placement, std::optional<int> ignoring) 
     return why ? Verdict{false, *why} : Verdict{};
 }
 
-bool Session::change(Placed next) {
+bool Session::changePlaced(Placed next) {
+    scriptChanges_.clear();
     script_.clear(); // a solution that was loaded is not the player's any more
     history_.change(std::move(next));
     try {
@@ -111,7 +113,7 @@ std::optional<int> Session::place(Placement const& placement) {
     Placed next = placed();
     int const number = nextNumber_++;
     next.push_back({number, placement});
-    return change(std::move(next)) ? std::optional<int>{number} : std::nullopt;
+    return changePlaced(std::move(next)) ? std::optional<int>{number} : std::nullopt;
 }
 
 bool Session::move(int number, Vec2 at, double angle) {
@@ -127,7 +129,7 @@ bool Session::move(int number, Vec2 at, double angle) {
         return false;
     }
     part->placement = std::move(moved);
-    return change(std::move(next));
+    return changePlaced(std::move(next));
 }
 
 bool Session::putBack(int number) {
@@ -137,11 +139,11 @@ bool Session::putBack(int number) {
         return false;
     }
     next.erase(part);
-    return change(std::move(next));
+    return changePlaced(std::move(next));
 }
 
 bool Session::putAllBack() {
-    return mode_ == SessionMode::building && !placed().empty() && change({});
+    return mode_ == SessionMode::building && !placed().empty() && changePlaced({});
 }
 
 bool Session::undo() {
@@ -163,6 +165,8 @@ bool Session::redo() {
 void Session::start() {
     if (mode_ == SessionMode::building) {
         inputs_.clear();
+        changes_.clear();
+        startOptions_ = world_->options(); // what the level states is in it
         mode_ = SessionMode::running;
     }
 }
@@ -204,7 +208,38 @@ void Session::feed(PlayerInput const& input) {
     inputs_.push_back(named(input));
 }
 
+void Session::startAgain() {
+    stop();
+    if (startOptions_) {
+        for (RecordedChange const& back : differences(registry_, world_->options(), *startOptions_)) {
+            apply(registry_, *world_, back);
+        }
+    }
+    start();
+}
+
+void Session::change(RecordedChange change) {
+    if (mode_ == SessionMode::building) {
+        return;
+    }
+    apply(registry_, *world_, change);
+    remember(std::move(change));
+}
+
+void Session::remember(RecordedChange change) {
+    if (mode_ != SessionMode::building) {
+        change.frame = world_->frame() + 1;
+        change.path.clear();
+        changes_.push_back(std::move(change));
+    }
+}
+
 void Session::feedRecorded() {
+    for (RecordedChange const& recorded : scriptChanges_) {
+        if (recorded.frame == world_->frame() + 1) {
+            change(recorded);
+        }
+    }
     for (RecordedInput const& input : script_) {
         if (input.frame == world_->frame() + 1) {
             if (std::optional<PlayerInput> const known = resolved(input)) {
@@ -253,6 +288,11 @@ Solution Session::record(std::string name) const {
     solution.name = std::move(name);
     solution.placements = inCanonicalOrder(placementsOf(placed()));
     solution.inputs = inputs_;
+    WorldOptions plain;
+    plain.detail = level_.detail;
+    solution.changes =
+        differences(registry_, plain, mode_ == SessionMode::building ? world_->options() : *startOptions_);
+    solution.changes.insert(solution.changes.end(), changes_.begin(), changes_.end());
     solution.frames = static_cast<int>(world_->frame());
     solution.solves = solved();
     return solution;
@@ -270,6 +310,12 @@ void Session::load(Solution const& solution) {
         before.push_back(placement);
         next.push_back({nextNumber_++, placement});
     }
+    auto const faults = faultsIn(registry_, solution.changes);
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+        if (faults[i]) {
+            problems.add(level_.diagnostic(solution.changes[i].path, *faults[i], ""));
+        }
+    }
     problems.throwIfAny();
     Placed const previous = placed();
     history_.change(std::move(next));
@@ -281,16 +327,41 @@ void Session::load(Solution const& solution) {
         throw;
     }
     script_ = solution.inputs;
+    scriptChanges_ = solution.changes;
 }
 
 void Session::setDetail(std::string const& effect, std::string const& level) {
+    RecordedChange made;
+    made.kind = RecordedChange::Kind::detail;
+    made.subject = effect;
+    made.level = level;
     world_->setDetail(effect, level);
-    options_.detail = world_->options().detail;
+    if (level.empty()) {
+        options_.detail.erase(effect);
+    } else {
+        options_.detail[effect] = level;
+    }
+    remember(std::move(made));
 }
 
 void Session::setPeriod(std::string const& component, int period) {
+    RecordedChange made;
+    made.kind = RecordedChange::Kind::period;
+    made.value = period;
     world_->setPeriod(component, period);
-    options_.periods = world_->options().periods;
+    made.subject = component;
+    for (ComponentStatus const& status : world_->status()) { // a bare name will do as well
+        std::string const full = title(*status.info);
+        if (full == component) {
+            made.subject = full;
+            break;
+        }
+        if (status.info->text.name == component) {
+            made.subject = full;
+        }
+    }
+    options_.periods[made.subject] = period;
+    remember(std::move(made));
 }
 
 bool Session::solved() const {

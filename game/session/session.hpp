@@ -94,17 +94,28 @@ public:
     void feed(PlayerInput const& input);
     /// All inputs of this run, with the frame before which they came.
     [[nodiscard]] std::span<RecordedInput const> inputs() const { return inputs_; }
+    /// Changes how exactly the running world is computed from its next frame on, and remembers it with that
+    /// frame; later runs know nothing of it. Does nothing while building. Throws std::invalid_argument, see
+    /// world_change.hpp.
+    void change(RecordedChange change);
+    /// All such changes of this run, those of setDetail() and setPeriod() among them.
+    [[nodiscard]] std::span<RecordedChange const> changes() const { return changes_; }
+    /// Ends the run, if one goes on, and begins it, or the last one, anew with the levels and periods that it
+    /// began with.
+    void startAgain();
 
     [[nodiscard]] bool solved() const;
     [[nodiscard]] GoalJudge const& judge() const { return *judge_; }
 
-    /// Placements and inputs so far, as a solution that can be recorded in the level.
+    /// Placements, inputs and changes so far, those among them that make the level's own levels and periods
+    /// what the run began with, as a solution that can be recorded in the level.
     [[nodiscard]] Solution record(std::string name) const;
-    /// Places a solution's parts and will feed its inputs at their frames. Throws InputError if it does not
-    /// fit.
+    /// Places a solution's parts and will feed its inputs and make its changes at their frames. Throws
+    /// InputError if it does not fit.
     void load(Solution const& solution);
 
-    /// Detail level and period of the running world and of all later ones; see World.
+    /// Detail level and period of the running world, remembered as by change(), and of all later ones; see
+    /// World.
     void setDetail(std::string const& effect, std::string const& level);
     void setPeriod(std::string const& component, int period);
 
@@ -112,8 +123,9 @@ private:
     using Placed = std::vector<PlacedPart>;
 
     void rebuild();
-    bool change(Placed placed);
+    bool changePlaced(Placed placed);
     void feedRecorded();
+    void remember(RecordedChange change);
     void noteGoals();
     [[nodiscard]] RecordedInput named(PlayerInput const& input) const;
     [[nodiscard]] std::optional<PlayerInput> resolved(RecordedInput const& input) const;
@@ -129,7 +141,10 @@ private:
     std::unique_ptr<GoalJudge> judge_;
     std::vector<std::pair<int, ObjectId>> objects_; // of the placed parts
     std::vector<RecordedInput> inputs_;
-    std::vector<RecordedInput> script_; // inputs of a loaded solution
+    std::vector<RecordedChange> changes_;
+    std::optional<WorldOptions> startOptions_; // as they were when the run began
+    std::vector<RecordedInput> script_;        // inputs of a loaded solution
+    std::vector<RecordedChange> scriptChanges_;
 };
 
 } // namespace trembler

@@ -1,6 +1,7 @@
 #include "game/session/solution_file.hpp"
 
 #include "runtime/level/read_solutions.hpp"
+#include "runtime/level/world_change.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@
 
 namespace trembler {
 
-Solution findOrLoadSolution(LevelFile const& level, std::string const& nameOrFile) {
+Solution findOrLoadSolution(Registry const& registry, LevelFile const& level, std::string const& nameOrFile) {
     if (Solution const* const known = level.findSolution(nameOrFile)) {
         return *known;
     }
@@ -27,6 +28,15 @@ Solution findOrLoadSolution(LevelFile const& level, std::string const& nameOrFil
     Problems problems;
     std::optional<Solution> solution = readSolution(JsonNode(*document, document->root(), "", problems));
     problems.throwIfAny();
+    if (solution && !solution->changes.empty()) {
+        auto const faults = faultsIn(registry, solution->changes);
+        for (std::size_t i = 0; i < faults.size(); ++i) {
+            if (faults[i]) {
+                problems.add(document->diagnostic(solution->changes[i].path, *faults[i], ""));
+            }
+        }
+        problems.throwIfAny();
+    }
     return solution.value_or(Solution{});
 }
 

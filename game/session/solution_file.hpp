@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/level/level.hpp"
+#include "runtime/world/registry.hpp"
 
 #include <string>
 
@@ -10,6 +11,7 @@ namespace trembler {
 /// The solution of that name in the level; else the file of that name, which holds one solution as a level
 /// file would. Throws InputError, or std::invalid_argument, listing the level's solutions, if there is
 /// neither.
-[[nodiscard]] Solution findOrLoadSolution(LevelFile const& level, std::string const& nameOrFile);
+[[nodiscard]] Solution findOrLoadSolution(Registry const& registry, LevelFile const& level,
+                                          std::string const& nameOrFile);
 
 } // namespace trembler

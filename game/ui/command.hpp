@@ -19,6 +19,9 @@ enum class Command : std::uint8_t {
     contacts,
     names,
     components,
+    budget, ///< a switch
+    lessBudget,
+    moreBudget,
     cut,
     record,
     picture,

@@ -15,7 +15,7 @@ namespace {
 
 using namespace render;
 
-constexpr float panelWidth = 560;
+constexpr float panelWidth = 620;
 
 Colour colourOf(Activity activity) {
     switch (activity) {
@@ -104,81 +104,6 @@ void attempt(Toasts& toasts, F&& change) {
 
 } // namespace
 
-std::vector<EffectLevels> effectLevels(World const& world) {
-    struct Known {
-        int cost;
-        std::string level;
-        bool working;
-    };
-    std::map<std::string, std::vector<Known>> byEffect;
-    for (ComponentStatus const& status : world.status()) {
-        ComponentText const& text = status.info->text;
-        if (!text.level.empty()) {
-            byEffect[std::string(text.effect)].push_back(
-                {text.cost, std::string(text.level), status.activity != Activity::absent});
-        }
-    }
-    std::vector<EffectLevels> all;
-    for (auto& [effect, known] : byEffect) {
-        std::stable_sort(known.begin(), known.end(),
-                         [](Known const& a, Known const& b) { return a.cost < b.cost; });
-        EffectLevels levels{effect, {}, {}, {}};
-        for (Known const& one : known) {
-            if (std::find(levels.levels.begin(), levels.levels.end(), one.level) == levels.levels.end()) {
-                levels.levels.push_back(one.level);
-            }
-            if (one.working) {
-                levels.working = one.level;
-            }
-        }
-        auto const stated = world.options().detail.find(effect);
-        levels.chosen = stated == world.options().detail.end() ? "" : stated->second;
-        if (levels.levels.size() > 1) {
-            all.push_back(std::move(levels));
-        }
-    }
-    return all;
-}
-
-void ComponentsPanel::drawLevels(Layout& layout, Session& session, Toasts& toasts) {
-    for (EffectLevels const& effect : effectLevels(session.world())) {
-        if (!all_ && effect.working.empty() && effect.chosen.empty()) {
-            continue;
-        }
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(words::capital(effect.effect).c_str());
-        ImGui::SameLine(scaled(140));
-        ImGui::SetNextItemWidth(scaled(250));
-        std::string const automatic =
-            effect.working.empty() ? std::string(words::automatic) : words::automaticNow(effect.working);
-        // A level that the scene gives nothing to do leaves the work to another one.
-        bool const idle = !effect.working.empty() && effect.working != effect.chosen;
-        std::string const asked = idle ? words::idleNow(effect.chosen, effect.working) : effect.chosen;
-        std::string const shown = effect.chosen.empty() ? automatic : asked;
-        bool const unfolded = ImGui::BeginCombo(("##" + effect.effect).c_str(), shown.c_str());
-        if (!unfolded) {
-            layout.item("detail of " + effect.effect);
-            if (ImGui::IsItemHovered()) {
-                if (std::string const why = session.world().why(effect.effect); !why.empty()) {
-                    ImGui::SetTooltip("%s", words::wrapped(words::calledForBy(why), 60).c_str());
-                }
-            }
-            continue;
-        }
-        if (ImGui::Selectable(automatic.c_str(), effect.chosen.empty())) {
-            attempt(toasts, [&] { session.setDetail(effect.effect, ""); });
-        }
-        layout.item("as needed");
-        for (std::string const& level : effect.levels) {
-            if (ImGui::Selectable(level.c_str(), level == effect.chosen)) {
-                attempt(toasts, [&] { session.setDetail(effect.effect, level); });
-            }
-            layout.item("level " + level);
-        }
-        ImGui::EndCombo();
-    }
-}
-
 void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, double slowest, Session& session,
                               Toasts& toasts) {
     std::string const name = title(*status.info);
@@ -265,18 +190,20 @@ void ComponentsPanel::drawTable(Layout& layout, Session& session, Toasts& toasts
     ImGui::PopFont();
 }
 
-void ComponentsPanel::draw(Layout& layout, Session& session, Toasts& toasts, float top, float height) {
+void ComponentsPanel::draw(Layout& layout, Session& session, budget::BudgetMode& mode, Toasts& toasts,
+                           float top, float height) {
     if (!open_) {
         return;
     }
     layout.beginCard("components", words::components,
                      {.anchor = Anchor::TopLeft, .offset = {16, top}, .width = panelWidth});
-    drawLevels(layout, session, toasts);
-    ImGui::Checkbox(words::showAbsent, &all_);
-    layout.item("show absent components");
+    costs_.drawBudget(layout, mode);
     float const used = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
     ImGui::BeginChild("table", {0, std::max(scaled(height) - used, scaled(120))});
+    costs_.drawRows(layout, session, mode, toasts, all_);
+    ImGui::Checkbox(words::showAbsent, &all_);
+    layout.item("show absent components");
     drawTable(layout, session, toasts);
     ImGui::EndChild();
     ImGui::PopStyleColor();

@@ -52,7 +52,11 @@ void PlayScreen::drawCards() {
             top = std::max(top, static_cast<float>(card->high.y) / scale + cardGap);
         }
     }
-    components_.draw(layout, session_, desk_.toasts, top, screen - top - bottomRow - 8);
+    budget_.watch(components_.open());
+    if (components_.open() && budget_.stale(session_.world())) {
+        budget_.look(session_.world());
+    }
+    components_.draw(layout, session_, budget_, desk_.toasts, top, screen - top - bottomRow - 8);
     if (asked) {
         carryOut(*asked);
     }

@@ -12,15 +12,17 @@ struct Key {
 };
 
 constexpr std::array keys{
-    Key{SDLK_SPACE, Command::runOrStop}, Key{SDLK_p, Command::pauseOrGo},
-    Key{SDLK_1, Command::electricity},   Key{SDLK_2, Command::magnetism},
-    Key{SDLK_3, Command::contacts},      Key{SDLK_n, Command::names},
-    Key{SDLK_c, Command::components},    Key{SDLK_F3, Command::components},
-    Key{SDLK_x, Command::cut},           Key{SDLK_r, Command::record},
-    Key{SDLK_F12, Command::picture},     Key{SDLK_HOME, Command::fit},
-    Key{SDLK_h, Command::hint},          Key{SDLK_i, Command::inspect},
-    Key{SDLK_l, Command::levels},        Key{SDLK_F1, Command::help},
-    Key{SDLK_F11, Command::fullscreen},  Key{SDLK_BACKSPACE, Command::allBack},
+    Key{SDLK_SPACE, Command::runOrStop},   Key{SDLK_p, Command::pauseOrGo},
+    Key{SDLK_1, Command::electricity},     Key{SDLK_2, Command::magnetism},
+    Key{SDLK_3, Command::contacts},        Key{SDLK_n, Command::names},
+    Key{SDLK_c, Command::components},      Key{SDLK_F3, Command::components},
+    Key{SDLK_b, Command::budget},          Key{SDLK_COMMA, Command::lessBudget},
+    Key{SDLK_PERIOD, Command::moreBudget}, Key{SDLK_x, Command::cut},
+    Key{SDLK_r, Command::record},          Key{SDLK_F12, Command::picture},
+    Key{SDLK_HOME, Command::fit},          Key{SDLK_h, Command::hint},
+    Key{SDLK_i, Command::inspect},         Key{SDLK_l, Command::levels},
+    Key{SDLK_F1, Command::help},           Key{SDLK_F11, Command::fullscreen},
+    Key{SDLK_BACKSPACE, Command::allBack},
 };
 
 } // namespace

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int fastFactor = 4;
 constexpr double askSeconds = 4;
+constexpr double budgetStep = 1.25; // by which a key makes it more or less
 /// Objects are pointed at within this many pixels at UI scale 1.
 constexpr double pickReach = 6;
 
@@ -19,7 +20,8 @@ constexpr double pickReach = 6;
 PlayScreen::PlayScreen(Desk& desk, std::filesystem::path file, WorldOptions const& options)
     : desk_(desk), file_(std::move(file)),
       session_(desk.registry, desk.parts, loadLevel(desk.registry, file_), options),
-      placing_(session_, desk.toasts), hand_(session_), ears_(desk.loudspeaker), goals_(session_.level()) {
+      placing_(session_, desk.toasts), hand_(session_), budget_(desk.registry), ears_(desk.loudspeaker),
+      goals_(session_.level()) {
     state_.names = desk.profile.settings().names;
     state_.nextLevel = desk.levels.after(file_) != nullptr;
     worldChanged();
@@ -225,6 +227,7 @@ void PlayScreen::stepOnce() {
     }
     hand_.beforeStep();
     replay_.beforeStep(session_);
+    budget_.beforeStep(session_, !replay_.loaded()); // what was decided then is being repeated
     scene_.remember(session_.world());
     session_.step();
     // In fast motion every fourth frame is heard, at its own pitch.
@@ -265,20 +268,29 @@ void PlayScreen::stop() {
 void PlayScreen::runOrStop() {
     if (!building()) {
         stop();
-        return;
+    } else {
+        begin(false);
     }
+}
+
+void PlayScreen::begin(bool asBefore) {
     placing_.reset();
     clock_.reset();
-    session_.start();
+    if (asBefore) {
+        session_.startAgain();
+    } else {
+        session_.start();
+    }
     ears_.enter(session_.world());
     worldChanged();
 }
 
 void PlayScreen::watchAgain() {
     std::vector<RecordedInput> inputs(session_.inputs().begin(), session_.inputs().end());
+    std::vector<RecordedChange> changes(session_.changes().begin(), session_.changes().end());
     stop();
-    runOrStop();
-    replay_.load(std::move(inputs));
+    begin(true);
+    replay_.load(std::move(inputs), std::move(changes));
 }
 
 void PlayScreen::restart() {
@@ -404,6 +416,12 @@ void PlayScreen::carryOut(Command command) {
         components_.toggle();
         state_.components = components_.open();
         return;
+    case Command::budget:
+        return desk_.toasts.add(switchBudget(budget_));
+    case Command::lessBudget:
+        return desk_.toasts.add(changeBudget(budget_, 1 / budgetStep));
+    case Command::moreBudget:
+        return desk_.toasts.add(changeBudget(budget_, budgetStep));
     case Command::cut:
         if (!building()) {
             hand_.setCutting(!hand_.cutting());

@@ -1,6 +1,7 @@
 // A level on the screen: building, running, looking on.
 #pragma once
 
+#include "game/budget/budget_mode.hpp"
 #include "game/session/session.hpp"
 #include "game/ui/camera_control.hpp"
 #include "game/ui/command.hpp"
@@ -54,6 +55,7 @@ public:
     [[nodiscard]] HandTool const& hand() const { return hand_; }
     [[nodiscard]] Inspector const& inspector() const { return inspector_; }
     [[nodiscard]] ComponentsPanel const& components() const { return components_; }
+    [[nodiscard]] budget::BudgetMode const& budget() const { return budget_; }
     [[nodiscard]] render::Camera const& camera() const { return view_.camera(); }
     /// Middle of the handle that turns the selected part, m.
     [[nodiscard]] std::optional<Vec2> handle() const;
@@ -70,6 +72,8 @@ private:
     void useHand(Pointer const& pointer, double seconds);
     void usePlacing(Pointer const& pointer);
     void runOrStop();
+    /// A run; `asBefore`: with the levels and periods that the last one began with.
+    void begin(bool asBefore);
     void stop();
     void stepOnce();
     void advance(double seconds);
@@ -96,6 +100,7 @@ private:
     Session session_;
     PlacingTool placing_;
     HandTool hand_;
+    budget::BudgetMode budget_;
     Inspector inspector_;
     ComponentsPanel components_;
     CameraControl view_;

@@ -4,6 +4,11 @@ namespace trembler::ui {
 
 void Replay::beforeStep(Session& session) const {
     World const& world = session.world();
+    for (RecordedChange const& change : changes_) {
+        if (change.frame == world.frame() + 1) {
+            session.change(change);
+        }
+    }
     for (RecordedInput const& input : inputs_) {
         if (input.frame != world.frame() + 1) {
             continue;

@@ -7,15 +7,17 @@
 
 namespace trembler::ui {
 
-/// Feeds recorded inputs into a run of the same placements. Not thread-safe.
+/// Feeds recorded inputs, and makes recorded changes, in a run of the same placements. Not thread-safe.
 class Replay {
 public:
-    void load(std::vector<RecordedInput> inputs) {
+    void load(std::vector<RecordedInput> inputs, std::vector<RecordedChange> changes) {
         inputs_ = std::move(inputs);
+        changes_ = std::move(changes);
         loaded_ = true;
     }
     void clear() {
         inputs_.clear();
+        changes_.clear();
         loaded_ = false;
     }
     /// A run is being watched, though perhaps one without inputs.
@@ -25,6 +27,7 @@ public:
 
 private:
     std::vector<RecordedInput> inputs_;
+    std::vector<RecordedChange> changes_;
     bool loaded_ = false;
 };
 

@@ -64,7 +64,7 @@ void screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
     Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, options.level),
                     options.world);
     if (!options.solution.empty()) {
-        session.load(findOrLoadSolution(session.level(), options.solution));
+        session.load(findOrLoadSolution(workshop.registry, session.level(), options.solution));
     } else if (options.firstSolution && !session.level().solutions.empty()) {
         session.load(session.level().solutions.front());
     }

@@ -34,6 +34,41 @@ std::string calledForBy(std::string const& why) {
     return "The scene calls for " + why + ".";
 }
 
+std::string nothingHas(std::string_view property) {
+    return fmt::format("nothing has \"{}\"", property);
+}
+std::string duration(double microseconds) {
+    return microseconds < 9.95    ? fmt::format("{:.1f} µs", microseconds)
+           : microseconds < 999.5 ? fmt::format("{:.0f} µs", microseconds)
+                                  : fmt::format("{:.3g} ms", microseconds / 1000);
+}
+std::string howFarOff(double metres) {
+    if (!(metres > 0)) {
+        return "not at all";
+    }
+    return metres < 1e-4      ? "< 0.1 mm"
+           : metres < 9.95e-3 ? fmt::format("{:.1f} mm", 1000 * metres)
+           : metres < 0.995   ? fmt::format("{:.2g} cm", 100 * metres)
+           : metres < 9.95    ? fmt::format("{:.1f} m", metres)
+                              : fmt::format("{:.0f} m", std::min(metres, 1e6));
+}
+std::string errorTip(double metres, double share, std::string const& of, std::string const& source) {
+    return fmt::format("{:.2g} % {}: what nothing holds would be off by {} after a second. {}", 100 * share,
+                       of, metres > 0 ? howFarOff(metres) : "nothing", source);
+}
+std::string withArrow(std::string text) {
+    if (std::size_t const at = text.find(" -> "); at != std::string::npos) {
+        text.replace(at, 4, " → ");
+    }
+    return text;
+}
+std::string budgetIs(double microseconds) {
+    return fmt::format("Time budget: {:.2f} ms per frame", microseconds / 1000);
+}
+std::string ofBudget(double microseconds) {
+    return fmt::format("of a budget of {:.2f} ms", microseconds / 1000);
+}
+
 std::string ofRated(double share) {
     return fmt::format(" ({:.0f} % of its rating)", 100 * share);
 }

@@ -141,6 +141,28 @@ inline constexpr char const* interactions = "Interactions";
 inline constexpr char const* showAbsent = "Also show what this scene does not call for";
 inline constexpr char const* automatic = "as the scene needs it";
 
+// What accuracy costs.
+inline constexpr char const* effect = "effect";
+inline constexpr char const* howExactly = "how exactly";
+inline constexpr char const* timePerFrameOf = "time per frame";
+inline constexpr char const* errorAfterASecond = "off after 1 s";
+inline constexpr char const* oneWayOnly = "in one way only";
+inline constexpr char const* notNeeded = "nothing calls for it";
+inline constexpr char const* nobodyAsks = "nobody listens";
+inline constexpr char const* wholeFrame = "A frame";
+inline constexpr char const* withoutBudget = "no budget";
+inline constexpr char const* keepToBudget = "Keep to a time budget";
+inline constexpr char const* budgetTip =
+    "Levels, settings and periods are chosen, once a second, so that a frame takes no longer than this on "
+    "average and "
+    "the error is least. What is chosen becomes part of what you save. (B)";
+inline constexpr char const* budgetFormat = "%.2f ms";
+inline constexpr char const* budgetSliderTip = "Less with the comma key, more with the full stop.";
+inline constexpr char const* budgetOff = "No time budget: levels stay as they are";
+inline constexpr char const* budgetMissed = "Nothing that would do is cheap enough for this budget.";
+inline constexpr char const* nothingToChange = "Everything is as it should be: nothing to change.";
+inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
+
 /// A key and what it does.
 struct KeyHelp {
     char const* keys;
@@ -164,7 +186,9 @@ inline constexpr KeyHelp keyHelp[] = {
     {"1, 2, 3, N", "electricity, magnetism, contacts, names"},
     {"X", "cut a wire"},
     {"H", "hint"},
-    {"C or F3", "components"},
+    {"C or F3", "components, what they cost"},
+    {"B", "keep to a time budget"},
+    {", and .", "less and more of it"},
     {"R", "record frames"},
     {"F12", "take a picture"},
     {"Ctrl+S", "save what you did"},
@@ -179,6 +203,17 @@ inline constexpr KeyHelp keyHelp[] = {
 [[nodiscard]] std::string andMore(std::size_t count);
 [[nodiscard]] std::string automaticNow(std::string const& level);
 [[nodiscard]] std::string calledForBy(std::string const& why);
+[[nodiscard]] std::string nothingHas(std::string_view property);
+/// µs
+[[nodiscard]] std::string duration(double microseconds);
+/// m
+[[nodiscard]] std::string howFarOff(double metres);
+[[nodiscard]] std::string errorTip(double metres, double share, std::string const& of,
+                                   std::string const& source);
+[[nodiscard]] std::string budgetIs(double microseconds);
+/// " -> " as an arrow.
+[[nodiscard]] std::string withArrow(std::string text);
+[[nodiscard]] std::string ofBudget(double microseconds);
 [[nodiscard]] std::string ofRated(double share);
 [[nodiscard]] std::string idleNow(std::string const& chosen, std::string const& working);
 [[nodiscard]] std::string hintOf(std::size_t shown, std::size_t total);

@@ -5,6 +5,7 @@
 #include "runtime/level/json_document.hpp"
 #include "runtime/level/name_table.hpp"
 #include "runtime/level/property_set.hpp"
+#include "runtime/level/recorded_change.hpp"
 
 #include <map>
 #include <memory>
@@ -85,13 +86,15 @@ struct RecordedInput {
     std::string path;
 };
 
-/// A recorded run: what was placed and done, and whether that is meant to solve the level.
+/// A recorded run: what was placed and done, which levels and periods it had, and whether that is meant to
+/// solve the level.
 struct Solution {
     std::string name;
     std::vector<Placement> placements;
-    std::vector<RecordedInput> inputs; ///< ascending by frame
-    bool solves = true;                ///< "expect": "solved" or "unsolved"
-    std::optional<int> frames;         ///< how long to run it; none: as long as whoever runs it likes
+    std::vector<RecordedInput> inputs;   ///< ascending by frame
+    std::vector<RecordedChange> changes; ///< ascending by frame
+    bool solves = true;                  ///< "expect": "solved" or "unsolved"
+    std::optional<int> frames;           ///< how long to run it; none: as long as whoever runs it likes
     std::string path;
 };
 

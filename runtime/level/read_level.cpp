@@ -6,6 +6,7 @@
 #include "runtime/level/read_area.hpp"
 #include "runtime/level/read_solutions.hpp"
 #include "runtime/level/suggestion.hpp"
+#include "runtime/level/world_change.hpp"
 
 #include <fmt/format.h>
 
@@ -83,6 +84,7 @@ public:
         reader.finish();
         checkConnections(node);
         checkInputs(node);
+        checkChanges(node);
     }
 
 private:
@@ -303,6 +305,20 @@ private:
                                    fmt::format("there is no object '{}'{}", *name, didYouMean(*name, known)),
                                    "an object of the level, or one that the solution places");
                     }
+                }
+            }
+        }
+    }
+
+    void checkChanges(JsonNode const& root) {
+        for (Solution const& solution : level_.solutions) {
+            if (solution.changes.empty()) {
+                continue;
+            }
+            auto const faults = faultsIn(registry_, solution.changes);
+            for (std::size_t i = 0; i < faults.size(); ++i) {
+                if (faults[i]) {
+                    complainAt(root, solution.changes[i].path, *faults[i], "");
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 #include "runtime/level/field_outline.hpp"
 #include "runtime/level/read_area.hpp"
+#include "runtime/level/read_changes.hpp"
 
 #include <fmt/format.h>
 
@@ -126,7 +127,7 @@ std::vector<Placement> readPlacements(JsonNode const& node) {
 }
 
 std::optional<Solution> readSolution(JsonNode const& node) {
-    MemberReader reader(node, "an object {\"name\", \"placements\", \"inputs\"}");
+    MemberReader reader(node, "an object {\"name\", \"placements\", \"inputs\", \"changes\"}");
     if (!reader.valid()) {
         return std::nullopt;
     }
@@ -147,6 +148,9 @@ std::optional<Solution> readSolution(JsonNode const& node) {
         // Inputs of one frame keep the order of the file: a player can do several things between two frames.
         std::stable_sort(solution.inputs.begin(), solution.inputs.end(),
                          [](RecordedInput const& a, RecordedInput const& b) { return a.frame < b.frame; });
+    }
+    if (auto const changes = reader.optional("changes")) {
+        solution.changes = readChanges(*changes);
     }
     if (auto const expect = reader.optional("expect")) {
         constexpr std::array<std::string_view, 2> names{"solved", "unsolved"};

@@ -163,10 +163,8 @@ Json strictObject(Json properties, std::vector<std::string> const& required = {}
     return schema;
 }
 
-Json worldSchema(Registry const& registry) {
-    Json world = propertiesSchema(registry, PropertyPlace::world);
-    world["description"] = "The world as a whole.";
-    world["properties"]["bounds"] = reference("box");
+/// Detail levels by effect; with `or nothing`, "" too, which leaves it to the scene.
+Json detailSchema(Registry const& registry, bool orNothing) {
     std::map<std::string, std::vector<std::string>> levels;
     for (Registration const& registration : registry.components()) {
         ComponentText const& text = registration.info->text;
@@ -176,12 +174,67 @@ Json worldSchema(Registry const& registry) {
         }
     }
     Json detail = Json::object();
-    for (auto const& [effect, of] : levels) {
+    for (auto& [effect, of] : levels) {
         if (!of.empty()) {
+            if (orNothing) {
+                of.emplace_back("");
+            }
             detail[effect] = Json{{"enum", of}};
         }
     }
-    world["properties"]["detail"] = strictObject(std::move(detail));
+    return strictObject(std::move(detail));
+}
+
+Json periodsSchema(Registry const& registry) {
+    Json periods = Json::object();
+    for (Registration const& registration : registry.components()) {
+        periods[title(*registration.info)] = Json{{"type", "integer"}, {"minimum", 1}, {"maximum", 3600}};
+    }
+    return strictObject(std::move(periods));
+}
+
+Json settingsSchema(Registry const& registry) {
+    Json settings = Json::object();
+    for (PropertyInfo const* info : registry.objectProperties()) {
+        if (info->text.place != PropertyPlace::world) {
+            continue;
+        }
+        Json numbers = Json::object();
+        Json const fields = fieldsOf(*info).properties;
+        for (auto const& [key, field] : fields.items()) {
+            if (field.value("type", "") == "integer" || field.value("type", "") == "number") {
+                numbers[key] = field;
+            }
+        }
+        if (!numbers.empty()) {
+            settings[std::string(info->text.key)] = strictObject(std::move(numbers));
+        }
+    }
+    return strictObject(std::move(settings));
+}
+
+Json changeSchema(Registry const& registry) {
+    Json const frame{
+        {"type", "integer"}, {"minimum", 1}, {"description", "the first that it counts for, from 1"}};
+    std::map<std::string_view, Json> bodies{{"detail", detailSchema(registry, true)},
+                                            {"period", periodsSchema(registry)},
+                                            {"setting", settingsSchema(registry)}};
+    Json kinds = Json::array();
+    for (std::string_view const kind : recordedChangeNames) {
+        Json body = std::move(bodies.at(kind));
+        body["minProperties"] = 1;
+        Json members{{"frame", frame}};
+        members[std::string(kind)] = std::move(body);
+        kinds.push_back(strictObject(std::move(members), {"frame", std::string(kind)}));
+    }
+    return Json{{"oneOf", std::move(kinds)}};
+}
+
+Json worldSchema(Registry const& registry) {
+    Json world = propertiesSchema(registry, PropertyPlace::world);
+    world["description"] = "The world as a whole.";
+    world["properties"]["bounds"] = reference("box");
+    world["properties"]["detail"] = detailSchema(registry, false);
     world["properties"]["detail"]["description"] =
         "Detail level by effect; what is not stated is picked by the scene.";
     return world;
@@ -281,9 +334,11 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     definitions["placement"] = strictObject(
         {{"part", text}, {"at", reference("point")}, {"angle_deg", {{"type", "number"}}}}, {"part", "at"});
     definitions["input"] = inputSchema();
+    definitions["change"] = changeSchema(registry);
     definitions["solution"] = strictObject({{"name", reference("name")},
                                             {"placements", listOf(reference("placement"))},
                                             {"inputs", listOf(reference("input"))},
+                                            {"changes", listOf(reference("change"))},
                                             {"expect", {{"enum", {"solved", "unsolved"}}}},
                                             {"frames", {{"type", "integer"}, {"minimum", 1}}}},
                                            {"name"});

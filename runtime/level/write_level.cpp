@@ -82,6 +82,23 @@ Json inputJson(RecordedInput const& input) {
     return entry;
 }
 
+Json changeJson(RecordedChange const& change) {
+    Json body;
+    switch (change.kind) {
+    case RecordedChange::Kind::detail:
+        body[change.subject] = change.level;
+        break;
+    case RecordedChange::Kind::period:
+        body[change.subject] = static_cast<std::int64_t>(change.value);
+        break;
+    case RecordedChange::Kind::setting:
+        body[change.subject][change.field] = change.value;
+        break;
+    }
+    std::string const key(recordedChangeNames[static_cast<std::size_t>(change.kind)]);
+    return Json{{"frame", change.frame}, {key, std::move(body)}};
+}
+
 /// Adds a list under a key unless it is empty.
 template <class List, class Write>
 void addList(Json& to, char const* key, List const& list, Write const& write) {
@@ -118,6 +135,7 @@ Json writeSolution(Solution const& solution) {
         return made;
     });
     addList(entry, "inputs", solution.inputs, inputJson);
+    addList(entry, "changes", solution.changes, changeJson);
     if (!solution.solves) {
         entry["expect"] = "unsolved";
     }

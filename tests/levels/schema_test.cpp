@@ -69,6 +69,10 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
              Case{"/solutions/0/expect", "\"maybe\""},
              Case{"/solutions/0/inputs/2/release", "false"},
              Case{"/solutions/0/inputs/0/at", "null"},
+             Case{"/solutions/0/changes/0/frame", "0"},
+             Case{"/solutions/0/changes/0/detail", "{}"},
+             Case{"/solutions/0/changes/1/period/Dynamics Resolver", "1.5"},
+             Case{"/solutions/0/changes/2/setting/solver", "2"},
          }) {
         nlohmann::json level = nlohmann::json::parse(sampleLevel());
         level[nlohmann::json::json_pointer(c.pointer)] = nlohmann::json::parse(c.value);

@@ -68,7 +68,9 @@ std::string sampleLevel() {
   "solutions": [
     {"name": "one", "placements": [{"part": "steel bar", "at": [-7, 2], "angle_deg": 30}],
      "inputs": [{"frame": 1, "grab": "ball", "at": [-1, 3]}, {"frame": 2, "move": [0, 4]}, {"frame": 3, "release": true},
-                {"frame": 4, "cut": ["plus", "coil"]}, {"frame": 5, "remove": "steel bar 1"}], "expect": "unsolved", "frames": 60}
+                {"frame": 4, "cut": ["plus", "coil"]}, {"frame": 5, "remove": "steel bar 1"}],
+     "changes": [{"frame": 3, "detail": {"gravity": "linear"}}, {"frame": 9, "period": {"Dynamics Resolver": 2}}, {"frame": 9, "setting": {"solver": {"substeps": 2}}}],
+     "expect": "unsolved", "frames": 60}
   ]
 }
 )";

@@ -19,6 +19,7 @@ void expectSurvives(LevelFile const& level) {
     for (std::size_t i = 0; i < level.solutions.size(); ++i) {
         EXPECT_EQ(hashOf(again, again.solutions[i].placements), hashOf(level, level.solutions[i].placements));
         EXPECT_EQ(again.solutions[i].inputs.size(), level.solutions[i].inputs.size());
+        EXPECT_EQ(again.solutions[i].changes.size(), level.solutions[i].changes.size());
         EXPECT_EQ(again.solutions[i].solves, level.solutions[i].solves);
     }
     EXPECT_EQ(again.goals, level.goals);

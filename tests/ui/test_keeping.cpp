@@ -47,7 +47,7 @@ TEST(Keeping, whatWasPlayedIsSavedAndPlaysHeadless) {
     ASSERT_TRUE(std::filesystem::exists(file));
 
     LevelFile const level = loadLevel(workshop().registry, firstContact);
-    Solution const solution = findOrLoadSolution(level, file.string());
+    Solution const solution = findOrLoadSolution(workshop().registry, level, file.string());
     EXPECT_TRUE(solution.solves);
     Session headless(workshop().registry, workshop().parts, level);
     headless.load(solution);

@@ -1,0 +1,46 @@
+// Electricity: what the scene's circuits call for, or more. There is no nearly right in "on" and "off".
+#include "game/budget/knobs.hpp"
+#include "game/budget/making_options.hpp"
+#include "physics/electricity/sufficient_level.hpp"
+
+namespace trembler::budget {
+namespace {
+
+constexpr std::string_view effect = "electricity";
+
+} // namespace
+
+std::optional<Knob> electricityKnob(World const& world) {
+    auto const levels = levelsOf(world, effect);
+    auto const now = working(levels);
+    if (!now) {
+        return std::nullopt;
+    }
+    ElectricalLevel const needed = sufficientLevel(world.store()).level;
+    Knob knob;
+    knob.effect = effect;
+    knob.of = "of the lamps";
+    knob.source =
+        "A level that tells everything which the circuits state makes no error that another would not make.";
+    for (ComponentStatus const& level : levels) {
+        std::string_view const name = level.info->text.level;
+        Option option{
+            std::string(name), {toLevel(effect, name)}, static_cast<double>(level.info->text.cost), {}, {}};
+        bool const isNow = level.info == now->info;
+        bool const enough =
+            name == nameOf(ElectricalLevel::nodal) ||
+            (name == nameOf(ElectricalLevel::twoWire) && needed <= ElectricalLevel::twoWire) ||
+            (name == nameOf(ElectricalLevel::singleCable) && needed == ElectricalLevel::singleCable);
+        if (!enough && !isNow) { // what somebody has asked for is left to them
+            option.cannot = "it cannot tell everything that the circuits state";
+        }
+        if (isNow) {
+            knob.current = knob.options.size();
+        }
+        knob.components.push_back(title(*level.info));
+        knob.options.push_back(std::move(option));
+    }
+    return knob;
+}
+
+} // namespace trembler::budget

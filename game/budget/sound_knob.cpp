@@ -1,0 +1,75 @@
+// Sound: how many modes of each body are followed.
+#include "audio/effect/sounds.hpp"
+#include "game/budget/knobs.hpp"
+#include "game/budget/making_options.hpp"
+
+#include <array>
+
+namespace trembler::budget {
+namespace {
+
+constexpr std::string_view effect = "sound";
+
+/// Calibrated: the sound ladder of `trembler accuracy`.
+struct Calibrated {
+    std::string_view level;
+    double microseconds;
+    double hertz; ///< by which the mean frequency that is heard of a body is off
+};
+constexpr std::array<Calibrated, 5> ladder{{{"1-mode", 0.622, 82},
+                                            {"4-modes", 0.681, 40.1},
+                                            {"8-modes", 0.757, 31.4},
+                                            {"16-modes", 0.819, 10.3},
+                                            {"32-modes", 0.895, 0}}};
+/// What is heard moves nothing: a pitch that is off by all of itself counts as much as a body that is off by
+/// this.
+constexpr double metresForAll = 0.01;
+
+double meanFrequency(World const& world) {
+    double sum = 0;
+    double weights = 0;
+    if (Sounds const* const sounds = world.find<Sounds>()) {
+        for (Sounds::Body const& body : sounds->bodies) {
+            sum += body.loudness * body.brightness;
+            weights += body.loudness;
+        }
+    }
+    constexpr double usual = 1000;
+    return weights > 0 && sum > 0 ? sum / weights : usual;
+}
+
+} // namespace
+
+std::optional<Knob> soundKnob(World const& world) {
+    auto const levels = levelsOf(world, effect);
+    auto const now = working(levels);
+    if (!now) {
+        return std::nullopt;
+    }
+    Knob knob;
+    knob.effect = effect;
+    knob.of = "of the pitch";
+    knob.source = "Calibrated: what the level was off by in docs/accuracy.md. It moves nothing, so it counts "
+                  "for little.";
+    double const frequency = meanFrequency(world);
+    for (ComponentStatus const& level : levels) {
+        for (Calibrated const& known : ladder) {
+            if (known.level != level.info->text.level) {
+                continue;
+            }
+            double const share = known.hertz / frequency;
+            if (level.info == now->info) {
+                knob.current = knob.options.size();
+            }
+            knob.components.push_back(title(*level.info));
+            knob.options.push_back({std::string(known.level),
+                                    {toLevel(effect, known.level)},
+                                    known.microseconds,
+                                    {metresForAll * share, share},
+                                    {}});
+        }
+    }
+    return knob.options.empty() ? std::nullopt : std::optional(knob);
+}
+
+} // namespace trembler::budget
