@@ -13,7 +13,7 @@ struct Limit {
     std::string_view cannotTell;
 };
 
-constexpr std::array<Limit, 21> limits{{
+constexpr std::array<Limit, 23> limits{{
     {"dynamics", "substep", "bending and breaking within a body: bodies are rigid"},
     {"dynamics", "velocity iteration", "bending and breaking within a body: bodies are rigid"},
     {"gravity", "linear", "that anything but the world attracts, and that weight falls with height"},
@@ -28,6 +28,7 @@ constexpr std::array<Limit, 21> limits{{
     {"magnetism", "grid", "the far field: the sum of many weak pulls from afar"},
     {"magnetism", "tree", "the last digits of the momentum: actions equal reactions only nearly"},
     {"magnetism", "pairwise", "that iron is magnetised by iron, and how magnets shape the field of others"},
+    {"magnetism", "one pole", "that magnets turn, and that cutting them in two gives two magnets"},
     {"magnetism", "two poles", "how strength is spread over a real magnet's faces"},
     {"buoyancy", "exact", "waves, currents and the level that rises when something dives in"},
     {"buoyancy", "particles",
@@ -36,6 +37,7 @@ constexpr std::array<Limit, 21> limits{{
     {"sound", "1-mode", "material and form: one sine is one sine, high or low"},
     {"sound", "4-modes", "the higher half of what a bell or a bar rings with"},
     {"sound", "modes", "the bending of sound by the air, and how bodies in touch damp one another"},
+    {"co-simulation", "substep", "what the other simulation would have said within the frame"},
     {"loudness", "straight", "what comes round a corner"},
     {"loudness", "around", "echoes"},
 }};

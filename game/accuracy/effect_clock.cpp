@@ -22,7 +22,7 @@ void EffectClock::frame(World const& world) {
     }
     double total = 0;
     for (ComponentStatus const& status : world.status()) {
-        if (status.info->text.effect == effect_) {
+        if (effect_.empty() || status.info->text.effect == effect_) {
             total += status.totalMicroseconds;
         }
     }

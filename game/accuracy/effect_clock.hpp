@@ -14,6 +14,7 @@ namespace accuracy {
 /// gathered into windows, whose means the median is taken of. Times reach nobody but the report.
 class EffectClock {
 public:
+    /// "": all effects.
     explicit EffectClock(std::string effect) : effect_(std::move(effect)) {}
     /// To be called after each frame.
     void frame(World const& world);

@@ -1,13 +1,17 @@
-// Electricity: every registered detail level that says which objects are on, against Kirchhoff's laws.
+// Electricity: every registered detail level that says which objects are on, against Kirchhoff's laws and
+// ngspice.
 //
 // A level that is registered as a component and derives ElectricalState takes part by that alone. Properties
 // that only some levels know, such as resistances, are stated if the registry knows them.
 #include "game/accuracy/effect_clock.hpp"
 #include "game/accuracy/ladder.hpp"
+#include "game/accuracy/ngspice.hpp"
 #include "game/accuracy/wiring.hpp"
 #include "physics/electricity/calls.hpp"
 #include "physics/electricity/properties.hpp"
+#include "physics/electricity/quantities.hpp"
 #include "physics/electricity/register.hpp"
+#include "physics/electricity/spice.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/level/build_world.hpp"
 #include "runtime/level/read_level.hpp"
@@ -17,6 +21,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace trembler::accuracy {
@@ -80,6 +85,9 @@ std::vector<std::string> levels(Registry const& registry) {
     return names;
 }
 
+// What a level that knows no amperes says of a lamp that is on: what stands on it.
+constexpr double ratedAmperes = lampWatts / sourceVolts;
+
 std::string nameOf(std::size_t circuit, std::size_t part) {
     return fmt::format("c{:04} p{:03}", circuit, part);
 }
@@ -99,6 +107,7 @@ nlohmann::json propertiesOf(Registry const& registry, Part part, double ohm) {
         properties["electrical_return"] = true;
     } else if (part == Part::lamp) {
         state("rated", {{"power", lampWatts}, {"voltage", sourceVolts}});
+        state("current_capacity", ratedAmperes); // asked by flow alone
     }
     return properties;
 }
@@ -120,8 +129,16 @@ LevelFile levelOf(Registry const& registry, std::vector<Wiring> const& circuits)
     return readLevel(registry, JsonDocument::parse(level.dump(), "circuits"));
 }
 
-Rung measure(std::vector<Wiring> const& circuits, LevelFile const& file, std::string const& level,
-             int frames) {
+using Amperes = std::vector<std::vector<double>>; // by circuit and part
+
+struct Measured {
+    double microseconds = 0;
+    double wrong = 0;   ///< share of the lamps
+    double amperes = 0; ///< mean error of the current through a lamp
+};
+
+Measured measure(std::vector<Wiring> const& circuits, LevelFile const& file, std::string const& level,
+                 Amperes const& right, int frames) {
     WorldOptions options;
     options.detail["electricity"] = level;
     auto const world = buildWorld(electricityAlone(), file, PartLibrary{}, {}, options);
@@ -130,17 +147,26 @@ Rung measure(std::vector<Wiring> const& circuits, LevelFile const& file, std::st
     }
     Store& store = world->store();
     int lamps = 0;
-    int wrong = 0;
+    Measured found;
     auto const& state = *world->find<ElectricalState>();
+    auto const* const quantities = world->find<ElectricalQuantities>();
     for (std::size_t c = 0; c < circuits.size(); ++c) {
-        std::vector<bool> const right = glowing(circuits[c]);
-        for (std::size_t p = 0; p < right.size(); ++p) {
+        std::vector<bool> const glow = glowing(circuits[c]);
+        for (std::size_t p = 0; p < glow.size(); ++p) {
             if (circuits[c].parts[p] == Part::lamp) {
+                ObjectId const lamp = store.find(nameOf(c, p));
+                auto const* const known = quantities == nullptr ? nullptr : quantities->find(lamp);
+                double const amperes = known != nullptr   ? known->current
+                                       : state.isOn(lamp) ? ratedAmperes
+                                                          : 0;
                 ++lamps;
-                wrong += state.isOn(store.find(nameOf(c, p))) != right[p] ? 1 : 0;
+                found.wrong += state.isOn(lamp) != glow[p] ? 1 : 0;
+                found.amperes += std::abs(amperes - right[c][p]);
             }
         }
     }
+    found.wrong /= std::max(1, lamps);
+    found.amperes /= std::max(1, lamps);
     // What a change costs: in every frame one cable is cut, or that of the frame before is mended.
     EffectClock clock("electricity");
     ObjectId const world0 = store.find("world");
@@ -153,42 +179,86 @@ Rung measure(std::vector<Wiring> const& circuits, LevelFile const& file, std::st
         world->step();
         clock.frame(*world);
     }
-    return {level, clock.median(), lamps == 0 ? 0 : static_cast<double>(wrong) / lamps, {}, false, {}};
+    found.microseconds = clock.median();
+    return found;
 }
 
-Ladder climbCircuits(std::vector<Wiring> const& circuits, std::string scene, Effort effort) {
-    Ladder ladder{"",
-                  std::move(scene),
-                  "of the lamps",
-                  "share of the lamps that are on though they are dark, or off though they glow; one cable "
-                  "changes in every frame",
-                  "Kirchhoff's laws by Gaussian elimination; a lamp glows from 1 % of its rated power on",
-                  true,
-                  {},
-                  {}};
+struct Reference {
+    std::string name;
+    Amperes amperes;
+};
+
+// ngspice on the netlist of the very same world, where it is installed.
+Reference referenceOf(std::vector<Wiring> const& circuits, LevelFile const& file) {
+    auto const world = buildWorld(electricityAlone(), file, PartLibrary{}, {}, {});
+    world->step();
+    world->step();
+    auto const spice = potentialsByNgspice(spiceNetlist(world->store(), "circuits"));
+    Reference reference;
+    reference.name = spice ? "ngspice on the same netlist"
+                           : "Kirchhoff's laws by Gaussian elimination, as ngspice is not installed";
+    for (std::size_t c = 0; c < circuits.size(); ++c) {
+        std::vector<double> volts = potentials(circuits[c]);
+        for (std::size_t p = 0; spice && p < volts.size(); ++p) {
+            auto const found = spice->find(nameOf(c, p));
+            volts[p] = found == spice->end() ? 0 : found->second; // what floats is left out
+        }
+        reference.amperes.push_back(currents(circuits[c], volts));
+    }
+    return reference;
+}
+
+enum class Question : std::uint8_t { glows, amperes };
+
+Ladder climbCircuits(std::vector<Wiring> const& circuits, std::string scene, Question question,
+                     Effort effort) {
     LevelFile const file = levelOf(electricityAlone(), circuits);
+    Reference const reference = referenceOf(circuits, file);
+    Ladder ladder;
+    bool const glows = question == Question::glows;
+    ladder.scene = std::move(scene) + (glows ? "" : ", how much current");
+    ladder.unit = glows ? "of the lamps" : "A";
+    ladder.error = glows
+                       ? "share of the lamps that are on though they are dark, or off though they glow; one "
+                         "cable changes in every frame"
+                       : fmt::format("mean error of the current through a lamp of {:g} A; where a level "
+                                     "knows on and off only, on counts as that",
+                                     ratedAmperes);
+    ladder.reference =
+        glows ? "Kirchhoff's laws by Gaussian elimination; a lamp glows from 1 % of its rated power on"
+              : reference.name;
     for (std::string const& level : levels(electricityAlone())) {
-        ladder.rungs.push_back(measure(circuits, file, level, effort.brief ? 25 : 481));
+        Measured const found = measure(circuits, file, level, reference.amperes, effort.brief ? 25 : 481);
+        ladder.rungs.push_back(
+            {level, found.microseconds, glows ? found.wrong : found.amperes, {}, false, {}});
     }
     ladder.remark =
-        "The simpler levels are not worse at their own task: they are told who is connected, not who "
-        "glows. This is what is lost when they are asked all the same.";
+        glows
+            ? "The simpler levels are not worse at their own task: they are told who is connected, not who "
+              "glows. This is what is lost when they are asked all the same. Flow is beaten by two-wire, as "
+              "it calls the same lamps on and costs more: no scene gets it unasked, and it is there for "
+              "what no other level tells, the bottlenecks ([electricity.md](electricity.md))."
+            : "For flow every lamp states that it can carry its rated current.";
     return ladder;
 }
 
 } // namespace
 
 void addElectricityPlans(std::vector<Plan>& plans) {
-    plans.push_back({"electricity", [](Workshop const&, Effort effort) {
-                         int const count = effort.brief ? 12 : 120;
-                         return climbCircuits(schoolbook(count), fmt::format("{} schoolbook circuits", count),
-                                              effort);
-                     }});
-    plans.push_back({"electricity", [](Workshop const&, Effort effort) {
-                         int const count = effort.brief ? 8 : 100;
-                         return climbCircuits(jumble(count, 24),
-                                              fmt::format("{} circuits joined at random", count), effort);
-                     }});
+    for (Question const question : {Question::glows, Question::amperes}) {
+        plans.push_back({"electricity", [question](Workshop const&, Effort effort) {
+                             int const count = effort.brief ? 12 : 120;
+                             return climbCircuits(schoolbook(count),
+                                                  fmt::format("{} schoolbook circuits", count), question,
+                                                  effort);
+                         }});
+        plans.push_back({"electricity", [question](Workshop const&, Effort effort) {
+                             int const count = effort.brief ? 8 : 100;
+                             return climbCircuits(jumble(count, 24),
+                                                  fmt::format("{} circuits joined at random", count),
+                                                  question, effort);
+                         }});
+    }
 }
 
 } // namespace trembler::accuracy

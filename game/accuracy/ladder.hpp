@@ -61,13 +61,14 @@ void markFront(Ladder& ladder);
 /// "4 substeps" go by the name of the setting.
 [[nodiscard]] std::string whatCannotTell(std::string const& effect, std::string const& level);
 
-// The plans of one effect each.
+// The plans of one effect each, and of what lies between them.
 void addDynamicsPlans(std::vector<Plan>& plans);
 void addGravityPlans(std::vector<Plan>& plans);
 void addElectricityPlans(std::vector<Plan>& plans);
 void addMagnetismPlans(std::vector<Plan>& plans);
 void addBuoyancyPlans(std::vector<Plan>& plans);
 void addSoundPlans(std::vector<Plan>& plans);
+void addCoSimulationPlans(std::vector<Plan>& plans);
 
 } // namespace accuracy
 } // namespace trembler

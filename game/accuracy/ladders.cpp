@@ -26,6 +26,7 @@ std::vector<Plan> plans() {
 #if !defined(TREMBLER_WITHOUT_SOUND) && !defined(TREMBLER_WITHOUT_GRAVITY)
     addSoundPlans(all);
 #endif
+    addCoSimulationPlans(all);
     return all;
 }
 

@@ -50,6 +50,17 @@ std::string placeText(Ladder const& ladder, Rung const& rung) {
     return rung.onFront ? "front" : "beaten by " + rung.beatenBy;
 }
 
+// What no level of a ladder can tell, if that is the same for all of them: worth saying once. "" otherwise.
+std::string cannotTellOfAll(Ladder const& ladder) {
+    if (ladder.rungs.empty()) {
+        return "";
+    }
+    std::string const& first = ladder.rungs.front().cannotTell;
+    bool const same = std::all_of(ladder.rungs.begin(), ladder.rungs.end(),
+                                  [&](Rung const& rung) { return rung.cannotTell == first; });
+    return same ? first : "";
+}
+
 constexpr std::string_view intro = R"(# What accuracy costs
 
 Every effect has detail levels that offer the same properties, so that a level, the command line (`--detail`) or the
@@ -63,7 +74,8 @@ frames, in µs, of all components of the effect, on one thread. Errors are the s
 is deterministic); times belong to the machine that this was made on and are good for comparing within a table.
 
 *Front* marks who is on the Pareto front: no other level of the table is faster and at least as accurate. What is
-beaten has no use in that scene; times within 5 % count as the same.
+beaten has no use in that scene, and the text below the table says why it is there; times within 5 % count as the same.
+Tables without that column are no choice between levels, but a study of what one thing does to the error.
 
 )";
 
@@ -143,9 +155,18 @@ std::string asMarkdown(std::vector<Ladder> const& ladders, std::string const& pi
         }
         text += fmt::format("### {}\n\nError: {}. Reference: {}.\n\n", capitalised(ladder.scene),
                             ladder.error, ladder.reference);
-        text += fmt::format(
-            "| level | µs per frame | error ({}) | {} what it cannot tell |\n|---|---|---|{}---|\n",
-            ladder.unit, ladder.rivals ? "|" : "", ladder.rivals ? "---|" : "");
+        std::string const common = cannotTellOfAll(ladder);
+        std::string heading = fmt::format("| level | µs per frame | error ({}) |", ladder.unit);
+        std::string rule = "|---|---|---|";
+        if (ladder.rivals) {
+            heading += " |";
+            rule += "---|";
+        }
+        if (common.empty()) {
+            heading += " what it cannot tell |";
+            rule += "---|";
+        }
+        text += heading + "\n" + rule + "\n";
         for (Rung const& rung : ladder.rungs) {
             text += "|";
             addCell(text, rung.level);
@@ -154,10 +175,15 @@ std::string asMarkdown(std::vector<Ladder> const& ladders, std::string const& pi
             if (ladder.rivals) {
                 addCell(text, placeText(ladder, rung));
             }
-            addCell(text, rung.cannotTell);
+            if (common.empty()) {
+                addCell(text, rung.cannotTell);
+            }
             text += "\n";
         }
         text += "\n";
+        if (!common.empty()) {
+            text += "None of them can tell " + common + ".\n\n";
+        }
         if (!ladder.remark.empty()) {
             text += ladder.remark + "\n\n";
         }

@@ -53,7 +53,7 @@ std::vector<double> solve(std::vector<std::vector<double>> a, std::vector<double
 
 } // namespace
 
-std::vector<bool> glowing(Wiring const& wiring) {
+std::vector<double> potentials(Wiring const& wiring) {
     std::size_t const n = wiring.parts.size();
     std::vector<std::vector<double>> conductance(n, std::vector<double>(n, 0));
     std::vector<double> current(n, 0);
@@ -72,15 +72,38 @@ std::vector<bool> glowing(Wiring const& wiring) {
             current[i] += drives ? g * sourceVolts : 0;
         }
     }
-    std::vector<double> const volts = solve(conductance, current);
-    std::vector<double> watts(n, 0);
+    return solve(conductance, current);
+}
+
+namespace {
+
+// f(cable's ends, A through it)
+template <class F>
+void forCables(Wiring const& wiring, std::vector<double> const& volts, F&& f) {
     for (auto const& [a, b] : wiring.cables) {
-        double const amperes = 2 * (volts[a] - volts[b]) / (wiring.ohms[a] + wiring.ohms[b]);
+        f(a, b, 2 * std::abs(volts[a] - volts[b]) / (wiring.ohms[a] + wiring.ohms[b]));
+    }
+}
+
+} // namespace
+
+std::vector<double> currents(Wiring const& wiring, std::vector<double> const& volts) {
+    std::vector<double> amperes(wiring.parts.size(), 0);
+    forCables(wiring, volts, [&](std::uint32_t a, std::uint32_t b, double through) {
+        amperes[a] += through / 2;
+        amperes[b] += through / 2;
+    });
+    return amperes;
+}
+
+std::vector<bool> glowing(Wiring const& wiring) {
+    std::vector<double> watts(wiring.parts.size(), 0);
+    forCables(wiring, potentials(wiring), [&](std::uint32_t a, std::uint32_t b, double amperes) {
         watts[a] += amperes * amperes * wiring.ohms[a] / 2;
         watts[b] += amperes * amperes * wiring.ohms[b] / 2;
-    }
-    std::vector<bool> result(n, false);
-    for (std::size_t i = 0; i < n; ++i) {
+    });
+    std::vector<bool> result(watts.size(), false);
+    for (std::size_t i = 0; i < watts.size(); ++i) {
         result[i] = wiring.parts[i] == Part::lamp && watts[i] >= leastGlow * lampWatts;
     }
     return result;

@@ -29,8 +29,12 @@ inline constexpr double lampWatts = sourceVolts * sourceVolts / lampOhms;
 /// A lamp that takes less than this share of its rated power is dark.
 inline constexpr double leastGlow = 0.01;
 
-/// By part: whether it is a lamp that glows. Half of a part's resistance lies between its middle and each of
-/// its cables; potentials by Gaussian elimination with pivoting.
+/// By part: V of its middle above the return. Half of a part's resistance lies between its middle and each of
+/// its cables; Kirchhoff's laws by Gaussian elimination with pivoting. What floats is at 0.
+[[nodiscard]] std::vector<double> potentials(Wiring const& wiring);
+/// By part: A through it, half of what its cables carry in and out, from the potentials of all parts.
+[[nodiscard]] std::vector<double> currents(Wiring const& wiring, std::vector<double> const& volts);
+/// By part: whether it is a lamp that glows.
 [[nodiscard]] std::vector<bool> glowing(Wiring const& wiring);
 
 /// What schoolbooks ask: bridges in balance and out of it, a lamp with a wire across it, lamps in series and

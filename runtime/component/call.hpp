@@ -5,6 +5,7 @@
 #include "runtime/object/object_id.hpp"
 #include "runtime/trace/event.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <deque>
@@ -152,10 +153,16 @@ struct CallSource {
     /// Chunks never depend on the number of threads. A deque, as callers hold on to theirs while more are
     /// added.
     std::deque<Buffers> chunks = std::deque<Buffers>(1);
-    std::uint64_t version = 1; ///< counts up with every apply
+    std::uint64_t version = 1; ///< counts up with every apply, but for those that say nothing after nothing
 
     void clearHeld() { clearWhere(true); }
     void clearOnce() { clearWhere(false); }
+    /// Whether no call stands or waits.
+    [[nodiscard]] bool empty() const {
+        return std::all_of(chunks.begin(), chunks.end(), [](Buffers const& chunk) {
+            return std::apply([](auto const&... buffer) { return (buffer.calls().empty() && ...); }, chunk);
+        });
+    }
 
 private:
     void clearWhere(bool held) {
@@ -194,8 +201,9 @@ public:
     void clearSources() override { sources_.clear(), ++changes_; }
     [[nodiscard]] std::span<CallSource<Role>* const> sources() const { return sources_; }
 
-    /// Differs whenever any source was applied, or the set of sources is another one. The two must not be
-    /// added up: a source that goes takes its count along, and the sum could come out as before.
+    /// Differs whenever any source has said anything, or taken anything back, or the set of sources is
+    /// another one. The two must not be added up: a source that goes takes its count along, and the sum could
+    /// come out as before.
     [[nodiscard]] std::uint64_t version() const override {
         std::uint64_t sum = changes_ << 40U;
         for (CallSource<Role> const* source : sources_) {

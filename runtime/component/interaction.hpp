@@ -106,6 +106,7 @@ public:
     [[nodiscard]] bool hasWork() const override { return first_ || reads_.changed(); }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
     void run(FrameContext const& context) final {
+        bool const stood = !source_.empty();
         source_.clearHeld();
         newTold_.assign(1, {});
         openSinks(context, 1, Phase::interaction);
@@ -117,7 +118,9 @@ public:
         for (auto& chunk : newTold_) {
             told_.merge(chunk);
         }
-        ++source_.version;
+        if (stood || !source_.empty()) { // else its resolver need not so much as look
+            ++source_.version;
+        }
         reads_.markSeen();
         first_ = false;
     }

@@ -78,8 +78,8 @@ public:
             static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this resolver's role");
             self_.channel_->template forCalls<C>(std::forward<F>(f));
         }
-        /// Whether any interaction was applied since the last advance. If not, held calls stand as they did,
-        /// and there are none to be carried out once.
+        /// Whether any interaction has called, or taken calls back, since the last advance. If not, held
+        /// calls stand as they did, and there are none to be carried out once.
         [[nodiscard]] bool callsChanged() const { return self_.channel_->version() != self_.seenCalls_; }
         /// The interactions that call this resolver, by CallOrigin::source.
         [[nodiscard]] std::size_t sources() const { return self_.channel_->sources().size(); }

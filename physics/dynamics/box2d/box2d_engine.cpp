@@ -305,7 +305,7 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
                 awake_[slot] = 0;
             } else {
                 anyAwake_ = true;
-                if (last && drifts(entry)) {
+                if (last && settings.sleeping && drifts(entry)) {
                     entry.body->SetAwake(true); // starts its time to fall asleep anew
                 }
             }

@@ -109,6 +109,48 @@ TEST(InteractionCalls, OfASleepingResolverWakeIt) {
     EXPECT_EQ(world.find<StoveLog>()->advances, advances + 1);
 }
 
+// Has a word to say only where there is fuel left.
+struct HeatFromFuelLeft final : Interaction<HeatFromFuelLeft, HeatRole, Reads<Fuel>> {
+    static constexpr ComponentText text{
+        .name = "Heat <- Fuel left", .effect = "heat", .level = "", .work = "Burns."};
+    using CalledFor = NeedsAll<Fuel>;
+    void apply(Access& access) {
+        forEach(
+            [&](ObjectId id, Fuel const& fuel) {
+                if (fuel.rate > 0) {
+                    access.call(AddHeat{id, fuel.rate});
+                }
+            },
+            access.read<Fuel>());
+    }
+};
+
+TEST(InteractionCalls, NothingAfterNothingWakesNobodyButTheFirstAndTheLastWordDo) {
+    Registry registry;
+    registry.component<Stove>();
+    registry.component<HeatFromFuelLeft>();
+    World world(registry);
+    ObjectId const coal = thing(world, "coal", 0, 0);
+    world.start();
+    auto const say =
+        [&](double rate) { // two frames after it was said, the stove has heard of it, or never will
+            int const before = world.find<StoveLog>()->advances;
+            world.store().column<Fuel>().set(coal, {rate});
+            steps(world, 2);
+            return world.find<StoveLog>()->advances - before;
+        };
+    steps(world, 5);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(say(0), 0) << "silence after silence";
+    }
+    EXPECT_EQ(statusOf(world, "Heat <- Fuel left").updates, 4U) << "it was asked each time";
+    EXPECT_EQ(say(1), 1);
+    EXPECT_EQ(world.find<StoveLog>()->held, 1);
+    EXPECT_EQ(say(0), 1) << "what stood was taken back";
+    EXPECT_EQ(world.find<StoveLog>()->held, 0);
+    EXPECT_EQ(say(0), 0);
+}
+
 struct Ember {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Ember", "ember", "Keeps warm."};

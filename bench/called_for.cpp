@@ -1,0 +1,148 @@
+// That a scene pays only for what it calls for. First: a world with every effect compiled in, of which it
+// calls for none, beside one that knows dynamics alone and beside bare Box2D, turn by turn in blocks of
+// frames. Second: every level that comes to rest, its frames at rest against its frames in motion. CPU time
+// of this thread, medians.
+#include "game/called_for/called_for.hpp"
+
+#include "bench/box2d_scenes.hpp"
+#include "bench/measure.hpp"
+#include "game/core/effects.hpp"
+#include "game/core/workshop.hpp"
+#include "game/session/session.hpp"
+#include "runtime/level/read_level.hpp"
+
+#include <array>
+#include <cstdlib>
+
+namespace {
+
+using namespace trembler;
+using bench::Series;
+
+constexpr int blockFrames = 10;
+constexpr int warmUpFrames = 60;
+constexpr double mostOverhead = 5; // %
+constexpr double mostAtRest = 0.05;
+
+bool noneCalledFor(Registry const& all, Registry const& dynamicsAlone, bench::SceneOf const& scene,
+                   int repetitions) {
+    std::array<Series, 3> times; // bare, dynamics alone, all
+    Series overhead;
+    Series rest;
+    bool same = true;
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
+        bench::Bare bare(scene);
+        bench::Trembler alone(dynamicsAlone, scene);
+        bench::Trembler everything(all, scene);
+        for (int frame = 0; frame < warmUpFrames; ++frame) {
+            bare.step();
+            alone.step();
+            everything.step();
+        }
+        for (int block = 0; block < scene.blocks; ++block) {
+            std::array<double, 3> took{};
+            for (int turn = 0; turn < 3; ++turn) { // each of them comes first in a third of the blocks
+                switch ((turn + block) % 3) {
+                case 0:
+                    took[0] = bench::timeBlock(bare, blockFrames);
+                    break;
+                case 1:
+                    took[1] = bench::timeBlock(alone, blockFrames);
+                    break;
+                default:
+                    took[2] = bench::timeBlock(everything, blockFrames);
+                }
+            }
+            for (std::size_t i = 0; i < took.size(); ++i) {
+                times[i].add(took[i]);
+            }
+            overhead.add(took[2] / took[0]);
+            rest.add(took[2] / took[1]);
+        }
+        same = same && bare.places() == everything.places() && alone.places() == everything.places();
+    }
+    double const percent = 100 * (overhead.median() - 1);
+    bench::Table table(scene.name + " without gravity: all effects compiled in, none called for");
+    table.row("bare Box2D, per frame", 1e6 * times[0].median(), "us");
+    table.row("a world that knows dynamics alone", 1e6 * times[1].median(), "us");
+    table.row("a world that knows every effect", 1e6 * times[2].median(), "us");
+    table.row("every effect against dynamics alone", 100 * (rest.median() - 1), "%");
+    table.row("overhead", percent, "%", percent, mostOverhead);
+    table.print();
+    std::printf("  motion is %s\n\n",
+                same ? "the same, bit for bit" : "NOT THE SAME: the comparison is void");
+    return same && percent <= mostOverhead;
+}
+
+/// Frames of one play by the second, in s per frame.
+std::vector<double> secondsOf(Workshop const& workshop, LevelFile const& level, Solution const* solution,
+                              int seconds) {
+    Session session(workshop.registry, workshop.parts, level,
+                    WorldOptions{.threads = 1, .detail = level.detail, .periods = {}});
+    if (solution != nullptr) {
+        session.load(*solution);
+    }
+    std::vector<double> times;
+    for (int second = 0; second < seconds; ++second) {
+        World& world = session.world();
+        double const before = bench::cpuSeconds();
+        for (std::uint64_t frame = 0; frame < framesPerSecond; ++frame) {
+            session.step();
+        }
+        times.push_back((bench::cpuSeconds() - before) / static_cast<double>(framesPerSecond));
+        bench::keep(world);
+    }
+    return times;
+}
+
+bool atRest(Workshop const& workshop, int repetitions) {
+    constexpr int seconds = 20;
+    double worst = 0;
+    bench::Table table(
+        "Levels that come to rest within 20 s: a frame at rest against one of the busiest second");
+    for (std::filesystem::path const& path : workshop.levels()) {
+        LevelFile const level = loadLevel(workshop.registry, path);
+        Solution const* const solution = level.solutions.empty() ? nullptr : &level.solutions.front();
+        if (!playForCalls(workshop, level, solution, seconds).atRest) {
+            continue;
+        }
+        std::vector<Series> bySecond(seconds);
+        for (int repetition = 0; repetition < 3 * repetitions; ++repetition) {
+            std::vector<double> const times = secondsOf(workshop, level, solution, seconds);
+            for (std::size_t i = 0; i < times.size(); ++i) {
+                bySecond[i].add(times[i]);
+            }
+        }
+        double busiest = 0;
+        for (Series const& second : bySecond) {
+            busiest = std::max(busiest, second.median());
+        }
+        double const resting = bySecond.back().median();
+        worst = std::max(worst, resting / busiest);
+        std::string const name = path.stem().string();
+        table.row(name + ", in motion", 1e6 * busiest, "us per frame");
+        table.row(name + ", at rest", 1e6 * resting, "us per frame");
+    }
+    table.row("greatest share", worst, "", worst, mostAtRest);
+    table.print();
+    return worst <= mostAtRest;
+}
+
+} // namespace
+
+// bench_called_for [repetitions]; ends with 1 if a limit is missed.
+int main(int argc, char** argv) {
+    int const repetitions = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
+    Registry all;
+    registerEffects(all);
+    Registry dynamicsAlone;
+    registerEffects(dynamicsAlone, dispensableGameEffects());
+    bool held = true;
+    for (bench::SceneOf scene : {bench::largePyramid(), bench::tumbler()}) {
+        scene.gravity = 0;
+        held = noneCalledFor(all, dynamicsAlone, scene, repetitions) && held;
+    }
+    Workshop const workshop;
+    held = atRest(workshop, repetitions) && held;
+    return held ? 0 : 1;
+}

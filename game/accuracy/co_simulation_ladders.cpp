@@ -1,0 +1,109 @@
+// Co-simulation: the energy that one frame of lag between simulations puts in or takes out.
+#include "game/accuracy/co_simulation.hpp"
+#include "game/accuracy/ladder.hpp"
+#include "game/core/workshop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace trembler::accuracy {
+namespace {
+
+constexpr std::array<int, 5> substepCounts{1, 2, 4, 8, 16};
+
+std::string substepsName(int substeps) {
+    return fmt::format("{} substep{}", substeps, substeps == 1 ? "" : "s");
+}
+
+// A ladder whose remark says how far the measured growth is from the predicted one, at worst.
+class Growth {
+public:
+    explicit Growth(std::string scene) {
+        ladder_.scene = std::move(scene);
+        ladder_.unit = "of the energy";
+        ladder_.error = "what the energy gains or loses in an oscillation, over five of them";
+        ladder_.reference = "conserved (closed form)";
+        ladder_.rivals = false;
+    }
+    void add(std::string level, Swing const& swing) {
+        ladder_.rungs.push_back(
+            {std::move(level), swing.microseconds, std::abs(swing.growth), {}, false, {}});
+        worst_ = std::max(worst_, std::abs(swing.growth - swing.predicted));
+        gains_ += swing.growth > 0 ? (gains_.empty() ? "" : ", ") + ladder_.rungs.back().level : "";
+    }
+    [[nodiscard]] Ladder finish(std::string const& remark) {
+        ladder_.remark =
+            fmt::format("{} It gains with {}, and loses with what is left. Theory and measurement differ by "
+                        "{:.1g} of the energy at most.",
+                        remark, gains_.empty() ? "none" : gains_, worst_);
+        return std::move(ladder_);
+    }
+
+private:
+    Ladder ladder_;
+    double worst_ = 0;
+    std::string gains_;
+};
+
+#ifndef TREMBLER_WITHOUT_MAGNETISM
+
+Ladder climbMagnet(Workshop const& workshop, Effort) {
+    Growth growth("a magnet on a spring, pushed by another");
+    for (int const substeps : substepCounts) {
+        growth.add(substepsName(substeps), magnetOnSpring(workshop, substeps));
+    }
+    return growth.finish(
+        "A force that is computed once in a frame of the length t, and stands for it, is late by t/2 on "
+        "average. Where it is late by τ, amplitudes grow at the rate ½ τ F'/m, F' being its stiffness, and "
+        "energies twice as fast (Åström and Wittenmark, Computer-Controlled Systems, 1997, on sample and "
+        "hold). N substeps of semi-implicit Euler leave τ = t/2 (1 - 1/N): one is late by nothing, and more "
+        "of them do not help, they take away what makes up for the lag. The spring, which belongs to "
+        "dynamics, "
+        "has no such lag; Box2D's implicit steps take energy out of it, the less the shorter they are.");
+}
+
+#endif
+#if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
+
+Ladder climbFloat(Workshop const& workshop, Effort) {
+    Growth growth("a float on a spring");
+    for (int const substeps : substepCounts) {
+        growth.add(substepsName(substeps) + ", as in the thesis",
+                   floatOnSpring(workshop, substeps, 1, false));
+    }
+    for (int const period : {2, 4}) {
+        growth.add(fmt::format("4 substeps, every {} frames, as in the thesis", period),
+                   floatOnSpring(workshop, 4, period, false));
+    }
+    for (int const substeps : substepCounts) {
+        growth.add(substepsName(substeps) + ", looking ahead", floatOnSpring(workshop, substeps, 1, true));
+    }
+    for (int const period : {2, 4}) {
+        growth.add(fmt::format("4 substeps, every {} frames, looking ahead", period),
+                   floatOnSpring(workshop, 4, period, true));
+    }
+    return growth.finish(
+        "The same lag, and what makes up for it: looking ahead ([buoyancy.md](buoyancy.md)), the default, "
+        "resists the float's motion with just what the force will have lost on average by the time when it "
+        "is "
+        "computed again. What is left is what the spring loses in the engine.");
+}
+
+#endif
+
+} // namespace
+
+void addCoSimulationPlans(std::vector<Plan>& plans) {
+    static_cast<void>(plans); // in a program that has neither
+#ifndef TREMBLER_WITHOUT_MAGNETISM
+    plans.push_back({"co-simulation", climbMagnet});
+#endif
+#if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
+    plans.push_back({"co-simulation", climbFloat});
+#endif
+}
+
+} // namespace trembler::accuracy
