@@ -23,6 +23,8 @@ struct Scene {
 
 Scene lookAt(World const& world) {
     static Column<Rotation> const noRotations;
+    static Column<Velocity> const noVelocities;
+    static Column<AngularVelocity> const noSpins;
     static Column<Shape> const noShapes;
     static Column<MagneticPoles> const noPoles;
     auto const orNone = [](auto const* column, auto const& none) -> auto const& {
@@ -39,8 +41,11 @@ Scene lookAt(World const& world) {
     scene.sample = sampleOf(world, [&](ObjectId id) { return strengths->has(id) && positions->has(id); });
     MagneticPoints points;
     points.gather({*positions, orNone(store.findColumn<Rotation>(), noRotations),
+                   orNone(store.findColumn<Velocity>(), noVelocities),
+                   orNone(store.findColumn<AngularVelocity>(), noSpins),
                    orNone(store.findColumn<Shape>(), noShapes),
-                   orNone(store.findColumn<MagneticPoles>(), noPoles), *strengths, *magnets});
+                   orNone(store.findColumn<MagneticPoles>(), noPoles), *strengths, *magnets},
+                  0);
     for (MagneticSum const which :
          {MagneticSum::polesOnPoles, MagneticSum::softOnPoles, MagneticSum::polesOnSoft}) {
         SampledSum sum;

@@ -6,7 +6,6 @@
 namespace trembler {
 namespace {
 
-constexpr std::int64_t lastFrame = 10000000; // as of inputs
 constexpr std::int64_t longestPeriod = 3600; // as World::setPeriod has it
 constexpr double anyNumber = 1e12;           // what a field takes is for the property to say
 
@@ -76,7 +75,7 @@ void readChange(JsonNode const& node, std::vector<RecordedChange>& into) {
     }
     auto const frameNode =
         reader.required("frame", "the number of the first frame that it counts for, from 1");
-    auto const frame = frameNode ? frameNode->integer(1, lastFrame) : std::nullopt;
+    auto const frame = frameNode ? frameNode->integer(1, lastRecordedFrame) : std::nullopt;
     std::optional<JsonNode> body;
     RecordedChange change;
     int kinds = 0;

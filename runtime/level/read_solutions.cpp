@@ -14,7 +14,6 @@ namespace trembler {
 namespace {
 
 constexpr double mostDegrees = 1e6;          // more turns than anybody makes
-constexpr std::int64_t lastFrame = 10000000; // two days of simulated time
 
 std::optional<Placement> readPlacement(JsonNode const& node) {
     MemberReader reader(node, "an object {\"part\", \"at\", \"angle_deg\"}");
@@ -86,7 +85,7 @@ std::optional<RecordedInput> readInput(JsonNode const& node) {
     RecordedInput input;
     input.path = node.path();
     auto const frameNode = reader.required("frame", "the number of the frame that sees it, from 1");
-    auto const frame = frameNode ? frameNode->integer(1, lastFrame) : std::nullopt;
+    auto const frame = frameNode ? frameNode->integer(1, lastRecordedFrame) : std::nullopt;
     std::optional<JsonNode> body;
     std::size_t kinds = 0;
     for (std::size_t kind = 0; kind < inputKeys.size(); ++kind) {
@@ -157,7 +156,7 @@ std::optional<Solution> readSolution(JsonNode const& node) {
         solution.solves = expect->choice(names).value_or(0) == 0;
     }
     if (auto const frames = reader.optional("frames")) {
-        if (auto const count = frames->integer(1, lastFrame)) {
+        if (auto const count = frames->integer(1, lastRecordedFrame)) {
             solution.frames = static_cast<int>(*count);
         }
     }

@@ -9,7 +9,7 @@
 namespace trembler {
 namespace {
 
-constexpr double shortest = 1e-9; // m: below it a distance has no direction
+constexpr double shortestRope = 1e-9; // m: below it a distance has no direction
 
 void putAt(dBodyID body, Vec2 centre, double angle) {
     if (body != nullptr) {
@@ -201,7 +201,7 @@ void OdeEngine::pullTaut(Joined& joined) {
     Vec2 const endA = atA.centre + rotated(joined.anchors.onA, atA.angle);
     Vec2 const endB = atB.centre + rotated(joined.anchors.onB, atB.angle);
     double const distance = length(endB - endA);
-    if (distance < joined.anchors.length || distance < shortest) {
+    if (distance < joined.anchors.length || distance < shortestRope) {
         return;
     }
     Vec2 const pull = (joined.flipped ? -1 : 1) / distance * (endB - endA); // on ODE's first body
