@@ -13,8 +13,8 @@ namespace {
 // engine solves one by one, and turns back by the hold of one point, need more. Measured: docs/stability.md.
 constexpr double tautMargin = 2;
 constexpr double weldMargin = 6;
-// What rests on a body, as a multiple r of its mass: 0.9 √r substeps hold stacks of equals. Something heavy
-// on something light takes more rounds as well, half of r, between these two.
+// What rests on a body, as a multiple r of its mass: 0.9 √r substeps hold stacks of equals.
+// Something heavy on something light takes more rounds as well, half of r, between these two.
 constexpr double stackFactor = 0.9;
 constexpr double heaviest = 32;
 constexpr int mostRounds = 64;
