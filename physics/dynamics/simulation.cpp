@@ -13,8 +13,8 @@ namespace {
 // engine solves one by one, and turns back by the hold of one point, need more. Measured: docs/stability.md.
 constexpr double tautMargin = 2;
 constexpr double weldMargin = 6;
-// What rests on a body, as a multiple r of its mass: 0.9 √r substeps hold stacks of equals. Something heavy
-// on something light takes more rounds as well, half of r, between these two.
+// What rests on a body, as a multiple r of its mass: 0.9 √r substeps hold stacks of equals.
+// Something heavy on something light takes more rounds as well, half of r, between these two.
 constexpr double stackFactor = 0.9;
 constexpr double heaviest = 32;
 constexpr int mostRounds = 64;
@@ -64,7 +64,7 @@ void Simulation::makeEngine(DynamicsSettings const& settings, DynamicsColumns co
     contactRounds_ = 0;
 }
 
-void Simulation::noteDemand(double gravity, bool jointsChanged, DynamicsColumns const& columns) {
+void Simulation::noteDemand(double gravity, DynamicsColumns const& columns) {
     double const before = jointSubsteps_;
     double const halfFrame = frameDuration / 2;
     JointDemand const demand = jointDemand(columns, bodies_, joints_, gravity);
@@ -73,8 +73,7 @@ void Simulation::noteDemand(double gravity, bool jointsChanged, DynamicsColumns 
     bool const atOnce = std::max(taut, bending) > leastSubsteps || demand.network > largestOneByOne;
     choice_.jointsAtOnce = engine_->solveJointsAtOnce(atOnce);
     jointSubsteps_ = choice_.jointsAtOnce ? taut : std::max(taut, bending);
-    if (!choice_.jointsAtOnce && jointSubsteps_ > leastSubsteps &&
-        (jointsChanged || before <= leastSubsteps)) {
+    if (!choice_.jointsAtOnce && jointSubsteps_ > leastSubsteps && jointSubsteps_ > before) {
         settling_ = settlingFrames;
     }
 }
@@ -116,7 +115,7 @@ std::vector<Refusal> Simulation::follow(DynamicsColumns const& columns) {
         forgetDemand();
     } else if (double const gravity = length(columns.gravity()); jointsChanged || gravity != demandGravity_) {
         demandGravity_ = gravity;
-        noteDemand(gravity, jointsChanged, columns);
+        noteDemand(gravity, columns);
     }
     if (columns.motionVersion() != motionVersion_) {
         bodies_.followMotion(columns, *engine_);

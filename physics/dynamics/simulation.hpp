@@ -43,7 +43,7 @@ public:
 private:
     void makeEngine(DynamicsSettings const& settings, DynamicsColumns const& columns);
     [[nodiscard]] double scaleNow(DynamicsSettings const& settings, DynamicsColumns const& columns) const;
-    void noteDemand(double gravity, bool jointsChanged, DynamicsColumns const& columns);
+    void noteDemand(double gravity, DynamicsColumns const& columns);
     void forgetDemand();
     [[nodiscard]] DynamicsSettings chosen(double duration, DynamicsColumns const& columns);
 

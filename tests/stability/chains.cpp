@@ -136,7 +136,8 @@ std::vector<HardCase> chainCases() {
                              fmt::format("{} links, 1:{}", links, ratio),
                              [=](Setting const& setting, std::uint64_t seed) {
                                  return chain(setting, seed, links, ratio);
-                             }});
+                             },
+                             true, links < 200 || ratio == 1000});
         }
     }
     cases.push_back({"bridge of 160 planks", "", bridge});

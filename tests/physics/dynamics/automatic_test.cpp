@@ -155,6 +155,56 @@ TEST_F(Automatic, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(hashes[0], hashes[2]);
 }
 
+// Contacts know nothing of what joints are given beforehand: both must come to terms.
+TEST_F(Automatic, AChainThatIsSolvedAtOnceFallsOnTheGroundAndStaysWhole) {
+    Scene scene;
+    scene.fixed("floor", boxPiece(40, 1), {0, -0.5});
+    scene.fixed("block", boxPiece(1, 1), {3, 0.5});
+    ObjectId before;
+    std::vector<ObjectId> links;
+    for (int i = 0; i < 40; ++i) {
+        links.push_back(scene.body("link " + std::to_string(100 + i), boxPiece(0.2, 0.05), {0.2 * i, 2}));
+        if (i > 0) {
+            hinge(scene, "joint " + std::to_string(100 + i), links.back(), before, {0.2 * i - 0.1, 2});
+        }
+        before = links.back();
+    }
+    scene.run(2);
+    ASSERT_TRUE(choiceOf(scene).jointsAtOnce);
+    scene.run(900);
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        // Draped over the block's edges it slides to and fro; solved one by one, too, by 0.1 to 0.3 m/s.
+        EXPECT_LT(length(scene.velocity(links[i])), 0.25) << i;
+        EXPECT_GT(scene.at(links[i]).y, 0.015) << i;
+        if (i > 0) {
+            Vec2 const end = scene.at(links[i - 1]) + rotated({0.1, 0}, scene.angle(links[i - 1]));
+            Vec2 const start = scene.at(links[i]) + rotated({-0.1, 0}, scene.angle(links[i]));
+            EXPECT_LT(length(end - start), 0.005) << i;
+        }
+    }
+}
+
+// A chain held at both ends, with a weight thrown at its middle: a joint must carry, a contact must hold.
+TEST_F(Automatic, AWeightComesToRestOnAChainThatIsSolvedAtOnce) {
+    Scene scene;
+    ObjectId before;
+    for (int i = 0; i < 40; ++i) {
+        ObjectId const link =
+            scene.body("link " + std::to_string(100 + i), boxPiece(0.2, 0.05), {0.2 * i - 3.9, 0});
+        scene.give(link, Mass{2});
+        hinge(scene, "joint " + std::to_string(100 + i), link, before, {0.2 * i - 4, 0});
+        before = link;
+    }
+    hinge(scene, "last", before, {}, {4, 0});
+    ObjectId const weight = scene.body("weight", boxPiece(0.5, 0.5), {0, 1});
+    scene.give(weight, Mass{100});
+    scene.give(weight, Damping{0.5, 0.5});
+    scene.run(1500);
+    ASSERT_TRUE(choiceOf(scene).jointsAtOnce);
+    EXPECT_LT(length(scene.velocity(weight)), 0.05);
+    EXPECT_GT(scene.at(weight).y, -1) << "it should lie on the chain";
+}
+
 // What is welded to a wall stays level, whatever the weight of what is welded to it in turn.
 TEST_F(Automatic, WeldsSolvedAtOnceDoNotSag) {
     Scene scene;
