@@ -12,8 +12,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <map>
 #include <memory>
 
 namespace trembler::budget {
@@ -172,13 +173,18 @@ std::optional<Knob> buoyancyKnob(World const& world) {
     knob.of = "of the lift";
     knob.source = fmt::format("Measured on {} bodies that float, against exact sections of their shapes.",
                               flotilla.size());
+    std::map<int, Error> stale;
     auto const add = [&](ComponentStatus const& level, Option made, Error const& error, bool current) {
         bool const isNow = level.info == now->info && current;
         made.makes.insert(made.makes.begin(), toLevel(effect, level.info->text.level));
         for (int const period : withCurrent(std::vector<int>{1, 2, 4, 8, 12}, isNow ? now->period : 1)) {
             Option option = made;
             runEvery(option, title(*level.info), period);
-            option.error = together(error, flotilla.errorOfPeriod(period, settings.lookAhead));
+            auto const [at, isNew] = stale.try_emplace(period);
+            if (isNew) {
+                at->second = flotilla.errorOfPeriod(period, settings.lookAhead);
+            }
+            option.error = together(error, at->second);
             if (isNow && period == now->period) {
                 knob.current = knob.options.size();
             }

@@ -127,16 +127,19 @@ AddUp byGrid(double inner, double cutoff) {
     };
 }
 
-Error staleness(World const& world, Sample const& sample, std::span<SampledSum const> sums,
-                std::span<Vec2 const> right, int period) {
+Error Staleness::of(int period) {
     if (period <= 1) {
         return {};
     }
-    std::vector<SampledSum> moved(sums.begin(), sums.end());
-    for (SampledSum& sum : moved) {
-        sum.moveOn(world, (period - 1) / 2.0 * frameDuration);
+    auto const [at, isNew] = known_.try_emplace(period);
+    if (isNew) {
+        std::vector<SampledSum> moved(sums_.begin(), sums_.end());
+        for (SampledSum& sum : moved) {
+            sum.moveOn(world_, (period - 1) / 2.0 * frameDuration);
+        }
+        at->second = errorOf(sample_, forcesOn(sample_, moved, addPairs), right_);
     }
-    return errorOf(sample, forcesOn(sample, moved, addPairs), right);
+    return at->second;
 }
 
 } // namespace trembler::budget

@@ -6,6 +6,7 @@
 #include "runtime/world/world.hpp"
 
 #include <functional>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -56,9 +57,22 @@ void addPairs(SampledSum const& sum, std::span<Vec2> totals);
 /// Cut off smoothly between `inner` and `cutoff` (m).
 [[nodiscard]] AddUp byGrid(double inner, double cutoff);
 
-/// How far off forces are that stand for `period` frames while everything moves on: on average they are
-/// (period - 1) / 2 frames old.
-[[nodiscard]] Error staleness(World const& world, Sample const& sample, std::span<SampledSum const> sums,
-                              std::span<Vec2 const> right, int period);
+/// How far off forces are that stand for so many frames while everything moves on: on average they are
+/// (period - 1) / 2 frames old. Each period is looked into once.
+class Staleness {
+public:
+    /// All must outlive it; `right` are the forces as of now.
+    Staleness(World const& world, Sample const& sample, std::span<SampledSum const> sums,
+              std::span<Vec2 const> right)
+        : world_(world), sample_(sample), sums_(sums), right_(right) {}
+    [[nodiscard]] Error of(int period);
+
+private:
+    World const& world_;
+    Sample const& sample_;
+    std::span<SampledSum const> sums_;
+    std::span<Vec2 const> right_;
+    std::map<int, Error> known_;
+};
 
 } // namespace trembler::budget

@@ -82,6 +82,7 @@ std::optional<Knob> gravityKnob(World const& world) {
     knob.source =
         isLaw ? fmt::format("Measured on {} masses, against the sum over all pairs.", sample.bodies.size())
               : "The world states no law of gravity, so linear gravity is all there is to know.";
+    Staleness stale(world, sample, sums, right);
     auto const add = [&](ComponentStatus const& level, Option made, Error const& error) {
         std::string const component = title(*level.info);
         bool const isNow = level.info == now->info;
@@ -90,9 +91,7 @@ std::optional<Knob> gravityKnob(World const& world) {
             Option option = made;
             option.makes.insert(option.makes.begin(), toLevel(effect, level.info->text.level));
             runEvery(option, component, period);
-            option.error = level.info->text.level == "linear"
-                               ? error
-                               : together(error, staleness(world, sample, sums, right, period));
+            option.error = level.info->text.level == "linear" ? error : together(error, stale.of(period));
             bool const sameAngle =
                 level.info->text.level != "tree" || option.makes[1].value == law.openingAngle;
             if (isNow && period == now->period && sameAngle) {

@@ -101,6 +101,7 @@ std::optional<Knob> magnetismKnob(World const& world) {
     knob.source = fmt::format("Measured on {} bodies, against the sum over all pairs of poles.",
                               scene.sample.bodies.size());
     std::string const nowLevel(now->info->text.level);
+    Staleness stale(world, scene.sample, scene.sums, right);
     auto const add = [&](ComponentStatus const& level, Option made, AddUp const& addUp, bool current) {
         std::string const component = title(*level.info);
         bool const isNow = level.info == now->info && current;
@@ -109,7 +110,7 @@ std::optional<Knob> magnetismKnob(World const& world) {
         for (int const period : withCurrent(std::vector<int>{1, 2, 4}, isNow ? now->period : 1)) {
             Option option = made;
             runEvery(option, component, period);
-            option.error = together(error, staleness(world, scene.sample, scene.sums, right, period));
+            option.error = together(error, stale.of(period));
             if (isNow && period == now->period) {
                 knob.current = knob.options.size();
             }

@@ -159,7 +159,7 @@ void CostRows::drawStatus(budget::BudgetMode const& mode) const {
     // All that was decided last, at one time.
     for (budget::Decision const& decision : mode.decisions()) {
         if (decision.frame == mode.decisions().back().frame) {
-            caption(words::withArrow(inWords(decision)).c_str());
+            caption(inWords(decision).c_str());
         }
     }
     ImGui::PopFont();

@@ -211,8 +211,6 @@ inline constexpr KeyHelp keyHelp[] = {
 [[nodiscard]] std::string errorTip(double metres, double share, std::string const& of,
                                    std::string const& source);
 [[nodiscard]] std::string budgetIs(double microseconds);
-/// " -> " as an arrow.
-[[nodiscard]] std::string withArrow(std::string text);
 [[nodiscard]] std::string ofBudget(double microseconds);
 [[nodiscard]] std::string ofRated(double share);
 [[nodiscard]] std::string idleNow(std::string const& chosen, std::string const& working);

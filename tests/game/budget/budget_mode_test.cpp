@@ -2,6 +2,7 @@
 #include "game/budget/budget_mode.hpp"
 #include "game/budget/force_sample.hpp"
 #include "physics/dynamics/body.hpp"
+#include "physics/dynamics/settings.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/level/read_solutions.hpp"
 #include "runtime/level/write_level.hpp"
@@ -130,9 +131,10 @@ TEST_F(Budget, MagnetismKnowsItsLadderInASceneOfItsOwn) {
 TEST_F(Budget, DynamicsErrsAsAFallingBodyDoes) {
     LevelFile const level = readLevel(
         workshop().registry,
-        JsonDocument::parse(R"({"version": 1, "title": "fall", "world": {"gravity": [0, -9.81]}, "objects": [
+        JsonDocument::parse(
+            R"({"version": 1, "title": "fall", "world": {"gravity": [0, -9.81], "solver": {"substeps": 4}}, "objects": [
         {"name": "ball", "at": [0, 0], "properties": {"shape": [{"form": "circle", "radius": 0.1}]}}]})",
-                            "fall.json"));
+            "fall.json"));
     open(level);
     MotionLog log;
     for (int i = 0; i <= 60; ++i) {
@@ -147,6 +149,33 @@ TEST_F(Budget, DynamicsErrsAsAFallingBodyDoes) {
     }
     EXPECT_FALSE(knob->options[0].cannot.empty()) << "one step topples stacks";
     EXPECT_TRUE(knob->options[1].cannot.empty());
+}
+
+// What the budget has raised it can lower again, but not below what the level states while anything is
+// jointed.
+TEST_F(Budget, StepsAreNeverFewerThanStatedWhereThereAreJoints) {
+    LevelFile level = load("4-raft.json");
+    DynamicsSettings settings;
+    settings.substeps = 4;
+    level.world.set(settings);
+    open(level);
+    MotionLog log;
+    log.look(world());
+    runTo(5);
+    RecordedChange more;
+    more.kind = RecordedChange::Kind::setting;
+    more.subject = "solver";
+    more.field = "substeps";
+    more.value = 16;
+    session().change(more);
+    log.look(world());
+    auto const knob = dynamicsKnob(world(), log);
+    ASSERT_TRUE(knob);
+    EXPECT_EQ(knob->options[knob->current].name, "16 steps per frame");
+    for (Option const& option : knob->options) {
+        bool const fewer = option.name == "1 step per frame" || option.name == "2 steps per frame";
+        EXPECT_EQ(option.cannot.empty(), !fewer) << option.name;
+    }
 }
 
 TEST_F(Budget, OfTheRaftSaysThatExactIsExact) {
@@ -278,7 +307,7 @@ TEST(BudgetWords, SayWhatWasDoneAndWhatItCosts) {
     decision.microseconds = 800;
     decision.error = {0.01, 0.02};
     decision.of = "of the lift";
-    EXPECT_EQ(inWords(decision), "Buoyancy: exact -> 64 particles: saves 0.8 ms, error 2 % of the lift");
+    EXPECT_EQ(inWords(decision), "Buoyancy: exact -> 64 particles: saves 800 µs, error 2 % of the lift");
     decision.microseconds = -1234;
     EXPECT_EQ(inWords(decision), "Buoyancy: exact -> 64 particles: costs 1.23 ms, error 2 % of the lift");
 }
