@@ -146,9 +146,11 @@ std::string budgetInWords(budget::BudgetMode const& mode) {
     for (budget::Decision const& decision : mode.decisions()) {
         text += fmt::format("  frame {:>6}  {}\n", decision.frame, inWords(decision));
     }
-    return text + fmt::format("  budget {:.3g} ms, last second {:.3g} ms per frame{}\n",
-                              *mode.budget() / 1000, mode.figures().microseconds / 1000,
-                              mode.kept() ? "" : ": nothing that would do is cheap enough");
+    return text + fmt::format(
+                      "  budget {:.3g} ms, last second {:.3g} ms per frame{}; estimated error {:.2g} m after "
+                      "a second\n",
+                      *mode.budget() / 1000, mode.figures().microseconds / 1000,
+                      mode.kept() ? "" : ": nothing that would do is cheap enough", mode.error());
 }
 
 void writeRecord(Session const& session, std::string const& path) {

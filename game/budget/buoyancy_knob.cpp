@@ -42,8 +42,9 @@ struct Floater {
 using HullMaker = std::function<std::unique_ptr<Hull>(Shape const&)>;
 
 struct Lift {
-    Vec2 force;  ///< N
-    Vec2 change; ///< N/s, as it moves, to first order
+    Vec2 force;           ///< N
+    Vec2 change;          ///< N/s, as it moves, to first order
+    double stiffness = 0; ///< N/m, against sinking deeper
 };
 
 Lift liftOf(Hull const& hull, Floater const& floater, Vec2 at, double angle) {
@@ -59,6 +60,7 @@ Lift liftOf(Hull const& hull, Floater const& floater, Vec2 at, double angle) {
             -(sum.waterline.length * dot(floater.velocity, liquid.up) + sum.waterline.first * floater.spin);
         lift.force += liquid.weight * sum.wet.area * liquid.up;
         lift.change += liquid.weight * growth * liquid.up;
+        lift.stiffness += liquid.weight * sum.waterline.length;
     }
     return lift;
 }
@@ -103,11 +105,18 @@ public:
             shifted_.bodies.insert(shifted_.bodies.end(), sample_.bodies.begin(), sample_.bodies.end());
         }
         right_ = forces(exactly);
+        for (Floater const& floater : floaters_) {
+            stiffness_.push_back(
+                liftOf(ExactHull(*floater.shape), floater, floater.at, floater.angle).stiffness);
+        }
+        for (std::size_t i = 0; i < shifts.size(); ++i) {
+            shiftedStiffness_.insert(shiftedStiffness_.end(), stiffness_.begin(), stiffness_.end());
+        }
     }
 
     [[nodiscard]] std::size_t size() const { return floaters_.size(); }
     [[nodiscard]] Error errorOfHulls(HullMaker const& makeHull) const {
-        return errorOf(shifted_, forces(makeHull), right_);
+        return errorOf(shifted_, forces(makeHull), right_, shiftedStiffness_);
     }
     /// Of forces that stand for so many frames. Looking ahead makes up for the first order.
     [[nodiscard]] Error errorOfPeriod(int period, bool lookAhead) const {
@@ -122,7 +131,7 @@ public:
                 liftOf(hull, floater, floater.at + age * floater.velocity, floater.angle + age * floater.spin)
                     .force);
         }
-        return errorOf(sample_, stale, fresh);
+        return errorOf(sample_, stale, fresh, stiffness_);
     }
     static std::unique_ptr<Hull> exactly(Shape const& shape) { return std::make_unique<ExactHull>(shape); }
 
@@ -150,6 +159,8 @@ private:
     Sample shifted_; // the same bodies once for each shift
     std::vector<Floater> floaters_;
     std::vector<Vec2> right_; // of the shifted ones
+    std::vector<double> stiffness_;
+    std::vector<double> shiftedStiffness_;
 };
 
 // µs per body on the machine of docs/accuracy.md.

@@ -29,9 +29,12 @@ inline constexpr std::size_t sampleSize = 16;
 /// At most sampleSize of the objects for which `counts` says yes, evenly spread over their ids.
 [[nodiscard]] Sample sampleOf(World const& world, std::function<bool(ObjectId)> const& counts);
 
-/// Of forces (N, one per body of the sample) against right ones. A force F that is off by dF takes a body of
-/// the mass m off course by ½ dF/m · (1 s)² within the first second.
-[[nodiscard]] Error errorOf(Sample const& sample, std::span<Vec2 const> forces, std::span<Vec2 const> right);
+/// Of forces (N, one per body of the sample) against right ones. A force that is off by dF takes a body of
+/// the mass m off course by ½ dF/m · (1 s)² within the first second; but what is held by something that
+/// yields with `stiffness` (N/m, one per body; 0: nothing does), as the water holds what floats, by no more
+/// than dF/stiffness.
+[[nodiscard]] Error errorOf(Sample const& sample, std::span<Vec2 const> forces, std::span<Vec2 const> right,
+                            std::span<double const> stiffness = {});
 
 /// One inverse-square sum of an effect: what acts, and on what of the sample.
 struct SampledSum {
@@ -53,7 +56,6 @@ using AddUp = std::function<void(SampledSum const&, std::span<Vec2> totals)>;
                                          AddUp const& addUp);
 
 void addPairs(SampledSum const& sum, std::span<Vec2> totals);
-[[nodiscard]] AddUp byTree(double openingAngle, bool ownElsewhere);
 /// Cut off smoothly between `inner` and `cutoff` (m).
 [[nodiscard]] AddUp byGrid(double inner, double cutoff);
 

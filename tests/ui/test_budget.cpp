@@ -102,7 +102,7 @@ TEST_P(BudgetPanel, ABudgetIsKeptAndSaysWhatItDid) {
                 MouseButton::Left, 2);
     EXPECT_NEAR(*player.play().budget().budget(), 1000 * static_cast<double>(leastBudget), 0.1);
     player.key(SDLK_SPACE);
-    player.simulate(GetParam().height > 1000 ? 80 : 240);
+    player.simulate(80);
     player.frames(3);
     auto const& mode = player.play().budget();
     ASSERT_FALSE(mode.decisions().empty());
@@ -162,7 +162,7 @@ TEST(Budget, WithoutABudgetAndWithoutThePanelNobodyMeasures) {
     Player player;
     player.open(raft);
     player.key(SDLK_SPACE);
-    player.simulate(130);
+    player.simulate(72);
     EXPECT_EQ(player.play().budget().figures().frame, 0U);
     EXPECT_TRUE(player.play().budget().knobs().empty());
 }
