@@ -42,9 +42,10 @@ public:
     ///
     /// An option that is not allowed is left at once. Over the budget, the plan with the least error that
     /// costs 95 % of it is taken if it saves at least 2 %. Within the budget, a plan that costs 90 % of it is
-    /// taken if its error is a fifth less. A knob that sleeps stays where it is. After a change a round
-    /// passes before the next, so that its cost is known. A change that nothing forces and that leads back to
-    /// where it has been before makes the next such change wait for twice as many rounds: however the figures
+    /// taken if its error is a fifth less. Where nothing allowed is so cheap, what costs 5 % more than the
+    /// cheapest counts as cheap enough. A knob that sleeps stays where it is. After a change a round passes
+    /// before the next, so that its cost is known. A change that nothing forces and that leads back to where
+    /// it has been before makes the next such change wait for twice as many rounds: however the figures
     /// waver, it does not flip to and fro.
     ///
     /// What an option costs that has not been tried follows from what the current one costs and from their
