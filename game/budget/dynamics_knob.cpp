@@ -57,7 +57,7 @@ std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log) {
     bool const automatic = log.statedSteps() == 0;
     int const fewest = automatic ? log.automaticSteps() : fewestSteps(world, log.statedSteps());
     if (automatic) {
-        add(fmt::format("automatic: {} steps per frame", fewest), 0, fewest, "");
+        add(fmt::format("automatic: {} steps", fewest), 0, fewest, "");
     }
     std::vector<int> usual{1, 2, 4, 8, 16};
     if (!automatic) {
@@ -68,7 +68,7 @@ std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log) {
     }
     for (int const steps : usual) {
         bool const tooFew = steps < fewest && steps != settings.substeps;
-        add(fmt::format("{} step{} per frame", steps, steps == 1 ? "" : "s"), steps, steps,
+        add(fmt::format("{} step{}", steps, steps == 1 ? "" : "s"), steps, steps,
             tooFew ? "with so long steps joints gape, and chains and stacks burst" : "");
     }
     return knob;

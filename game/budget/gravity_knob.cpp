@@ -86,7 +86,7 @@ std::optional<Knob> gravityKnob(World const& world) {
         isLaw ? fmt::format("Measured on {} masses, against the sum over all pairs.", sample.bodies.size())
               : "The world states no law of gravity, so linear gravity is all there is to know.";
     Staleness stale(world, sample, sums, right);
-    auto const add = [&](ComponentStatus const& level, Option made, Error const& error) {
+    auto const add = [&](ComponentStatus const& level, Option const& made, Error const& error) {
         std::string const component = title(*level.info);
         bool const isNow = level.info == now->info;
         std::vector<int> const periods = !isLaw ? std::vector<int>{1} : std::vector<int>{1, 2, 4};

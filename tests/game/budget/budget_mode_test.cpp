@@ -155,10 +155,9 @@ TEST_F(Budget, TheErrorIsWhatBodiesAreOffByAfterASecond) {
     level.world.set(settings);
     auto const right = aSecondLater(workshop(), level, {{"gravity", "real"}}, nullptr);
     using Options = std::vector<std::pair<std::string, std::string>>;
-    for (Options const& options :
-         {Options{{"dynamics", "16 steps per frame"}, {"gravity", "tree, opening angle 0.7"}},
-          Options{{"dynamics", "16 steps per frame"}, {"gravity", "real, every 4 frames"}},
-          Options{{"dynamics", "2 steps per frame"}, {"gravity", "real"}}}) {
+    for (Options const& options : {Options{{"dynamics", "16 steps"}, {"gravity", "tree, opening angle 0.7"}},
+                                   Options{{"dynamics", "16 steps"}, {"gravity", "real, every 4 frames"}},
+                                   Options{{"dynamics", "2 steps"}, {"gravity", "real"}}}) {
         double estimate = 0;
         auto const found = aSecondLater(workshop(), level, options, &estimate);
         ASSERT_EQ(found.size(), right.size());
@@ -244,9 +243,9 @@ TEST_F(Budget, StepsAreNeverFewerThanStatedWhereThereAreJoints) {
     log.look(world());
     auto const knob = dynamicsKnob(world(), log);
     ASSERT_TRUE(knob);
-    EXPECT_EQ(knob->options[knob->current].name, "16 steps per frame");
+    EXPECT_EQ(knob->options[knob->current].name, "16 steps");
     for (Option const& option : knob->options) {
-        bool const fewer = option.name == "1 step per frame" || option.name == "2 steps per frame";
+        bool const fewer = option.name == "1 step" || option.name == "2 steps";
         EXPECT_EQ(option.cannot.empty(), !fewer) << option.name;
     }
 }
