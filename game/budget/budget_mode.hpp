@@ -70,6 +70,8 @@ public:
     [[nodiscard]] double error() const;
     /// Of this run, the latest last.
     [[nodiscard]] std::vector<Decision> const& decisions() const { return decisions_; }
+    /// Whether, as of the last decision, nothing that would do was cheap enough.
+    [[nodiscard]] bool hopeless() const { return controller_.hopeless(); }
     /// Whether the budget was kept in the last round.
     [[nodiscard]] bool kept() const { return !budget_ || figures_.microseconds <= *budget_; }
 

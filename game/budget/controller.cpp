@@ -96,17 +96,17 @@ std::vector<std::size_t> Controller::decide(std::span<KnobFigures const> knobs, 
     }
     visited_.insert(nameOf(knobs, current));
     bool const over = now > budget;
-    if (!forced && round_ <= quietUntil_) {
-        return current;
-    }
     double cheapest = rest;
     std::vector<std::size_t> const least = bestPlan(choices, 0);
     for (std::size_t i = 0; i < least.size(); ++i) {
         cheapest += choices[i][least[i]].cost;
     }
-    bool const hopeless = cheapest > roomForLess * budget;
+    hopeless_ = cheapest > roomForLess * budget;
+    if (!forced && round_ <= quietUntil_) {
+        return current;
+    }
     double const aim =
-        hopeless ? nearlyCheapest * cheapest : (over || forced ? roomForLess : roomForMore) * budget;
+        hopeless_ ? nearlyCheapest * cheapest : (over || forced ? roomForLess : roomForMore) * budget;
     double const room = aim - rest;
     std::vector<std::size_t> plan = bestPlan(choices, room);
     keepWhatIsAsGood(choices, current, room, plan);
@@ -121,7 +121,7 @@ std::vector<std::size_t> Controller::decide(std::span<KnobFigures const> knobs, 
     }
     bool const saves = over && cost < worthSaving * now;
     if (!forced && !saves) {
-        bool const fits = hopeless || (!over && cost <= roomForMore * budget);
+        bool const fits = hopeless_ || (!over && cost <= roomForMore * budget);
         if (!fits || error > worthwhile * errorNow || round_ < patientUntil_) {
             return current;
         }

@@ -53,6 +53,8 @@ public:
     [[nodiscard]] std::vector<std::size_t> decide(std::span<KnobFigures const> knobs, double rest,
                                                   double budget);
 
+    /// Whether, as of the last decision, nothing allowed was cheap enough.
+    [[nodiscard]] bool hopeless() const { return hopeless_; }
     /// µs per frame that an option of a knob would cost.
     [[nodiscard]] double predicted(KnobFigures const& knob, std::size_t option) const;
     /// Forgets all but what options cost: another budget, another scene.
@@ -73,6 +75,7 @@ private:
     std::map<Key, Tried> tried_;        // by the option that is being tried
     std::set<std::string> visited_;     // combinations
     double budget_ = 0;
+    bool hopeless_ = false;
     std::uint64_t round_ = 0;
     std::uint64_t quietUntil_ = 0;
     std::uint64_t patientUntil_ = 0;

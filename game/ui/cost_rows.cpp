@@ -150,7 +150,7 @@ void CostRows::drawStatus(budget::BudgetMode const& mode) const {
     bool const known = mode.figures().frame > 0;
     if (known && !mode.kept()) {
         ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::warning));
-        ImGui::TextWrapped("%s", words::budgetMissed);
+        ImGui::TextWrapped("%s", mode.hopeless() ? words::budgetHopeless : words::budgetMissed);
         ImGui::PopStyleColor();
     }
     if (mode.decisions().empty()) {

@@ -110,7 +110,7 @@ TEST_P(BudgetPanel, ABudgetIsKeptAndSaysWhatItDid) {
     EXPECT_TRUE(allOnScreen(player));
     player.look(named("cost-budget"));
     if (std::getenv("TREMBLER_PICTURES") != nullptr) { // the one in docs/budget.md
-        for (int i = 0; i < 16; ++i) {
+        for (int i = 0; i < 20; ++i) {
             player.play().carryOut(Command::moreBudget);
         }
         player.simulate(200);

@@ -217,6 +217,7 @@ TEST(BudgetController, LearnsWhatAnOptionCosts) {
         costs.knobs[0].current = controller.decide(costs.knobs, 0, 50).front();
         went.push_back(costs.knobs[0].current);
     }
+    EXPECT_FALSE(controller.hopeless());
     EXPECT_EQ(went.front(), 1U) << "as far as anybody knew, the tree would do";
     EXPECT_EQ(went.back(), 2U) << "it would not";
     EXPECT_EQ(std::count(went.begin(), went.end(), 1U), 2)
@@ -236,6 +237,7 @@ TEST(BudgetController, GivesNothingAwayWhereTheBudgetIsHopeless) {
         costs.knobs[1].current = plan[1];
     }
     EXPECT_EQ(costs.knobs[0].current, 1U);
+    EXPECT_TRUE(controller.hopeless());
     EXPECT_EQ(costs.knobs[1].current, 0U) << "6 µs would not have saved the day";
 }
 
