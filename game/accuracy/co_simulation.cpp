@@ -78,14 +78,18 @@ double predictedGrowth(Stiffness const& stiffness, int substeps, int period, boo
     return std::exp(oscillation * (stiffness.lagged * lag - stiffness.own * frameDuration / substeps)) - 1;
 }
 
-Swing magnetOnSpring(Workshop const& workshop, int substeps) {
+Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead) {
     constexpr double distance = 1;    // m
     constexpr double strength = 5500; // A m
     constexpr double stiffness = 1;   // N/m, of the spring; the mass is 1 kg
     constexpr double anchor = 2;      // m
     World world(workshop.registry, {.threads = 1, .detail = {}, .periods = {}});
     Store& store = world.store();
-    store.column<DynamicsSettings>().set(store.create("world"), solverOf(substeps));
+    ObjectId const settings = store.create("world");
+    store.column<DynamicsSettings>().set(settings, solverOf(substeps));
+    MagnetismSettings magnetism;
+    magnetism.lookAhead = lookAhead;
+    store.column<MagnetismSettings>().set(settings, magnetism);
     auto const magnet = [&](std::string const& name, Vec2 at) {
         ObjectId const id = store.create(name);
         store.column<Shape>().set(id, {{circlePiece(0.1)}});
@@ -107,7 +111,7 @@ Swing magnetOnSpring(Workshop const& workshop, int substeps) {
     Swing result = swing(
         world, found, [&] { return world.find<Position>(body)->value.x; },
         [&] { return world.find<Velocity>(body)->value.x; });
-    result.predicted = predictedGrowth(found, substeps, 1, false);
+    result.predicted = predictedGrowth(found, substeps, 1, lookAhead);
     return result;
 }
 

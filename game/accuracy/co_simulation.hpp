@@ -31,11 +31,12 @@ struct Stiffness {
 /// t/2 (1 - 1/(N period)). A spring of Box2D's is integrated by implicit Euler and loses energy at the rate
 /// k/m times a substep.
 ///
-/// `substeps` and `period` at least 1. `lookAhead`: the lagged force is made up for (see LiquidDrag).
+/// `substeps` and `period` at least 1. `lookAhead`: the lagged force is made up for (see LiquidDrag and
+/// MagneticPoints).
 [[nodiscard]] double predictedGrowth(Stiffness const& stiffness, int substeps, int period, bool lookAhead);
 
 /// A magnet that a fixed one pushes away holds itself against a spring. Needs magnetism.
-[[nodiscard]] Swing magnetOnSpring(Workshop const& workshop, int substeps);
+[[nodiscard]] Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead);
 /// A wide box that floats, on a spring, in a liquid without drag. Needs buoyancy and gravity.
 [[nodiscard]] Swing floatOnSpring(Workshop const& workshop, int substeps, int period, bool lookAhead);
 

@@ -85,10 +85,6 @@ Plan substepsPlan(Words words, DynamicsSceneMaker make, Length length) {
                     ladder.rungs.push_back(
                         measure(substepsName(substeps), make(workshop, solver), length.of(effort)));
                 }
-                Solver automatic;
-                automatic.settings.substeps = DynamicsSettings::automatic;
-                ladder.rungs.push_back(
-                    measure("automatic substeps", make(workshop, automatic), length.of(effort)));
                 return ladder;
             }};
 }

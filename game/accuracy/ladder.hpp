@@ -64,7 +64,6 @@ void markFront(Ladder& ladder);
 // The plans of one effect each, and of what lies between them.
 void addDynamicsPlans(std::vector<Plan>& plans);
 /// Of dynamics, too: with forces of other effects.
-void addCosimulationPlans(std::vector<Plan>& plans);
 void addGravityPlans(std::vector<Plan>& plans);
 void addElectricityPlans(std::vector<Plan>& plans);
 void addMagnetismPlans(std::vector<Plan>& plans);

@@ -12,7 +12,6 @@ std::vector<Plan> plans() {
     std::vector<Plan> all;
 #ifndef TREMBLER_WITHOUT_GRAVITY
     addDynamicsPlans(all);
-    addCosimulationPlans(all);
     addGravityPlans(all);
 #endif
 #ifndef TREMBLER_WITHOUT_ELECTRICITY

@@ -137,6 +137,7 @@ void addBudget(nlohmann::ordered_json& all, budget::BudgetMode const& mode) {
                      {"last_round_us", mode.figures().microseconds},
                      {"slowest_frame_us", mode.figures().worst},
                      {"kept", mode.kept()},
+                     {"hopeless", mode.hopeless()},
                      {"error_m", mode.error()},
                      {"decisions", decisions}};
 }
@@ -146,9 +147,14 @@ std::string budgetInWords(budget::BudgetMode const& mode) {
     for (budget::Decision const& decision : mode.decisions()) {
         text += fmt::format("  frame {:>6}  {}\n", decision.frame, inWords(decision));
     }
-    return text + fmt::format("  budget {:.3g} ms, last second {:.3g} ms per frame{}\n",
-                              *mode.budget() / 1000, mode.figures().microseconds / 1000,
-                              mode.kept() ? "" : ": nothing that would do is cheap enough");
+    return text + fmt::format(
+                      "  budget {:.3g} ms, last second {:.3g} ms per frame{}; estimated error {:.2g} m after "
+                      "a second\n",
+                      *mode.budget() / 1000, mode.figures().microseconds / 1000,
+                      mode.kept()       ? ""
+                      : mode.hopeless() ? ": nothing that would do is cheap enough"
+                                        : ": more than that",
+                      mode.error());
 }
 
 void writeRecord(Session const& session, std::string const& path) {

@@ -26,8 +26,12 @@ std::string inWords(Decision const& decision) {
     if (!effect.empty()) {
         effect[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(effect[0])));
     }
-    return fmt::format("{}: {} -> {}: {} {:.3g} ms, error {:.2g} % {}", effect, decision.from, decision.to,
-                       decision.microseconds >= 0 ? "saves" : "costs", std::abs(decision.microseconds) / 1000,
+    double const time = std::abs(decision.microseconds);
+    return fmt::format("{}: {} -> {}: {} {}, error {:.2g} % {}", effect, decision.from, decision.to,
+                       decision.microseconds >= 0 ? "saves" : "costs",
+                       time < 9.95    ? fmt::format("{:.1f} µs", time)
+                       : time < 999.5 ? fmt::format("{:.0f} µs", time)
+                                      : fmt::format("{:.3g} ms", time / 1000),
                        100 * decision.error.share, decision.of);
 }
 

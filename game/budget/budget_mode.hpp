@@ -24,7 +24,7 @@ struct Decision {
     std::string of;
 };
 
-/// "Buoyancy: exact -> 64 particles: saves 0.8 ms, error 2 % of the lift".
+/// "Buoyancy: exact -> 64 particles: saves 1.2 ms, error 2 % of the lift".
 [[nodiscard]] std::string inWords(Decision const& decision);
 
 /// Off and unobserved it costs nothing. It reads the world between frames; what it changes, it changes
@@ -70,6 +70,8 @@ public:
     [[nodiscard]] double error() const;
     /// Of this run, the latest last.
     [[nodiscard]] std::vector<Decision> const& decisions() const { return decisions_; }
+    /// Whether, as of the last decision, nothing that would do was cheap enough.
+    [[nodiscard]] bool hopeless() const { return controller_.hopeless(); }
     /// Whether the budget was kept in the last round.
     [[nodiscard]] bool kept() const { return !budget_ || figures_.microseconds <= *budget_; }
 

@@ -12,8 +12,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <map>
 #include <memory>
 
 namespace trembler::budget {
@@ -41,8 +42,9 @@ struct Floater {
 using HullMaker = std::function<std::unique_ptr<Hull>(Shape const&)>;
 
 struct Lift {
-    Vec2 force;  ///< N
-    Vec2 change; ///< N/s, as it moves, to first order
+    Vec2 force;           ///< N
+    Vec2 change;          ///< N/s, as it moves, to first order
+    double stiffness = 0; ///< N/m, against sinking deeper
 };
 
 Lift liftOf(Hull const& hull, Floater const& floater, Vec2 at, double angle) {
@@ -58,6 +60,7 @@ Lift liftOf(Hull const& hull, Floater const& floater, Vec2 at, double angle) {
             -(sum.waterline.length * dot(floater.velocity, liquid.up) + sum.waterline.first * floater.spin);
         lift.force += liquid.weight * sum.wet.area * liquid.up;
         lift.change += liquid.weight * growth * liquid.up;
+        lift.stiffness += liquid.weight * sum.waterline.length;
     }
     return lift;
 }
@@ -102,11 +105,18 @@ public:
             shifted_.bodies.insert(shifted_.bodies.end(), sample_.bodies.begin(), sample_.bodies.end());
         }
         right_ = forces(exactly);
+        for (Floater const& floater : floaters_) {
+            stiffness_.push_back(
+                liftOf(ExactHull(*floater.shape), floater, floater.at, floater.angle).stiffness);
+        }
+        for (std::size_t i = 0; i < shifts.size(); ++i) {
+            shiftedStiffness_.insert(shiftedStiffness_.end(), stiffness_.begin(), stiffness_.end());
+        }
     }
 
     [[nodiscard]] std::size_t size() const { return floaters_.size(); }
     [[nodiscard]] Error errorOfHulls(HullMaker const& makeHull) const {
-        return errorOf(shifted_, forces(makeHull), right_);
+        return errorOf(shifted_, forces(makeHull), right_, shiftedStiffness_);
     }
     /// Of forces that stand for so many frames. Looking ahead makes up for the first order.
     [[nodiscard]] Error errorOfPeriod(int period, bool lookAhead) const {
@@ -121,7 +131,7 @@ public:
                 liftOf(hull, floater, floater.at + age * floater.velocity, floater.angle + age * floater.spin)
                     .force);
         }
-        return errorOf(sample_, stale, fresh);
+        return errorOf(sample_, stale, fresh, stiffness_);
     }
     static std::unique_ptr<Hull> exactly(Shape const& shape) { return std::make_unique<ExactHull>(shape); }
 
@@ -149,6 +159,8 @@ private:
     Sample shifted_; // the same bodies once for each shift
     std::vector<Floater> floaters_;
     std::vector<Vec2> right_; // of the shifted ones
+    std::vector<double> stiffness_;
+    std::vector<double> shiftedStiffness_;
 };
 
 // µs per body on the machine of docs/accuracy.md.
@@ -172,13 +184,18 @@ std::optional<Knob> buoyancyKnob(World const& world) {
     knob.of = "of the lift";
     knob.source = fmt::format("Measured on {} bodies that float, against exact sections of their shapes.",
                               flotilla.size());
+    std::map<int, Error> stale;
     auto const add = [&](ComponentStatus const& level, Option made, Error const& error, bool current) {
         bool const isNow = level.info == now->info && current;
         made.makes.insert(made.makes.begin(), toLevel(effect, level.info->text.level));
         for (int const period : withCurrent(std::vector<int>{1, 2, 4, 8, 12}, isNow ? now->period : 1)) {
             Option option = made;
             runEvery(option, title(*level.info), period);
-            option.error = together(error, flotilla.errorOfPeriod(period, settings.lookAhead));
+            auto const [at, isNew] = stale.try_emplace(period);
+            if (isNew) {
+                at->second = flotilla.errorOfPeriod(period, settings.lookAhead);
+            }
+            option.error = together(error, at->second);
             if (isNow && period == now->period) {
                 knob.current = knob.options.size();
             }

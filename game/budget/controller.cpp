@@ -6,6 +6,7 @@ namespace trembler::budget {
 namespace {
 
 constexpr double worthSaving = 0.98;
+constexpr double nearlyCheapest = 1.05;
 
 std::string nameOf(std::span<KnobFigures const> knobs, std::vector<std::size_t> const& plan) {
     std::string name;
@@ -95,10 +96,18 @@ std::vector<std::size_t> Controller::decide(std::span<KnobFigures const> knobs, 
     }
     visited_.insert(nameOf(knobs, current));
     bool const over = now > budget;
+    double cheapest = rest;
+    std::vector<std::size_t> const least = bestPlan(choices, 0);
+    for (std::size_t i = 0; i < least.size(); ++i) {
+        cheapest += choices[i][least[i]].cost;
+    }
+    hopeless_ = cheapest > roomForLess * budget;
     if (!forced && round_ <= quietUntil_) {
         return current;
     }
-    double const room = (over || forced ? roomForLess : roomForMore) * budget - rest;
+    double const aim =
+        hopeless_ ? nearlyCheapest * cheapest : (over || forced ? roomForLess : roomForMore) * budget;
+    double const room = aim - rest;
     std::vector<std::size_t> plan = bestPlan(choices, room);
     keepWhatIsAsGood(choices, current, room, plan);
     if (plan == current) {
@@ -110,11 +119,9 @@ std::vector<std::size_t> Controller::decide(std::span<KnobFigures const> knobs, 
         cost += choices[i][plan[i]].cost;
         error += choices[i][plan[i]].error;
     }
-    if (!forced && over && cost >= worthSaving * now) {
-        return current;
-    }
-    if (!forced && !over) {
-        bool const fits = cost <= roomForMore * budget;
+    bool const saves = over && cost < worthSaving * now;
+    if (!forced && !saves) {
+        bool const fits = hopeless_ || (!over && cost <= roomForMore * budget);
         if (!fits || error > worthwhile * errorNow || round_ < patientUntil_) {
             return current;
         }

@@ -42,9 +42,10 @@ public:
     ///
     /// An option that is not allowed is left at once. Over the budget, the plan with the least error that
     /// costs 95 % of it is taken if it saves at least 2 %. Within the budget, a plan that costs 90 % of it is
-    /// taken if its error is a fifth less. A knob that sleeps stays where it is. After a change a round
-    /// passes before the next, so that its cost is known. A change that nothing forces and that leads back to
-    /// where it has been before makes the next such change wait for twice as many rounds: however the figures
+    /// taken if its error is a fifth less. Where nothing allowed is so cheap, what costs 5 % more than the
+    /// cheapest counts as cheap enough. A knob that sleeps stays where it is. After a change a round passes
+    /// before the next, so that its cost is known. A change that nothing forces and that leads back to where
+    /// it has been before makes the next such change wait for twice as many rounds: however the figures
     /// waver, it does not flip to and fro.
     ///
     /// What an option costs that has not been tried follows from what the current one costs and from their
@@ -52,6 +53,8 @@ public:
     [[nodiscard]] std::vector<std::size_t> decide(std::span<KnobFigures const> knobs, double rest,
                                                   double budget);
 
+    /// Whether, as of the last decision, nothing allowed was cheap enough.
+    [[nodiscard]] bool hopeless() const { return hopeless_; }
     /// µs per frame that an option of a knob would cost.
     [[nodiscard]] double predicted(KnobFigures const& knob, std::size_t option) const;
     /// Forgets all but what options cost: another budget, another scene.
@@ -72,6 +75,7 @@ private:
     std::map<Key, Tried> tried_;        // by the option that is being tried
     std::set<std::string> visited_;     // combinations
     double budget_ = 0;
+    bool hopeless_ = false;
     std::uint64_t round_ = 0;
     std::uint64_t quietUntil_ = 0;
     std::uint64_t patientUntil_ = 0;

@@ -20,10 +20,10 @@ double workOf(int steps) {
 
 // Too long a step tears a chain and topples a stack (docs/accuracy.md): no small error but another course of
 // things.
-int fewestSteps(World const& world, DynamicsSettings const& settings) {
+int fewestSteps(World const& world, int stated) {
     auto const* const joints = world.store().findColumn<Joint>();
     bool const jointed = joints != nullptr && !joints->empty();
-    return jointed ? settings.substeps : std::min(settings.substeps, 2);
+    return jointed ? stated : std::min(stated, 2);
 }
 
 } // namespace
@@ -37,32 +37,39 @@ std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log) {
     auto const settings = settingsOf<DynamicsSettings>(world);
     Knob knob;
     knob.effect = effect;
-    knob.of = "of the way fallen in a second";
+    knob.of = "of a second's fall";
     knob.source =
         "Half a step times what velocities have changed by in the last second: the engines' steps are of "
         "the first order.";
     knob.components.push_back(title(*now->info));
-    if (settings.substeps < 1) { // the solver chooses by itself what the scene needs
-        knob.options.push_back(
-            {"automatic steps", {toSetting(DynamicsSettings::text.key, "substeps", 0)}, 1, {}, {}});
-        knob.source = "The scene itself calls for as many steps as it needs.";
-        return knob;
-    }
-    int const fewest = fewestSteps(world, settings);
-    for (int const steps : withCurrent(std::vector<int>{1, 2, 4, 8, 16}, settings.substeps)) {
+    auto const add = [&](std::string name, int setting, int steps, std::string cannot) {
         double const step = frameDuration / steps;
-        Option option{fmt::format("{} step{} per frame", steps, steps == 1 ? "" : "s"),
-                      {toSetting(DynamicsSettings::text.key, "substeps", steps)},
-                      workOf(steps),
-                      {step / 2 * log.changePerSecond(), step},
-                      {}};
-        if (steps < fewest) {
-            option.cannot = "with so long steps joints gape, and chains and stacks burst";
-        }
-        if (steps == settings.substeps) {
+        if (setting == settings.substeps) {
             knob.current = knob.options.size();
         }
-        knob.options.push_back(std::move(option));
+        knob.options.push_back({std::move(name),
+                                {toSetting(DynamicsSettings::text.key, "substeps", setting)},
+                                workOf(steps),
+                                {step / 2 * log.changePerSecond(), step},
+                                std::move(cannot)});
+    };
+    // What the level states, or what its scene calls for by itself, is never undercut.
+    bool const automatic = log.statedSteps() == 0;
+    int const fewest = automatic ? log.automaticSteps() : fewestSteps(world, log.statedSteps());
+    if (automatic) {
+        add(fmt::format("automatic: {} steps", fewest), 0, fewest, "");
+    }
+    std::vector<int> usual{1, 2, 4, 8, 16};
+    if (!automatic) {
+        usual = withCurrent(usual, log.statedSteps());
+    }
+    if (settings.substeps > 0) {
+        usual = withCurrent(usual, settings.substeps);
+    }
+    for (int const steps : usual) {
+        bool const tooFew = steps < fewest && steps != settings.substeps;
+        add(fmt::format("{} step{}", steps, steps == 1 ? "" : "s"), steps, steps,
+            tooFew ? "with so long steps joints gape, and chains and stacks burst" : "");
     }
     return knob;
 }

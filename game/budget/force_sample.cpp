@@ -3,7 +3,6 @@
 #include "physics/dynamics/body.hpp"
 #include "physics/inverse_square/grid.hpp"
 #include "physics/inverse_square/kernels.hpp"
-#include "physics/inverse_square/tree.hpp"
 #include "runtime/placement.hpp"
 
 #include <algorithm>
@@ -51,7 +50,8 @@ Sample sampleOf(World const& world, std::function<bool(ObjectId)> const& counts)
     return sample;
 }
 
-Error errorOf(Sample const& sample, std::span<Vec2 const> forces, std::span<Vec2 const> right) {
+Error errorOf(Sample const& sample, std::span<Vec2 const> forces, std::span<Vec2 const> right,
+              std::span<double const> stiffness) {
     if (sample.bodies.empty()) {
         return {};
     }
@@ -61,7 +61,9 @@ Error errorOf(Sample const& sample, std::span<Vec2 const> forces, std::span<Vec2
     for (std::size_t i = 0; i < sample.bodies.size(); ++i) {
         double const square = lengthSquared(forces[i] - right[i]);
         double const mass = sample.bodies[i].mass;
-        off += square / (4 * mass * mass);
+        double const yields = stiffness.empty() ? 0 : stiffness[i];
+        double const give = std::max(2 * mass, yields); // N per m of the first second
+        off += square / (give * give);
         wrong += square;
         all += lengthSquared(right[i]);
     }
@@ -102,22 +104,6 @@ void addPairs(SampledSum const& sum, std::span<Vec2> totals) {
     inverse_square::addAllPairs(sum.sources, sum.receivers, 0, sum.receivers.size(), sum.softening2, totals);
 }
 
-AddUp byTree(double openingAngle, bool ownElsewhere) {
-    return [=](SampledSum const& sum, std::span<Vec2> totals) {
-        // One at a time, as strewn receivers that walk together would open nearly everything. In the world
-        // they walk with their neighbours, which opens a little more than this: the error is estimated a
-        // little too great.
-        inverse_square::Tree tree;
-        tree.build(sum.sources);
-        for (std::size_t i = 0; i < totals.size(); ++i) {
-            inverse_square::Points one;
-            one.add(sum.receivers.at(i), sum.receivers.weight[i], sum.receivers.owner[i]);
-            tree.setReceivers(one, ownElsewhere);
-            tree.add(0, 1, openingAngle, sum.softening2, totals.subspan(i, 1));
-        }
-    };
-}
-
 AddUp byGrid(double inner, double cutoff) {
     return [=](SampledSum const& sum, std::span<Vec2> totals) {
         inverse_square::Grid grid;
@@ -127,16 +113,19 @@ AddUp byGrid(double inner, double cutoff) {
     };
 }
 
-Error staleness(World const& world, Sample const& sample, std::span<SampledSum const> sums,
-                std::span<Vec2 const> right, int period) {
+Error Staleness::of(int period) {
     if (period <= 1) {
         return {};
     }
-    std::vector<SampledSum> moved(sums.begin(), sums.end());
-    for (SampledSum& sum : moved) {
-        sum.moveOn(world, (period - 1) / 2.0 * frameDuration);
+    auto const [at, isNew] = known_.try_emplace(period);
+    if (isNew) {
+        std::vector<SampledSum> moved(sums_.begin(), sums_.end());
+        for (SampledSum& sum : moved) {
+            sum.moveOn(world_, (period - 1) / 2.0 * frameDuration);
+        }
+        at->second = errorOf(sample_, forcesOn(sample_, moved, addPairs), right_);
     }
-    return errorOf(sample, forcesOn(sample, moved, addPairs), right);
+    return at->second;
 }
 
 } // namespace trembler::budget

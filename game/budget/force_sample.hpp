@@ -6,6 +6,7 @@
 #include "runtime/world/world.hpp"
 
 #include <functional>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -28,9 +29,12 @@ inline constexpr std::size_t sampleSize = 16;
 /// At most sampleSize of the objects for which `counts` says yes, evenly spread over their ids.
 [[nodiscard]] Sample sampleOf(World const& world, std::function<bool(ObjectId)> const& counts);
 
-/// Of forces (N, one per body of the sample) against right ones. A force F that is off by dF takes a body of
-/// the mass m off course by ½ dF/m · (1 s)² within the first second.
-[[nodiscard]] Error errorOf(Sample const& sample, std::span<Vec2 const> forces, std::span<Vec2 const> right);
+/// Of forces (N, one per body of the sample) against right ones. A force that is off by dF takes a body of
+/// the mass m off course by ½ dF/m · (1 s)² within the first second; but what is held by something that
+/// yields with `stiffness` (N/m, one per body; 0: nothing does), as the water holds what floats, by no more
+/// than dF/stiffness.
+[[nodiscard]] Error errorOf(Sample const& sample, std::span<Vec2 const> forces, std::span<Vec2 const> right,
+                            std::span<double const> stiffness = {});
 
 /// One inverse-square sum of an effect: what acts, and on what of the sample.
 struct SampledSum {
@@ -52,13 +56,25 @@ using AddUp = std::function<void(SampledSum const&, std::span<Vec2> totals)>;
                                          AddUp const& addUp);
 
 void addPairs(SampledSum const& sum, std::span<Vec2> totals);
-[[nodiscard]] AddUp byTree(double openingAngle, bool ownElsewhere);
 /// Cut off smoothly between `inner` and `cutoff` (m).
 [[nodiscard]] AddUp byGrid(double inner, double cutoff);
 
-/// How far off forces are that stand for `period` frames while everything moves on: on average they are
-/// (period - 1) / 2 frames old.
-[[nodiscard]] Error staleness(World const& world, Sample const& sample, std::span<SampledSum const> sums,
-                              std::span<Vec2 const> right, int period);
+/// How far off forces are that stand for so many frames while everything moves on: on average they are
+/// (period - 1) / 2 frames old. Each period is looked into once.
+class Staleness {
+public:
+    /// All must outlive it; `right` are the forces as of now.
+    Staleness(World const& world, Sample const& sample, std::span<SampledSum const> sums,
+              std::span<Vec2 const> right)
+        : world_(world), sample_(sample), sums_(sums), right_(right) {}
+    [[nodiscard]] Error of(int period);
+
+private:
+    World const& world_;
+    Sample const& sample_;
+    std::span<SampledSum const> sums_;
+    std::span<Vec2 const> right_;
+    std::map<int, Error> known_;
+};
 
 } // namespace trembler::budget

@@ -2,6 +2,7 @@
 #include "game/budget/force_sample.hpp"
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
+#include "game/budget/tree_sample.hpp"
 #include "physics/dynamics/body.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/placement.hpp"
@@ -29,7 +30,7 @@ double workOfLinear(double n) {
     return 0.02 + 5.3e-4 * n;
 }
 
-SampledSum sumOf(World const& world, GravityLaw const& law, Sample const& sample) {
+SampledSum sumOf(World const& world, GravityLaw const& law, Sample const& sample, TreeSample& tree) {
     SampledSum sum;
     sum.softening2 = law.softening * law.softening;
     inverse_square::Points all;
@@ -44,6 +45,7 @@ SampledSum sumOf(World const& world, GravityLaw const& law, Sample const& sample
             *masses, *positions);
     }
     sum.receive(all, sample);
+    tree.add(sum.sources, all, false, sum.softening2);
     return sum;
 }
 
@@ -62,13 +64,14 @@ std::optional<Knob> gravityKnob(World const& world) {
     Sample const sample =
         sampleOf(world, [&](ObjectId id) { return positions != nullptr && positions->has(id); });
     std::vector<SampledSum> sums;
+    TreeSample tree(world);
     std::vector<Vec2> right;
     std::vector<Vec2> linear;
     for (Sample::Body const& body : sample.bodies) {
         linear.push_back(body.mass * settingsOf<GravityField>(world).acceleration);
     }
     if (isLaw) {
-        sums.push_back(sumOf(world, law, sample));
+        sums.push_back(sumOf(world, law, sample, tree));
         right = forcesOn(sample, sums, addPairs);
     } else {
         right = linear; // there is nothing more exact to be had
@@ -82,7 +85,8 @@ std::optional<Knob> gravityKnob(World const& world) {
     knob.source =
         isLaw ? fmt::format("Measured on {} masses, against the sum over all pairs.", sample.bodies.size())
               : "The world states no law of gravity, so linear gravity is all there is to know.";
-    auto const add = [&](ComponentStatus const& level, Option made, Error const& error) {
+    Staleness stale(world, sample, sums, right);
+    auto const add = [&](ComponentStatus const& level, Option const& made, Error const& error) {
         std::string const component = title(*level.info);
         bool const isNow = level.info == now->info;
         std::vector<int> const periods = !isLaw ? std::vector<int>{1} : std::vector<int>{1, 2, 4};
@@ -90,9 +94,7 @@ std::optional<Knob> gravityKnob(World const& world) {
             Option option = made;
             option.makes.insert(option.makes.begin(), toLevel(effect, level.info->text.level));
             runEvery(option, component, period);
-            option.error = level.info->text.level == "linear"
-                               ? error
-                               : together(error, staleness(world, sample, sums, right, period));
+            option.error = level.info->text.level == "linear" ? error : together(error, stale.of(period));
             bool const sameAngle =
                 level.info->text.level != "tree" || option.makes[1].value == law.openingAngle;
             if (isNow && period == now->period && sameAngle) {
@@ -106,7 +108,7 @@ std::optional<Knob> gravityKnob(World const& world) {
         knob.components.push_back(title(*level.info));
         if (name == "tree") {
             for (double const angle : withCurrent({0.15, 0.25, 0.35, 0.5, 0.7}, law.openingAngle)) {
-                Error const error = errorOf(sample, forcesOn(sample, sums, byTree(angle, false)), right);
+                Error const error = tree.errorAt(angle);
                 add(level,
                     {fmt::format("tree, opening angle {:g}", angle),
                      {toSetting(GravityLaw::text.key, "opening_angle", angle)},

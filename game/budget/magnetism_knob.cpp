@@ -2,6 +2,7 @@
 #include "game/budget/force_sample.hpp"
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
+#include "game/budget/tree_sample.hpp"
 #include "physics/magnetism/magnetic_grid.hpp"
 #include "physics/magnetism/magnetic_points.hpp"
 
@@ -21,7 +22,7 @@ struct Scene {
     double poles = 0; ///< sources and what they attract
 };
 
-Scene lookAt(World const& world) {
+Scene lookAt(World const& world, TreeSample& tree) {
     static Column<Rotation> const noRotations;
     static Column<Velocity> const noVelocities;
     static Column<AngularVelocity> const noSpins;
@@ -52,6 +53,7 @@ Scene lookAt(World const& world) {
         sum.softening2 = magneticSoftening * magneticSoftening;
         sum.sources = points.sources(which);
         sum.receive(points.receivers(which), scene.sample);
+        tree.add(sum.sources, points.receivers(which), true, sum.softening2);
         scene.sums.push_back(std::move(sum));
     }
     scene.poles = static_cast<double>(points.sources(MagneticSum::polesOnPoles).size() +
@@ -96,7 +98,8 @@ std::optional<Knob> magnetismKnob(World const& world) {
     if (!now) {
         return std::nullopt;
     }
-    Scene const scene = lookAt(world);
+    TreeSample tree(world);
+    Scene const scene = lookAt(world, tree);
     auto const settings = settingsOf<MagnetismSettings>(world);
     std::vector<Vec2> const right = forcesOn(scene.sample, scene.sums, addPairs);
 
@@ -106,15 +109,15 @@ std::optional<Knob> magnetismKnob(World const& world) {
     knob.source = fmt::format("Measured on {} bodies, against the sum over all pairs of poles.",
                               scene.sample.bodies.size());
     std::string const nowLevel(now->info->text.level);
-    auto const add = [&](ComponentStatus const& level, Option made, AddUp const& addUp, bool current) {
+    Staleness stale(world, scene.sample, scene.sums, right);
+    auto const add = [&](ComponentStatus const& level, Option made, Error const& error, bool current) {
         std::string const component = title(*level.info);
         bool const isNow = level.info == now->info && current;
-        Error const error = errorOf(scene.sample, forcesOn(scene.sample, scene.sums, addUp), right);
         made.makes.insert(made.makes.begin(), toLevel(effect, level.info->text.level));
         for (int const period : withCurrent(std::vector<int>{1, 2, 4}, isNow ? now->period : 1)) {
             Option option = made;
             runEvery(option, component, period);
-            option.error = together(error, staleness(world, scene.sample, scene.sums, right, period));
+            option.error = together(error, stale.of(period));
             if (isNow && period == now->period) {
                 knob.current = knob.options.size();
             }
@@ -134,7 +137,7 @@ std::optional<Knob> magnetismKnob(World const& world) {
                      workOfTree(scene.poles, angle),
                      {},
                      {}},
-                    byTree(angle, true), angle == settings.openingAngle);
+                    tree.errorAt(angle), angle == settings.openingAngle);
             }
         } else if (name == "grid") {
             for (double const asked : withCurrent({1.0, 2.0, 4.0, 8.0}, settings.cutoff)) {
@@ -148,10 +151,13 @@ std::optional<Knob> magnetismKnob(World const& world) {
                      workOfGrid(scene.poles, neighbours(scene, cutoff)),
                      {},
                      {}},
-                    byGrid(fullShareOfCutoff * cutoff, cutoff), asked == settings.cutoff);
+                    errorOf(scene.sample,
+                            forcesOn(scene.sample, scene.sums, byGrid(fullShareOfCutoff * cutoff, cutoff)),
+                            right),
+                    asked == settings.cutoff);
             }
         } else {
-            add(level, {name, {}, workOfPairs(scene.poles), {}, {}}, addPairs, true);
+            add(level, {name, {}, workOfPairs(scene.poles), {}, {}}, {}, true);
         }
     }
     return knob;

@@ -1,8 +1,14 @@
 #include "game/budget/motion_log.hpp"
 
 #include "physics/dynamics/body.hpp"
+#include "physics/dynamics/settings.hpp"
 #include "runtime/placement.hpp"
+#if __has_include("physics/dynamics/solver_choice.hpp")
+#include "physics/dynamics/solver_choice.hpp"
+#define TREMBLER_CHOOSES_STEPS
+#endif
 
+#include <algorithm>
 #include <cmath>
 
 namespace trembler::budget {
@@ -11,12 +17,29 @@ void MotionLog::clear() {
     last_.clear();
     changes_.clear();
     seen_ = 0;
+    known_ = false;
+}
+
+void MotionLog::noteSteps(World const& world) {
+    auto const* const column = world.store().findColumn<DynamicsSettings>();
+    DynamicsSettings const settings =
+        column == nullptr || column->empty() ? DynamicsSettings{} : column->values().front();
+    if (!known_) {
+        stated_ = settings.substeps;
+        known_ = true;
+    }
+#ifdef TREMBLER_CHOOSES_STEPS
+    if (auto const* const choice = world.find<SolverChoice>(); choice != nullptr && settings.substeps == 0) {
+        automatic_ = std::max(choice->substeps, 1);
+    }
+#endif
 }
 
 void MotionLog::look(World const& world) {
     if (world.frame() < seen_) {
         clear(); // another run
     }
+    noteSteps(world);
     if (world.frame() % interval != 0 || (world.frame() == seen_ && !last_.empty())) {
         return;
     }

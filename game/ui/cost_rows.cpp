@@ -150,7 +150,7 @@ void CostRows::drawStatus(budget::BudgetMode const& mode) const {
     bool const known = mode.figures().frame > 0;
     if (known && !mode.kept()) {
         ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::warning));
-        ImGui::TextWrapped("%s", words::budgetMissed);
+        ImGui::TextWrapped("%s", mode.hopeless() ? words::budgetHopeless : words::budgetMissed);
         ImGui::PopStyleColor();
     }
     if (mode.decisions().empty()) {
@@ -159,7 +159,7 @@ void CostRows::drawStatus(budget::BudgetMode const& mode) const {
     // All that was decided last, at one time.
     for (budget::Decision const& decision : mode.decisions()) {
         if (decision.frame == mode.decisions().back().frame) {
-            caption(words::withArrow(inWords(decision)).c_str());
+            caption(inWords(decision).c_str());
         }
     }
     ImGui::PopFont();

@@ -56,12 +56,6 @@ std::string errorTip(double metres, double share, std::string const& of, std::st
     return fmt::format("{:.2g} % {}: what nothing holds would be off by {} after a second. {}", 100 * share,
                        of, metres > 0 ? howFarOff(metres) : "nothing", source);
 }
-std::string withArrow(std::string text) {
-    if (std::size_t const at = text.find(" -> "); at != std::string::npos) {
-        text.replace(at, 4, " → ");
-    }
-    return text;
-}
 std::string budgetIs(double microseconds) {
     return fmt::format("Time budget: {:.2f} ms per frame", microseconds / 1000);
 }

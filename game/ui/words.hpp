@@ -159,7 +159,8 @@ inline constexpr char const* budgetTip =
 inline constexpr char const* budgetFormat = "%.2f ms";
 inline constexpr char const* budgetSliderTip = "Less with the comma key, more with the full stop.";
 inline constexpr char const* budgetOff = "No time budget: levels stay as they are";
-inline constexpr char const* budgetMissed = "Nothing that would do is cheap enough for this budget.";
+inline constexpr char const* budgetMissed = "The last second took longer than that.";
+inline constexpr char const* budgetHopeless = "Nothing that would do is cheap enough for this budget.";
 inline constexpr char const* nothingToChange = "Everything is as it should be: nothing to change.";
 inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 
@@ -211,8 +212,6 @@ inline constexpr KeyHelp keyHelp[] = {
 [[nodiscard]] std::string errorTip(double metres, double share, std::string const& of,
                                    std::string const& source);
 [[nodiscard]] std::string budgetIs(double microseconds);
-/// " -> " as an arrow.
-[[nodiscard]] std::string withArrow(std::string text);
 [[nodiscard]] std::string ofBudget(double microseconds);
 [[nodiscard]] std::string ofRated(double share);
 [[nodiscard]] std::string idleNow(std::string const& chosen, std::string const& working);

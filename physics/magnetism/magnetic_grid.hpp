@@ -20,7 +20,7 @@ inline constexpr double fullShareOfCutoff = 0.8;
 
 /// The forces of MagneticForces, cut off. Forces end smoothly and are central, so they have a potential and
 /// crossing the cutoff neither gives nor takes energy. What is left out are the many weak pulls from afar.
-class MagneticGrid final : public MagneticLevel<MagneticGrid, MagnetismSettings> {
+class MagneticGrid final : public MagneticLevel<MagneticGrid> {
 public:
     static constexpr ComponentText text{
         .name = "Magnetic Grid",

@@ -14,14 +14,16 @@ namespace trembler {
 /// which adds to `totals` what the sources do to each receiver, see inverse_square::Points. `More` are
 /// properties that it reads besides.
 template <class Self, class... More>
-class MagneticLevel : public Dps<Self,
-                                 Reads<Position, Rotation, Velocity, AngularVelocity, Shape, MagneticPoles,
-                                       MagneticStrength, Magnet, MagnetSwitching, DynamicsSettings, More...>,
-                                 Derives<MagneticForce>> {
-    using Base = Dps<Self,
-                     Reads<Position, Rotation, Velocity, AngularVelocity, Shape, MagneticPoles,
-                           MagneticStrength, Magnet, MagnetSwitching, DynamicsSettings, More...>,
-                     Derives<MagneticForce>>;
+class MagneticLevel
+    : public Dps<Self,
+                 Reads<Position, Rotation, Velocity, AngularVelocity, Shape, MagneticPoles, MagneticStrength,
+                       Magnet, MagnetSwitching, DynamicsSettings, MagnetismSettings, More...>,
+                 Derives<MagneticForce>> {
+    using Base =
+        Dps<Self,
+            Reads<Position, Rotation, Velocity, AngularVelocity, Shape, MagneticPoles, MagneticStrength,
+                  Magnet, MagnetSwitching, DynamicsSettings, MagnetismSettings, More...>,
+            Derives<MagneticForce>>;
 
 public:
     using Access = typename Base::Access;
@@ -29,7 +31,9 @@ public:
 
     void update(Access& access) {
         auto const& solver = access.template read<DynamicsSettings>();
-        double const lag = frameDuration / 2 * (1 - 1.0 / ordinarySubsteps(solver));
+        auto const& settings = access.template read<MagnetismSettings>();
+        bool const ahead = settings.empty() || settings.values().front().lookAhead;
+        double const lag = ahead ? frameDuration / 2 * (1 - 1.0 / ordinarySubsteps(solver)) : 0;
         points_.gather({access.template read<Position>(), access.template read<Rotation>(),
                         access.template read<Velocity>(), access.template read<AngularVelocity>(),
                         access.template read<Shape>(), access.template read<MagneticPoles>(),

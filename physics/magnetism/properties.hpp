@@ -118,6 +118,7 @@ struct MagnetismSettings {
     double cutoff = 0;
     double forceThreshold = 0.01;
     double openingAngle = 0.25;
+    bool lookAhead = true;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -143,6 +144,11 @@ struct MagnetismSettings {
                         .minimum = 0,
                         .maximum = 1},
               self.openingAngle);
+        visit(FieldInfo{.key = "look_ahead",
+                        .unit = "",
+                        .meaning = "whether forces are those of where things will be by when they act on "
+                                   "average, half a frame later"},
+              self.lookAhead);
     }
     friend bool operator==(MagnetismSettings const&, MagnetismSettings const&) = default;
 };

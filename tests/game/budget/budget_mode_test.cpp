@@ -2,6 +2,7 @@
 #include "game/budget/budget_mode.hpp"
 #include "game/budget/force_sample.hpp"
 #include "physics/dynamics/body.hpp"
+#include "physics/dynamics/settings.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/level/read_solutions.hpp"
 #include "runtime/level/write_level.hpp"
@@ -82,9 +83,9 @@ TEST_F(Budget, EstimatesAgreeWithTheSumOverEverything) {
     double const metres = std::sqrt(off / static_cast<double>(found.forces.size()));
     Error const estimate = knob->options[knob->current].error;
     EXPECT_GT(estimate.share, 0.3 * share);
-    EXPECT_LT(estimate.share, 8 * share); // strewn receivers open fewer clusters than crowds do
+    EXPECT_LT(estimate.share, 3 * share);
     EXPECT_GT(estimate.metres, 0.3 * metres);
-    EXPECT_LT(estimate.metres, 8 * metres);
+    EXPECT_LT(estimate.metres, 3 * metres);
     // Wider angles are worse, and so is standing for longer.
     auto const errorOf = [&](std::string const& name) {
         for (Option const& option : knob->options) {
@@ -98,6 +99,78 @@ TEST_F(Budget, EstimatesAgreeWithTheSumOverEverything) {
     EXPECT_EQ(errorOf("real"), 0);
     EXPECT_LT(errorOf("tree, opening angle 0.15"), errorOf("tree, opening angle 0.7"));
     EXPECT_LT(errorOf("real, every 2 frames"), errorOf("real, every 4 frames"));
+}
+
+/// Where all stars are a second after the thirtieth frame, from which on these changes hold; and what was
+/// estimated then for the options of these names.
+std::vector<Vec2> aSecondLater(Workshop const& workshop, LevelFile const& level,
+                               std::vector<std::pair<std::string, std::string>> const& options,
+                               double* estimate) {
+    Session session(workshop.registry, workshop.parts, level);
+    MotionLog log;
+    for (int i = 0; i <= 30; ++i) {
+        log.look(session.world());
+        if (i < 30) {
+            session.step();
+        }
+    }
+    double sum = 0;
+    for (Knob const& knob : knobsOf(session.world(), log)) {
+        for (Option const& option : knob.options) {
+            for (auto const& [effect, name] : options) {
+                if (knob.effect == effect && option.name == name) {
+                    sum += option.error.metres * option.error.metres;
+                    for (RecordedChange const& change : option.makes) {
+                        session.change(change);
+                    }
+                }
+            }
+        }
+    }
+    if (estimate != nullptr) {
+        *estimate = std::sqrt(sum);
+    } else { // far more steps than anybody would take
+        RecordedChange exact;
+        exact.kind = RecordedChange::Kind::setting;
+        exact.subject = "solver";
+        exact.field = "substeps";
+        exact.value = 64;
+        session.change(exact);
+    }
+    for (int i = 0; i < 60; ++i) {
+        session.step();
+    }
+    std::vector<Vec2> places;
+    for (ObjectId const id : session.world().store().findColumn<Mass>()->owners()) {
+        places.push_back(session.world().find<Position>(id)->value);
+    }
+    return places;
+}
+
+// The one unit of all effects has to mean what it says.
+TEST_F(Budget, TheErrorIsWhatBodiesAreOffByAfterASecond) {
+    LevelFile level = stars(workshop(), 150);
+    DynamicsSettings settings;
+    settings.substeps = 4;
+    level.world.set(settings);
+    auto const right = aSecondLater(workshop(), level, {{"gravity", "real"}}, nullptr);
+    using Options = std::vector<std::pair<std::string, std::string>>;
+    for (Options const& options : {Options{{"dynamics", "16 steps"}, {"gravity", "tree, opening angle 0.7"}},
+                                   Options{{"dynamics", "16 steps"}, {"gravity", "real, every 4 frames"}},
+                                   Options{{"dynamics", "2 steps"}, {"gravity", "real"}}}) {
+        double estimate = 0;
+        auto const found = aSecondLater(workshop(), level, options, &estimate);
+        ASSERT_EQ(found.size(), right.size());
+        double squares = 0;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            squares += lengthSquared(found[i] - right[i]);
+        }
+        double const off = std::sqrt(squares / static_cast<double>(found.size()));
+        std::string const what = options[0].second + ", " + options[1].second;
+        RecordProperty(what, fmt::format("estimated {:.3g} m, found {:.3g} m", estimate, off));
+        EXPECT_LT(off, 3 * estimate) << what;
+        EXPECT_GT(off, estimate / 3) << what;
+    }
 }
 
 TEST_F(Budget, MagnetismKnowsItsLadderInASceneOfItsOwn) {
@@ -130,9 +203,10 @@ TEST_F(Budget, MagnetismKnowsItsLadderInASceneOfItsOwn) {
 TEST_F(Budget, DynamicsErrsAsAFallingBodyDoes) {
     LevelFile const level = readLevel(
         workshop().registry,
-        JsonDocument::parse(R"({"version": 1, "title": "fall", "world": {"gravity": [0, -9.81]}, "objects": [
+        JsonDocument::parse(
+            R"({"version": 1, "title": "fall", "world": {"gravity": [0, -9.81], "solver": {"substeps": 4}}, "objects": [
         {"name": "ball", "at": [0, 0], "properties": {"shape": [{"form": "circle", "radius": 0.1}]}}]})",
-                            "fall.json"));
+            "fall.json"));
     open(level);
     MotionLog log;
     for (int i = 0; i <= 60; ++i) {
@@ -147,6 +221,33 @@ TEST_F(Budget, DynamicsErrsAsAFallingBodyDoes) {
     }
     EXPECT_FALSE(knob->options[0].cannot.empty()) << "one step topples stacks";
     EXPECT_TRUE(knob->options[1].cannot.empty());
+}
+
+// What the budget has raised it can lower again, but not below what the level states while anything is
+// jointed.
+TEST_F(Budget, StepsAreNeverFewerThanStatedWhereThereAreJoints) {
+    LevelFile level = load("4-raft.json");
+    DynamicsSettings settings;
+    settings.substeps = 4;
+    level.world.set(settings);
+    open(level);
+    MotionLog log;
+    log.look(world());
+    runTo(5);
+    RecordedChange more;
+    more.kind = RecordedChange::Kind::setting;
+    more.subject = "solver";
+    more.field = "substeps";
+    more.value = 16;
+    session().change(more);
+    log.look(world());
+    auto const knob = dynamicsKnob(world(), log);
+    ASSERT_TRUE(knob);
+    EXPECT_EQ(knob->options[knob->current].name, "16 steps");
+    for (Option const& option : knob->options) {
+        bool const fewer = option.name == "1 step" || option.name == "2 steps";
+        EXPECT_EQ(option.cannot.empty(), !fewer) << option.name;
+    }
 }
 
 TEST_F(Budget, OfTheRaftSaysThatExactIsExact) {
@@ -164,6 +265,13 @@ TEST_F(Budget, OfTheRaftSaysThatExactIsExact) {
     EXPECT_LT(share.at("4 particles"), 0.5);
     EXPECT_GT(share.at("4 particles"), 0.001);
     EXPECT_LE(share.at("exact, every 2 frames"), share.at("exact, every 12 frames"));
+    // The raft rides a centimetre or two off by 64 particles (docs/accuracy.md): the water holds it.
+    for (Option const& option : knob->options) {
+        if (option.name == "64 particles") {
+            EXPECT_GT(option.error.metres, 0.002);
+            EXPECT_LT(option.error.metres, 0.05);
+        }
+    }
 }
 
 TEST_F(Budget, ElectricityIsNeverBelowWhatTheCircuitsCallFor) {
@@ -278,7 +386,7 @@ TEST(BudgetWords, SayWhatWasDoneAndWhatItCosts) {
     decision.microseconds = 800;
     decision.error = {0.01, 0.02};
     decision.of = "of the lift";
-    EXPECT_EQ(inWords(decision), "Buoyancy: exact -> 64 particles: saves 0.8 ms, error 2 % of the lift");
+    EXPECT_EQ(inWords(decision), "Buoyancy: exact -> 64 particles: saves 800 µs, error 2 % of the lift");
     decision.microseconds = -1234;
     EXPECT_EQ(inWords(decision), "Buoyancy: exact -> 64 particles: costs 1.23 ms, error 2 % of the lift");
 }

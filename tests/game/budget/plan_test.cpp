@@ -217,10 +217,28 @@ TEST(BudgetController, LearnsWhatAnOptionCosts) {
         costs.knobs[0].current = controller.decide(costs.knobs, 0, 50).front();
         went.push_back(costs.knobs[0].current);
     }
+    EXPECT_FALSE(controller.hopeless());
     EXPECT_EQ(went.front(), 1U) << "as far as anybody knew, the tree would do";
     EXPECT_EQ(went.back(), 2U) << "it would not";
     EXPECT_EQ(std::count(went.begin(), went.end(), 1U), 2)
         << "tried once, for the round that it takes to measure it";
+}
+
+TEST(BudgetController, GivesNothingAwayWhereTheBudgetIsHopeless) {
+    Costs costs;
+    costs.knobs.push_back({"dynamics", {{"4 steps", 400, 0.01, true}, {"2 steps", 200, 0.02, true}}, 0, 0});
+    costs.knobs.push_back({"gravity", {{"real", 8, 0, true}, {"real, every 4 frames", 2, 0.1, true}}, 1, 0});
+    costs.truth = {{400, 200}, {8, 2}};
+    Controller controller;
+    for (int round = 0; round < 8; ++round) {
+        costs.measure([] { return 1.0; });
+        auto const plan = controller.decide(costs.knobs, 0, 50);
+        costs.knobs[0].current = plan[0];
+        costs.knobs[1].current = plan[1];
+    }
+    EXPECT_EQ(costs.knobs[0].current, 1U);
+    EXPECT_TRUE(controller.hopeless());
+    EXPECT_EQ(costs.knobs[1].current, 0U) << "6 µs would not have saved the day";
 }
 
 TEST(BudgetController, ChangesNothingForNothing) {
