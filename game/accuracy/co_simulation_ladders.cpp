@@ -12,9 +12,9 @@
 namespace trembler::accuracy {
 namespace {
 
-constexpr std::array<int, 5> substepCounts{1, 2, 4, 8, 16};
+[[maybe_unused]] constexpr std::array<int, 5> substepCounts{1, 2, 4, 8, 16};
 
-std::string substepsName(int substeps) {
+[[maybe_unused]] std::string substepsName(int substeps) {
     return fmt::format("{} substep{}", substeps, substeps == 1 ? "" : "s");
 }
 
