@@ -82,7 +82,8 @@ public:
                 store.column<Restitution>().set(id, {1});
                 store.column<Look>().set(id, {});
             } else {
-                store.column<Position>().set(id, {{1.0 * (i % columns), 1.0 * (i / columns)}});
+                int const row = i / columns;
+                store.column<Position>().set(id, {{1.0 * (i % columns), 1.0 * row}});
                 store.column<Velocity>().set(id, {{drift, 0}});
             }
             bodies_.push_back(id);
