@@ -61,13 +61,17 @@ bool noneCalledFor(Registry const& all, Registry const& dynamicsAlone, bench::Sc
         }
         same = same && bare.places() == everything.places() && alone.places() == everything.places();
     }
-    double const percent = 100 * (overhead.median() - 1);
+    // What else the machine does hits both sides, but not always equally: the fastest tenth of the blocks of
+    // each side is what is held to the limit.
+    double const fastest = times[2].quantile(0.1) / times[0].quantile(0.1);
+    double const percent = 100 * (fastest - 1);
     bench::Table table(scene.name + " without gravity: all effects compiled in, none called for");
     table.row("bare Box2D, per frame", 1e6 * times[0].median(), "us");
     table.row("a world that knows dynamics alone", 1e6 * times[1].median(), "us");
     table.row("a world that knows every effect", 1e6 * times[2].median(), "us");
     table.row("every effect against dynamics alone", 100 * (rest.median() - 1), "%");
-    table.row("overhead", percent, "%", percent, mostOverhead);
+    table.row("overhead, median", 100 * (overhead.median() - 1), "%");
+    table.row("overhead, fastest tenth of the blocks", percent, "%", percent, mostOverhead);
     table.print();
     std::printf("  motion is %s\n\n",
                 same ? "the same, bit for bit" : "NOT THE SAME: the comparison is void");

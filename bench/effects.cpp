@@ -18,6 +18,8 @@
 #include "physics/motor/properties.hpp"
 #include "runtime/component/interaction.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -80,7 +82,8 @@ public:
                 store.column<Restitution>().set(id, {1});
                 store.column<Look>().set(id, {});
             } else {
-                store.column<Position>().set(id, {{1.0 * (i % columns), 1.0 * (i / columns)}});
+                int const row = i / columns;
+                store.column<Position>().set(id, {{1.0 * (i % columns), 1.0 * row}});
                 store.column<Velocity>().set(id, {{drift, 0}});
             }
             bodies_.push_back(id);
@@ -141,7 +144,7 @@ public:
     }
     void magnetise() {
         for (ObjectId const id : bodies_) {
-            world_.store().column<MagneticStrength>().set(id, {10, 10});
+            world_.store().column<MagneticStrength>().set(id, {10, 0});
             world_.store().column<MagneticPoles>().set(id, {PoleSet::both, {0.05, 0}, {-0.05, 0}});
         }
     }
@@ -285,8 +288,8 @@ int main(int argc, char** argv) {
     for (Case const& one : cases) {
         Cost const two = measure(one, 2, repetitions);
         Cost const thousand = measure(one, 1000, repetitions);
-        table.row(one.name + ": 2 bodies", two.more, "us, beside " + std::to_string(two.base));
-        table.row(one.name + ": 1000 bodies", thousand.more, "us, beside " + std::to_string(thousand.base));
+        table.row(one.name + ": 2 bodies", two.more, fmt::format("us, beside {:.1f}", two.base));
+        table.row(one.name + ": 1000 bodies", thousand.more, fmt::format("us, beside {:.1f}", thousand.base));
     }
     table.print();
     return 0;

@@ -77,9 +77,8 @@ Ladder climbRaft(Workshop const& workshop, Effort effort) {
         }
     }
     ladder.rungs.push_back({"exact", right.microseconds, 0, {}, false, {}});
-    ladder.remark =
-        "Here most of the time goes into drag, which is the same at every level, so particles save "
-        "nothing. A scene gets exact unless it asks for them.";
+    ladder.remark = "Half of the time goes into drag, which is the same at every level, so few particles "
+                    "save nothing. A scene gets exact unless it asks for them.";
     return ladder;
 }
 

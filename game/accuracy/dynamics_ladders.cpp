@@ -177,7 +177,8 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
                                     "eight iterations cost what four of 32 cost. Fewer than four tear it."},
                                    chain, 4, {300, 40}));
     plans.push_back(substepsPlan(
-        {"a stack of 20 boxes", "farthest that a box has moved sideways", "a stack that stands still", ""},
+        {"a stack of 20 boxes", "farthest that a box has moved sideways", "a stack that stands still",
+         "From eight on nothing is gained."},
         [](Workshop const& workshop, Solver const& solver) { return stack(workshop, solver, 20); },
         {1200, 60}));
     plans.push_back(enginesPlan(

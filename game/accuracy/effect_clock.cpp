@@ -3,6 +3,7 @@
 #include "runtime/world/world.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace trembler::accuracy {
 
@@ -35,6 +36,11 @@ void EffectClock::frame(World const& world) {
 
 double EffectClock::median() const {
     return medianOf(means_);
+}
+
+double EffectClock::mean() const {
+    double const windows = static_cast<double>(means_.size());
+    return means_.empty() ? 0 : std::accumulate(means_.begin(), means_.end(), 0.0) / windows;
 }
 
 } // namespace trembler::accuracy

@@ -20,6 +20,8 @@ public:
     void frame(World const& world);
     /// µs per frame; 0 before the first whole window.
     [[nodiscard]] double median() const;
+    /// µs per frame, for effects whose cost lies in a few frames; 0 before the first whole window.
+    [[nodiscard]] double mean() const;
 
 private:
     static constexpr int window = 12; // a multiple of the periods 1 to 4, 6 and 12

@@ -79,6 +79,7 @@ std::vector<std::string> levels(Registry const& registry) {
     std::stable_sort(found.begin(), found.end(),
                      [](ComponentText const& a, ComponentText const& b) { return a.cost < b.cost; });
     std::vector<std::string> names;
+    names.reserve(found.size());
     for (ComponentText const& text : found) {
         names.emplace_back(text.level);
     }
@@ -238,7 +239,10 @@ Ladder climbCircuits(std::vector<Wiring> const& circuits, std::string scene, Que
               "glows. This is what is lost when they are asked all the same. Flow is beaten by two-wire, as "
               "it calls the same lamps on and costs more: no scene gets it unasked, and it is there for "
               "what no other level tells, the bottlenecks ([electricity.md](electricity.md))."
-            : "For flow every lamp states that it can carry its rated current.";
+            : "For flow every lamp states that it can carry its rated current, so it knows more than "
+              "two-wire. It is "
+              "beaten by nodal, which costs less and knows Ohm's law; its task is another one, bottlenecks "
+              "([electricity.md](electricity.md)).";
     return ladder;
 }
 

@@ -14,11 +14,12 @@ namespace accuracy {
 /// One detail level, or one setting of one, in a scene.
 struct Rung {
     std::string level;
-    double microseconds = 0; ///< median over the frames, of the effect's components
-    double error = 0;        ///< in the ladder's unit; 0: none
-    std::string cannotTell;  ///< what no amount of it can tell
-    bool onFront = false;    ///< no other level is faster and at least as accurate
-    std::string beatenBy;    ///< a level that is: the first in the ladder, "" on the front
+    double microseconds =
+        0;                  ///< median over the frames, of the effect's components; of several runs the least
+    double error = 0;       ///< in the ladder's unit; 0: none
+    std::string cannotTell; ///< what no amount of it can tell
+    bool onFront = false;   ///< no other level is faster and at least as accurate
+    std::string beatenBy;   ///< a level that is: the first in the ladder, "" on the front
 };
 
 struct Ladder {
@@ -37,6 +38,9 @@ struct Ladder {
 /// How much work to put into it.
 struct Effort {
     bool brief = false; ///< tiny scenes, a second in all: for tests
+    /// How often to climb each ladder; the least time of each rung counts, as what else a machine does only
+    /// adds to it. Errors are the same every time.
+    int runs = 1;
 };
 
 /// One ladder to be climbed: its effect is known before it is run.

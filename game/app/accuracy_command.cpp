@@ -25,6 +25,7 @@ struct AccuracyArguments {
     std::string plot;
     bool markdown = false;
     bool brief = false;
+    int runs = 1;
 };
 
 void write(fs::path const& file, std::string const& text) {
@@ -60,12 +61,13 @@ int report(AccuracyArguments const& arguments) {
         write(arguments.json, ""); // rather now than after all the work
     }
     bool const watched = isatty(STDERR_FILENO) != 0;
-    auto const ladders = accuracy::climb(
-        workshop, arguments.effects, {.brief = arguments.brief}, [&](std::string const& effect) {
-            if (watched) {
-                std::cerr << "\r" << effect << "                " << std::flush;
-            }
-        });
+    auto const ladders =
+        accuracy::climb(workshop, arguments.effects, {.brief = arguments.brief, .runs = arguments.runs},
+                        [&](std::string const& effect) {
+                            if (watched) {
+                                std::cerr << "\r" << effect << "                " << std::flush;
+                            }
+                        });
     if (watched) {
         std::cerr << "\r                            \r";
     }
@@ -100,6 +102,12 @@ void addAccuracyCommand(CLI::App& program, int& result) {
     command->add_option("--plot,--out", arguments->plot,
                         "Folder for plots of the error over the time per frame, one SVG per ladder");
     command->add_flag("--markdown", arguments->markdown, "The table as the page docs/accuracy.md");
+    command
+        ->add_option(
+            "--runs", arguments->runs,
+            "Measure everything so many times and keep the least times, against what else the machine "
+            "does (default: 1)")
+        ->check(CLI::Range(1, 100));
     command->add_flag("--brief", arguments->brief, "Tiny scenes: a second in all, for trying it out");
     command->callback([arguments, &result] { result = guarded([&] { return report(*arguments); }); });
 }

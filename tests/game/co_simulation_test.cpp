@@ -83,6 +83,8 @@ TEST(CoSimulation, AFloatOnASpringGainsItTooUnlessItLooksAhead) {
         Swing const ahead = floatOnSpring(workshop(), substeps, 1, true);
         double const spring = -1 * 2 * 3.141592653589793 / std::sqrt(10.81) * frame / substeps;
         EXPECT_NEAR(std::log1p(ahead.growth), spring, 0.1 * std::abs(spring) + 2e-3) << substeps;
+        EXPECT_LT(ahead.growth, 0) << "it never feeds the swing";
+        EXPECT_EQ(late.growth < 0, substeps == 1);
     }
     for (int const period : {2, 4}) {
         // A frame of the map is `period` frames long, with as many times the substeps.
@@ -91,7 +93,9 @@ TEST(CoSimulation, AFloatOnASpringGainsItTooUnlessItLooksAhead) {
         double const rate = 9.81 * lag - frame / 4; // 1/s
         EXPECT_NEAR(std::log1p(late.growth), rate * 2 * 3.141592653589793 / std::sqrt(10.81), 0.05 * rate * 2)
             << period;
-        EXPECT_LT(std::abs(floatOnSpring(workshop(), 4, period, true).growth), 0.1 * late.growth) << period;
+        Swing const ahead = floatOnSpring(workshop(), 4, period, true);
+        EXPECT_LT(ahead.growth, 0) << period;
+        EXPECT_LT(-ahead.growth, 0.1 * late.growth) << period;
     }
 }
 
