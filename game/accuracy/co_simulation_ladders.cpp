@@ -14,10 +14,6 @@ namespace {
 
 [[maybe_unused]] constexpr std::array<int, 5> substepCounts{1, 2, 4, 8, 16};
 
-[[maybe_unused]] std::string substepsName(int substeps) {
-    return fmt::format("{} substep{}", substeps, substeps == 1 ? "" : "s");
-}
-
 // A ladder whose remark says how far the measured growth is from the predicted one, at worst.
 class Growth {
 public:
@@ -49,10 +45,10 @@ private:
 Ladder climbMagnet(Workshop const& workshop, Effort) {
     Growth growth("a magnet on a spring, pushed by another");
     for (int const substeps : substepCounts) {
-        growth.add(substepsName(substeps) + ", as in the thesis", magnetOnSpring(workshop, substeps, false));
+        growth.add(substepsName(substeps) + ", late", magnetOnSpring(workshop, substeps, false));
     }
     for (int const substeps : substepCounts) {
-        growth.add(substepsName(substeps) + ", looking ahead", magnetOnSpring(workshop, substeps, true));
+        growth.add(substepsName(substeps) + ", ahead", magnetOnSpring(workshop, substeps, true));
     }
     return growth.finish(
         "A force that is computed once in a frame of the length t, and stands for it, is late by t/2 on "

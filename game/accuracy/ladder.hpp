@@ -65,9 +65,11 @@ void markFront(Ladder& ladder);
 /// "4 substeps" go by the name of the setting.
 [[nodiscard]] std::string whatCannotTell(std::string const& effect, std::string const& level);
 
+/// "1 substep", "4 substeps"; "automatic substeps" for 0.
+[[nodiscard]] std::string substepsName(int substeps);
+
 // The plans of one effect each, and of what lies between them.
 void addDynamicsPlans(std::vector<Plan>& plans);
-/// Of dynamics, too: with forces of other effects.
 void addGravityPlans(std::vector<Plan>& plans);
 void addElectricityPlans(std::vector<Plan>& plans);
 void addMagnetismPlans(std::vector<Plan>& plans);

@@ -7,6 +7,11 @@
 
 namespace trembler::accuracy {
 
+std::string substepsName(int substeps) {
+    return substeps == 0 ? "automatic substeps"
+                         : fmt::format("{} substep{}", substeps, substeps == 1 ? "" : "s");
+}
+
 // Effects may be left out of a program; what falls needs gravity to do so.
 std::vector<Plan> plans() {
     std::vector<Plan> all;

@@ -299,6 +299,8 @@ void addRunCommand(CLI::App& program, int& result) {
         ->add_option("--substeps", arguments->substeps,
                      "Steps of the dynamics engine in a frame; 0: as many as the scene needs")
         ->check(CLI::Range(0, 64));
+    command->add_option("--export-spice", arguments->spice,
+                        "Write the circuits, as they are after the last frame, as a netlist for ngspice -b");
     command
         ->add_option(
             "--budget", arguments->budget,
@@ -307,8 +309,6 @@ void addRunCommand(CLI::App& program, int& result) {
         ->check(CLI::Range(1e-3, 1e3));
     command->add_option("--record", arguments->record,
                         "Write the run, with all that was changed in it, as a solution for --solution");
-    command->add_option("--export-spice", arguments->spice,
-                        "Write the circuits, as they are after the last frame, as a netlist for ngspice -b");
     command->callback([arguments, &result] { result = guarded([&] { return runLevel(*arguments); }); });
 }
 

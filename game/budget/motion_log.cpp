@@ -2,11 +2,8 @@
 
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/settings.hpp"
-#include "runtime/placement.hpp"
-#if __has_include("physics/dynamics/solver_choice.hpp")
 #include "physics/dynamics/solver_choice.hpp"
-#define TREMBLER_CHOOSES_STEPS
-#endif
+#include "runtime/placement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +25,9 @@ void MotionLog::noteSteps(World const& world) {
         stated_ = settings.substeps;
         known_ = true;
     }
-#ifdef TREMBLER_CHOOSES_STEPS
     if (auto const* const choice = world.find<SolverChoice>(); choice != nullptr && settings.substeps == 0) {
         automatic_ = std::max(choice->substeps, 1);
     }
-#endif
 }
 
 void MotionLog::look(World const& world) {
