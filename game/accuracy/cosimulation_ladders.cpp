@@ -112,7 +112,7 @@ Rung measure(Workshop const& workshop, Maker make, std::string level, int subste
         std::move(level), clock.median(), 100 * std::abs(std::log(late / early)) / seconds, {}, false, {}};
 }
 
-Plan plan(std::string scene, Maker make, bool canLag, std::string remark) {
+Plan plan(std::string const& scene, Maker make, bool canLag, std::string const& remark) {
     return {"dynamics", [=](Workshop const& workshop, Effort effort) {
                 int const frames = effort.brief ? 4 * second : 8 * second;
                 Ladder ladder{"",
