@@ -100,8 +100,8 @@ std::vector<Figure> motor(Setting const& setting, std::uint64_t seed) {
     while (world.frame() < 11 * minute) {
         session->step();
         double const now = (world.find<Rotation>(axis)->angle - start) / (2 * pi);
-        double next = std::floor(before) + 1;
-        for (; next <= now; ++next) {
+        double const next = std::floor(before) + 1; // it turns far less than once in a frame
+        if (next <= now) {
             marks.push_back(static_cast<double>(world.frame()) - 1 + (next - before) / (now - before));
         }
         before = now;

@@ -159,8 +159,9 @@ std::vector<Figure> heap(Setting const& setting, std::uint64_t seed, double weig
     rig.fixed(boxPiece(0.4, 8), {-1.2, 3.6});
     rig.fixed(boxPiece(0.4, 8), {1.2, 3.6});
     for (int i = 0; i < 100; ++i) {
-        magnets.bar({0.38 * (i % 5 - 2) + 0.02 * rig.jitter(), 0.2 + 0.24 * (i / 5)}, 0.5 * rig.jitter(),
-                    0.09, strength);
+        int const row = i / 5;
+        magnets.bar({0.38 * (i % 5 - 2) + 0.02 * rig.jitter(), 0.2 + 0.24 * row}, 0.5 * rig.jitter(), 0.09,
+                    strength);
     }
     return watch(magnets, 600);
 }

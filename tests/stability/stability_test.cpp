@@ -39,6 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Stability, HardCases, ::testing::ValuesIn(quickCases())
 } // namespace
 
 // For GoogleTest's messages.
+// NOLINTNEXTLINE(readability-identifier-naming)
 void PrintTo(HardCase const& one, std::ostream* out) {
     *out << one.row << ' ' << one.name;
 }
