@@ -34,6 +34,8 @@ struct Stiffness {
 /// `substeps` and `period` at least 1. `lookAhead`: the lagged force is made up for (see LiquidDrag).
 [[nodiscard]] double predictedGrowth(Stiffness const& stiffness, int substeps, int period, bool lookAhead);
 
+/// Whether magnetism makes up for the lag, as buoyancy can.
+[[nodiscard]] bool magnetsLookAhead();
 /// A magnet that a fixed one pushes away holds itself against a spring. Needs magnetism.
 [[nodiscard]] Swing magnetOnSpring(Workshop const& workshop, int substeps);
 /// A wide box that floats, on a spring, in a liquid without drag. Needs buoyancy and gravity.

@@ -51,14 +51,18 @@ Ladder climbMagnet(Workshop const& workshop, Effort) {
     for (int const substeps : substepCounts) {
         growth.add(substepsName(substeps), magnetOnSpring(workshop, substeps));
     }
-    return growth.finish(
+    std::string const theory =
         "A force that is computed once in a frame of the length t, and stands for it, is late by t/2 on "
         "average. Where it is late by τ, amplitudes grow at the rate ½ τ F'/m, F' being its stiffness, and "
         "energies twice as fast (Åström and Wittenmark, Computer-Controlled Systems, 1997, on sample and "
         "hold). N substeps of semi-implicit Euler leave τ = t/2 (1 - 1/N): one is late by nothing, and more "
         "of them do not help, they take away what makes up for the lag. The spring, which belongs to "
         "dynamics, has no such lag; Box2D's implicit steps take energy out of it, the less the shorter they "
-        "are. With one substep that is all there is, and the swing loses; with more it gains.");
+        "are.";
+    return growth.finish(
+        theory + (magnetsLookAhead()
+                      ? " Magnets look ahead by that lag, so that is all there is, and the swing loses."
+                      : " With one substep that is all there is, and the swing loses; with more it gains."));
 }
 
 #endif

@@ -28,22 +28,7 @@ Rung measure(std::string level, DynamicsScene scene, int frames) {
     return {std::move(level), clock.median(), worst, {}, false, {}};
 }
 
-constexpr int automaticSubsteps = 0;
-
-// Whether the solver takes 0 for as many as the scene calls for.
-bool automaticIsKnown() {
-    bool known = false;
-    DynamicsSettings settings;
-    DynamicsSettings::describe(settings, [&](FieldInfo const& field, auto const&) {
-        known = known || (field.key == "substeps" && field.minimum <= automaticSubsteps);
-    });
-    return known;
-}
-
 std::string substepsName(int substeps) {
-    if (substeps == automaticSubsteps) {
-        return "automatic substeps";
-    }
     return fmt::format("{} substep{}", substeps, substeps == 1 ? "" : "s");
 }
 
@@ -75,10 +60,9 @@ Ladder begin(Words const& words, int frames, bool rivals = true) {
 Plan substepsPlan(Words words, DynamicsSceneMaker make, Length length) {
     return {"dynamics", [=](Workshop const& workshop, Effort effort) {
                 Ladder ladder = begin(words, length.of(effort));
-                for (int const substeps : {1, 2, 4, 8, 16, 64, automaticSubsteps}) {
-                    if ((effort.brief && substeps > 8) ||
-                        (substeps == automaticSubsteps && !automaticIsKnown())) {
-                        continue;
+                for (int const substeps : {1, 2, 4, 8, 16, 64}) {
+                    if (effort.brief && substeps > 8) {
+                        break;
                     }
                     Solver solver;
                     solver.settings.substeps = substeps;
