@@ -10,7 +10,6 @@
 #include "physics/dynamics/settings.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "physics/gravity/properties.hpp"
-#include "physics/magnetism/magnetic_points.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
@@ -70,17 +69,7 @@ Swing swing(World& world, Stiffness const& stiffness, std::function<double()> co
     return found;
 }
 
-// Magnetism that is told how far ahead to look does so.
-template <class Points>
-concept LooksAhead = requires(Points& points, MagneticColumns const& columns) {
-    points.gather(columns, 0.0);
-};
-
 } // namespace
-
-bool magnetsLookAhead() {
-    return LooksAhead<MagneticPoints>;
-}
 
 double predictedGrowth(Stiffness const& stiffness, int substeps, int period, bool lookAhead) {
     double const oscillation = 2 * pi / std::sqrt(stiffness.lagged + stiffness.own);

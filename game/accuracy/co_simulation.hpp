@@ -35,8 +35,6 @@ struct Stiffness {
 /// MagneticPoints).
 [[nodiscard]] double predictedGrowth(Stiffness const& stiffness, int substeps, int period, bool lookAhead);
 
-/// Whether magnetism makes up for the lag, as buoyancy can.
-[[nodiscard]] bool magnetsLookAhead();
 /// A magnet that a fixed one pushes away holds itself against a spring. Needs magnetism.
 [[nodiscard]] Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead);
 /// A wide box that floats, on a spring, in a liquid without drag. Needs buoyancy and gravity.

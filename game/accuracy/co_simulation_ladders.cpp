@@ -50,7 +50,7 @@ Ladder climbMagnet(Workshop const& workshop, Effort) {
     for (int const substeps : substepCounts) {
         growth.add(substepsName(substeps) + ", ahead", magnetOnSpring(workshop, substeps, true));
     }
-    std::string const theory =
+    return growth.finish(
         "A force that is computed once in a frame of the length t, and stands for it, is late by t/2 on "
         "average. Where it is late by τ, amplitudes grow at the rate ½ τ F'/m, F' being its stiffness, and "
         "energies twice as fast (Åström and Wittenmark, Computer-Controlled Systems, 1997, on sample and "

@@ -4,8 +4,8 @@
 #include "physics/buoyancy/liquid.hpp"
 #include "physics/buoyancy/results.hpp"
 #include "physics/buoyancy/settings.hpp"
-#include "physics/dynamics/solver_choice.hpp"
 #include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/solver_choice.hpp"
 #include "runtime/component/dps.hpp"
 #include "runtime/placement.hpp"
 

@@ -103,17 +103,6 @@ TEST(Accuracy, AThrownBallsErrorIsThatOfEulersSteps) {
 
 // A force that stands for a frame but is integrated in n substeps lags by (1 - 1/n)/2 of it, which lets an
 // oscillation's energy grow by ω² times that: 9.81 / 0.1 m for a box half of 0.2 m under water.
-TEST(Accuracy, WhatAFrameOfLagPutsIn) {
-    Ladder const& one = ladder("dynamics", "a float on a spring");
-    for (int const substeps : {4, 8}) {
-        double const expected = 100 * 9.81 / 0.1 * (1 - 1.0 / substeps) / 2 / 60;
-        std::string const name = std::to_string(substeps) + " substeps";
-        EXPECT_NEAR(errorOf(one, name + ", not looking ahead"), expected, 0.2 * expected);
-        EXPECT_LT(errorOf(one, name), 0.2 * expected);
-    }
-    EXPECT_LT(errorOf(ladder("dynamics", "a magnet on a spring"), "automatic"), 4);
-}
-
 TEST(Accuracy, GravitysAndMagnetismsLadders) {
     for (Ladder const* const one : {&ladder("gravity", "stars"), &ladder("magnetism", "bar magnets"),
                                     &ladder("magnetism", "north poles")}) {
