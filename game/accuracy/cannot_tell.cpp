@@ -13,9 +13,10 @@ struct Limit {
     std::string_view cannotTell;
 };
 
-constexpr std::array<Limit, 23> limits{{
+constexpr std::array<Limit, 24> limits{{
     {"dynamics", "substep", "bending and breaking within a body: bodies are rigid"},
     {"dynamics", "velocity iteration", "bending and breaking within a body: bodies are rigid"},
+    {"dynamics", "position iteration", "bending and breaking within a body: bodies are rigid"},
     {"gravity", "linear", "that anything but the world attracts, and that weight falls with height"},
     {"gravity", "tree", "the last digits of the momentum: actions equal reactions only nearly"},
     {"gravity", "real", "that attraction takes time and that clocks run slower: it is Newton's"},

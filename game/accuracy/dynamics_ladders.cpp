@@ -69,17 +69,28 @@ Plan substepsPlan(Words words, DynamicsSceneMaker make, Length length) {
             }};
 }
 
-Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Length length) {
+/// What iterations are of, and how many of them are tried.
+struct Iterations {
+    char const* of; ///< "velocity" or "position"
+    std::int32_t DynamicsSettings::*count;
+    std::vector<int> tried;
+};
+
+Iterations const velocityIterations{"velocity", &DynamicsSettings::velocityIterations, {4, 8, 16, 32, 64}};
+Iterations const positionIterations{"position", &DynamicsSettings::positionIterations, {1, 2, 3, 6, 12}};
+
+Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Iterations const& iterations,
+                    Length length) {
     return {"dynamics", [=](Workshop const& workshop, Effort effort) {
                 bool const holds = substeps >= 4; // torn chains are no rivals in anything
                 Ladder ladder = begin(words, length.of(effort), holds);
-                for (int const iterations : {4, 8, 16, 32, 64}) {
+                for (int const count : iterations.tried) {
                     Solver solver;
                     solver.settings.substeps = substeps;
-                    solver.settings.velocityIterations = iterations;
-                    ladder.rungs.push_back(measure(
-                        fmt::format("{} velocity iteration{}", iterations, iterations == 1 ? "" : "s"),
-                        make(workshop, solver), length.of(effort)));
+                    solver.settings.*iterations.count = count;
+                    ladder.rungs.push_back(
+                        measure(fmt::format("{} {} iteration{}", count, iterations.of, count == 1 ? "" : "s"),
+                                make(workshop, solver), length.of(effort)));
                 }
                 return ladder;
             }};
@@ -116,7 +127,7 @@ Ladder climbFallingChain(Workshop const& workshop, Effort effort) {
     Solver solver;
     solver.settings.substeps = 64;
     static_cast<void>(measure("", fallingChain(workshop, solver, links, path, true), frames));
-    for (int const substeps : {1, 2, 4, 8, 16}) {
+    for (int const substeps : {1, 2, 4, 8, 16, DynamicsSettings::automatic}) {
         solver.settings.substeps = substeps;
         ladder.rungs.push_back(
             measure(substepsName(substeps), fallingChain(workshop, solver, links, path, false), frames));
@@ -151,11 +162,16 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
         iterationsPlan({"the same chain at 1 substep, by velocity iterations", gap, whole,
                         "Torn, all of them: no number of iterations makes up for steps that are too "
                         "long. By how much is a matter of chance."},
-                       chain, 1, {300, 40}));
+                       chain, 1, velocityIterations, {300, 40}));
     plans.push_back(iterationsPlan({"the same chain at 4 substeps, by velocity iterations", gap, whole,
                                     "Where the step is short enough, more iterations help; eight substeps of "
                                     "eight iterations cost what four of 32 cost. Fewer than four tear it."},
-                                   chain, 4, {300, 40}));
+                                   chain, 4, velocityIterations, {300, 40}));
+    plans.push_back(iterationsPlan(
+        {"the same chain at 4 substeps, by position iterations", gap, whole,
+         "They close what gapes after each substep, and end once nothing gapes by more than half a "
+         "millimetre; the default is three."},
+        chain, 4, positionIterations, {300, 40}));
     plans.push_back(substepsPlan(
         {"a stack of 20 boxes", "farthest that a box has moved sideways", "a stack that stands still",
          "From eight on nothing is gained."},
