@@ -17,6 +17,8 @@ endif()
 add_library(trembler_options INTERFACE)
 target_compile_options(trembler_options INTERFACE
   -Wall -Wextra -Wconversion
+  # g++ 13 takes any reference got from a function that was given a temporary for one to that.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-dangling-reference>
   # Fused multiply-add would round differently from one compiler, or one -march, to the next.
   -ffp-contract=off)
 target_include_directories(trembler_options INTERFACE ${PROJECT_SOURCE_DIR})
