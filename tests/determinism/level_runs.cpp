@@ -1,5 +1,8 @@
 #include "tests/determinism/level_runs.hpp"
 
+#include "physics/dynamics/body.hpp"
+#include "runtime/placement.hpp"
+
 namespace trembler::determinism {
 
 Workshop const& workshop() {
@@ -7,8 +10,28 @@ Workshop const& workshop() {
     return shared;
 }
 
-std::map<std::string, std::vector<std::string>> hashesOf(LevelFile const& level, int threads) {
-    std::map<std::string, std::vector<std::string>> all;
+namespace {
+
+template <ObjectProperty P>
+void addColumn(StateHash& hash, Store const& store) {
+    if (auto const* const column = store.findColumn<P>()) {
+        column->hash(hash);
+    }
+}
+
+std::string motionHash(Store const& store) {
+    StateHash hash;
+    addColumn<Position>(hash, store);
+    addColumn<Rotation>(hash, store);
+    addColumn<Velocity>(hash, store);
+    addColumn<AngularVelocity>(hash, store);
+    return hashText(hash.digest());
+}
+
+} // namespace
+
+std::map<std::string, RunHashes> hashesOf(LevelFile const& level, int threads) {
+    std::map<std::string, RunHashes> all;
     auto const runWith = [&](Solution const* solution) {
         WorldOptions options;
         options.threads = threads;
@@ -20,9 +43,14 @@ std::map<std::string, std::vector<std::string>> hashesOf(LevelFile const& level,
         RunOptions run;
         run.frames = frames;
         run.hashEvery = every;
-        std::vector<std::string> hashes;
+        RunHashes hashes;
+        run.frame = [&](World const& world) {
+            if (world.frame() % every == 0) {
+                hashes.motion.push_back(motionHash(world.store()));
+            }
+        };
         for (HashAt const& at : trembler::run(session, "", run).hashes) {
-            hashes.push_back(hashText(at.hash));
+            hashes.state.push_back(hashText(at.hash));
         }
         return hashes;
     };

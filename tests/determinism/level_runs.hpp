@@ -16,9 +16,15 @@ inline constexpr std::uint64_t every = 60;
 
 /// One workshop for the whole test program.
 [[nodiscard]] Workshop const& workshop();
-/// Hashes at every 60th frame of a level, hands off or with a solution, by "hands off" or the solution's
-/// name.
-[[nodiscard]] std::map<std::string, std::vector<std::string>> hashesOf(LevelFile const& level,
-                                                                       int threads = 1);
+/// Hashes at every 60th frame of one run.
+struct RunHashes {
+    std::vector<std::string> state;
+    /// Of where bodies are and how they move, and of nothing else: what the state hash covers may grow, the
+    /// motion stays.
+    std::vector<std::string> motion;
+    friend bool operator==(RunHashes const&, RunHashes const&) = default;
+};
+/// The hashes of a level, hands off or with a solution, by "hands off" or the solution's name.
+[[nodiscard]] std::map<std::string, RunHashes> hashesOf(LevelFile const& level, int threads = 1);
 
 } // namespace trembler::determinism
