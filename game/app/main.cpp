@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
         "  trembler accuracy                                      what accuracy costs, effect by effect\n"
         "\n"
         "Each command has its own --help."};
+    program.set_version_flag("--version", "Trembler " TREMBLER_VERSION);
     program.require_subcommand(1);
     trembler::addPlayCommand(program, result);
     trembler::addRunCommand(program, result);

@@ -28,6 +28,9 @@ fs::path homeFolder() {
         if (hasFiles(folder)) {
             return folder;
         }
+        if (fs::path const installed = folder / "share" / "trembler"; hasFiles(installed)) {
+            return installed;
+        }
     }
     return TREMBLER_SOURCE_DIR;
 }

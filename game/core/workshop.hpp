@@ -11,7 +11,8 @@
 namespace trembler {
 
 /// The folder that holds assets/ and levels/: $TREMBLER_HOME if set, else the first one upwards from the
-/// running program that has both, else the one that the program was built from.
+/// running program that has both, itself or in its share/trembler (an installed program's), else the one that
+/// the program was built from.
 [[nodiscard]] std::filesystem::path homeFolder();
 
 struct Workshop {

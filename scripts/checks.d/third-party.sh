@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# Is THIRD_PARTY.md what scripts/packages says?
+set -euo pipefail
+if ! scripts/third-party | diff -u THIRD_PARTY.md -; then
+    echo "THIRD_PARTY.md is stale: scripts/third-party >THIRD_PARTY.md"
+    exit 1
+fi
