@@ -56,6 +56,8 @@ function(trembler_precompile target)
   if(TREMBLER_PCH)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       target_compile_options(${target} PRIVATE -fpch-preprocess) # or ccache stands aside
+    else() # the same headers then give the same bytes, so that clones share what ccache keeps
+      target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
     endif()
     target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <functional> <map> <memory> <optional>
       <set> <span> <string> <unordered_map> <vector> <fmt/format.h> ${ARGN})
