@@ -65,8 +65,8 @@ public:
     explicit AccessBase(FrameContext const& context, std::deque<EventSink>& sinks)
         : context_(context), sinks_(sinks) {}
 
-    [[nodiscard]] std::uint64_t frame() const { return context_.frame; }
-    /// Time since the component's last turn, in s.
+    [[nodiscard]] std::uint64_t frame() const { return context_.when.frame; }
+    /// Time since the component's last turn, in s: a part of a frame, a frame, or as many as its period says.
     [[nodiscard]] double duration() const { return context_.duration; }
     [[nodiscard]] bool tracing() const { return context_.tracing; }
     /// Records an event, or does nothing and returns no event while nobody traces. Not inside forRanges().
@@ -92,6 +92,26 @@ protected:
     FrameContext const& context_;
     std::deque<EventSink>& sinks_;
 };
+
+/// Whether a component says how the state hash covers what it keeps in members of its own.
+template <class Self>
+inline constexpr bool hashesMemory = requires(Self const& self, StateHash& hash) {
+    self.hashMemory(hash);
+};
+template <class Self>
+inline constexpr bool statesMemory = requires {
+    { Self::memory } -> std::convertible_to<Coverage>;
+};
+template <class Self, class Base>
+void copyMemory(ComponentInfo& info) {
+    static_assert(sizeof(Self) == sizeof(Base) || hashesMemory<Self> || statesMemory<Self>,
+                  "a component with members of its own says how the state hash covers them: 'void "
+                  "hashMemory(StateHash&) const', or 'static constexpr Coverage memory = leftOut(why)'");
+    info.hashesMemory = hashesMemory<Self>;
+    if constexpr (statesMemory<Self>) {
+        info.memory = Self::memory;
+    }
+}
 
 /// Fills in what calls for a component.
 template <class... P>

@@ -20,6 +20,8 @@ std::string_view nameOf(Algebra a) {
         return "unique create";
     case Algebra::destroy:
         return "unique destroy";
+    case Algebra::sequence:
+        return "sequence, from outside";
     }
     return "";
 }

@@ -2,13 +2,16 @@
 // its next advance. Every call states the algebra that makes the order of calls irrelevant (5.7.2).
 #pragma once
 
+#include "runtime/component/caller_id.hpp"
 #include "runtime/object/object_id.hpp"
+#include "runtime/property/state_hash.hpp"
 #include "runtime/trace/event.hpp"
 
 #include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -24,9 +27,12 @@ enum class Algebra {
     anyOf,        ///< held: true while anybody says so
     least,        ///< held: the smallest value counts
     greatest,     ///< held: the largest value counts
-    countedSet,   ///< once: +1 or -1 on a key; the key is in the set while its count is above zero
-    create,       ///< once: equal keys create one object
-    destroy,      ///< once: destroying twice is destroying once
+    countedSet, ///< once: +1 or -1 on a key, counted for each caller by itself (CallerCounts); the key is in
+                ///< the set while any count is above zero
+    create,     ///< once: equal keys create one object
+    destroy,    ///< once: destroying twice is destroying once
+    sequence,   ///< once, from outside the world only: carried out in the order in which they came. There is
+                ///< one who calls, so there is no other order that could matter
 };
 
 /// Held calls stand until the interaction is applied again, so one whose inputs did not change can sleep and
@@ -50,7 +56,7 @@ concept InteractionCall = std::is_trivially_copyable_v<C> && requires(C const& c
     { C::algebra } -> std::convertible_to<Algebra>;
     {c.objects()};
 } &&(C::algebra == Algebra::sumOfRates || C::algebra == Algebra::sumOfAmounts ||
-     requires(C const& c) { {c.key()}; }) &&
+     C::algebra == Algebra::sequence || requires(C const& c) { {c.key()}; }) &&
     (C::algebra != Algebra::countedSet ||
      requires(C const& c) {
          { c.delta() } -> std::convertible_to<int>;
@@ -79,7 +85,8 @@ constexpr bool checkCall() {
     if constexpr (states) {
         constexpr Algebra a = C::algebra;
         static_assert(
-            a == Algebra::sumOfRates || a == Algebra::sumOfAmounts || requires(C const& c) { {c.key()}; },
+            a == Algebra::sumOfRates || a == Algebra::sumOfAmounts || a == Algebra::sequence ||
+                requires(C const& c) { {c.key()}; },
             "a call whose algebra is not a sum says what it is about: key()");
         static_assert(
             a != Algebra::countedSet ||
@@ -102,11 +109,38 @@ struct CallList {
     static_assert((detail::checkCall<C>() && ...));
 };
 
+namespace detail {
+template <class List>
+inline constexpr bool anySequence = false;
+template <class... C>
+inline constexpr bool anySequence<CallList<C...>> = ((C::algebra == Algebra::sequence) || ...);
+
+template <class R>
+constexpr bool checkRole() {
+    static_assert(
+        !anySequence<typename R::Calls> ||
+            requires {
+                { R::fedBy } -> std::convertible_to<std::string_view>;
+            },
+        "calls in sequence come from outside the world: a role with such calls says who feeds it, fedBy");
+    return true;
+}
+} // namespace detail
+
 /// The interface of a resolver to the interaction layer: `name` and `Calls`. Resolvers of one role swap.
 template <class R>
 concept ResolverRole = requires {
     { R::name } -> std::convertible_to<std::string_view>;
     requires sizeof(typename R::Calls) > 0; // looks into the list, so that it is checked
+    requires detail::checkRole<R>();
+};
+
+/// A role that is called from outside the world too, as by the player: `fedBy` names who does, and
+/// World::feed() is the way in. Such calls are recorded, drained and ordered like those of an interaction
+/// that is registered before all others.
+template <class R>
+concept FedFromOutside = ResolverRole<R> && requires {
+    { R::fedBy } -> std::convertible_to<std::string_view>;
 };
 
 /// The calls of one kind by one chunk of one interaction. Written by one thread at a time; no locks.
@@ -149,7 +183,7 @@ template <ResolverRole Role>
 struct CallSource {
     using Buffers = typename detail::BuffersOf<typename Role::Calls>::Type;
 
-    std::string_view name; ///< the interaction's
+    CallerId caller; ///< whose calls they are
     /// Chunks never depend on the number of threads. A deque, as callers hold on to theirs while more are
     /// added.
     std::deque<Buffers> chunks = std::deque<Buffers>(1);
@@ -162,6 +196,12 @@ struct CallSource {
         return std::all_of(chunks.begin(), chunks.end(), [](Buffers const& chunk) {
             return std::apply([](auto const&... buffer) { return (buffer.calls().empty() && ...); }, chunk);
         });
+    }
+
+    void hash(StateHash& hash) const {
+        for (Buffers const& chunk : chunks) {
+            std::apply([&](auto const&... buffer) { (hash.members(buffer.calls()), ...); }, chunk);
+        }
     }
 
 private:
@@ -180,8 +220,8 @@ private:
 
 /// Who calls, told to the resolver beside each call.
 struct CallOrigin {
-    std::size_t source = 0; ///< the interaction, in registration order
-    EventId cause;          ///< what made it call; none while nobody traces
+    CallerId caller;
+    EventId cause; ///< what made it call; none while nobody traces
 };
 
 class ChannelBase {
@@ -193,13 +233,51 @@ public:
 };
 
 /// What connects the interactions of one role to its resolver: their sources in registration order, which is
-/// the order in which calls are drained.
+/// the order in which calls are drained. What is fed from outside comes before them.
 template <ResolverRole Role>
 class Channel final : public ChannelBase {
 public:
-    void add(CallSource<Role>* source) { sources_.push_back(source), ++changes_; }
-    void clearSources() override { sources_.clear(), ++changes_; }
+    void add(CallSource<Role>* source) {
+        sources_.push_back(source);
+        callers_.push_back(source->caller);
+        ++changes_;
+    }
+    /// Says that there is a resolver, which takes what is fed.
+    void attachResolver() { resolverThere_ = true; }
+    void clearSources() override {
+        sources_.clear();
+        callers_.clear();
+        resolverThere_ = false;
+        ++changes_;
+        if (outside_) {
+            add(outside_.get());
+        }
+    }
     [[nodiscard]] std::span<CallSource<Role>* const> sources() const { return sources_; }
+    /// Who may call at present: ascending if they were added in registration order.
+    [[nodiscard]] std::span<CallerId const> callers() const { return callers_; }
+
+    /// Opens the way in for whoever is outside, under that identity. Once, before any source is added.
+    void openToOutside(CallerId caller) requires FedFromOutside<Role> {
+        outside_ = std::make_unique<CallSource<Role>>();
+        outside_->caller = caller;
+        add(outside_.get());
+    }
+    /// Records a call from outside for the next advance. Between frames only. Without a resolver, or if the
+    /// way in is not open, it is lost.
+    template <InteractionCall C>
+    void feed(C const& call) requires FedFromOutside<Role> {
+        static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this role");
+        if (resolverThere_ && outside_) {
+            std::get<CallBuffer<C>>(outside_->chunks.front()).push(call);
+            ++outside_->version;
+        }
+    }
+    /// Whether any call stands or waits.
+    [[nodiscard]] bool empty() const {
+        return std::all_of(sources_.begin(), sources_.end(),
+                           [](CallSource<Role> const* source) { return source->empty(); });
+    }
 
     /// Differs whenever any source has said anything, or taken anything back, or the set of sources is
     /// another one. The two must not be added up: a source that goes takes its count along, and the sum could
@@ -216,15 +294,28 @@ public:
             source->clearOnce();
         }
     }
+    /// Hashes every call that stands or waits, by who makes it, whatever the order of registration.
+    void hash(StateHash& hash) const {
+        std::vector<CallSource<Role> const*> sorted(sources_.begin(), sources_.end());
+        std::sort(sorted.begin(), sorted.end(),
+                  [](auto const* a, auto const* b) { return a->caller.name() < b->caller.name(); });
+        for (CallSource<Role> const* source : sorted) {
+            if (!source->empty()) {
+                hash.value(std::string(source->caller.name()));
+                source->hash(hash);
+            }
+        }
+    }
     /// Calls f(call, origin) for every call of kind C, in drain order.
     template <InteractionCall C, class F>
     void forCalls(F&& f) const {
-        for (std::size_t s = 0; s < sources_.size(); ++s) {
-            for (auto const& chunk : sources_[s]->chunks) {
+        for (CallSource<Role> const* source : sources_) {
+            CallerId const caller = source->caller;
+            for (auto const& chunk : source->chunks) {
                 auto const& buffer = std::get<CallBuffer<C>>(chunk);
                 std::span<C const> const calls = buffer.calls();
                 for (std::size_t i = 0; i < calls.size(); ++i) {
-                    f(calls[i], CallOrigin{s, buffer.cause(i)});
+                    f(calls[i], CallOrigin{caller, buffer.cause(i)});
                 }
             }
         }
@@ -232,6 +323,9 @@ public:
 
 private:
     std::vector<CallSource<Role>*> sources_;
+    std::vector<CallerId> callers_; // theirs
+    std::unique_ptr<CallSource<Role>> outside_;
+    bool resolverThere_ = false;
     std::uint64_t changes_ = 1;
 };
 

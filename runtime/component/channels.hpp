@@ -11,11 +11,18 @@ namespace trembler {
 
 class Channels {
 public:
+    /// `callers` gives those a name who stand outside and feed a role; it must outlive the channels.
+    explicit Channels(Callers& callers) : callers_(callers) {}
+
     template <ResolverRole Role>
     [[nodiscard]] Channel<Role>& of() {
         auto& channel = channels_[typeid(Role)];
         if (!channel) {
-            channel = std::make_unique<Channel<Role>>();
+            auto made = std::make_unique<Channel<Role>>();
+            if constexpr (FedFromOutside<Role>) {
+                made->openToOutside(callers_.addOutside(Role::fedBy));
+            }
+            channel = std::move(made);
         }
         return static_cast<Channel<Role>&>(*channel);
     }
@@ -28,6 +35,7 @@ public:
     }
 
 private:
+    Callers& callers_;
     std::unordered_map<std::type_index, std::unique_ptr<ChannelBase>> channels_; // order never matters
 };
 

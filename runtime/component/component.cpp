@@ -18,7 +18,7 @@ void Component::openSinks(FrameContext const& context, std::size_t chunks, Phase
     sinks_.clear();
     if (context.tracing) {
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-            sinks_.emplace_back(context.store, context.frame, context.component,
+            sinks_.emplace_back(context.store, context.when, context.component,
                                 static_cast<std::uint32_t>(chunk), phase, info_.text.name);
         }
     }

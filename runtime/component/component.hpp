@@ -11,8 +11,11 @@ namespace trembler {
 
 class Store;
 class Channels;
+class StateHash;
 
-/// Length of a frame, in seconds. Fixed: a replay must not depend on how fast anybody's machine is.
+/// Length of a frame, in seconds. Fixed: a replay must not depend on how fast anybody's machine is. It is not
+/// the time that a component's turn covers, which may be a part of a frame, or several frames: that is
+/// AccessBase::duration().
 inline constexpr double frameDuration = 1.0 / 60.0;
 
 enum class Activity : std::uint8_t {
@@ -22,10 +25,10 @@ enum class Activity : std::uint8_t {
 };
 [[nodiscard]] std::string_view nameOf(Activity activity);
 
-/// What one component is given to run in one frame.
+/// What one component is given for one turn: in one part of a frame.
 struct FrameContext {
-    std::uint64_t frame = 0;
-    double duration = frameDuration; ///< s since the component's last turn, by its period
+    Moment when;
+    double duration = frameDuration; ///< s since the component's last turn
     Executor* executor = nullptr;
     Store const* store = nullptr;
     bool tracing = false;
@@ -47,14 +50,23 @@ public:
     /// Rows that it reads: tells the world whether threads are worth their overhead.
     [[nodiscard]] virtual std::size_t workload() const = 0;
     virtual void run(FrameContext const& context) = 0;
+    /// Hashes what it keeps from one turn to the next and what waits for its next one. Between frames.
+    virtual void hashState(StateHash& hash) const = 0;
     /// The sinks of its last run, in order of chunks.
     [[nodiscard]] std::deque<EventSink>& sinks() { return sinks_; }
 
 protected:
     void openSinks(FrameContext const& context, std::size_t chunks, Phase phase);
 
+    /// Who it is to those whom it calls.
+    [[nodiscard]] CallerId caller() const { return caller_; }
+
     ComponentInfo const& info_;
     std::deque<EventSink> sinks_; // a deque: callers hold on to theirs while more are added
+
+private:
+    friend class World; // which says who it is, before it binds it
+    CallerId caller_;
 };
 
 } // namespace trembler

@@ -77,11 +77,17 @@ public:
         reads_.markSeen();
         first_ = false;
     }
+    void hashState([[maybe_unused]] StateHash& hash) const final {
+        if constexpr (detail::hashesMemory<Self>) {
+            static_cast<Self const&>(*this).hashMemory(hash);
+        }
+    }
     [[nodiscard]] static ComponentInfo const& describeSelf() {
         static ComponentInfo const info = [] {
             ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::dps, .text = Self::text};
             made.reads = detail::infos(ReadsList{});
             made.offers = detail::infos(DerivesList{});
+            detail::copyMemory<Self, Dps>(made);
             detail::copyNeeds(typename Self::CalledFor{}, made);
             if constexpr (requires { Self::onDemand; }) {
                 made.onDemand = Self::onDemand;
@@ -92,9 +98,9 @@ public:
     }
 
 private:
+    bool first_ = true; // not last: no member of Self may hide in the bytes after it, see copyMemory()
     detail::Bindings<ReadsList> reads_;
     detail::Bindings<DerivesList> derives_;
-    bool first_ = true;
 };
 
 } // namespace trembler

@@ -44,7 +44,10 @@ struct ComponentInfo {
     std::vector<CallInfo> calls{}; ///< of a resolver: its interaction functions
     std::vector<PropertyInfo const*> neededAll{};
     std::vector<PropertyInfo const*> neededAny{};
-    bool onDemand = false; ///< constructed only while somebody reads what it offers
+    bool onDemand = false;            ///< constructed only while somebody reads what it offers
+    std::optional<Coverage> memory{}; ///< of what it keeps in members of its own, if it has any
+    bool hashesMemory = false;        ///< all of that, or what `memory` does not speak of
+    bool inSetup = false; ///< an interaction that is applied in frame 0 as well, before the first advance
 };
 
 /// The full title as the thesis writes it: "Dynamics Resolver", "Electricity DPS", "(A <- B) Interaction".

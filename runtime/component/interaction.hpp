@@ -14,7 +14,9 @@ namespace trembler {
 /// `void apply(Access&)`.
 ///
 /// It is applied in every frame in which something that it reads has changed. In the others its held calls
-/// stand as they are, so to apply it again would change nothing.
+/// stand as they are, so to apply it again would change nothing. With `static constexpr bool inSetup = true`
+/// it is applied in frame 0, too, the setup before the first advance (6.8.3: "global properties, such as the
+/// gravity vector, will also be set"); it then reads nothing but object properties.
 template <class Self, ResolverRole RoleType, class ReadsList>
 class Interaction : public Component {
     static_assert(detail::isReads<ReadsList>, "an interaction declares Reads<...> and changes nothing (5.6)");
@@ -31,6 +33,8 @@ public:
         void call(C const& c, EventId cause = {}) {
             static_assert(detail::callListed<C, typename Role::Calls>,
                           "an interaction calls functions of its own resolver only (5.6)");
+            static_assert(C::algebra != Algebra::sequence,
+                          "calls in sequence come from outside the world, not from an interaction");
             auto& buffer = std::get<CallBuffer<C>>(buffers_);
             if (sink_ == nullptr) [[likely]] {
                 buffer.push(c);
@@ -74,6 +78,8 @@ public:
         /// True when the component has just been constructed: changes since the last frame are then not
         /// enough, it must look at everything.
         [[nodiscard]] bool firstTime() const { return self_.first_; }
+        /// Who it is to its resolver: what it has itself added to a counted set stands there under this id.
+        [[nodiscard]] CallerId caller() const { return self_.source_.caller; }
         /// Records a call; see Caller::call.
         template <class C>
         void call(C const& c, EventId cause = {}) {
@@ -97,10 +103,11 @@ public:
         Caller first_;
     };
 
-    Interaction() : Component(describeSelf()) { source_.name = Self::text.name; }
+    Interaction() : Component(describeSelf()) {}
 
     void bind(Store& store, Channels& channels) final {
         reads_.bind(store);
+        source_.caller = this->caller();
         channels.of<Role>().add(&source_);
     }
     [[nodiscard]] bool hasWork() const override { return first_ || reads_.changed(); }
@@ -124,17 +131,34 @@ public:
         reads_.markSeen();
         first_ = false;
     }
+    void hashState([[maybe_unused]] StateHash& hash) const final {
+        if constexpr (detail::hashesMemory<Self>) {
+            static_cast<Self const&>(*this).hashMemory(hash);
+        }
+    }
     [[nodiscard]] static ComponentInfo const& describeSelf() {
         static ComponentInfo const info = [] {
             ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::interaction, .text = Self::text};
             made.reads = detail::infos(ReadsList{});
             made.role = typeid(Role);
             made.roleName = Role::name;
+            detail::copyMemory<Self, Interaction>(made);
             detail::copyNeeds(typename Self::CalledFor{}, made);
+            if constexpr (requires { Self::inSetup; }) {
+                static_assert(detail::onlyObjectProperties<ReadsList>,
+                              "in the setup there are object properties only: no resolver has advanced, no "
+                              "derived property set has been updated");
+                made.inSetup = Self::inSetup;
+            }
             return made;
         }();
         return info;
     }
+
+protected:
+    /// For a type that is registered several times, each with words of its own (Registry::component): `info`
+    /// is a copy of describeSelf() with another name.
+    explicit Interaction(ComponentInfo const& info) : Component(info) {}
 
 private:
     // A held call is an event only when it is new: "this will be done for every frame from now on and will
@@ -172,17 +196,17 @@ private:
         newTold_.resize(std::max(chunks, newTold_.size()));
         if (sinks_.size() < chunks && context.tracing) {
             for (std::size_t chunk = sinks_.size(); chunk < chunks; ++chunk) {
-                sinks_.emplace_back(context.store, context.frame, context.component,
+                sinks_.emplace_back(context.store, context.when, context.component,
                                     static_cast<std::uint32_t>(chunk), Phase::interaction, info_.text.name);
             }
         }
     }
 
+    bool first_ = true; // not last: no member of Self may hide in the bytes after it, see copyMemory()
     detail::Bindings<ReadsList> reads_;
     CallSource<Role> source_;
     std::map<TellKey, EventId> told_; // held calls of the last apply, while tracing
     std::vector<std::map<TellKey, EventId>> newTold_;
-    bool first_ = true;
 };
 
 } // namespace trembler

@@ -81,8 +81,9 @@ public:
         /// Whether any interaction has called, or taken calls back, since the last advance. If not, held
         /// calls stand as they did, and there are none to be carried out once.
         [[nodiscard]] bool callsChanged() const { return self_.channel_->version() != self_.seenCalls_; }
-        /// The interactions that call this resolver, by CallOrigin::source.
-        [[nodiscard]] std::size_t sources() const { return self_.channel_->sources().size(); }
+        /// Who may call this resolver at present, ascending. An interaction that is absent is not among them:
+        /// its held calls are gone with it, and it can never take back what it added to a counted set.
+        [[nodiscard]] std::span<CallerId const> callers() const { return self_.channel_->callers(); }
 
     private:
         Resolver& self_;
@@ -95,6 +96,7 @@ public:
         writes_.bind(store);
         provides_.bind(store);
         channel_ = &channels.of<Role>();
+        channel_->attachResolver();
         if constexpr (requires(Self & self) { self.bindStore(store); }) {
             static_assert(Self::writesEverything,
                           "only what declares to write everything is given the whole store");
@@ -119,6 +121,14 @@ public:
         writes_.markSeen();
         seenCalls_ = channel_->version();
     }
+    void hashState(StateHash& hash) const final {
+        if (channel_ != nullptr) {
+            channel_->hash(hash);
+        }
+        if constexpr (detail::hashesMemory<Self>) {
+            static_cast<Self const&>(*this).hashMemory(hash);
+        }
+    }
     [[nodiscard]] static ComponentInfo const& describeSelf() {
         static ComponentInfo const info = [] {
             ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::resolver, .text = Self::text};
@@ -130,6 +140,7 @@ public:
             [&]<class... C>(CallList<C...> const&) {
                 made.calls = {CallInfo{C::text, C::algebra}...};
             }(typename Role::Calls{});
+            detail::copyMemory<Self, Resolver>(made);
             detail::copyNeeds(typename Self::CalledFor{}, made);
             if constexpr (requires { Self::onDemand; }) {
                 made.onDemand = Self::onDemand;
@@ -141,6 +152,10 @@ public:
         }();
         return info;
     }
+
+protected:
+    /// Whether any call stands or waits to be carried out.
+    [[nodiscard]] bool isCalled() const { return channel_ != nullptr && !channel_->empty(); }
 
 private:
     detail::Bindings<ReadsList> reads_;

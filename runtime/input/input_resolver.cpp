@@ -7,7 +7,10 @@ void InputResolver::advance(Access& access) {
         access.provide<PlayerCommands>() = {};
         commandsStand_ = false;
     }
-    for (PlayerInput const& input : queue_) {
+    access.forCalls<PlayerInput>([&](PlayerInput const& input, CallOrigin const&) {
+        if (!isFinite(input.at)) {
+            return;
+        }
         switch (input.kind) {
         case PlayerInput::Kind::grab: {
             Position const* const position = access.read<Position>().find(input.object);
@@ -47,8 +50,7 @@ void InputResolver::advance(Access& access) {
             break;
         }
         }
-    }
-    queue_.clear();
+    });
 }
 
 } // namespace trembler

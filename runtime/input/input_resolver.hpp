@@ -1,9 +1,10 @@
-// The one door through which the outside reaches a running world.
+// What the player does to a running world.
 #pragma once
 
 #include "runtime/component/resolver.hpp"
 #include "runtime/input/player_input.hpp"
 #include "runtime/placement.hpp"
+#include "runtime/property/news.hpp"
 
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Hand {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Hand", "hand",
                                        "The object that the player holds, and where it is pulled to."};
+    static constexpr Coverage coverage = hashed;
 
     ObjectId object; ///< invalid: the hand is empty
     Vec2 localPoint; ///< m, where it is held, in the object's own frame
@@ -29,12 +31,13 @@ struct Hand {
     }
 };
 
-/// What the player did with tools in this frame.
+/// What the player did with tools before this frame, told in its first part.
 struct PlayerCommands {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
         "Player commands", "player_commands",
         "Wires that the player cut and objects that the player removed this frame."};
+    static constexpr Coverage coverage = hashed;
     struct Cut {
         ObjectId a;
         ObjectId b;
@@ -47,16 +50,15 @@ struct PlayerCommands {
     std::vector<Cut> cuts;
     std::vector<Removal> removals;
 
+    static void gather(PlayerCommands& frame, PlayerCommands const& part, PartSpan) {
+        frame.cuts.insert(frame.cuts.end(), part.cuts.begin(), part.cuts.end());
+        frame.removals.insert(frame.removals.end(), part.removals.begin(), part.removals.end());
+    }
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
 };
 
-struct PlayerRole {
-    static constexpr std::string_view name = "Player";
-    using Calls = CallList<>;
-};
-
-/// Takes over what was fed since the last frame. No interaction calls it; people do.
+/// Takes over what was fed since the last frame.
 class InputResolver final : public Resolver<InputResolver, PlayerRole, Reads<Position, Rotation>, Writes<>,
                                             Provides<Hand, PlayerCommands>> {
 public:
@@ -67,20 +69,14 @@ public:
         .work = "Takes over what the player did since the last frame: what the hand "
                 "holds and where it pulls, which wires were cut, what was removed."};
     using CalledFor = NeedsAll<>;
+    static constexpr Coverage memory = leftOut("whether there are Player commands, which are hashed");
 
-    /// Queues an input for the next frame; one at no finite point is ignored. Not during a frame.
-    void feed(PlayerInput const& input) {
-        if (isFinite(input.at)) {
-            queue_.push_back(input);
-        }
-    }
-    [[nodiscard]] bool restless() const { return !queue_.empty() || commandsStand_; }
+    [[nodiscard]] bool restless() const { return isCalled() || commandsStand_; }
     /// Only what was fed makes work: objects that move by themselves do not concern the hand.
     [[nodiscard]] bool hasWork() const override { return restless(); }
     void advance(Access& access);
 
 private:
-    std::vector<PlayerInput> queue_;
     bool commandsStand_ = false; // the last frame's commands must be taken back
 };
 

@@ -1,15 +1,22 @@
 // What a player can do to a running world. Recorded by frame, it makes a run repeatable.
 #pragma once
 
+#include "runtime/component/call.hpp"
 #include "runtime/math/vec2.hpp"
-#include "runtime/object/object_id.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
 namespace trembler {
 
 struct PlayerInput {
+    static constexpr CallText text{
+        "playerInput", "(deed, object, other object, position)",
+        "The player grabs, moves, releases, cuts or removes: from outside, never from an "
+        "interaction. One at no finite position is ignored."};
+    static constexpr Algebra algebra =
+        Algebra::sequence; // to move is another thing before a grab than after it
     enum class Kind : std::uint8_t {
         grab,    ///< takes hold of `object` at the world point `at`
         move,    ///< moves the hold to `at`
@@ -21,9 +28,18 @@ struct PlayerInput {
     ObjectId object;
     ObjectId other;
     Vec2 at; ///< m, in the world
+
+    [[nodiscard]] std::array<ObjectId, 2> objects() const { return {object, other}; }
 };
 
 /// The names of the kinds, as files spell them, in order.
 inline constexpr std::string_view playerInputNames[] = {"grab", "move", "release", "cut", "remove"};
+
+/// What the player does reaches a world through this role alone. No interaction calls it; people do.
+struct PlayerRole {
+    static constexpr std::string_view name = "Player";
+    static constexpr std::string_view fedBy = "the player";
+    using Calls = CallList<PlayerInput>;
+};
 
 } // namespace trembler

@@ -1,89 +1,17 @@
 #include "runtime/notation/notation.hpp"
 
+#include "runtime/notation/boxes.hpp"
+#include "runtime/notation/state_coverage.hpp"
 #include "runtime/schedule/schedule.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace trembler {
 namespace {
-
-struct Row {
-    std::string label;
-    std::string text;
-};
-
-struct NotationBox {
-    std::string title;
-    std::vector<Row> rows;
-    std::vector<CallInfo> const* calls = nullptr;
-    ComponentInfo const* info = nullptr;
-};
-
-std::string set(std::vector<PropertyInfo const*> const& properties) {
-    if (properties.empty()) {
-        return "∅";
-    }
-    std::string text = "{";
-    for (std::size_t i = 0; i < properties.size(); ++i) {
-        text += (i == 0 ? "" : ", ") + std::string(properties[i]->text.name);
-    }
-    return text + "}";
-}
-
-std::string calledFor(ComponentInfo const& info) {
-    std::string const demand = info.onDemand ? ", while somebody reads what it offers" : "";
-    if (info.neededAll.empty() && info.neededAny.empty()) {
-        return "every scene" + demand;
-    }
-    return (info.neededAny.empty() ? "objects with all of " + set(info.neededAll)
-                                   : "objects with any of " + set(info.neededAny)) +
-           demand;
-}
-
-std::string shortcutNote(Registry const& registry, ComponentInfo const& info) {
-    std::string places;
-    for (Shortcut const& shortcut : registry.shortcuts()) {
-        for (Registration const& other : registry.components()) {
-            if (shortcut.interaction == info.type && shortcut.dps == other.info->type) {
-                places += (places.empty() ? "directly after the " : " or the ") + title(*other.info);
-            }
-        }
-    }
-    return places.empty() ? places : places + " (shortcut of 5.7.3)";
-}
-
-NotationBox boxOf(Registry const& registry, ComponentInfo const& info) {
-    NotationBox box{title(info), {}, &info.calls, &info};
-    switch (info.kind) {
-    case ComponentKind::resolver:
-        box.rows.push_back({"Resolver properties", set(info.offers)});
-        box.rows.push_back({"Properties read", set(info.reads)});
-        box.rows.push_back({"Properties written", info.writesEverything ? "everything" : set(info.writes)});
-        box.rows.push_back({"Work on advance()", std::string(info.text.work)});
-        break;
-    case ComponentKind::dps:
-        box.rows.push_back({"Properties read", set(info.reads)});
-        box.rows.push_back({"Derived properties", set(info.offers)});
-        box.rows.push_back({"Work on update()", std::string(info.text.work)});
-        break;
-    case ComponentKind::interaction:
-        box.rows.push_back({"Properties read", set(info.reads)});
-        box.rows.push_back({"Calls", std::string(info.roleName) + " Resolver"});
-        box.rows.push_back({"Work on apply()", std::string(info.text.work)});
-        if (std::string const note = shortcutNote(registry, info); !note.empty()) {
-            box.rows.push_back({"Runs", note});
-        }
-        break;
-    }
-    if (!info.text.level.empty()) {
-        box.rows.push_back({"Detail level", fmt::format("{} = {}", info.text.effect, info.text.level)});
-    }
-    box.rows.push_back({"Called for by", calledFor(info)});
-    return box;
-}
 
 std::vector<ComponentInfo const*> resolversOf(Registry const& registry) {
     std::vector<ComponentInfo const*> all;
@@ -163,20 +91,19 @@ std::string scheduleText(Registry const& registry, std::string_view bullet) {
     return text;
 }
 
-} // namespace
-
-std::string notationBox(Registry const& registry, Registration const& component) {
+std::string boxText(NotationBox const& box) {
     constexpr std::size_t width = 110;
     constexpr std::size_t labelWidth = 22;
-    NotationBox const box = boxOf(registry, *component.info);
     std::string const line(width, '-');
     std::string text = line + "\n" + box.title + "\n" + line + "\n";
-    for (Row const& row : box.rows) {
-        text += fmt::format("{:<{}}{}\n", row.label + ":", labelWidth, wrapped(row.text, labelWidth, width));
+    for (NotationRow const& row : box.rows) {
+        std::size_t const indent = row.label.empty() ? 0 : labelWidth;
+        std::string const label = row.label.empty() ? "" : fmt::format("{:<{}}", row.label + ":", labelWidth);
+        text += label + wrapped(row.text, indent, width) + "\n";
     }
-    if (!box.calls->empty()) {
+    if (!box.calls.empty()) {
         text += "Interaction functions:\n";
-        for (CallInfo const& call : *box.calls) {
+        for (CallInfo const& call : box.calls) {
             std::string const head = fmt::format("  {} - ", signature(call));
             text += head +
                     wrapped(fmt::format("{} [{}]", call.text.meaning, nameOf(call.algebra)), 4, width - 30) +
@@ -186,35 +113,104 @@ std::string notationBox(Registry const& registry, Registration const& component)
     return text + line + "\n";
 }
 
+std::string escaped(std::string s) {
+    for (std::size_t at = 0; (at = s.find('|', at)) != std::string::npos; at += 2) {
+        s.insert(at, "\\");
+    }
+    return s;
+}
+
+std::string boxMarkdown(NotationBox const& box) {
+    std::string text = fmt::format("### {}\n\n", box.title);
+    bool open = false;
+    for (NotationRow const& row : box.rows) {
+        if (row.label.empty()) {
+            text += fmt::format("*{}*\n\n", row.text);
+            continue;
+        }
+        text += open ? "" : "| | |\n|---|---|\n";
+        open = true;
+        text += fmt::format("| {} | {} |\n", row.label, escaped(row.text));
+    }
+    for (CallInfo const& call : box.calls) {
+        text += fmt::format("| `{}` | {} *{}* |\n", escaped(signature(call)),
+                            escaped(std::string(call.text.meaning)), nameOf(call.algebra));
+    }
+    return open ? text + "\n" : text;
+}
+
+std::string coverageText(Registry const& registry) {
+    std::string text;
+    for (CoverageLine const& line : stateCoverage(registry)) {
+        text += "  " +
+                wrapped(fmt::format("{}: {}{}", line.covered, line.what,
+                                    line.reason.empty() ? "" : " (" + line.reason + ")"),
+                        4, 110) +
+                "\n";
+    }
+    return text;
+}
+
+std::string coverageMarkdown(Registry const& registry) {
+    std::string text = "| | | |\n|---|---|---|\n";
+    for (CoverageLine const& line : stateCoverage(registry)) {
+        text += fmt::format("| {} | {} | {} |\n", line.covered, escaped(line.what), escaped(line.reason));
+    }
+    return text;
+}
+
+} // namespace
+
+std::string notationBox(Registry const& registry, Registration const& component) {
+    return boxText(boxOf(registry, *component.info));
+}
+
+std::string notationBox(CompletionInfo const& completion) {
+    return boxText(boxOf(completion));
+}
+
+std::string notationBox(PropertyInfo const& property) {
+    return boxText(boxOf(property));
+}
+
 std::string notationText(Registry const& registry) {
     std::string text;
+    for (PropertyInfo const* property : registry.objectProperties()) {
+        text += notationBox(*property) + "\n";
+    }
     for (Registration const& component : registry.components()) {
         text += notationBox(registry, component) + "\n";
     }
-    return text + "Schedule of a frame\n\n" + scheduleText(registry, "  ");
+    for (CompletionInfo const* completion : completionOrder(registry.completions())) {
+        text += notationBox(*completion) + "\n";
+    }
+    return text + "Schedule of a frame\n\n" + scheduleText(registry, "  ") +
+           "\nWhat the state hash covers\n\n" + coverageText(registry);
 }
 
 std::string notationMarkdown(Registry const& registry) {
-    std::string text;
-    auto const escaped = [](std::string s) {
-        for (std::size_t at = 0; (at = s.find('|', at)) != std::string::npos; at += 2) {
-            s.insert(at, "\\");
-        }
-        return s;
-    };
+    std::string text = "## Components\n\n";
     for (Registration const& component : registry.components()) {
-        NotationBox const box = boxOf(registry, *component.info);
-        text += fmt::format("### {}\n\n| | |\n|---|---|\n", box.title);
-        for (Row const& row : box.rows) {
-            text += fmt::format("| {} | {} |\n", row.label, escaped(row.text));
-        }
-        for (CallInfo const& call : *box.calls) {
-            text += fmt::format("| `{}` | {} *{}* |\n", escaped(signature(call)),
-                                escaped(std::string(call.text.meaning)), nameOf(call.algebra));
-        }
-        text += "\n";
+        text += boxMarkdown(boxOf(registry, *component.info));
     }
-    return text + "## Schedule of a frame\n\n" + scheduleText(registry, "- ");
+    text +=
+        "## Properties\n\nThose of objects. Resolver properties and derived properties stand with who offers "
+        "them.\n\n";
+    for (PropertyInfo const* property : registry.objectProperties()) {
+        text += boxMarkdown(boxOf(*property));
+    }
+    text += "## Completions\n\nWhat objects get when they come into being, in this order, besides what is "
+            "stated of "
+            "them. What is stated\nstays.\n\n";
+    for (CompletionInfo const* completion : completionOrder(registry.completions())) {
+        text += boxMarkdown(boxOf(*completion));
+    }
+    return text + "## Schedule of a frame\n\n" + scheduleText(registry, "- ") +
+           "\n## What the state hash covers\n\nEqual hashes mean equal worlds and equal futures. *Derived* "
+           "is what each "
+           "turn of its provider works out anew from\nwhat is hashed; it is hashed where that one has a "
+           "period.\n\n" +
+           coverageMarkdown(registry);
 }
 
 nlohmann::ordered_json notationJson(Registry const& registry) {
@@ -241,13 +237,31 @@ nlohmann::ordered_json notationJson(Registry const& registry) {
                               {"effect", info.text.effect},
                               {"level", info.text.level},
                               {"role", info.roleName},
-                              {"reads", names(info.reads)},
+                              {"reads", info.writesEverything ? Json("everything") : names(allRead(info))},
                               {"writes", info.writesEverything ? Json("everything") : names(info.writes)},
                               {"offers", names(info.offers)},
                               {"work", info.text.work},
                               {"calls", calls},
                               {"called_for", calledFor(info)},
-                              {"shortcut", shortcutNote(registry, info)}});
+                              {"shortcut", shortcutNote(registry, info)},
+                              {"in_setup", info.inSetup}});
+    }
+    Json completions = Json::array();
+    for (CompletionInfo const* info : completionOrder(registry.completions())) {
+        completions.push_back({{"title", title(*info)},
+                               {"reads", names(info->reads)},
+                               {"adds", names(info->adds)},
+                               {"work", info->text.work},
+                               {"called_for", boxOf(*info).rows.back().text}});
+    }
+    Json properties = Json::array();
+    for (PropertyInfo const* info : registry.objectProperties()) {
+        properties.push_back(
+            {{"name", info->text.name}, {"key", info->text.key}, {"meaning", info->text.meaning}});
+    }
+    Json covered = Json::array();
+    for (CoverageLine const& line : stateCoverage(registry)) {
+        covered.push_back({{"what", line.what}, {"covered", line.covered}, {"reason", line.reason}});
     }
     Json edges = Json::array();
     Json together = Json::array();
@@ -266,7 +280,11 @@ nlohmann::ordered_json notationJson(Registry const& registry) {
             }
         }
     }
-    return {{"components", components}, {"schedule", {{"edges", edges}, {"beside", together}}}};
+    return {{"components", components},
+            {"properties", properties},
+            {"completions", completions},
+            {"schedule", {{"edges", edges}, {"beside", together}}},
+            {"state_hash", covered}};
 }
 
 } // namespace trembler

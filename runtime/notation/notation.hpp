@@ -11,11 +11,16 @@ namespace trembler {
 
 /// The box of one component, as plain text.
 [[nodiscard]] std::string notationBox(Registry const& registry, Registration const& component);
-/// All boxes and the derived schedule, as plain text.
+/// What a completion reads and adds, in the same form.
+[[nodiscard]] std::string notationBox(CompletionInfo const& completion);
+/// The box of a property (5.3).
+[[nodiscard]] std::string notationBox(PropertyInfo const& property);
+/// All boxes, the derived schedule and what the state hash covers, as plain text.
 [[nodiscard]] std::string notationText(Registry const& registry);
 /// The same as Markdown tables.
 [[nodiscard]] std::string notationMarkdown(Registry const& registry);
-/// The same as JSON: {"components": [...], "schedule": {...}}.
+/// The same as JSON: {"components": [...], "properties": [...], "completions": [...], "schedule": {...},
+/// "state_hash": [...]}.
 [[nodiscard]] nlohmann::ordered_json notationJson(Registry const& registry);
 
 } // namespace trembler

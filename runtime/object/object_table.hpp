@@ -30,6 +30,17 @@ public:
                                                             : ObjectId{};
     }
 
+    /// What ids will be given next follows from this: calls f(index, generation) for every free index,
+    /// ascending.
+    template <class F>
+    void forFree(F&& f) const {
+        for (std::uint32_t index = 0; index < slots_.size() && !free_.empty(); ++index) {
+            if (!slots_[index].alive) {
+                f(index, slots_[index].generation);
+            }
+        }
+    }
+
 private:
     struct Slot {
         std::uint32_t generation = 0;

@@ -1,5 +1,6 @@
 #include "runtime/population/population_resolver.hpp"
 
+#include "runtime/frame/frame_resolver.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/registry.hpp"
 
@@ -50,17 +51,27 @@ void PopulationResolver::advance(Access& access) {
     births.erase(std::unique(births.begin(), births.end(),
                              [](Birth const& a, Birth const& b) { return a.call.key() == b.call.key(); }),
                  births.end());
+    std::vector<ObjectId> created;
+    std::vector<EventId> causes;
     for (Birth const& birth : births) {
-        create(access, birth);
+        if (ObjectId const id = create(birth); id.valid()) {
+            created.push_back(id);
+            causes.push_back(birth.cause);
+        }
     }
+    store_->complete(created);
+    for (std::size_t i = 0; i < created.size(); ++i) {
+        access.event("created", {created[i]}, {causes[i]});
+    }
+    access.provide<PopulationChanges>().created = std::move(created);
 }
 
-void PopulationResolver::create(Access& access, Birth const& birth) {
+ObjectId PopulationResolver::create(Birth const& birth) {
     CreateObject const& call = birth.call;
     Prototype const* const prototype = store_->prototypes().find(call.prototype);
     if (prototype == nullptr || !isFinite(call.position) || !std::isfinite(call.angle) ||
         !isFinite(call.velocity) || !std::isfinite(call.spin)) {
-        return;
+        return {};
     }
     std::string const stem = fmt::format("{} of {}", prototype->name, birth.maker);
     std::string name = fmt::format("{} {}", stem, call.number);
@@ -73,9 +84,7 @@ void PopulationResolver::create(Access& access, Birth const& birth) {
     store_->column<Rotation>().set(id, {call.angle});
     store_->column<Velocity>().set(id, {call.velocity});
     store_->column<AngularVelocity>().set(id, {call.spin});
-    store_->complete(id);
-    access.event("created", {id}, {birth.cause});
-    access.provide<PopulationChanges>().created.push_back(id);
+    return id;
 }
 
 void PopulationFromPlayer::apply(Access& access) {
@@ -90,9 +99,11 @@ void registerRuntime(Registry& registry) {
     registry.property<Rotation>();
     registry.property<Velocity>();
     registry.property<AngularVelocity>();
+    registry.property<FrameSettings>();
     registry.component<PopulationResolver>();
     registry.component<InputResolver>();
     registry.component<PopulationFromPlayer>();
+    registry.component<FrameResolver>();
 }
 
 } // namespace trembler

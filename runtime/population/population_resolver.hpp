@@ -5,6 +5,7 @@
 #include "runtime/component/resolver.hpp"
 #include "runtime/input/input_resolver.hpp"
 #include "runtime/population/calls.hpp"
+#include "runtime/property/news.hpp"
 
 namespace trembler {
 
@@ -13,10 +14,15 @@ struct PopulationChanges {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
         "Population changes", "population_changes",
-        "The objects that were created and those that were destroyed this frame."};
+        "The objects that were created and those that were destroyed in this frame, or this part of it."};
+    static constexpr Coverage coverage = hashed;
     std::vector<ObjectId> created;
     std::vector<ObjectId> destroyed; ///< ids that no longer name anything
 
+    static void gather(PopulationChanges& frame, PopulationChanges const& part, PartSpan) {
+        frame.created.insert(frame.created.end(), part.created.begin(), part.created.end());
+        frame.destroyed.insert(frame.destroyed.end(), part.destroyed.begin(), part.destroyed.end());
+    }
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
 };
@@ -34,6 +40,8 @@ public:
                 "of the births, so they depend on no order and no thread."};
     static constexpr bool writesEverything = true;
     using CalledFor = NeedsAll<>;
+    static constexpr Coverage memory =
+        leftOut("whether there is news to be taken back, which Population changes says");
 
     void bindStore(Store& store) { store_ = &store; }
     [[nodiscard]] bool restless() const { return changesStand_; }
@@ -45,7 +53,8 @@ private:
         EventId cause;
         std::string maker; // its name
     };
-    void create(Access& access, Birth const& birth);
+    /// The object with what its birth states, not yet completed; an invalid id if there is none to be made.
+    [[nodiscard]] ObjectId create(Birth const& birth);
 
     Store* store_ = nullptr;
     bool changesStand_ = false;

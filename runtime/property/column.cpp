@@ -34,6 +34,28 @@ std::uint32_t ColumnBase::insertOwner(ObjectId id) {
     return row;
 }
 
+void ColumnBase::insertOwners(std::span<ObjectId const> ids) {
+    if (ids.empty()) {
+        return;
+    }
+    auto const before = static_cast<std::ptrdiff_t>(owners_.size());
+    auto const firstMoved = static_cast<std::size_t>(
+        std::lower_bound(owners_.begin(), owners_.end(), ids.front()) - owners_.begin());
+    owners_.insert(owners_.end(), ids.begin(), ids.end());
+    std::inplace_merge(owners_.begin(), owners_.begin() + before, owners_.end());
+    if (rows_.size() <= owners_.back().index) {
+        rows_.resize(owners_.back().index + std::size_t{1}, absent);
+    }
+    for (std::size_t r = firstMoved; r < owners_.size(); ++r) {
+        rows_[owners_[r].index] = static_cast<std::uint32_t>(r);
+    }
+    for (ObjectId const id : ids) {
+        membership_ += mixed(packed(id));
+    }
+    ++version_;
+    ++structureVersion_;
+}
+
 void ColumnBase::eraseOwner(std::uint32_t row) {
     membership_ -= mixed(packed(owners_[row]));
     rows_[owners_[row].index] = absent;

@@ -6,8 +6,10 @@
 #include "runtime/property/property_info.hpp"
 #include "runtime/property/state_hash.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <vector>
@@ -69,6 +71,8 @@ public:
 protected:
     /// Makes room for a row and returns where; rows above move up by one.
     std::uint32_t insertOwner(ObjectId id);
+    /// The same for many in one pass: `ids` are ascending, and none of them has a row.
+    void insertOwners(std::span<ObjectId const> ids);
     void eraseOwner(std::uint32_t row);
     /// Erases the owners in `ids` and returns the rows that stay, ascending; empty if nothing was erased.
     std::vector<std::uint32_t> eraseOwners(std::span<ObjectId const> ids);
@@ -120,6 +124,33 @@ public:
             values_.insert(values_.begin() + fresh, std::move(value));
         }
     }
+    /// Gives many objects the property in one pass: O(all rows), where one by one would be quadratic. `ids`
+    /// are ascending, none of them has it, and there are as many values.
+    void addMany(std::span<ObjectId const> ids, std::vector<P> values) {
+        assert(std::is_sorted(ids.begin(), ids.end()) && ids.size() == values.size());
+        if (ids.empty()) {
+            return;
+        }
+        bool const atEnd = this->empty() || owners().back() < ids.front();
+        if (atEnd) {
+            values_.insert(values_.end(), std::make_move_iterator(values.begin()),
+                           std::make_move_iterator(values.end()));
+        } else {
+            std::vector<P> merged;
+            merged.reserve(values_.size() + values.size());
+            std::size_t next = 0;
+            for (std::size_t r = 0; r < values_.size(); ++r) {
+                for (; next < ids.size() && ids[next] < owners()[r]; ++next) {
+                    merged.push_back(std::move(values[next]));
+                }
+                merged.push_back(std::move(values_[r]));
+            }
+            std::move(values.begin() + static_cast<std::ptrdiff_t>(next), values.end(),
+                      std::back_inserter(merged));
+            values_ = std::move(merged);
+        }
+        insertOwners(ids);
+    }
     void addDefault(ObjectId id) override {
         if (!has(id)) {
             set(id, P{});
@@ -161,7 +192,7 @@ public:
             hash.bytes(values_.data(), values_.size() * sizeof(P));
         } else {
             for (P const& value : values_) {
-                hash.value(value);
+                hash.members(value); // all of them, also what files never state
             }
         }
     }

@@ -39,6 +39,19 @@ struct PropertyText {
     PropertyPlace place = PropertyPlace::properties;
 };
 
+/// Values of a number that decide only how exactly something is computed, never what: what a recorded
+/// solution, the components panel and a time budget may set. Empty unless it is stated.
+struct AccuracyRange {
+    double from = 1;
+    double to = 0;
+    bool orAutomatic = false; ///< 0 as well, which leaves the number to the program
+
+    [[nodiscard]] constexpr bool any() const { return from <= to; }
+    [[nodiscard]] constexpr bool contains(double value) const {
+        return any() && ((value >= from && value <= to) || (orAutomatic && value == 0));
+    }
+};
+
 /// One field of a property. A field with key "value" is written bare in files: "mass": 2.
 struct FieldInfo {
     std::string_view key;
@@ -48,6 +61,8 @@ struct FieldInfo {
     double maximum = std::numeric_limits<double>::max();
     bool minimumExcluded = false; ///< for example a mass, which must be above zero
     bool required = false;        ///< files must state it; otherwise the member's initial value stands
+    AccuracyRange accuracy{};     ///< stated only for accuracy settings; everything else is physics
+    bool adds = false;            ///< of an entry in a list: what several entries of one object state adds up
 };
 
 /// The names of an enumeration's values 0, 1, 2 ... as files spell them. Specialise for each

@@ -1,6 +1,7 @@
 // The run-time face of a property type.
 #pragma once
 
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
 #include "runtime/property/field_visitor.hpp"
 
@@ -22,7 +23,30 @@ struct PropertyInfo {
     std::unique_ptr<ColumnBase> (*makeColumn)();   ///< object properties only
     std::unique_ptr<SlotBase> (*makeSlot)();       ///< resolver and derived properties only
     std::unique_ptr<PropertyValue> (*makeValue)(); ///< object properties only: a value outside any column
+    Coverage coverage{};                           ///< by the state hash
 };
+
+/// How the state hash covers a property. Those of objects are always hashed; what is derived follows from
+/// what it is derived from (5.5); a resolver property says it itself.
+template <Property P>
+[[nodiscard]] constexpr Coverage coverageOf() {
+    if constexpr (P::kind == PropertyKind::object) {
+        return hashed;
+    } else if constexpr (P::kind == PropertyKind::derived) {
+        return derivedFrom("a pure function of what its derived property set reads (5.5)");
+    } else {
+        constexpr bool states = requires {
+            { P::coverage } -> std::convertible_to<Coverage>;
+        };
+        static_assert(states, "a resolver property says how the state hash covers it: 'static constexpr "
+                              "Coverage coverage = hashed', derivedFrom(what) or leftOut(why)");
+        if constexpr (states) {
+            return P::coverage;
+        } else {
+            return {};
+        }
+    }
+}
 
 template <ObjectProperty P>
 class Column;
@@ -35,7 +59,7 @@ class Slot;
 template <Property P>
 [[nodiscard]] PropertyInfo const& propertyInfo() {
     static PropertyInfo const info = [] {
-        PropertyInfo made{typeid(P), P::kind, P::text, nullptr, nullptr, nullptr};
+        PropertyInfo made{typeid(P), P::kind, P::text, nullptr, nullptr, nullptr, coverageOf<P>()};
         if constexpr (ObjectProperty<P>) {
             made.makeColumn = []() -> std::unique_ptr<ColumnBase> { return std::make_unique<Column<P>>(); };
             made.makeValue = []() -> std::unique_ptr<PropertyValue> {

@@ -2,9 +2,12 @@
 // so a component can be swapped for another that offers the same properties and its readers notice nothing.
 #pragma once
 
+#include "runtime/property/news.hpp"
 #include "runtime/property/property_info.hpp"
+#include "runtime/property/state_hash.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace trembler {
 
@@ -23,6 +26,17 @@ public:
     void setReaders(int count) { readers_ = count; }
     /// Back to the initial value: nobody provides the property any more.
     virtual void reset() = 0;
+    /// Whether it tells news (see TellsNews), which frames of several parts must gather.
+    [[nodiscard]] virtual bool tellsNews() const { return false; }
+    /// A frame begins: what was gathered in the last one is old.
+    virtual void beginFrame() {}
+    /// A part of a frame of several is done: adds what is new in it, if the property was written in it.
+    virtual void endPart(double /* begin, s */, double /* share */) {}
+    /// Visits a copy of the value as somebody sees it who looks at whole frames, so that the visitor can
+    /// change nothing.
+    virtual void visitCopy(FieldVisitor& visitor) const = 0;
+    /// Hashes the value, unless the property is one that is always left out.
+    virtual void hash(StateHash& hash) const = 0;
 
 private:
     PropertyInfo const& info_;
@@ -36,13 +50,55 @@ public:
     Slot() : SlotBase(propertyInfo<P>()) {}
     [[nodiscard]] P& value() { return value_; }
     [[nodiscard]] P const& value() const { return value_; }
+    /// The value as somebody sees it who looks at whole frames: what all parts of the last one told, if it
+    /// had several and this is news, else the value as it stands.
+    [[nodiscard]] P const& ofFrame() const {
+        if constexpr (TellsNews<P>) {
+            if (gathered_) {
+                return *gathered_;
+            }
+        }
+        return value_;
+    }
     void reset() override {
         value_ = P{};
         touch();
     }
+    [[nodiscard]] bool tellsNews() const override { return TellsNews<P>; }
+    void beginFrame() override {
+        gathered_.reset();
+        seen_ = version();
+    }
+    void endPart(double begin, double share) override {
+        if constexpr (TellsNews<P>) {
+            if (version() == seen_) {
+                return; // as it stood before, so it tells nothing new
+            }
+            seen_ = version();
+            bool const first = !gathered_;
+            if (first) {
+                gathered_.emplace();
+            }
+            P::gather(*gathered_, value_, {.first = first, .begin = begin, .share = share});
+        }
+    }
+    void visitCopy(FieldVisitor& visitor) const override {
+        P copy = ofFrame();
+        visitFields(copy, visitor);
+    }
+    void hash(StateHash& hash) const override {
+        if constexpr (coverageOf<P>().kind != Coverage::Kind::leftOut) {
+            hash.members(value_);
+        }
+    }
 
 private:
+    struct Nothing {};
+    using Gathered = std::conditional_t<TellsNews<P>, P, Nothing>;
+
     P value_;
+    std::optional<Gathered> gathered_; // in a frame of several parts, once one of them has told something
+    std::uint64_t seen_ = 0;           // the version that is in it
 };
 
 } // namespace trembler

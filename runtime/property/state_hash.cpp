@@ -6,18 +6,24 @@
 
 namespace trembler {
 
-StateHash::StateHash() : state_(XXH3_createState()) {
+StateHash::StateHash() : state_(XXH3_createState()) { // NOLINT(cppcoreguidelines-pro-type-member-init)
     if (!state_) {
         throw std::bad_alloc();
     }
     XXH3_64bits_reset(state_.get());
 }
 
-void StateHash::bytes(void const* data, std::size_t size) {
+void StateHash::update(void const* data, std::size_t size) {
     XXH3_64bits_update(state_.get(), data, size);
 }
 
-std::uint64_t StateHash::digest() const {
+void StateHash::flush() {
+    update(buffer_.data(), used_);
+    used_ = 0;
+}
+
+std::uint64_t StateHash::digest() {
+    flush();
     return XXH3_64bits_digest(state_.get());
 }
 

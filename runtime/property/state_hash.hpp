@@ -2,22 +2,40 @@
 #pragma once
 
 #include "runtime/property/description.hpp"
+#include "runtime/property/members.hpp"
 
-#include <bit>
+#include <array>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <memory>
+#include <string>
+#include <type_traits>
 
 struct XXH3_state_s;
 
 namespace trembler {
+
+struct EventId;
 
 /// Feeds values into XXH3-64. Numbers go in by their bits, so 0.0 and -0.0 differ, as they may behave
 /// differently.
 class StateHash {
 public:
     StateHash();
-    void bytes(void const* data, std::size_t size);
+    void bytes(void const* data, std::size_t size) {
+        if (size > buffer_.size() - used_) {
+            flush();
+            if (size > buffer_.size()) {
+                update(data, size);
+                return;
+            }
+        }
+        if (size > 0) {
+            std::memcpy(buffer_.data() + used_, data, size);
+            used_ += size;
+        }
+    }
     void integer(std::uint64_t value) { bytes(&value, sizeof value); }
     /// Hashes every field that a description names, and nothing else: padding never counts.
     template <class T>
@@ -28,6 +46,8 @@ public:
         } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, Vec2> ||
                              std::is_same_v<T, ObjectId>) {
             bytes(&v, sizeof v);
+        } else if constexpr (requires { v.hash(*this); }) {
+            v.hash(*this);
         } else if constexpr (Described<T> || Property<T>) {
             T::describe(v, [this](FieldInfo const&, auto const& field) { this->value(field); });
         } else {
@@ -37,9 +57,53 @@ public:
             }
         }
     }
-    [[nodiscard]] std::uint64_t digest() const;
+    /// Hashes every member of a plain struct, of what is in it and of lists of such, but no event of the
+    /// trace: whether somebody traces must not show. Found by the compiler, so none can be forgotten. A
+    /// struct with a base class says that this has all its members: `using MembersOf = Base`.
+    template <class T>
+    void members(T const& v) {
+        static_assert(!std::is_pointer_v<T>, "an address is another one in every run");
+        if constexpr (std::is_same_v<T, EventId>) {
+            return;
+        } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, Vec2> ||
+                             std::is_same_v<T, ObjectId>) {
+            bytes(&v, sizeof v);
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            value(v);
+        } else if constexpr (requires {
+                                 v.begin();
+                                 v.end();
+                             }) {
+            static_assert(
+                !requires { typename T::hasher; }, "its order is another one in every run");
+            integer(static_cast<std::uint64_t>(std::distance(v.begin(), v.end())));
+            for (auto const& element : v) {
+                members(element);
+            }
+        } else if constexpr (requires {
+                                 v.first;
+                                 v.second;
+                             } &&
+                             !std::is_aggregate_v<T>) {
+            members(v.first);
+            members(v.second);
+        } else if constexpr (requires { typename T::MembersOf; }) {
+            static_assert(sizeof(T) == sizeof(typename T::MembersOf), "its base has all its members");
+            members(static_cast<typename T::MembersOf const&>(v));
+        } else if constexpr (!std::is_aggregate_v<T>) {
+            value(v); // a class: what it hashes itself, or what its description shows
+        } else {
+            forEachMember(v, [this](auto const& member) { this->members(member); });
+        }
+    }
+    [[nodiscard]] std::uint64_t digest();
 
 private:
+    void flush();
+    void update(void const* data, std::size_t size);
+
+    std::array<char, 1024> buffer_; // small pieces are gathered here
+    std::size_t used_ = 0;
     struct Free {
         void operator()(XXH3_state_s* state) const;
     };

@@ -8,13 +8,27 @@
 
 namespace trembler {
 
-/// Names an event before the frame's events are gathered: frame, component, chunk and sequence number in one
-/// number that depends on no thread. Ordered as events are listed. 0 is "no event".
+/// Names an event before the frame's events are gathered: part of a frame, component, chunk and sequence
+/// number in one number that depends on no thread. Ordered as events are listed. 0 is "no event".
 struct EventId {
     std::uint64_t value = 0;
 
     [[nodiscard]] explicit constexpr operator bool() const { return value != 0; }
     friend constexpr auto operator<=>(EventId, EventId) = default;
+};
+
+/// When something happens: in which part of which frame.
+struct Moment {
+    std::uint64_t frame = 0; ///< counted from 1
+    std::uint32_t part = 1;  ///< of the frame, counted from 1 ...
+    std::uint32_t parts = 1; ///< ... of so many
+    std::uint64_t step = 0;  ///< counts the parts of all frames, so that moments sort by it
+
+    Moment() = default;
+    /// In a frame of one part, after others of one part.
+    constexpr Moment(std::uint64_t whole) : frame(whole), step(whole) {} // NOLINT(*-explicit-*)
+    constexpr Moment(std::uint64_t frame_, std::uint32_t part_, std::uint32_t parts_, std::uint64_t step_)
+        : frame(frame_), part(part_), parts(parts_), step(step_) {}
 };
 
 /// Where in a frame an event belongs; `goal` is what the game notes after the frame.
@@ -23,6 +37,8 @@ enum class Phase : std::uint8_t { resolver, dps, interaction, goal };
 struct Event {
     EventId id;
     std::uint64_t frame = 0;
+    std::uint32_t part = 1;  ///< of the frame, counted from 1 ...
+    std::uint32_t parts = 1; ///< ... of so many
     Phase phase = Phase::resolver;
     std::string component;
     std::string event;

@@ -1,5 +1,6 @@
 #include "runtime/trace/tracer.hpp"
 
+#include "runtime/file/visible_text.hpp"
 #include "runtime/world/store.hpp"
 
 #include <fmt/format.h>
@@ -14,12 +15,12 @@
 namespace trembler {
 namespace {
 
-// frame : 26 | component : 8 | chunk : 12 | sequence : 18, most significant first, so ids sort as they
-// happen.
-constexpr unsigned frameShift = 38;
+// part of a frame : 26 | component : 8 | chunk : 12 | sequence : 18, most significant first, so ids sort as
+// they happen.
+constexpr unsigned stepShift = 38;
 constexpr unsigned componentShift = 30;
 constexpr unsigned chunkShift = 18;
-constexpr std::uint64_t frameLimit = std::uint64_t{1} << 26U;
+constexpr std::uint64_t stepLimit = std::uint64_t{1} << 26U;
 constexpr std::uint32_t componentLimit = 1U << 8U;
 constexpr std::uint32_t chunkLimit = 1U << 12U;
 constexpr std::size_t sequenceLimit = std::size_t{1} << 18U;
@@ -40,17 +41,17 @@ std::string_view nameOf(Phase phase) {
 
 } // namespace
 
-EventSink::EventSink(Store const* store, std::uint64_t frame, std::uint32_t component, std::uint32_t chunk,
+EventSink::EventSink(Store const* store, Moment when, std::uint32_t component, std::uint32_t chunk,
                      Phase phase, std::string_view name)
-    : store_(store), frame_(frame),
-      base_((frame << frameShift) | (std::uint64_t{component} << componentShift) |
+    : store_(store), when_(when),
+      base_((when.step << stepShift) | (std::uint64_t{component} << componentShift) |
             (std::uint64_t{chunk} << chunkShift)),
       phase_(phase), component_(name) {
-    if (component >= componentLimit || chunk >= chunkLimit || frame >= frameLimit) {
+    if (component >= componentLimit || chunk >= chunkLimit || when.step >= stepLimit) {
         throw std::length_error(
-            fmt::format("an account of at most {} components, {} chunks of 1024 rows and {} frames "
-                        "can be kept; turn tracing off",
-                        componentLimit, chunkLimit, frameLimit));
+            fmt::format("an account of at most {} components, {} chunks of 1024 rows and {} frames, "
+                        "or parts of frames, can be kept; turn tracing off",
+                        componentLimit, chunkLimit, stepLimit));
     }
 }
 
@@ -62,7 +63,9 @@ EventId EventSink::record(std::string_view event, std::span<ObjectId const> obje
     }
     Event made;
     made.id = EventId{base_ + events_.size() + 1};
-    made.frame = frame_;
+    made.frame = when_.frame;
+    made.part = when_.part;
+    made.parts = when_.parts;
     made.phase = phase_;
     made.component = component_;
     made.event = event;
@@ -122,14 +125,17 @@ void Tracer::write(std::ostream& out, std::size_t from) const {
                 causes.push_back(n);
             }
         }
-        nlohmann::ordered_json const line{{"id", i + 1},
-                                          {"frame", event.frame},
-                                          {"phase", nameOf(event.phase)},
-                                          {"component", event.component},
-                                          {"event", event.event},
-                                          {"objects", event.objects},
-                                          {"causes", causes}};
-        out << line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+        nlohmann::ordered_json line{{"id", i + 1}, {"frame", event.frame}};
+        if (event.parts > 1) {
+            line["part"] = event.part;
+        }
+        line["phase"] = nameOf(event.phase);
+        line["component"] = event.component;
+        line["event"] = event.event;
+        line["objects"] = event.objects;
+        line["causes"] = causes;
+        out << escapedJson(line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
+            << '\n';
     }
 }
 

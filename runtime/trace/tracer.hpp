@@ -15,14 +15,14 @@ namespace trembler {
 
 class Store;
 
-/// The events of one chunk of one component in one frame. Used by one thread at a time. There is room for 256
-/// components, 4096 chunks, 2^26 frames and 2^18 events per chunk and frame; beyond it, throws
-/// std::length_error.
+/// The events of one chunk of one component in one part of a frame. Used by one thread at a time. There is
+/// room for 256 components, 4096 chunks, 2^26 parts of frames and 2^18 events per chunk and part; beyond it,
+/// throws std::length_error.
 class EventSink {
 public:
     EventSink() = default;
-    EventSink(Store const* store, std::uint64_t frame, std::uint32_t component, std::uint32_t chunk,
-              Phase phase, std::string_view name);
+    EventSink(Store const* store, Moment when, std::uint32_t component, std::uint32_t chunk, Phase phase,
+              std::string_view name);
 
     EventId record(std::string_view event, std::span<ObjectId const> objects,
                    std::span<EventId const> causes);
@@ -30,7 +30,7 @@ public:
 
 private:
     Store const* store_ = nullptr;
-    std::uint64_t frame_ = 0;
+    Moment when_;
     std::uint64_t base_ = 0;
     Phase phase_ = Phase::resolver;
     std::string_view component_;

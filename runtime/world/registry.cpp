@@ -81,6 +81,19 @@ void checkKeys(std::span<PropertyInfo const* const> properties) {
     }
 }
 
+// A level knows what connects two objects by the kind, so a kind means one effect.
+void checkConnectors(std::span<Connector const> connectors) {
+    std::map<std::string_view, std::string_view> owners;
+    for (Connector const& connector : connectors) {
+        auto const [at, isNew] = owners.emplace(connector.kind, connector.effect);
+        if (!isNew) {
+            throw RuleBroken(
+                fmt::format("the effects '{}' and '{}' both own the connections of the kind '{}'", at->second,
+                            connector.effect, connector.kind));
+        }
+    }
+}
+
 } // namespace
 
 bool areAlternatives(ComponentInfo const& a, ComponentInfo const& b) {
@@ -105,6 +118,15 @@ void Registry::add(Registration const& made) {
     }
 }
 
+void Registry::add(CompletionInfo const& info) {
+    completions_.push_back(&info);
+    for (auto const* list : {&info.reads, &info.adds, &info.neededAll, &info.neededAny}) {
+        for (PropertyInfo const* property : *list) {
+            know(*property);
+        }
+    }
+}
+
 void Registry::know(PropertyInfo const& info) {
     PropertyInfo const* const known = objectProperty(info.text.key);
     if (known == nullptr || known->type != info.type) { // two of one key: check() refuses them
@@ -125,7 +147,17 @@ PropertyInfo const* Registry::objectProperty(std::string_view key) const {
     return at == properties_.end() ? nullptr : *at;
 }
 
+std::vector<std::string> Registry::connectionKinds() const {
+    std::vector<std::string> kinds;
+    for (Connector const& connector : connectors_) {
+        kinds.emplace_back(connector.kind);
+    }
+    std::sort(kinds.begin(), kinds.end());
+    return kinds;
+}
+
 void Registry::check() const {
+    checkConnectors(connectors_);
     std::vector<PropertyInfo const*> slots;
     for (Registration const& r : components_) {
         slots.insert(slots.end(), r.info->offers.begin(), r.info->offers.end());
@@ -163,6 +195,7 @@ void Registry::check() const {
             }
         }
     }
+    (void)completionOrder(completions_);
     for (Shortcut const& shortcut : shortcuts_) {
         checkShortcut(*this, shortcut);
     }

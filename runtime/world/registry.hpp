@@ -1,32 +1,34 @@
 // What exists: every property and component that a program knows. One line per effect fills it.
 #pragma once
 
+#include "runtime/component/completion.hpp"
 #include "runtime/component/component.hpp"
 #include "runtime/component/dps.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/component/resolver.hpp"
+#include "runtime/component/rule_broken.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace trembler {
 
-/// Thrown when components break the methodology's rules in a way that types alone cannot see; names them.
-class RuleBroken : public std::logic_error {
-public:
-    using std::logic_error::logic_error;
-};
-
 /// One registered component type.
 struct Registration {
     ComponentInfo const* info;
-    std::unique_ptr<Component> (*make)();
+    std::function<std::unique_ptr<Component>()> make;
     bool (*suits)(Store const&); ///< whether this detail level can serve a scene; nullptr: any scene
     int period = 1;              ///< runs in every nth frame (6.12.5)
-    std::string_view missing{};  ///< why this program knows it only by name, and what helps; mostly nothing
+    /// Up to which period it computes the same, only less exactly: a force that stands for a while. Of what
+    /// must not miss a frame, the period that it has.
+    int longestPeriod = 1;
+    /// Whether this detail level computes the physics that a scene states, however roughly: between two that
+    /// do lies only accuracy. nullptr: in any scene.
+    bool (*faithful)(Store const&) = nullptr;
+    std::string_view missing{}; ///< why this program knows it only by name, and what helps; mostly nothing
     std::string (*why)(Store const&) = nullptr; ///< in words, what in a scene calls for which detail level
 };
 
@@ -52,9 +54,19 @@ struct ObjectRule {
     std::optional<std::string> (*check)(Store const&, ObjectId);
 };
 
-/// Takes over one of a level's "connections": lays it between two objects, before the first frame. Returns
-/// what is wrong with it and what was expected, in words, or nothing.
-using Connector = std::optional<std::string> (*)(Store&, ObjectId, ObjectId);
+/// An effect's hold on a kind of a level's "connections". A connection belongs to the effect whose kind it
+/// states or, if it states none, to the only one that does not refuse the two objects.
+struct Connector {
+    std::string_view kind;   ///< as files spell it, for example "wire": of one effect only
+    std::string_view effect; ///< whose it is
+    std::string_view meaning;
+    /// Why two objects cannot be connected in this way and what was expected, in words, or nothing. Either
+    /// may be no object at all.
+    std::optional<std::string> (*refusal)(Store const&, ObjectId, ObjectId);
+    /// Connects two objects that refusal() has nothing against, before the first frame; the order of calls
+    /// does not matter.
+    void (*lay)(Store&, ObjectId, ObjectId);
+};
 
 /// Order of registration is part of the simulation: conflicting resolvers run, and calls are drained, in it.
 class Registry {
@@ -77,10 +89,22 @@ public:
         if constexpr (requires { C::period; }) {
             made.period = C::period;
         }
+        made.longestPeriod = made.period;
+        if constexpr (requires { C::longestPeriod; }) {
+            made.longestPeriod = C::longestPeriod;
+        }
+        if constexpr (requires(Store const& store) { C::faithful(store); }) {
+            made.faithful = [](Store const& store) { return C::faithful(store); };
+        }
         if constexpr (requires { C::missing; }) {
             made.missing = C::missing;
         }
         add(made);
+    }
+    /// A component that is described at run time: one of several of a C++ type, for example. `info` must
+    /// outlive the registry; what `make` makes must be described by it.
+    void component(ComponentInfo const& info, std::function<std::unique_ptr<Component>()> make) {
+        add(Registration{&info, std::move(make), nullptr});
     }
     /// Runs `I` directly after `X` has updated, inside the same task. Checked at start. Several shortcuts of
     /// one `I` must be in alternatives.
@@ -94,16 +118,26 @@ public:
                               std::string(Second::text.name), std::move(why)});
     }
 
-    /// Adds what an effect does to every new object; see Store::Completion.
-    void completion(Store::Completion completion) { completions_.push_back(completion); }
+    /// Adds what an effect gives to new objects: a class derived from Completion.
+    template <class C>
+    void completion() {
+        static_assert(detail::DerivedFromCompletion<C>,
+                      "a completion is derived from Completion<Self, Reads<...>, Adds<...>>");
+        if constexpr (detail::DerivedFromCompletion<C>) {
+            add(detail::describeCompletion(static_cast<C const*>(nullptr)));
+        }
+    }
     /// Adds a condition that files must meet beyond the ranges of single fields; see ObjectRule.
     void rule(ObjectRule rule) { rules_.push_back(rule); }
 
-    [[nodiscard]] std::vector<Store::Completion> const& completions() const { return completions_; }
+    /// In order of registration; see completionOrder() for the order of their turns.
+    [[nodiscard]] std::span<CompletionInfo const* const> completions() const { return completions_; }
     [[nodiscard]] std::span<ObjectRule const> rules() const { return rules_; }
-    /// Names the effect that understands a level's "connections"; the runtime does not.
-    void connector(Connector connector) { connector_ = connector; }
-    [[nodiscard]] Connector connector() const { return connector_; }
+    /// Adds a kind of connections that a level may state; the runtime knows none.
+    void connector(Connector const& connector) { connectors_.push_back(connector); }
+    [[nodiscard]] std::span<Connector const> connectors() const { return connectors_; }
+    /// Their kinds, in alphabetical order.
+    [[nodiscard]] std::vector<std::string> connectionKinds() const;
     [[nodiscard]] std::span<Registration const> components() const { return components_; }
     [[nodiscard]] std::span<HandOver const> handOvers() const { return handOvers_; }
     [[nodiscard]] std::span<Shortcut const> shortcuts() const { return shortcuts_; }
@@ -112,20 +146,22 @@ public:
     /// The object property with that key, or nullptr.
     [[nodiscard]] PropertyInfo const* objectProperty(std::string_view key) const;
     /// Throws RuleBroken if any rule is broken: double writers, half-overlapping alternatives, two components
-    /// of one name, two properties of one key, unlawful shortcuts.
+    /// of one name, two properties of one key, two effects with one kind of connections, unlawful shortcuts,
+    /// completions without an order.
     void check() const;
 
 private:
     void add(Registration const& made);
+    void add(CompletionInfo const& info);
     void know(PropertyInfo const& info);
 
     std::vector<Registration> components_;
     std::vector<PropertyInfo const*> properties_;
     std::vector<HandOver> handOvers_;
     std::vector<Shortcut> shortcuts_;
-    std::vector<Store::Completion> completions_;
+    std::vector<CompletionInfo const*> completions_;
     std::vector<ObjectRule> rules_;
-    Connector connector_ = nullptr;
+    std::vector<Connector> connectors_;
 };
 
 /// True if two registered components serve the same need, so that a world constructs one of them: resolvers

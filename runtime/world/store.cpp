@@ -112,14 +112,30 @@ void Store::furnish(ObjectId id, Prototype const& prototype) {
     }
 }
 
-void Store::complete(ObjectId id) {
+void Store::complete(std::span<ObjectId const> ids) {
+    std::vector<ObjectId> ordered(ids.begin(), ids.end());
+    std::sort(ordered.begin(), ordered.end());
+    ordered.erase(std::unique(ordered.begin(), ordered.end()), ordered.end());
     for (Completion const completion : completions_) {
-        completion(*this, id);
+        completion(*this, ordered);
     }
 }
 
 std::uint64_t Store::hash() const {
-    StateHash hash;
+    StateHash state;
+    hashColumns(state);
+    return state.digest();
+}
+
+void Store::hash(StateHash& hash) const {
+    hashColumns(hash);
+    hash.integer(objects_.indexBound());
+    objects_.forFree([&](std::uint32_t index, std::uint32_t generation) {
+        hash.integer((std::uint64_t{generation} << 32U) | index);
+    });
+}
+
+void Store::hashColumns(StateHash& hash) const {
     for (auto const& [key, column] : columns_) {
         if (!column->empty()) { // an empty column says no more than one that was never made
             hash.integer(key.size());
@@ -127,7 +143,6 @@ std::uint64_t Store::hash() const {
             column->hash(hash);
         }
     }
-    return hash.digest();
 }
 
 std::uint64_t Store::structureVersion() const {

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <typeindex>
 #include <unordered_map>
@@ -46,6 +47,11 @@ public:
     [[nodiscard]] Column<P> const* findColumn() const {
         return static_cast<Column<P> const*>(findColumn(propertyInfo<P>()));
     }
+    template <ObjectProperty P>
+    [[nodiscard]] bool has(ObjectId id) const {
+        auto const* const column = findColumn<P>();
+        return column != nullptr && column->has(id);
+    }
     template <Property P>
     [[nodiscard]] Slot<P>& slot() {
         return static_cast<Slot<P>&>(slot(propertyInfo<P>()));
@@ -76,18 +82,26 @@ public:
     [[nodiscard]] PrototypeLibrary& prototypes() { return prototypes_; }
     [[nodiscard]] PrototypeLibrary const& prototypes() const { return prototypes_; }
 
-    /// What an effect adds to an object that has just got its stated properties: what follows from them (a
-    /// mass from a density), what a simulation needs besides (a velocity).
-    using Completion = void (*)(Store&, ObjectId);
+    /// One declared completion, carried out for some objects, ascending; see
+    /// runtime/component/completion.hpp.
+    using Completion = void (*)(Store&, std::span<ObjectId const>);
     void setCompletions(std::vector<Completion> completions) { completions_ = std::move(completions); }
-    void complete(ObjectId id);
+    /// Adds to objects that have just got their stated properties what effects say follows from them. All
+    /// that come at the same time belong into one call.
+    void complete(std::span<ObjectId const> ids);
+    void complete(ObjectId id) { complete({&id, 1}); }
 
-    /// XXH3-64 over all columns in canonical order. Equal hashes: equal worlds, bit for bit.
+    /// XXH3-64 over all columns in canonical order: what objects are, not all that comes next depends on; see
+    /// World::stateHash().
     [[nodiscard]] std::uint64_t hash() const;
+    /// Adds the columns and which ids will be given next.
+    void hash(StateHash& hash) const;
     /// Counts up when any object gains or loses any property.
     [[nodiscard]] std::uint64_t structureVersion() const;
 
 private:
+    void hashColumns(StateHash& hash) const;
+
     ObjectTable objects_;
     std::map<std::string_view, std::unique_ptr<ColumnBase>> columns_; // by key: the canonical order
     std::map<std::string_view, std::unique_ptr<SlotBase>> slots_;

@@ -1,6 +1,6 @@
 #include "runtime/world/world.hpp"
 
-#include "runtime/input/input_resolver.hpp"
+#include "runtime/frame/frame_resolver.hpp"
 #include "runtime/schedule/schedule.hpp"
 
 #include <fmt/format.h>
@@ -12,11 +12,33 @@
 #include <utility>
 
 namespace trembler {
+namespace {
+
+static_assert(World::ticksPerFrame == mostParts);
+
+/// Sets a flag, and takes it back at the end, however that comes about.
+class Raised {
+public:
+    explicit Raised(bool& flag) : flag_(flag) { flag_ = true; }
+    ~Raised() { flag_ = false; }
+    Raised(Raised const&) = delete;
+    Raised& operator=(Raised const&) = delete;
+
+private:
+    bool& flag_;
+};
+
+} // namespace
+
 World::World(Registry const& registry, WorldOptions options)
     : registry_(registry), options_(std::move(options)), executor_(options_.threads),
       tracer_(options_.trace ? std::make_unique<Tracer>() : nullptr) {
     registry_.check();
-    store_.setCompletions(registry_.completions());
+    std::vector<Store::Completion> completions;
+    for (CompletionInfo const* completion : completionOrder(registry_.completions())) {
+        completions.push_back(completion->run);
+    }
+    store_.setCompletions(std::move(completions));
     for (ComponentKind const kind :
          {ComponentKind::resolver, ComponentKind::dps, ComponentKind::interaction}) {
         for (Registration const& registration : registry_.components()) {
@@ -25,7 +47,15 @@ World::World(Registry const& registry, WorldOptions options)
                 entry.registration = &registration;
                 entry.status.info = registration.info;
                 entry.status.period = registration.period;
+                entry.status.longestPeriod = registration.longestPeriod;
                 entry.rank = static_cast<std::uint32_t>(entries_.size());
+                if (std::find(registration.info->offers.begin(), registration.info->offers.end(),
+                              &propertyInfo<FrameParts>()) != registration.info->offers.end()) {
+                    divider_ = entries_.size();
+                }
+                if (kind == ComponentKind::interaction) {
+                    entry.caller = callers_.add(registration.info->text.name);
+                }
                 entries_.push_back(std::move(entry));
             }
         }
@@ -55,16 +85,87 @@ World::World(Registry const& registry, WorldOptions options)
 World::~World() = default;
 
 void World::start() {
+    std::vector<ObjectId> objects;
     for (std::uint32_t index = 0; index < store_.objects().indexBound(); ++index) {
         if (ObjectId const id = store_.objects().at(index); id.valid()) {
-            store_.complete(id);
+            objects.push_back(id);
         }
     }
+    store_.complete(objects);
     select();
+    setUp();
 }
 
-void World::step() {
-    ++frame_;
+// What resolvers must know in their first advance is told to them in frame 0.
+void World::setUp() {
+    for (Entry& entry : entries_) {
+        if (entry.component && entry.status.info->inSetup) {
+            runEntry(entry);
+        }
+    }
+    if (tracer_) {
+        gatherTrace();
+    }
+}
+
+void World::step(PartLook const& look) {
+    if (knownStructure_ != 0 && wants_->takeChanged()) {
+        select();
+        bindAll(); // even where nobody came or went, the number of readers is another one
+    }
+    Raised const raised(underWay_);
+    now_ = {now_.frame + 1, 1, 1, now_.step + 1};
+    ticks_ = (now_.frame - 1) * ticksPerFrame;
+    now_.parts = chooseParts();
+    for (SlotBase* const slot : news_) {
+        slot->beginFrame();
+    }
+    for (;;) {
+        ticks_ = (now_.frame - 1) * ticksPerFrame + now_.part * (ticksPerFrame / now_.parts);
+        runPart();
+        if (now_.parts > 1) {
+            gatherNews();
+        }
+        if (look) {
+            look(*this);
+        }
+        if (now_.part == now_.parts) {
+            return;
+        }
+        // Where nobody had anything to do, nothing is going to change in the parts to come, but in the last
+        // one, in which those with a period have their turn.
+        now_.part = anybodyRan() ? now_.part + 1 : now_.parts;
+        ++now_.step;
+    }
+}
+
+// Who says in how many parts a frame is computed has a turn of its own before the first of them, and so sees
+// what interactions had told at the end of the frame before.
+std::uint32_t World::chooseParts() {
+    if (!divider_ || !entries_[*divider_].component) {
+        return 1;
+    }
+    if ((now_.frame - 1) % static_cast<std::uint64_t>(entries_[*divider_].status.period) == 0) {
+        giveTurn(entries_[*divider_]);
+    }
+    int const parts = store_.slot<FrameParts>().value().parts;
+    return static_cast<std::uint32_t>(roundedParts(parts));
+}
+
+void World::gatherNews() {
+    double const share = 1.0 / now_.parts;
+    double const begin = frameDuration * (now_.part - 1) * share;
+    for (SlotBase* const slot : news_) {
+        slot->endPart(begin, share);
+    }
+}
+
+bool World::anybodyRan() const {
+    return std::any_of(entries_.begin(), entries_.end(),
+                       [this](Entry const& entry) { return entry.component && entry.ranTick == ticks_; });
+}
+
+void World::runPart() {
     notes_ = 0;
     runPhase(ComponentKind::resolver);
     if (tracer_) {
@@ -77,16 +178,6 @@ void World::step() {
     runPhase(ComponentKind::interaction);
     if (tracer_) {
         gatherTrace();
-    }
-}
-
-std::uint64_t World::stateHash() const {
-    return store_.hash();
-}
-
-void World::feed(PlayerInput const& input) {
-    if (input_ != nullptr) {
-        input_->feed(input);
     }
 }
 
@@ -132,9 +223,9 @@ std::size_t World::pick(std::vector<std::size_t> const& alternatives) const {
 }
 
 // Whether somebody reads what a component offers: another one that is there, or somebody outside.
-bool World::isRead(ComponentInfo const& info, std::vector<bool> const& chosen) const {
+bool World::isRead(ComponentInfo const& info, std::vector<bool> const& chosen, bool byOnlookers) const {
     for (PropertyInfo const* offer : info.offers) {
-        if (wants_.contains(offer->text.key)) {
+        if (byOnlookers && wants_->contains(*offer)) {
             return true;
         }
         for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -149,14 +240,14 @@ bool World::isRead(ComponentInfo const& info, std::vector<bool> const& chosen) c
 
 // What is there on demand goes where nobody reads it, and whatever lived on it goes with it; what is left may
 // then be unread in turn.
-std::vector<bool> World::wanted() const {
+std::vector<bool> World::wanted(bool byOnlookers) const {
     std::vector<bool> unread(entries_.size(), false);
     for (;;) {
         std::vector<bool> chosen = wantedWithout(unread);
         bool more = false;
         for (std::size_t i = 0; i < entries_.size(); ++i) {
             ComponentInfo const& info = *entries_[i].status.info;
-            if (chosen[i] && info.onDemand && !isRead(info, chosen)) {
+            if (chosen[i] && info.onDemand && !isRead(info, chosen, byOnlookers)) {
                 for (std::size_t j = 0; j < entries_.size(); ++j) {
                     unread[j] = unread[j] || j == i || areAlternatives(info, *entries_[j].status.info);
                 }
@@ -207,19 +298,19 @@ std::vector<bool> World::wantedWithout(std::vector<bool> const& unread) const {
 }
 
 void World::select() {
-    std::vector<bool> const chosen = wanted();
+    std::vector<bool> const chosen = wanted(true);
+    std::vector<bool> const own = wanted(false);
     bool changed = knownStructure_ == 0;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         Entry& entry = entries_[i];
+        entry.own = own[i];
         if (chosen[i] && !entry.component) {
             entry.component = entry.registration->make();
-            entry.lastFrame = frame_;
+            entry.component->caller_ = entry.caller;
+            entry.lastTick = ticks_;
             entry.status.activity = Activity::asleep; // until its first turn
             changed = true;
         } else if (!chosen[i] && entry.component) {
-            if (dynamic_cast<InputResolver*>(entry.component.get()) == input_) {
-                input_ = nullptr;
-            }
             entry.component.reset();
             entry.status.activity = Activity::absent;
             changed = true;
@@ -236,18 +327,6 @@ void World::select() {
     knownStructure_ = store_.structureVersion();
 }
 
-void World::setWants(PropertyInfo const& property, int change) {
-    int& count = wants_[property.text.key];
-    count = std::max(0, count + change);
-    if (count == 0) {
-        wants_.erase(property.text.key);
-    }
-    if (knownStructure_ != 0) {
-        select();
-        bindAll(); // even where nobody came or went, the number of readers is another one
-    }
-}
-
 void World::bindAll() {
     channels_.clearSources();
     std::map<std::string_view, int> readers;
@@ -259,36 +338,42 @@ void World::bindAll() {
         for (PropertyInfo const* read : entry.status.info->reads) {
             ++readers[read->text.key];
         }
-        if (auto* const input = dynamic_cast<InputResolver*>(entry.component.get())) {
-            input_ = input;
-        }
     }
-    for (auto const& [key, count] : wants_) {
+    for (auto const& [key, count] : wants_->counts()) {
         readers[key] += count;
     }
+    news_.clear();
     for (SlotBase* slot : store_.slots()) {
+        if (slot->tellsNews()) {
+            news_.push_back(slot);
+        }
         auto const at = readers.find(slot->info().text.key);
         slot->setReaders(at == readers.end() ? 0 : at->second);
     }
 }
 
 bool World::due(Entry const& entry) const {
-    return (frame_ - 1) % static_cast<std::uint64_t>(entry.status.period) == 0;
+    if (divider_ && &entry == &entries_[*divider_]) {
+        return false; // its turn was before the frame
+    }
+    auto const period = static_cast<std::uint64_t>(entry.status.period);
+    return period == 1 || (now_.part == now_.parts && (now_.frame - 1) % period == 0);
 }
 
 void World::runEntry(Entry& entry) {
     auto const before = std::chrono::steady_clock::now();
-    FrameContext const context{.frame = frame_,
-                               .duration = frameDuration * static_cast<double>(frame_ - entry.lastFrame),
+    FrameContext const context{.when = now_,
+                               .duration = secondsIn(ticks_ - entry.lastTick),
                                .executor = &executor_,
                                .store = &store_,
                                .tracing = tracer_ != nullptr,
                                .component = entry.rank};
     entry.component->run(context);
-    entry.lastFrame = frame_;
+    entry.lastTick = ticks_;
+    entry.ranTick = ticks_;
     ++entry.status.updates;
     std::chrono::duration<double, std::micro> const took = std::chrono::steady_clock::now() - before;
-    entry.status.lastMicroseconds = took.count();
+    entry.status.lastMicroseconds += took.count();
     entry.status.totalMicroseconds += took.count();
 }
 
@@ -299,16 +384,16 @@ bool World::runsInside(Entry const& entry) const {
 
 // Runs a component, or lets it sleep if there is nothing for it to do.
 void World::giveTurn(Entry& entry) {
+    if (now_.part == 1 || entry.status.period > 1) { // its first turn in this frame
+        entry.status.activity = Activity::asleep;
+        entry.status.lastMicroseconds = 0;
+    }
     if (entry.component->hasWork()) {
         runEntry(entry);
         entry.status.activity = Activity::active;
         return;
     }
-    entry.status.activity = Activity::asleep;
-    entry.status.lastMicroseconds = 0;
-    if (entry.status.info->kind == ComponentKind::resolver) {
-        entry.lastFrame = frame_; // it slept through this time, there is none to catch up
-    }
+    entry.lastTick = ticks_; // it slept through this time, there is none to catch up
 }
 
 void World::runPhase(ComponentKind kind) {
@@ -388,7 +473,7 @@ EventId World::note(std::string_view component, std::string_view event, std::spa
         return {};
     }
     constexpr std::uint32_t afterAllComponents = 255;
-    EventSink sink(&store_, frame_, afterAllComponents, notes_++, Phase::goal, component);
+    EventSink sink(&store_, now_, afterAllComponents, notes_++, Phase::goal, component);
     EventId const id = sink.record(event, objects, causes);
     tracer_->gather(sink);
     return id;

@@ -6,8 +6,10 @@
 #include "runtime/input/player_input.hpp"
 #include "runtime/world/registry.hpp"
 #include "runtime/world/store.hpp"
+#include "runtime/world/subscription.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,8 +17,6 @@
 #include <vector>
 
 namespace trembler {
-
-class InputResolver;
 
 struct WorldOptions {
     int threads = 1;                           ///< >= 1; never changes a result
@@ -33,8 +33,9 @@ struct ComponentStatus {
     ComponentInfo const* info = nullptr;
     Activity activity = Activity::absent;
     int period = 1;
+    int longestPeriod = 1; ///< see Registration
     std::uint64_t updates = 0;
-    double lastMicroseconds = 0;  ///< of its last turn
+    double lastMicroseconds = 0;  ///< of its turns in the last frame in which it was due
     double totalMicroseconds = 0; ///< over all turns; for people to look at, it never reaches the world
 };
 
@@ -52,17 +53,46 @@ public:
     [[nodiscard]] Store& store() { return store_; }
     [[nodiscard]] Store const& store() const { return store_; }
 
-    /// Constructs what the scene calls for. The objects must be complete and in canonical order.
+    /// Completes the objects, constructs what the scene calls for and applies what speaks in the setup (frame
+    /// 0). The objects must be in canonical order.
     void start();
-    /// One frame: advance every resolver, update every derived property set, apply every interaction.
-    void step();
-    /// Frames done so far.
-    [[nodiscard]] std::uint64_t frame() const { return frame_; }
-    [[nodiscard]] double time() const { return static_cast<double>(frame_) * frameDuration; }
+    /// One frame, in 1, 2, 4 or 8 equal parts, as the resolver property Frame parts says before it begins. In
+    /// each part: advance every resolver, update every derived property set, apply every interaction. A
+    /// component whose period is not 1 has one turn in the frames that are its own, in their last part.
+    void step() { step({}); }
+    /// The same for somebody to whom a state that lasts for a part only matters: a lamp that lights for less
+    /// than a frame. `look` is called after each part in which anything may have changed; what find() shows
+    /// it is of that part alone. Who looks after the frame need not do so to know what happened in it, as
+    /// find() then shows the news of all parts.
+    using PartLook = std::function<void(World const&)>;
+    void step(PartLook const& look);
+    /// Frames done so far; during step(), the one under way.
+    [[nodiscard]] std::uint64_t frame() const { return now_.frame; }
+    /// The frame, and the part of it, that is under way or was the last.
+    [[nodiscard]] Moment const& moment() const { return now_; }
+    /// Time so far in eighths of a frame, mostParts to a frame: the shortest part is 1.
+    [[nodiscard]] std::uint64_t ticks() const { return ticks_; }
+    static constexpr std::uint64_t ticksPerFrame = 8;
+    /// s
+    [[nodiscard]] double time() const { return secondsIn(ticks_); }
+    /// XXH3-64 over all that decides what comes next, between frames. Equal hashes: equal worlds, bit for
+    /// bit, and equal futures; what is left out, and why, is in stateCoverage(). The number of threads,
+    /// whether anybody traces, and what is computed for onlookers alone never show.
     [[nodiscard]] std::uint64_t stateHash() const;
 
-    /// Queues what the player did for the next frame. Before start() there is nobody to take it: it is lost.
-    void feed(PlayerInput const& input);
+    /// A call from outside, for the next frame: recorded, drained and ordered like those of an interaction.
+    /// Before start(), and where no component has that role, there is nobody to take it: it is lost. Between
+    /// frames only.
+    template <ResolverRole Role, InteractionCall C>
+    void feed(C const& call) {
+        static_assert(FedFromOutside<Role>,
+                      "this role is not fed from outside: what it does comes from interactions (5.4)");
+        if constexpr (FedFromOutside<Role>) {
+            channels_.of<Role>().feed(call);
+        }
+    }
+    /// What the player did.
+    void feed(PlayerInput const& input) { feed<PlayerRole>(input); }
 
     /// Picks a detail level from the next frame on; "" leaves the choice to the scene again. Throws
     /// std::invalid_argument, listing what there is, if the effect or the level is unknown. Between frames
@@ -78,22 +108,27 @@ public:
     /// people; empty if its components do not say.
     [[nodiscard]] std::string why(std::string_view effect) const;
     /// Counts somebody outside, a loudspeaker or an overlay, among the readers of a resolver or derived
-    /// property, so that it is computed even if no component reads it. Changes no state of the world.
-    /// Counted: every want() needs its own release(). Between frames only.
+    /// property, so that it is computed even if no component reads it: from the next frame on, for as long as
+    /// what is returned lives. Changes no state of the world. Between frames only.
     template <Property P>
-    void want() {
-        setWants(propertyInfo<P>(), 1);
+    [[nodiscard]] Subscription want() const {
+        static_assert(!ObjectProperty<P>,
+                      "properties of objects are there whether anybody reads them or not");
+        return Subscription(wants_, propertyInfo<P>());
     }
-    /// Takes one want() back; without one it does nothing.
-    template <Property P>
-    void release() {
-        setWants(propertyInfo<P>(), -1);
+    /// The same by description; `property` is none of objects.
+    [[nodiscard]] Subscription want(PropertyInfo const& property) const {
+        return Subscription(wants_, property);
     }
-    /// The value of a resolver or derived property, or nullptr if no component has ever been bound to it.
+    /// The value of a resolver or derived property, or nullptr if no component has ever been bound to it. One
+    /// that tells news (see TellsNews) tells that of the whole last frame; during step(), of the part.
     template <Property P>
     [[nodiscard]] P const* find() const {
         auto const* const slot = store_.findSlot<P>();
-        return slot == nullptr ? nullptr : &slot->value();
+        if (slot == nullptr) {
+            return nullptr;
+        }
+        return underWay_ ? &slot->value() : &slot->ofFrame();
     }
     template <ObjectProperty P>
     [[nodiscard]] P const* find(ObjectId id) const {
@@ -111,22 +146,34 @@ private:
     struct Entry {
         Registration const* registration = nullptr;
         std::unique_ptr<Component> component;
+        bool own = false; // it would be there without onlookers, too
         ComponentStatus status;
+        CallerId caller; // of an interaction, for the world's life
         std::uint32_t rank = 0;
         std::vector<std::size_t> insideOf;  // the entries of the DPS, alternatives, that it is a shortcut in
         std::vector<std::size_t> shortcuts; // the entries that run inside this one
-        std::uint64_t lastFrame = 0;
+        std::uint64_t lastTick = 0;         // at the end of its last turn, or of one that it slept through
+        std::uint64_t ranTick = 0;          // at the end of its last turn
     };
 
+    [[nodiscard]] bool readHere(PropertyInfo const& property) const;
     void select();
-    void setWants(PropertyInfo const& property, int change);
-    [[nodiscard]] std::vector<bool> wanted() const;
+    void setUp();
+    [[nodiscard]] std::vector<bool> wanted(bool byOnlookers) const;
     [[nodiscard]] std::vector<bool> wantedWithout(std::vector<bool> const& unread) const;
-    [[nodiscard]] bool isRead(ComponentInfo const& info, std::vector<bool> const& chosen) const;
+    [[nodiscard]] bool isRead(ComponentInfo const& info, std::vector<bool> const& chosen,
+                              bool byOnlookers) const;
     [[nodiscard]] bool calledFor(ComponentInfo const& info) const;
     [[nodiscard]] bool hasProvider(PropertyInfo const& property, std::vector<bool> const& chosen) const;
     [[nodiscard]] std::size_t pick(std::vector<std::size_t> const& alternatives) const;
     void bindAll();
+    [[nodiscard]] static double secondsIn(std::uint64_t ticks) {
+        return frameDuration * (static_cast<double>(ticks) / ticksPerFrame);
+    }
+    [[nodiscard]] std::uint32_t chooseParts();
+    void runPart();
+    void gatherNews();
+    [[nodiscard]] bool anybodyRan() const;
     void runPhase(ComponentKind kind);
     void giveTurn(Entry& entry);
     void runEntry(Entry& entry);
@@ -137,14 +184,18 @@ private:
     Registry const& registry_;
     WorldOptions options_;
     Store store_;
-    Channels channels_;
+    Callers callers_;
+    Channels channels_{callers_};
     Executor executor_;
     std::unique_ptr<Tracer> tracer_;
-    std::map<std::string_view, int> wants_; // by those outside, by key of the property
+    std::shared_ptr<Wants> wants_ = std::make_shared<Wants>(); // by those outside: no part of its state
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each
-    InputResolver* input_ = nullptr;
-    std::uint64_t frame_ = 0;
-    std::uint32_t notes_ = 0; // of this frame
+    std::optional<std::size_t> divider_; // the entry that says in how many parts a frame is computed
+    std::vector<SlotBase*> news_;        // the slots of what tells news
+    Moment now_;
+    std::uint64_t ticks_ = 0; // at the end of the part that is under way or was the last
+    bool underWay_ = false;   // a frame is
+    std::uint32_t notes_ = 0; // of this part
     std::uint64_t knownStructure_ = 0;
 };
 

@@ -28,7 +28,7 @@ function(trembler_compile_fail name source expected_regex)
   add_test(NAME compile_fail.${name}.control COMMAND ${compile} -DTREMBLER_CONTROL ${file}
     COMMAND_EXPAND_LISTS)
   set_tests_properties(compile_fail.${name} compile_fail.${name}.control PROPERTIES
-    LABELS compile_fail TIMEOUT 120)
+    LABELS compile_fail TIMEOUT 3600)
 endfunction()
 
 trembler_compile_fail(sample sample.cpp "a sample refuses by design")
@@ -75,3 +75,37 @@ trembler_compile_fail(counted_set_without_delta counted_set_without_delta.cpp
   "a call on a counted set says whether it adds or takes away: delta")
 trembler_compile_fail(any_of_without_key any_of_without_key.cpp
   "a call whose algebra is not a sum says what it is about: key")
+
+trembler_compile_fail(completion_undeclared_read completion_undeclared_read.cpp
+  "undeclared read: the property is not in Reads<> of this completion")
+trembler_compile_fail(completion_undeclared_add completion_undeclared_add.cpp
+  "undeclared addition: the property is not in Adds<> of this completion")
+trembler_compile_fail(completion_adds_resolver_property completion_adds_resolver_property.cpp
+  "a completion adds object properties only")
+trembler_compile_fail(completion_reads_resolver_property completion_reads_resolver_property.cpp
+  "a completion reads object properties only")
+trembler_compile_fail(completion_reads_what_it_adds completion_reads_what_it_adds.cpp
+  "a completion does not read what it adds")
+trembler_compile_fail(completion_takes_the_store completion_takes_the_store.cpp
+  "a completion has .static void complete")
+trembler_compile_fail(completion_in_disguise completion_in_disguise.cpp
+  "a completion is derived from Completion<Self, Reads<...>, Adds<...>>")
+trembler_compile_fail(setup_reads_derived setup_reads_derived.cpp
+  "in the setup there are object properties only")
+
+trembler_compile_fail(slot_without_coverage slot_without_coverage.cpp
+  "a resolver property says how the state hash covers it")
+trembler_compile_fail(component_without_coverage component_without_coverage.cpp
+  "a component with members of its own says how the state hash covers them")
+trembler_compile_fail(closed_role_is_fed closed_role_is_fed.cpp "this role is not fed from outside")
+trembler_compile_fail(interaction_calls_in_sequence interaction_calls_in_sequence.cpp
+  "calls in sequence come from outside the world, not from an interaction")
+trembler_compile_fail(sequence_without_feeder sequence_without_feeder.cpp
+  "a role with such calls says who feeds it, fedBy")
+trembler_compile_fail(object_property_wanted object_property_wanted.cpp
+  "properties of objects are there whether anybody reads them or not")
+# The compilers' own words again: what is private, const or deleted says so itself.
+trembler_compile_fail(caller_forged caller_forged.cpp "caller_.*private|private.*caller_")
+trembler_compile_fail(onlooker_changes_world onlooker_changes_world.cpp
+  "discards qualifiers|not marked const")
+trembler_compile_fail(subscription_copied subscription_copied.cpp "deleted")

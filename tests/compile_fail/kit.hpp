@@ -5,6 +5,7 @@
 #include "runtime/component/dps.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/component/resolver.hpp"
+#include "runtime/world/registry.hpp"
 
 #include <array>
 
@@ -35,6 +36,7 @@ struct Colour {
 struct HotSpots {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Hot spots", "hot_spots", "The objects that are hot."};
+    static constexpr Coverage coverage = hashed;
     std::vector<ObjectId> objects;
 
     template <class Self, class Visitor>

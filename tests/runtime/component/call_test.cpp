@@ -58,17 +58,22 @@ TEST(CallAlgebra, KnowsWhichCallsAreHeld) {
     EXPECT_FALSE(isHeld(Algebra::countedSet));
     EXPECT_FALSE(isHeld(Algebra::create));
     EXPECT_FALSE(isHeld(Algebra::destroy));
+    EXPECT_FALSE(isHeld(Algebra::sequence));
     std::set<std::string_view> names;
-    for (Algebra const a : {Algebra::sumOfRates, Algebra::sumOfAmounts, Algebra::anyOf, Algebra::least,
-                            Algebra::greatest, Algebra::countedSet, Algebra::create, Algebra::destroy}) {
+    for (Algebra const a :
+         {Algebra::sumOfRates, Algebra::sumOfAmounts, Algebra::anyOf, Algebra::least, Algebra::greatest,
+          Algebra::countedSet, Algebra::create, Algebra::destroy, Algebra::sequence}) {
         names.insert(nameOf(a));
     }
-    EXPECT_EQ(names.size(), 8U) << "each has words of its own for the notation";
+    EXPECT_EQ(names.size(), 9U) << "each has words of its own for the notation";
 }
 
 TEST(Channel, DrainsBySourceThenChunkThenCall) {
+    Callers callers;
     Source first;
     Source second;
+    first.caller = callers.add("first");
+    second.caller = callers.add("second");
     first.chunks.resize(2);
     Channel<HeatRole> channel;
     channel.add(&first);
@@ -79,9 +84,9 @@ TEST(Channel, DrainsBySourceThenChunkThenCall) {
     strike(first, 1, 4);
     strike(first, 0, 2);
     EXPECT_EQ(strikes(channel), (std::vector<double>{1, 2, 3, 4, 5}));
-    std::vector<std::size_t> sources;
-    channel.forCalls<Strike>([&](Strike const&, CallOrigin origin) { sources.push_back(origin.source); });
-    EXPECT_EQ(sources, (std::vector<std::size_t>{0, 0, 0, 0, 1}));
+    std::vector<CallerId> origins;
+    channel.forCalls<Strike>([&](Strike const&, CallOrigin origin) { origins.push_back(origin.caller); });
+    EXPECT_EQ(origins, (std::vector{first.caller, first.caller, first.caller, first.caller, second.caller}));
 }
 
 TEST(Channel, ClearsOnceCallsAfterTheyWereCarriedOutAndHeldOnesWhenTheirSourceSaysSo) {
@@ -133,7 +138,8 @@ struct OtherRole {
 };
 
 TEST(Channels, AreOnePerRole) {
-    Channels channels;
+    Callers callers;
+    Channels channels(callers);
     Source source;
     channels.of<HeatRole>().add(&source);
     EXPECT_EQ(channels.of<HeatRole>().sources().size(), 1U);

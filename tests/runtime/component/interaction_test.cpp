@@ -188,6 +188,7 @@ struct Trail {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Trail", "trail",
                                        "All calls in the order in which they were drained."};
+    static constexpr Coverage coverage = hashed;
     std::vector<double> energies;
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}

@@ -60,7 +60,10 @@ TEST(Notation, PrintsTheDynamicsResolverAsTheThesisDoes) {
 
 TEST(Notation, PrintsEmptySetsDerivedPropertiesAndCalls) {
     Kit const kit;
-    EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Properties read"), "∅");
+    EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Resolver properties"), "∅");
+    EXPECT_EQ(under(kit.box("Linear Gravity DPS"), "Properties read"), "∅");
+    EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Properties read"), "{Magnet on/off}")
+        << "what a resolver writes it may also read; the thesis has ∅ here";
     EXPECT_EQ(under(kit.box("Linear Gravity DPS"), "Derived properties"), "{F_G}");
     EXPECT_EQ(under(kit.box("Real Gravity DPS"), "Derived properties"), "{F_G}")
         << "exactly the same set (6.13.3)";
@@ -71,6 +74,52 @@ TEST(Notation, PrintsEmptySetsDerivedPropertiesAndCalls) {
     EXPECT_EQ(under(box, "Calls"), "Dynamics Resolver");
     EXPECT_EQ(under(kit.box("Buoyancy Resolver"), "Called for by"), "objects with all of {Liquid}");
     EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Called for by"), "objects with any of {Magnetic poles}");
+}
+
+TEST(Notation, MarksWhereWhatIsWrittenIsWhatIsRead) {
+    Kit const kit;
+    EXPECT_EQ(under(kit.box("Electricity Resolver"), "Properties read"), "{G_E}");
+    EXPECT_EQ(under(kit.box("Electricity Resolver"), "Properties written"), "≡ read(Electricity Resolver)")
+        << "as in 6.13.2";
+    EXPECT_EQ(under(kit.box("Buoyancy Resolver"), "Properties written"), "∅");
+}
+
+TEST(Notation, WhatIsWrittenIsAmongWhatIsRead) {
+    Registry registry;
+    registry.component<heat::Stove>(); // reads nothing but what it writes
+    EXPECT_EQ(under(notationBox(registry, registry.components()[0]), "Properties read"), "{Heat}");
+    EXPECT_EQ(under(notationBox(registry, registry.components()[0]), "Properties written"),
+              "≡ read(Stove Resolver)");
+    nlohmann::json const all = nlohmann::json::parse(notationJson(registry).dump());
+    EXPECT_EQ(all["components"][0]["reads"], nlohmann::json{"Heat"});
+}
+
+TEST(Notation, PrintsPropertyBoxes) {
+    Kit const kit;
+    std::string const box = notationBox(propertyInfo<Position>());
+    EXPECT_NE(box.find("\nPosition Property\n"), std::string::npos) << box;
+    EXPECT_NE(box.find("\nThe X and Y coordinates of the object.\n"), std::string::npos) << box;
+    EXPECT_EQ(under(box, "value"), "vector in m: centre of the object");
+    std::string const text = notationText(kit.registry);
+    std::string const markdown = notationMarkdown(kit.registry);
+    for (PropertyInfo const* property : kit.registry.objectProperties()) {
+        std::string const title = std::string(property->text.name) + " Property";
+        EXPECT_NE(text.find("\n" + title + "\n"), std::string::npos) << title;
+        EXPECT_NE(markdown.find("### " + title + "\n"), std::string::npos) << title;
+    }
+}
+
+TEST(Notation, PrintsWhatTheStateHashCovers) {
+    Kit const kit;
+    std::string const text = notationText(kit.registry);
+    for (char const* line : {"hashed: every member of every object property", "hashed: F_B\n",
+                             "derived: F_G (a pure function", "left out: versions"}) {
+        EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+    }
+    nlohmann::json const all = nlohmann::json::parse(notationJson(kit.registry).dump());
+    for (auto const& line : all["state_hash"]) {
+        EXPECT_EQ(line["covered"] == "hashed", line["reason"] == "") << line;
+    }
 }
 
 TEST(Notation, LinesStayWithinTheBox) {

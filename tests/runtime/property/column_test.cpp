@@ -37,6 +37,37 @@ void agree(Column<Place> const& column, Model const& model) {
     }
 }
 
+TEST(Column, TakesManyAsItTakesThemOneByOne) {
+    EXPECT_TRUE(rc::check([] {
+        Column<Place> column;
+        Column<Place> oneByOne;
+        Model model;
+        for (std::uint32_t const index :
+             *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange<std::uint32_t>(0, 12))) {
+            Place const place{{static_cast<double>(index), 2}};
+            column.set({index, 0}, place);
+            oneByOne.set({index, 0}, place);
+            model[{index, 0}] = place;
+        }
+        std::vector<ObjectId> ids;
+        std::vector<Place> values;
+        for (std::uint32_t index = 0; index < 12; ++index) {
+            if (!model.contains({index, 0}) && *rc::gen::arbitrary<bool>()) {
+                Place const place{{static_cast<double>(index), 3}};
+                ids.push_back({index, 0});
+                values.push_back(place);
+                oneByOne.set({index, 0}, place);
+                model[{index, 0}] = place;
+            }
+        }
+        std::uint64_t const structure = column.structureVersion();
+        column.addMany(ids, values);
+        RC_ASSERT((column.structureVersion() > structure) == !ids.empty());
+        RC_ASSERT(column.sameOwners(oneByOne));
+        agree(column, model);
+    }));
+}
+
 TEST(Column, FollowsItsModelThroughAnySequence) {
     EXPECT_TRUE(rc::check([] {
         Column<Place> column;

@@ -100,6 +100,7 @@ struct Everything {
 struct Kept {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Kept", "kept", "What a resolver keeps."};
+    static constexpr Coverage coverage = hashed;
     int number = 3;
 
     template <class Self, class Visitor>

@@ -17,6 +17,7 @@ namespace trembler::apportionment {
     struct Type {                                                                                            \
         static constexpr PropertyKind kind = PropertyKind::propertyKind;                                     \
         static constexpr PropertyText text{name, key, "As in 6.13.1."};                                      \
+        static constexpr Coverage coverage = hashed;                                                         \
         template <class Self, class Visitor>                                                                 \
         static void describe(Self&, Visitor&&) {}                                                            \
     }

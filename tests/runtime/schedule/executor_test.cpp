@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include <atomic>
-#include <chrono>
 #include <memory>
 #include <numeric>
 #include <set>
@@ -140,8 +139,7 @@ TEST(ExecutorThreads, TwoExecutorsOfDifferentSizesGetOnTogether) {
     std::atomic<int> met{0};
     large.forIndices(3, [&](std::size_t) {
         ++here;
-        auto const deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-        while (here.load() < 3 && std::chrono::steady_clock::now() < deadline) {
+        while (here.load() < 3) { // for ever, if it does: a busy machine may take its time
             std::this_thread::yield();
         }
         met += here.load() == 3 ? 1 : 0;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace trembler {
 namespace {
 
@@ -12,6 +14,7 @@ using namespace heat;
 struct Diary {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Diary", "diary", "How often the scribe was told something."};
+    static constexpr Coverage coverage = hashed;
     int entries = 0;
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
@@ -104,7 +107,7 @@ TEST(OnDemand, IsAbsentWithAllThatLivesOnItWhileNobodyReads) {
 
 TEST(OnDemand, AReaderFromOutsideBringsItAndTakesItAwayAgain) {
     Scriptorium s;
-    s.world->want<Diary>();
+    Subscription first = std::as_const(*s.world).want<Diary>(); // it takes no more than a look at the world
     s.world->start();
     s.world->step();
     s.world->step();
@@ -112,16 +115,49 @@ TEST(OnDemand, AReaderFromOutsideBringsItAndTakesItAwayAgain) {
     EXPECT_EQ(s.of("Poet"), Activity::absent) << "one of the alternatives, as ever";
     EXPECT_EQ(s.of("Fame"), Activity::absent) << "nobody reads that";
     EXPECT_EQ(s.world->find<Diary>()->entries, 1);
-    s.world->want<Diary>();
-    s.world->release<Diary>();
-    EXPECT_NE(s.of("Scribe"), Activity::absent) << "wants are counted";
-    s.world->release<Diary>();
+    {
+        Subscription const second = s.world->want<Diary>();
+        first.end();
+        first.end(); // once more does nothing
+        s.world->step();
+        EXPECT_NE(s.of("Scribe"), Activity::absent) << "they are counted";
+        EXPECT_TRUE(second);
+        EXPECT_FALSE(first);
+    }
+    s.world->step();
     EXPECT_EQ(s.of("Scribe"), Activity::absent);
     EXPECT_EQ(s.of("Scribe <- Heat"), Activity::absent);
     EXPECT_EQ(s.world->find<Diary>()->entries, 0) << "nobody provides it any more";
-    s.world->release<Diary>(); // one too many does nothing
-    s.world->want<Diary>();
+    first = s.world->want<Diary>();
+    s.world->step();
     EXPECT_NE(s.of("Scribe"), Activity::absent);
+}
+
+TEST(OnDemand, ASubscriptionMovesAndMayOutliveItsWorld) {
+    Subscription kept;
+    {
+        Scriptorium s;
+        s.world->start();
+        Subscription made = s.world->want<Diary>();
+        Subscription moved = std::move(made);
+        EXPECT_FALSE(made); // NOLINT(bugprone-use-after-move): what is left of it is empty
+        EXPECT_TRUE(moved);
+        kept = std::move(moved);
+        s.world->step();
+        EXPECT_NE(s.of("Scribe"), Activity::absent) << "whoever holds it";
+        kept = s.world->want<Fame>(); // ends the one before
+        s.world->step();
+        EXPECT_NE(s.of("Fame"), Activity::absent);
+        kept = {};
+        s.world->step();
+        EXPECT_EQ(s.of("Fame"), Activity::absent);
+        kept = s.world->want<Diary>();
+        EXPECT_TRUE(kept);
+    }
+    EXPECT_FALSE(kept) << "nobody is left to be asked";
+    Scriptorium another;
+    kept = another.world->want<Diary>();
+    EXPECT_TRUE(kept);
 }
 
 TEST(OnDemand, AReaderInTheSceneBringsTheWholeChain) {
@@ -145,12 +181,13 @@ TEST(OnDemand, WantingChangesNoState) {
     Scriptorium unwanted;
     wanted.world->start();
     unwanted.world->start();
+    Subscription fame;
     for (int i = 0; i < 10; ++i) {
         if (i % 3 == 1) {
-            wanted.world->want<Fame>();
+            fame = wanted.world->want<Fame>();
         }
         if (i % 3 == 2) {
-            wanted.world->release<Fame>();
+            fame.end();
         }
         wanted.world->step();
         unwanted.world->step();

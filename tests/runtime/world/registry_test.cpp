@@ -69,6 +69,18 @@ TEST(RegistryRules, ADeclaredHandOverAllowsTwoWriters) {
     expectRefusal(registry, {"B Resolver", "C Resolver", "both write Fuel"});
 }
 
+TEST(RegistryRules, TwoEffectsWithOneKindOfConnectionsAreRefusedByName) {
+    auto const refuse = [](Store const&, ObjectId, ObjectId) { return std::optional<std::string>(); };
+    auto const lay = [](Store&, ObjectId, ObjectId) {};
+    Registry registry;
+    registry.connector({"wire", "electricity", "a wire", refuse, lay});
+    registry.connector({"pipe", "plumbing", "a pipe", refuse, lay});
+    EXPECT_EQ(refusalOf(registry), "(accepted)");
+    EXPECT_EQ(registry.connectionKinds(), (std::vector<std::string>{"pipe", "wire"}));
+    registry.connector({"wire", "fencing", "a fence", refuse, lay});
+    expectRefusal(registry, {"'electricity'", "'fencing'", "'wire'"});
+}
+
 TEST(RegistryRules, AHandOverOfAnotherPropertyDoesNotHelp) {
     Registry registry;
     registry.component<WritesHeatA>();

@@ -182,17 +182,17 @@ TEST(WorldActivity, ComponentsAppearAndVanishWithTheirObjectsAndTheirSlotsAreRes
     EXPECT_EQ(world.find<Glow>()->total, 4);
 }
 
-void addAmbientHeat(Store& store, ObjectId id) {
-    if (store.column<Fuel>().has(id)) {
-        store.column<Heat>().addDefault(id);
-    }
-}
+struct AmbientHeat final : Completion<AmbientHeat, Reads<>, Adds<Heat>> {
+    static constexpr CompletionText text{.name = "Ambient heat", .work = "What can burn is warm."};
+    using CalledFor = NeedsAll<Fuel>;
+    static void complete(Access& access) { access.add(Heat{}); }
+};
 
 TEST(WorldActivity, StartCompletesObjects) {
     Registry registry;
     registry.component<Stove>();
     registry.component<HeatFromFuel>();
-    registry.completion(addAmbientHeat);
+    registry.completion<AmbientHeat>();
     World world(registry);
     ObjectId const coal = world.store().create("coal");
     world.store().column<Fuel>().set(coal, {1});
@@ -202,6 +202,39 @@ TEST(WorldActivity, StartCompletesObjects) {
     EXPECT_EQ(world.find<Heat>(stone), nullptr);
     world.step();
     EXPECT_EQ(statusOf(world, "Stove").updates, 1U);
+}
+
+// Tells for how long it was not applied.
+struct HeatFromTime final : Interaction<HeatFromTime, HeatRole, Reads<Fuel>> {
+    static constexpr ComponentText text{
+        .name = "Heat <- Time", .effect = "heat", .level = "", .work = "Tells the time."};
+    using CalledFor = NeedsAll<Fuel, Heat>;
+    void apply(Access& access) {
+        forEach(
+            [&](ObjectId id, Fuel const&) {
+                access.call(AddHeat{id, access.duration()});
+            },
+            access.read<Fuel>());
+    }
+};
+
+// What comes after a sleep depends on how things are, not on how long nothing has happened.
+TEST(WorldActivity, SleepIsNoTimeToBeCaughtUp) {
+    Registry registry;
+    registry.component<Stove>();
+    registry.component<HeatFromTime>();
+    World world(registry);
+    ObjectId const coal = hotThing(world, "coal", 0);
+    world.store().column<Fuel>().set(coal, {1});
+    world.start();
+    steps(world, 10);
+    ASSERT_EQ(statusOf(world, "Heat <- Time").updates, 1U) << "it sleeps";
+    double const before = world.find<Heat>(coal)->value;
+    world.store().column<Fuel>().touch();
+    steps(world, 2);
+    EXPECT_EQ(statusOf(world, "Heat <- Time").updates, 2U);
+    EXPECT_DOUBLE_EQ(world.find<Heat>(coal)->value - before, frameDuration * frameDuration)
+        << "the power is a frame, and it acts for one";
 }
 
 TEST(WorldActivity, ComponentsThatReadDerivedPropertiesWaitForTheirProvider) {

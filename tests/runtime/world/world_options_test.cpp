@@ -155,6 +155,7 @@ TEST(WorldOptions, ANameOfTwoComponentsIsNoPeriodsName) {
 struct NeedsGlowLog {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Nobody's", "nobodys", "What no resolver provides."};
+    static constexpr Coverage coverage = hashed;
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
 };

@@ -1,0 +1,39 @@
+// The thesis's notation boxes (5.3 to 5.6) as rows of words, before they are laid out as text or Markdown.
+#pragma once
+
+#include "runtime/world/registry.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+struct NotationRow {
+    std::string label; ///< empty: the row is all text
+    std::string text;
+};
+
+struct NotationBox {
+    std::string title;
+    std::vector<NotationRow> rows;
+    std::span<CallInfo const> calls{};
+};
+
+/// All that a component reads: what it only reads, and, first, what it also writes.
+[[nodiscard]] std::vector<PropertyInfo const*> allRead(ComponentInfo const& info);
+/// Names in braces, or the empty set.
+[[nodiscard]] std::string propertySet(std::vector<PropertyInfo const*> const& properties);
+
+/// A component. Where a resolver writes just what it reads, this is said as the thesis does: "≡ read(...)".
+[[nodiscard]] NotationBox boxOf(Registry const& registry, ComponentInfo const& info);
+[[nodiscard]] NotationBox boxOf(CompletionInfo const& info);
+/// A property (5.3): what it is, and its fields.
+[[nodiscard]] NotationBox boxOf(PropertyInfo const& info);
+
+/// What in a scene calls for a component, in words.
+[[nodiscard]] std::string calledFor(ComponentInfo const& info);
+/// In which derived property sets an interaction runs (5.7.3), in words; empty if in none.
+[[nodiscard]] std::string shortcutNote(Registry const& registry, ComponentInfo const& info);
+
+} // namespace trembler

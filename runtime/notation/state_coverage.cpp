@@ -1,0 +1,66 @@
+#include "runtime/notation/state_coverage.hpp"
+
+#include <set>
+
+namespace trembler {
+namespace {
+
+std::string nameOf(Coverage::Kind kind) {
+    switch (kind) {
+    case Coverage::Kind::hashed:
+        return "hashed";
+    case Coverage::Kind::derived:
+        return "derived";
+    case Coverage::Kind::leftOut:
+        return "left out";
+    }
+    return "";
+}
+
+void addSlots(Registry const& registry, ComponentKind kind, std::vector<CoverageLine>& lines) {
+    std::set<PropertyInfo const*> seen; // alternatives offer the same
+    for (Registration const& component : registry.components()) {
+        if (component.info->kind != kind) {
+            continue;
+        }
+        for (PropertyInfo const* offer : component.info->offers) {
+            if (seen.insert(offer).second) {
+                lines.push_back({std::string(offer->text.name), nameOf(offer->coverage.kind),
+                                 std::string(offer->coverage.reason)});
+            }
+        }
+    }
+}
+
+} // namespace
+
+std::vector<CoverageLine> stateCoverage(Registry const& registry) {
+    std::vector<CoverageLine> lines{
+        {"every member of every object property, and which ids are free", "hashed", ""},
+        {"every call that stands or waits for its resolver's next advance", "hashed", ""},
+        {"which components are there, detail levels asked for, periods and whose turn is next", "hashed",
+         ""}};
+    addSlots(registry, ComponentKind::resolver, lines);
+    addSlots(registry, ComponentKind::dps, lines);
+    for (Registration const& component : registry.components()) {
+        ComponentInfo const& info = *component.info;
+        std::string const what = "what the " + title(info) + " keeps";
+        if (info.hashesMemory) {
+            lines.push_back({what, "hashed", ""});
+        }
+        if (info.memory) {
+            lines.push_back({info.hashesMemory ? what + " besides" : what, nameOf(info.memory->kind),
+                             std::string(info.memory->reason)});
+        }
+    }
+    lines.push_back({"versions, by which components sleep and wake", "left out",
+                     "whoever runs although nothing has changed comes to what stands already"});
+    lines.push_back({"part definitions, registered components and completions", "left out",
+                     "constants, like the program; what is made of them is hashed"});
+    lines.push_back({"what is there for onlookers alone: loudspeakers, overlays, the trace", "left out",
+                     "nothing in the world reads it"});
+    lines.push_back({"threads, times and budgets", "left out", "they change no result"});
+    return lines;
+}
+
+} // namespace trembler

@@ -1,0 +1,20 @@
+// The list of what the state hash covers, and of what it leaves out and why.
+#pragma once
+
+#include "runtime/world/registry.hpp"
+
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+struct CoverageLine {
+    std::string what;
+    std::string covered; ///< "hashed", "derived" or "left out"
+    std::string reason;  ///< empty for what is hashed
+};
+
+/// Everything that a world with these components keeps between frames, one line each.
+[[nodiscard]] std::vector<CoverageLine> stateCoverage(Registry const& registry);
+
+} // namespace trembler

@@ -1,0 +1,54 @@
+// Readers outside a world: a loudspeaker, an overlay, a recorder.
+#pragma once
+
+#include "runtime/property/property_info.hpp"
+
+#include <map>
+#include <memory>
+#include <string_view>
+
+namespace trembler {
+
+/// What is wanted from outside, counted for each property. A world and its subscriptions share it.
+class Wants {
+public:
+    [[nodiscard]] bool contains(PropertyInfo const& property) const {
+        return counts_.contains(property.text.key);
+    }
+    [[nodiscard]] std::map<std::string_view, int> const& counts() const { return counts_; }
+    void add(PropertyInfo const& property);
+    /// Takes one add() back.
+    void remove(PropertyInfo const& property);
+    /// Whether anything has changed since the last call.
+    [[nodiscard]] bool takeChanged();
+
+private:
+    std::map<std::string_view, int> counts_; // above zero, by key of the property
+    bool changed_ = false;
+};
+
+/// While it lives, a resolver or derived property of a world counts as read, so that it is computed even if
+/// no component reads it; see World::want(). It ends itself, and may outlive its world. To be made, moved and
+/// ended between frames only, by one thread at a time.
+class [[nodiscard]] Subscription {
+public:
+    /// To nothing.
+    Subscription() = default;
+    Subscription(std::shared_ptr<Wants> const& wants, PropertyInfo const& property);
+    Subscription(Subscription&& other) noexcept;
+    Subscription& operator=(Subscription&& other) noexcept;
+    Subscription(Subscription const&) = delete;
+    Subscription& operator=(Subscription const&) = delete;
+    ~Subscription() { end(); }
+
+    /// Does nothing if it has ended already, or the world has.
+    void end();
+    /// Whether it still counts: it has not ended, and its world is there.
+    [[nodiscard]] explicit operator bool() const { return !wants_.expired(); }
+
+private:
+    std::weak_ptr<Wants> wants_;
+    PropertyInfo const* property_ = nullptr;
+};
+
+} // namespace trembler

@@ -1,0 +1,52 @@
+// What makes two worlds equal, bit for bit, in what they are and in all that will come of them.
+#include "runtime/world/world.hpp"
+
+#include <algorithm>
+
+namespace trembler {
+
+// Whether anybody but an onlooker reads it.
+bool World::readHere(PropertyInfo const& property) const {
+    return std::any_of(entries_.begin(), entries_.end(), [&](Entry const& entry) {
+        auto const& reads = entry.status.info->reads;
+        return entry.own && entry.component &&
+               std::find(reads.begin(), reads.end(), &property) != reads.end();
+    });
+}
+
+std::uint64_t World::stateHash() const {
+    StateHash hash;
+    store_.hash(hash);
+    // What was asked for counts beside what it comes to at present: another scene may make a difference.
+    hash.integer(options_.detail.size());
+    for (auto const& [effect, level] : options_.detail) {
+        hash.value(effect);
+        hash.value(level);
+    }
+    std::vector<std::pair<std::string, Entry const*>> sorted; // the order of registration does not count here
+    for (Entry const& entry : entries_) {
+        if (entry.component && entry.own) {
+            sorted.emplace_back(title(*entry.status.info), &entry);
+        }
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (auto const& [name, entry] : sorted) {
+        hash.value(name);
+        auto const period = static_cast<std::uint64_t>(entry->status.period);
+        hash.integer(period);
+        hash.integer(now_.frame % period);
+        for (PropertyInfo const* offer : entry->status.info->offers) {
+            Coverage::Kind const kind = offer->coverage.kind;
+            bool const old = kind == Coverage::Kind::derived && period > 1 && readHere(*offer);
+            SlotBase const* const slot = store_.findSlot(*offer);
+            if (slot != nullptr && (kind == Coverage::Kind::hashed || old)) {
+                hash.value(std::string(offer->text.key));
+                slot->hash(hash);
+            }
+        }
+        entry->component->hashState(hash);
+    }
+    return hash.digest();
+}
+
+} // namespace trembler

@@ -1,0 +1,18 @@
+// A completion adds a property that it only declared to read.
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+struct Warmth final : Completion<Warmth, Reads<Colour>, Adds<Heat>> {
+    static constexpr CompletionText text{.name = "Warmth", .work = "Warms."};
+    using CalledFor = NeedsAll<Colour>;
+    static void complete(Access& access) {
+        access.add(Heat{access.find<Colour>()->hue});
+#ifndef TREMBLER_CONTROL
+        access.add(Colour{});
+#endif
+    }
+};
+template void Registry::completion<Warmth>();
+
+} // namespace trembler

@@ -1,0 +1,18 @@
+// A completion reads a property that it does not declare.
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+struct Warmth final : Completion<Warmth, Reads<>, Adds<Heat>> {
+    static constexpr CompletionText text{.name = "Warmth", .work = "Warms."};
+    using CalledFor = NeedsAll<Colour>;
+    static void complete(Access& access) {
+        access.add(Heat{300});
+#ifndef TREMBLER_CONTROL
+        access.add(Heat{access.find<Colour>()->hue});
+#endif
+    }
+};
+template void Registry::completion<Warmth>();
+
+} // namespace trembler

@@ -1,0 +1,21 @@
+// A component keeps something from turn to turn and does not say how the state hash covers it.
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+struct HeatFromColour final : Interaction<HeatFromColour, HeatRole, Reads<Colour>> {
+    static constexpr ComponentText text{
+        .name = "Heat <- Colour", .effect = "heat", .level = "", .work = "Heats."};
+    using CalledFor = NeedsAll<Colour>;
+    void apply(Access&) { told_ = true; }
+#ifdef TREMBLER_CONTROL
+    void hashMemory(StateHash& hash) const {
+        hash.members(told_);
+    }
+#endif
+private:
+    bool told_ = false;
+};
+template void Registry::component<HeatFromColour>();
+
+} // namespace trembler

@@ -1,0 +1,25 @@
+// An interaction makes a call of which the order counts: those come from outside the world alone.
+#include "runtime/input/player_input.hpp"
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+struct PlayerFromGlow final : Interaction<PlayerFromGlow, PlayerRole, Reads<Glow>> {
+    static constexpr ComponentText text{
+        .name = "Player <- Glow", .effect = "player", .level = "", .work = "Plays."};
+    using CalledFor = NeedsAll<>;
+    void apply(Access& access) {
+#ifndef TREMBLER_CONTROL
+        access.call(PlayerInput{});
+#endif
+        static_cast<void>(access.read<Glow>());
+    }
+};
+
+template <class C>
+Component* made() {
+    return new C;
+}
+template Component* made<PlayerFromGlow>();
+
+} // namespace trembler

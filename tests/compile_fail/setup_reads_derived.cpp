@@ -1,0 +1,17 @@
+// An interaction that speaks in the setup reads what nobody has derived by then.
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+struct HeatFromGlow final : Interaction<HeatFromGlow, HeatRole, Reads<Glow>> {
+    static constexpr ComponentText text{
+        .name = "Heat <- Glow", .effect = "heat", .level = "", .work = "Heats."};
+    using CalledFor = NeedsAll<>;
+#ifndef TREMBLER_CONTROL
+    static constexpr bool inSetup = true;
+#endif
+    void apply(Access&) {}
+};
+template void Registry::component<HeatFromGlow>();
+
+} // namespace trembler

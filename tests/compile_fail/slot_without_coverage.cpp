@@ -1,0 +1,26 @@
+// A resolver property does not say how the state hash covers it.
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+struct Embers {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Embers", "embers", "What still glows."};
+#ifdef TREMBLER_CONTROL
+    static constexpr Coverage coverage = hashed;
+#endif
+    static constexpr bool tellsNews = false;
+    std::vector<ObjectId> objects;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>, Provides<Embers>> {
+    static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};
+    using CalledFor = NeedsAny<Heat>;
+    void advance(Access&) {}
+};
+template void Registry::component<Stove>();
+
+} // namespace trembler

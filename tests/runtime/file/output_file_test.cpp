@@ -1,0 +1,142 @@
+#include "runtime/file/output_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace trembler {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFiles : public testing::Test {
+protected:
+    void SetUp() override {
+        folder = fs::path(testing::TempDir()) / ("output files " + std::to_string(::getpid()));
+        fs::remove_all(folder);
+        fs::create_directories(folder);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    static std::string contentsOf(fs::path const& file) {
+        std::ostringstream text;
+        text << std::ifstream(file).rdbuf();
+        return text.str();
+    }
+    [[nodiscard]] std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+    }
+    static std::string refusalOf(std::function<void()> const& work) {
+        try {
+            work();
+        } catch (OutputError const& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    fs::path folder;
+};
+
+TEST_F(OutputFiles, AreThereOnlyWhenComplete) {
+    fs::path const target = folder / "new";
+    {
+        OutputFile file(target);
+        file.stream() << std::string(1U << 20U, 'x') << std::flush;
+        EXPECT_FALSE(fs::exists(target));
+        file.commit();
+        EXPECT_EQ(fs::file_size(target), 1U << 20U);
+    }
+    EXPECT_EQ(files(), 1U);
+    {
+        OutputFile file(target);
+        file.stream() << "not finished" << std::flush;
+        EXPECT_EQ(fs::file_size(target), 1U << 20U);
+    }
+    EXPECT_EQ(fs::file_size(target), 1U << 20U) << "without commit() nothing has happened";
+    EXPECT_EQ(files(), 1U);
+    writeFile(target, "short");
+    EXPECT_EQ(contentsOf(target), "short");
+}
+
+TEST_F(OutputFiles, FollowLinksAndKeepPermissions) {
+    fs::path const target = folder / "target";
+    fs::create_symlink("target", folder / "link");
+    fs::create_symlink(folder / "link", folder / "link to the link");
+    writeFile(folder / "link to the link", "first");
+    EXPECT_EQ(contentsOf(target), "first");
+    EXPECT_EQ(::chmod(target.c_str(), 0640), 0);
+    writeFile(folder / "link", "second");
+    EXPECT_EQ(contentsOf(target), "second");
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    struct ::stat is {};
+    EXPECT_EQ(::stat(target.c_str(), &is), 0);
+    EXPECT_EQ(is.st_mode & 07777U, 0640U);
+    fs::create_symlink("round", folder / "round");
+    EXPECT_NE(refusalOf([&] { writeFile(folder / "round", ""); }).find("Too many levels"), std::string::npos);
+}
+
+TEST_F(OutputFiles, HaveThePermissionsOfAnyNewFile) {
+    std::ofstream(folder / "usual") << "";
+    writeFile(folder / "new", "");
+    EXPECT_EQ(fs::status(folder / "new").permissions(), fs::status(folder / "usual").permissions());
+}
+
+TEST_F(OutputFiles, OfOtherKindsAreWrittenDirectly) {
+    fs::path const pipe = folder / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    int const reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    writeFile(pipe, "through");
+    char got[16] = {};
+    EXPECT_EQ(::read(reader, got, sizeof got), 7);
+    EXPECT_STREQ(got, "through");
+    ::close(reader);
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    writeFile("/dev/null", "gone");
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(OutputFiles, SayWhyNot) {
+    EXPECT_NE(refusalOf([] { OutputFile file(""); }).find("empty"), std::string::npos);
+    EXPECT_EQ(refusalOf([&] { OutputFile file(folder); }),
+              folder.string() + ": cannot be written: Is a directory");
+    EXPECT_EQ(refusalOf([] { OutputFile file("/no/such/file"); }),
+              "/no/such/file: cannot be written: No such file or directory");
+    EXPECT_EQ(refusalOf([] { writeFile("/dev/full", "too much"); }),
+              "/dev/full: cannot be written: No space left on device");
+    OutputFile full("/dev/full");
+    full.check();
+    full.stream() << std::string(1U << 20U, 'x');
+    EXPECT_FALSE(full.stream());
+    EXPECT_NE(refusalOf([&] { full.check(); }).find("No space left"), std::string::npos);
+    OutputFile file(folder / "new");
+    file.failed(EIO);
+    EXPECT_NE(refusalOf([&] { file.commit(); }).find("Input/output error"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder / "new"));
+}
+
+TEST_F(OutputFiles, LieBesideEachOther) {
+    std::vector<std::unique_ptr<OutputFile>> open;
+    for (int i = 0; i < 8; ++i) {
+        open.push_back(std::make_unique<OutputFile>(folder / std::to_string(i)));
+        open.back()->stream() << i;
+    }
+    for (auto const& file : open) {
+        file->commit();
+    }
+    for (int i = 0; i < 8; ++i) {
+        EXPECT_EQ(contentsOf(folder / std::to_string(i)), std::to_string(i));
+    }
+    EXPECT_EQ(files(), 8U);
+}
+
+} // namespace
+} // namespace trembler
