@@ -1,9 +1,11 @@
 // trembler components and trembler schema: what there is, described by itself, and what levels call for.
 #include "game/app/commands.hpp"
+#include "game/app/outputs.hpp"
 #include "game/called_for/report.hpp"
 #include "game/core/effects.hpp"
 #include "game/core/workshop.hpp"
 #include "game/goals/level_schema.hpp"
+#include "runtime/file/visible_text.hpp"
 #include "runtime/notation/notation.hpp"
 
 #include <nlohmann/json.hpp>
@@ -16,51 +18,57 @@ namespace {
 
 constexpr int playSeconds = 20; // long enough for all that comes to rest, but for a motor that runs out
 
-void printLevels(bool json, bool markdown) {
-    Workshop const workshop;
-    std::vector<LevelUse> const plays = playAllForCalls(workshop, playSeconds);
-    if (json) {
-        std::cout << calledForJson(plays).dump(2) << "\n";
-    } else {
-        std::cout << (markdown ? calledForMarkdown(plays) : calledForText(plays));
+std::string printed(nlohmann::ordered_json const& json) {
+    return escapedJson(json.dump(2)) + "\n";
+}
+
+struct ComponentsArguments {
+    OutputTarget json;
+    OutputTarget markdown;
+    bool levels = false;
+};
+
+int describe(ComponentsArguments const& arguments) {
+    Outputs outputs;
+    OutputFile* const json = outputs.add("--json", arguments.json);
+    OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
+    Registry registry;
+    registerEffects(registry);
+    registry.check();
+    for (std::string const& effect : gameEffectsLeftOut()) {
+        std::cerr << "This program was built without " << effect << ": only its properties are known.\n";
     }
+    std::vector<LevelUse> plays;
+    if (arguments.levels) {
+        Workshop const workshop;
+        plays = playAllForCalls(workshop, playSeconds);
+    }
+    if (json != nullptr) {
+        json->stream() << printed(arguments.levels ? calledForJson(plays) : notationJson(registry));
+    }
+    if (markdown != nullptr) {
+        markdown->stream() << (arguments.levels ? calledForMarkdown(plays) : notationMarkdown(registry));
+    }
+    if (json == nullptr && markdown == nullptr) {
+        std::cout << (arguments.levels ? calledForText(plays) : notationText(registry));
+    }
+    outputs.finish();
+    return exitSolved;
 }
 
 } // namespace
 
 void addComponentsCommand(CLI::App& program, int& result) {
-    struct Arguments {
-        bool json = false;
-        bool markdown = false;
-        bool levels = false;
-    };
-    auto const arguments = std::make_shared<Arguments>();
+    auto const arguments = std::make_shared<ComponentsArguments>();
     CLI::App* const command = program.add_subcommand(
         "components", "Print every component in the thesis's notation, and the schedule");
-    CLI::Option* const json = command->add_flag("--json", arguments->json, "As one JSON object");
-    command->add_flag("--markdown", arguments->markdown, "As Markdown tables")->excludes(json);
+    addOptionalFile(*command, "--json", arguments->json, "Write them as one JSON object instead");
+    addOptionalFile(*command, "--markdown", arguments->markdown, "Write them as Markdown tables instead");
     command->add_flag("--levels", arguments->levels,
                       "What every level calls for instead: which components are absent, asleep and active, "
                       "and their updates");
-    command->callback([arguments, &result] {
-        result = guarded([&] {
-            Registry registry;
-            registerEffects(registry);
-            registry.check();
-            for (std::string const& effect : gameEffectsLeftOut()) {
-                std::cerr << "This program was built without " << effect
-                          << ": only its properties are known.\n";
-            }
-            if (arguments->levels) {
-                printLevels(arguments->json, arguments->markdown);
-            } else if (arguments->json) {
-                std::cout << notationJson(registry).dump(2) << "\n";
-            } else {
-                std::cout << (arguments->markdown ? notationMarkdown(registry) : notationText(registry));
-            }
-            return exitSolved;
-        });
-    });
+    command->footer(outputConvention);
+    command->callback([arguments, &result] { result = guarded([&] { return describe(*arguments); }); });
 }
 
 void addSchemaCommand(CLI::App& program, int& result) {
@@ -69,7 +77,7 @@ void addSchemaCommand(CLI::App& program, int& result) {
         result = guarded([&] {
             Registry registry;
             registerEffects(registry);
-            std::cout << levelSchema(registry).dump(2) << "\n";
+            std::cout << printed(levelSchema(registry));
             return exitSolved;
         });
     });

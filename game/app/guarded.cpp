@@ -1,7 +1,9 @@
 #include "game/app/commands.hpp"
+#include "runtime/file/visible_text.hpp"
 #include "runtime/level/diagnostic.hpp"
 
 #include <iostream>
+#include <new>
 
 namespace trembler {
 
@@ -12,8 +14,10 @@ int guarded(std::function<int()> const& work) {
         for (Diagnostic const& diagnostic : error.diagnostics()) {
             std::cerr << diagnostic.print() << "\n";
         }
+    } catch (std::bad_alloc const&) {
+        std::cerr << "trembler: there is not enough memory\n";
     } catch (std::exception const& error) {
-        std::cerr << "trembler: " << error.what() << "\n";
+        std::cerr << "trembler: " << visibleLines(error.what()) << "\n";
     }
     return exitBadInput;
 }

@@ -1,10 +1,14 @@
 // trembler: the program.
 #include "game/app/commands.hpp"
+#include "game/app/outputs.hpp"
+#include "game/app/standard_streams.hpp"
 
 #include <exception>
 #include <iostream>
 
-int main(int argc, char** argv) {
+namespace {
+
+int runCommand(int argc, char** argv) {
     int result = trembler::exitSolved;
     CLI::App program{
         "Trembler: a world in which physics, not scripts, makes things work.\n"
@@ -20,6 +24,7 @@ int main(int argc, char** argv) {
         "\n"
         "Each command has its own --help."};
     program.set_version_flag("--version", "Trembler " TREMBLER_VERSION);
+    program.footer(trembler::outputConvention);
     program.require_subcommand(1);
     trembler::addPlayCommand(program, result);
     trembler::addRunCommand(program, result);
@@ -40,4 +45,11 @@ int main(int argc, char** argv) {
         return trembler::exitBadInput;
     }
     return result;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    trembler::StandardStreams streams;
+    return streams.finish(runCommand(argc, argv));
 }

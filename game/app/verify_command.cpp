@@ -1,7 +1,8 @@
-// trembler verify: is every level sound?
+// trembler verify: is every level valid?
 #include "game/app/commands.hpp"
 #include "game/core/workshop.hpp"
 #include "game/session/verify.hpp"
+#include "runtime/file/visible_text.hpp"
 
 #include <fmt/format.h>
 
@@ -35,23 +36,30 @@ int verifyAll(std::vector<std::string> const& paths, std::vector<std::string> co
     std::vector<fs::path> levels;
     for (std::string const& path : paths) {
         std::vector<fs::path> const found = levelsUnder(path);
+        if (found.empty()) {
+            throw std::invalid_argument(fmt::format("there is no level in {}", path));
+        }
         levels.insert(levels.end(), found.begin(), found.end());
     }
     if (paths.empty()) {
         levels = workshop.levels();
     }
-    bool sound = true;
+    if (levels.empty()) {
+        throw std::invalid_argument(
+            fmt::format("there is no level in {}", (workshop.home / "levels").string()));
+    }
+    bool valid = true;
     for (fs::path const& level : levels) {
         std::vector<std::string> const failures = verifyLevel(workshop, level, detailOf(detail));
         for (std::string const& failure : failures) {
             std::cout << failure << "\n";
         }
         if (failures.empty()) {
-            std::cout << workshop.shortName(level) << ": sound\n" << std::flush;
+            std::cout << visible(workshop.shortName(level)) << ": valid\n" << std::flush;
         }
-        sound = sound && failures.empty();
+        valid = valid && failures.empty();
     }
-    return sound ? exitSolved : exitNotSolved;
+    return valid ? exitSolved : exitNotSolved;
 }
 
 } // namespace

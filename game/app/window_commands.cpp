@@ -1,9 +1,14 @@
 // trembler play and trembler screenshot: whatever draws.
 #include "game/app/commands.hpp"
+#include "game/app/number_options.hpp"
+#include "game/app/outputs.hpp"
+#include "game/app/progress.hpp"
+#include "runtime/level/limits.hpp"
 
 #ifndef TREMBLER_HEADLESS
 #include "game/ui/play.hpp"
 #include "game/ui/screenshot.hpp"
+#include "render/gl/png.hpp"
 #endif
 
 #include <fmt/format.h>
@@ -21,9 +26,13 @@ struct PlayArguments {
     bool fullscreen = false;
 };
 
+constexpr std::int64_t smallestSide = 16;         // pixels
+constexpr std::int64_t largestSide = 16384;       // pixels
+constexpr std::int64_t mostPixels = 8192L * 8192; // a quarter of a gigabyte
+
 struct ScreenshotArguments {
     std::string level;
-    std::string out;
+    OutputTarget out;
     std::uint64_t frame = 0;
     std::string size = "1280x720";
     std::string solution;
@@ -46,6 +55,9 @@ int takeScreenshot(ScreenshotArguments const&) {
 #else
 
 int play(PlayArguments const& arguments) {
+    if (arguments.pictures.empty()) {
+        throw std::invalid_argument("--pictures: the folder's name is empty");
+    }
     Workshop const workshop;
     ui::PlayOptions options;
     options.level = arguments.level;
@@ -55,23 +67,24 @@ int play(PlayArguments const& arguments) {
 }
 
 render::Size sizeFrom(std::string const& text) {
-    int width = 0;
-    int height = 0;
-    char rest = 0;
-    constexpr int largest = 16384;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 16 || height < 16 ||
-        width > largest || height > largest) {
+    std::size_t const cross = text.find('x');
+    // Without an x there is nothing behind it, which is no number.
+    std::string const behind = cross == std::string::npos ? "" : text.substr(cross + 1);
+    auto const width = wholeNumber(text.substr(0, cross), smallestSide, largestSide);
+    auto const height = wholeNumber(behind, smallestSide, largestSide);
+    if (!width || !height || *width * *height > mostPixels) {
         throw std::invalid_argument(fmt::format(
-            "--size {}: expected WIDTHxHEIGHT in pixels, 16 to {} each, like 1280x720", text, largest));
+            "--size {}: expected WIDTHxHEIGHT in pixels, {} to {} each and at most {} together, like "
+            "1280x720",
+            text, smallestSide, largestSide, mostPixels));
     }
-    return {width, height};
+    return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 
 int takeScreenshot(ScreenshotArguments const& arguments) {
     Workshop const workshop;
     ui::ScreenshotOptions options;
     options.level = arguments.level;
-    options.file = arguments.out;
     options.frame = arguments.frame;
     options.size = sizeFrom(arguments.size);
     options.solution = arguments.solution;
@@ -79,18 +92,25 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
     options.picture.overlays.forces = arguments.forces;
     options.picture.overlays.contacts = arguments.contacts;
     options.picture.card = !arguments.bare;
-    if (isatty(STDERR_FILENO) != 0 && arguments.frame >= 600) {
-        options.progress = [last = arguments.frame](std::uint64_t done) {
-            if (done % 600 == 0) {
-                std::cerr << fmt::format("\r{} of {} frames", done, last) << std::flush;
-            }
-            if (done == last) {
-                std::cerr << "\r                              \r";
-            }
-        };
+    Outputs outputs;
+    outputs.reads(arguments.level);
+    outputs.reads(arguments.solution);
+    OutputFile* const file = outputs.add("--out", arguments.out, OutputFile::Content::binary);
+    if (file->isStandardOutput() && isatty(STDOUT_FILENO) != 0) {
+        throw OutputError("--out -: a terminal shows no pictures; expected a file, or standard output that "
+                          "goes to another program");
     }
-    ui::screenshot(workshop, options);
-    std::cout << arguments.out << "\n";
+    Progress progress;
+    options.progress = [&](std::uint64_t done) { progress.frames(done, arguments.frame); };
+    options.picture.step = [&](std::string const& what) { progress.say(what); };
+    render::Image const image = ui::screenshot(workshop, options);
+    progress.say("writing the picture");
+    render::writePng(image, *file);
+    progress.clear();
+    outputs.finish();
+    if (!file->isStandardOutput()) {
+        std::cout << file->target().string() << "\n";
+    }
     return exitSolved;
 }
 
@@ -103,7 +123,10 @@ void addPlayCommand(CLI::App& program, int& result) {
     CLI::App* const command = program.add_subcommand(
         "play", "Play. Without a display: play the level's first recorded solution and leave a picture.");
     command->add_option("LEVEL", arguments->level, "Level file (default: the title screen)");
-    command->add_option("--pictures", arguments->pictures, "Folder for the pictures and films that you take")
+    command
+        ->add_option("--pictures", arguments->pictures,
+                     "Folder for the pictures and films that you take, or for the one without a display")
+        ->type_name("DIR")
         ->capture_default_str();
     command->add_flag("--fullscreen", arguments->fullscreen, "Fill the whole screen");
     command->callback([arguments, &result] { result = guarded([&] { return play(*arguments); }); });
@@ -114,16 +137,20 @@ void addScreenshotCommand(CLI::App& program, int& result) {
     CLI::App* const command = program.add_subcommand(
         "screenshot", "Draw a level as it is at some frame into a PNG; needs no display");
     command->add_option("LEVEL", arguments->level, "Level file")->required();
-    command->add_option("--frame", arguments->frame, "Frames done, 60 are one second")
-        ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{10'000'000}))
+    addNumber(*command, "--frame", arguments->frame, 0, limits::frames, "Frames done, 60 are one second")
+        ->default_str("0");
+    addFile(*command, "--out", arguments->out, "The PNG file to write")->required();
+    command
+        ->add_option("--size", arguments->size,
+                     fmt::format("Pixels, {} to {} each way and at most {} in all", smallestSide, largestSide,
+                                 mostPixels))
         ->capture_default_str();
-    command->add_option("--out", arguments->out, "The PNG file to write")->required();
-    command->add_option("--size", arguments->size, "Pixels")->capture_default_str();
     command->add_option("--solution", arguments->solution, "Recorded solution, by name or file");
     command->add_flag("--electricity", arguments->electricity, "With the electricity graph");
     command->add_flag("--forces", arguments->forces, "With magnetic forces");
     command->add_flag("--contacts", arguments->contacts, "With contacts");
     command->add_flag("--bare", arguments->bare, "Without title and goals");
+    command->footer(outputConvention);
     command->callback([arguments, &result] { result = guarded([&] { return takeScreenshot(*arguments); }); });
 }
 

@@ -1,15 +1,17 @@
 #include "runtime/level/build_world.hpp"
 
+#include "runtime/level/add_problem.hpp"
 #include "runtime/level/joint_names.hpp"
+#include "runtime/level/lay_connections.hpp"
 #include "runtime/level/references.hpp"
 #include "runtime/level/suggestion.hpp"
+#include "runtime/object/without.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 namespace trembler {
 namespace {
@@ -18,7 +20,8 @@ namespace {
 struct Made {
     std::string name;
     PartDefinition const* part = nullptr;
-    PropertySet properties; ///< effective
+    PropertySet properties;           ///< effective
+    std::vector<std::string> without; ///< keys that it is stated not to have, ascending
     PropertySet const* own = nullptr;
     std::string path;     ///< in the level's file
     bool inEntry = false; ///< its properties stand directly in its entry: joints and the world
@@ -63,8 +66,9 @@ public:
                     continue;
                 }
             }
-            made.properties = effectiveProperties(
-                made.part == nullptr ? PropertySet() : made.part->properties, object->properties);
+            PropertySet const part = made.part == nullptr ? PropertySet() : made.part->properties;
+            made.properties = effectiveProperties(part, object->properties);
+            made.without = statedAbsent(part, object->properties);
             made_.push_back(std::move(made));
         }
     }
@@ -89,17 +93,18 @@ public:
     void addPlacements(std::span<Placement const> placements) {
         std::vector<Placement> const sorted = inCanonicalOrder(placements);
         std::vector<std::string> const names = placementNames(level_, placements);
+        PlacementCount count(level_, library_);
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             Placement const& placement = sorted[i];
-            if (auto const refusal =
-                    checkPlacement(level_, library_, std::span(sorted).first(i), placement)) {
+            if (auto const refusal = count.add(placement)) {
                 problem(placement.path, *refusal, "a placement that the level allows");
                 continue;
             }
             Made made;
             made.name = names[i];
             made.part = library_.find(placement.part);
-            made.properties = made.part->properties;
+            made.properties = effectiveProperties(made.part->properties, {});
+            made.without = statedAbsent(made.part->properties, {});
             made.properties.set(Position{placement.at});
             made.properties.set(Rotation{placement.angle});
             made.path = placement.path;
@@ -154,33 +159,6 @@ public:
         }
     }
 
-    void connect(Store& store) {
-        std::vector<LevelConnection> sorted = level_.connections;
-        for (LevelConnection& connection : sorted) {
-            if (connection.b < connection.a) {
-                std::swap(connection.a, connection.b);
-            }
-        }
-        std::sort(sorted.begin(), sorted.end(), [](LevelConnection const& x, LevelConnection const& y) {
-            return std::tie(x.a, x.b) < std::tie(y.a, y.b);
-        });
-        if (!sorted.empty() && registry_.connector() == nullptr) {
-            problem("/connections", "no effect of this program knows connections", "no connections");
-            return;
-        }
-        for (LevelConnection const& connection : sorted) {
-            ObjectId const a = store.find(connection.a);
-            ObjectId const b = store.find(connection.b);
-            if (!a.valid() || !b.valid()) {
-                problem(connection.path,
-                        fmt::format("there is no object '{}'", a.valid() ? connection.b : connection.a),
-                        "the name of an object of this level");
-            } else if (auto const wrong = registry_.connector()(store, a, b)) {
-                problem(connection.path, *wrong, "");
-            }
-        }
-    }
-
     void checkOverlaps(Store const& store, OverlapTest const& overlap) {
         for (std::size_t i = 0; i < made_.size(); ++i) {
             for (std::size_t j = 0; made_[i].isPlacement && j < i; ++j) {
@@ -194,11 +172,9 @@ public:
 
 private:
     void problem(std::string path, std::string message, std::string expected) {
-        if (problems_.hasRoom()) {
-            problems_.add(level_.diagnostic(std::move(path), std::move(message), std::move(expected)));
-        } else {
-            problems_.countOne();
-        }
+        addProblem(problems_, [&] {
+            return level_.diagnostic(std::move(path), std::move(message), std::move(expected));
+        });
     }
 
     /// A problem with an object's property, where that is stated: in the object's entry or in its part's
@@ -210,12 +186,10 @@ private:
         if (!own && made.part != nullptr && made.part->document && made.part->properties.states(info)) {
             JsonDocument const& document = *made.part->document;
             bool const beside = document.root().contains(key);
-            if (problems_.hasRoom()) {
-                problems_.add(document.diagnostic(pointerTo(beside ? "" : "/properties", key) + inside,
-                                                  std::move(message), std::move(expected)));
-            } else {
-                problems_.countOne();
-            }
+            addProblem(problems_, [&] {
+                return document.diagnostic(pointerTo(beside ? "" : "/properties", key) + inside,
+                                           std::move(message), std::move(expected));
+            });
             return;
         }
         std::string path = made.path;
@@ -230,12 +204,19 @@ private:
         for (PropertySet::Entry const& entry : made.properties.entries()) {
             auto const value = entry.value->clone();
             for (DanglingReference const& dangling : resolveReferences(*value, level_.names, store)) {
+                if (!problems_.hasRoom()) { // looking for what may have been meant costs a walk through all
+                    problems_.countOne();
+                    continue;
+                }
                 propertyProblem(made, *entry.info, dangling.path,
                                 fmt::format("there is no object '{}'{}", dangling.name,
                                             didYouMean(dangling.name, objectNames())),
                                 "the name of an object of this level");
             }
             value->assignTo(store.column(*entry.info), made.id);
+        }
+        if (!made.without.empty()) {
+            store.column<Without>().set(made.id, {made.without});
         }
     }
 
@@ -274,6 +255,22 @@ PropertySet effectiveProperties(PropertySet const& part, PropertySet const& own)
     return present;
 }
 
+std::vector<std::string> statedAbsent(PropertySet const& part, PropertySet const& own) {
+    std::vector<std::string> keys;
+    for (PropertySet::Entry const& entry : part.entries()) {
+        if (!entry.value && !own.states(*entry.info)) {
+            keys.emplace_back(entry.info->text.key);
+        }
+    }
+    for (PropertySet::Entry const& entry : own.entries()) {
+        if (!entry.value) {
+            keys.emplace_back(entry.info->text.key);
+        }
+    }
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
 std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& level,
                                   PartLibrary const& library, std::span<Placement const> placements,
                                   WorldOptions options, OverlapTest const& overlap) {
@@ -291,7 +288,7 @@ std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& lev
     builder.create(world->store());
     problems.throwIfAny(); // rules may assume that references are good
     builder.checkRules(world->store());
-    builder.connect(world->store());
+    layConnections(registry, level, world->store(), problems);
     problems.throwIfAny(); // and the completions, that rules are kept
     world->start();
     if (overlap) {

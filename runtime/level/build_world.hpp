@@ -13,8 +13,9 @@ using OverlapTest = std::function<bool(Store const&, ObjectId, ObjectId)>;
 
 /// Builds and starts the world of a level with what the player placed. Throws InputError, with the places in
 /// the file, for whatever is wrong: unknown parts, references to objects that are not there, properties that
-/// break a rule of the registry, connections that electricity refuses, placements that are not allowed.
-/// `registry` must outlive the world. A detail level that the options name goes before the level's own.
+/// break a rule of the registry, connections that no effect, or more than one, takes, placements that are not
+/// allowed. `registry` must outlive the world. A detail level that the options name goes before the level's
+/// own.
 ///
 /// Objects are created in canonical order: "world", the level's objects by name, its joints by name, then the
 /// placements in their own canonical order. So neither the order of entries in the file nor the order of
@@ -28,5 +29,8 @@ using OverlapTest = std::function<bool(Store const&, ObjectId, ObjectId)>;
 
 /// The part's properties, those of the entry in their stead, and the taken-away ones left out.
 [[nodiscard]] PropertySet effectiveProperties(PropertySet const& part, PropertySet const& own);
+/// The keys of those that it is stated not to have, by itself or, where it says nothing, by its part;
+/// ascending.
+[[nodiscard]] std::vector<std::string> statedAbsent(PropertySet const& part, PropertySet const& own);
 
 } // namespace trembler

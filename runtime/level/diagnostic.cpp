@@ -1,5 +1,7 @@
 #include "runtime/level/diagnostic.hpp"
 
+#include "runtime/file/visible_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +21,19 @@ std::string joined(std::vector<Diagnostic> const& diagnostics) {
     return all;
 }
 
+/// A key or a text may be as long as its file, which nobody reads.
+std::string shortened(std::string const& text) {
+    constexpr std::size_t longest = 2000; // bytes
+    if (text.size() <= longest) {
+        return text;
+    }
+    std::size_t cut = longest;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) {
+        --cut; // not inside a character
+    }
+    return text.substr(0, cut) + "...";
+}
+
 } // namespace
 
 std::string Diagnostic::print() const {
@@ -27,13 +42,13 @@ std::string Diagnostic::print() const {
         text += fmt::format(":{}:{}", line, column);
     }
     if (!path.empty()) {
-        text += fmt::format(": {}", path);
+        text += fmt::format(": {}", shortened(path));
     }
-    text += fmt::format(": {}", message);
+    text += fmt::format(": {}", shortened(message));
     if (!expected.empty()) {
-        text += fmt::format("; expected {}", expected);
+        text += fmt::format("; expected {}", shortened(expected));
     }
-    return text;
+    return visible(text); // all of it may come from the file
 }
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)

@@ -1,9 +1,12 @@
 #include "runtime/level/json_document.hpp"
 
+#include "runtime/level/add_problem.hpp"
+#include "runtime/level/limits.hpp"
+
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
+#include <cerrno>
+#include <cstdio>
 #include <system_error>
 
 namespace trembler {
@@ -12,7 +15,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Builds the tree. Unlike the library's own builder it notices keys that stand twice and gives up in time.
-class Builder : public nlohmann::json_sax<Json> {
+class TreeBuilder : public nlohmann::json_sax<Json> {
 public:
     struct Flaw {
         std::string path;
@@ -39,10 +42,12 @@ public:
         Level& level = open_.back();
         level.key = name;
         if (level.node->contains(name)) {
-            flaws_.push_back({pathOfNext(), fmt::format("the key '{}' stands here twice", name),
-                              "every key once", std::nullopt, Spot::lastKey});
+            if (std::string path = pathOfNext(); flaws_.empty() || flaws_.back().path != path) {
+                flaws_.push_back({std::move(path), fmt::format("the key '{}' stands here twice", name),
+                                  "every key once", std::nullopt, Spot::lastKey});
+            }
         }
-        return true;
+        return flaws_.size() < Problems::most; // nobody reads on
     }
     bool parse_error(std::size_t position, std::string const&,
                      nlohmann::detail::exception const& error) override {
@@ -78,6 +83,15 @@ private:
         }
         return path;
     }
+    /// Whether there may be one more value; otherwise reading ends here.
+    bool mayGrow() {
+        if (++values_ > limits::values) {
+            flaws_.push_back({"", "has too many values", fmt::format("at most {}", limits::values),
+                              std::size_t{0}, Spot::value});
+            return false;
+        }
+        return true;
+    }
     Json* place(Json value) {
         if (open_.empty()) {
             root_ = std::move(value);
@@ -94,15 +108,20 @@ private:
     }
     template <class T>
     bool put(T&& value) {
+        if (!mayGrow()) {
+            return false;
+        }
         place(Json(std::forward<T>(value)));
         return true;
     }
     bool open(Json container) {
-        if (open_.size() == JsonDocument::deepest) {
-            flaws_.push_back(
-                {pathOfNext(), "nested too deeply",
-                 fmt::format("at most {} lists and objects inside one another", JsonDocument::deepest),
-                 std::nullopt, Spot::value});
+        if (open_.size() == limits::depth) {
+            flaws_.push_back({pathOfNext(), "nested too deeply",
+                              fmt::format("at most {} lists and objects inside one another", limits::depth),
+                              std::nullopt, Spot::value});
+            return false;
+        }
+        if (!mayGrow()) {
             return false;
         }
         open_.push_back({place(std::move(container)), {}});
@@ -114,6 +133,7 @@ private:
     }
 
     Json root_;
+    std::size_t values_ = 0;
     std::vector<Level> open_; // pointers stay good: only the innermost container grows
     std::vector<Flaw> flaws_;
 };
@@ -126,14 +146,32 @@ private:
     throw InputError({std::move(diagnostic)});
 }
 
+[[noreturn]] void refuseSize(std::string file, std::uintmax_t size) {
+    refuse(std::move(file), fmt::format("has {} bytes", size), fmt::format("at most {}", limits::fileSize));
+}
+
+/// Fills the text from a file, or shortens it to what there is. 0, or the errno of what went wrong.
+int readInto(std::filesystem::path const& path, std::string& text) {
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    errno = 0;
+    std::unique_ptr<std::FILE, Close> const file(std::fopen(path.c_str(), "rbe"));
+    if (!file) {
+        return errno;
+    }
+    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+    return std::ferror(file.get()) == 0 ? 0 : errno;
+}
+
 } // namespace
 
 JsonDocument::JsonDocument(std::string text, std::string file)
     : text_(std::move(text)), file_(std::move(file)) {
-    if (text_.size() > largest) {
-        refuse(file_, fmt::format("has {} bytes", text_.size()), fmt::format("at most {}", largest));
+    if (text_.size() > limits::fileSize) {
+        refuseSize(file_, text_.size());
     }
-    Builder builder;
+    TreeBuilder builder;
     bool const whole = Json::sax_parse(text_, &builder);
     if (whole && builder.flaws().empty()) {
         root_ = builder.take();
@@ -141,17 +179,15 @@ JsonDocument::JsonDocument(std::string text, std::string file)
     }
     Problems problems;
     for (auto const& flaw : builder.flaws()) {
-        if (!problems.hasRoom()) {
-            problems.countOne();
-            continue;
-        }
-        Diagnostic made = diagnostic(flaw.path, flaw.message, flaw.expected, flaw.spot);
-        if (flaw.offset) {
-            TextPlace const place = placeOf(text_, *flaw.offset);
-            made.line = place.line;
-            made.column = place.column;
-        }
-        problems.add(std::move(made));
+        addProblem(problems, [&] {
+            Diagnostic made = diagnostic(flaw.path, flaw.message, flaw.expected, flaw.spot);
+            if (flaw.offset) {
+                TextPlace const place = placeOf(text_, *flaw.offset);
+                made.line = place.line;
+                made.column = place.column;
+            }
+            return made;
+        });
     }
     problems.throwIfAny();
     refuse(file_, "is not JSON", "one JSON value");
@@ -170,14 +206,12 @@ std::shared_ptr<JsonDocument const> JsonDocument::load(std::filesystem::path con
     if (error) {
         refuse(path.string(), "cannot be read: " + error.message(), "");
     }
-    if (size > largest) {
-        refuse(path.string(), fmt::format("has {} bytes", size), fmt::format("at most {}", largest));
+    if (size > limits::fileSize) {
+        refuseSize(path.string(), size);
     }
-    std::ifstream in(path, std::ios::binary);
     std::string text(static_cast<std::size_t>(size), '\0');
-    in.read(text.data(), static_cast<std::streamsize>(size));
-    if (!in) {
-        refuse(path.string(), "cannot be read", "");
+    if (int const wrong = readInto(path, text); wrong != 0) {
+        refuse(path.string(), "cannot be read: " + std::generic_category().message(wrong), "");
     }
     return parse(std::move(text), path.string());
 }

@@ -82,6 +82,15 @@ std::string unescaped(std::string_view token) {
     return key;
 }
 
+/// Whether a token with its quotes is this key. Most have no escapes, and need not be read.
+bool stands(std::string_view token, std::string const& key) {
+    if (token.find('\\') == std::string_view::npos) {
+        return token.size() == key.size() + 2 && token.substr(1, key.size()) == key;
+    }
+    auto const name = nlohmann::json::parse(token, nullptr, false);
+    return name.is_string() && name.get_ref<std::string const&>() == key;
+}
+
 struct Found {
     std::size_t key;
     std::size_t value;
@@ -94,9 +103,9 @@ std::optional<Found> findMember(std::string_view text, std::size_t object, std::
     walker.step();
     while (walker.now() == '"') {
         std::size_t const keyAt = walker.at();
-        auto const name = nlohmann::json::parse(walker.string(), nullptr, false);
+        bool const isKey = stands(walker.string(), key);
         walker.step(); // the colon
-        if (name.is_string() && name.get_ref<std::string const&>() == key) {
+        if (isKey) {
             found = Found{keyAt, walker.at()};
             if (!last) {
                 return found;

@@ -1,5 +1,6 @@
 #include "runtime/level/json_node.hpp"
 
+#include "runtime/level/add_problem.hpp"
 #include "runtime/level/suggestion.hpp"
 
 #include <fmt/format.h>
@@ -58,20 +59,15 @@ JsonNode JsonNode::element(std::size_t index) const {
 }
 
 void JsonNode::complain(std::string message, std::string expected) const {
-    if (problems_->hasRoom()) {
-        problems_->add(document_->diagnostic(path_, std::move(message), std::move(expected)));
-    } else {
-        problems_->countOne();
-    }
+    addProblem(*problems_,
+               [&] { return document_->diagnostic(path_, std::move(message), std::move(expected)); });
 }
 
 void JsonNode::complainAboutKey(std::string const& key, std::string message, std::string expected) const {
-    if (problems_->hasRoom()) {
-        problems_->add(
-            document_->diagnostic(pointerTo(path_, key), std::move(message), std::move(expected), Spot::key));
-    } else {
-        problems_->countOne();
-    }
+    addProblem(*problems_, [&] {
+        return document_->diagnostic(pointerTo(path_, key), std::move(message), std::move(expected),
+                                     Spot::key);
+    });
 }
 
 void JsonNode::complainOfType(std::string expected) const {
@@ -90,6 +86,13 @@ bool JsonNode::isArray(std::string_view expected) const {
         complainOfType(std::string(expected));
     }
     return value_->is_array();
+}
+
+bool JsonNode::isList(std::string_view expected, std::size_t most) const {
+    if (isArray(expected) && value_->size() > most) {
+        complain(fmt::format("has {} entries", value_->size()), fmt::format("at most {}", most));
+    }
+    return value_->is_array() && value_->size() <= most;
 }
 
 std::optional<bool> JsonNode::boolean(std::string_view expected) const {

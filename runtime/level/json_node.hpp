@@ -37,6 +37,8 @@ public:
 
     [[nodiscard]] bool isObject(std::string_view expected) const;
     [[nodiscard]] bool isArray(std::string_view expected) const;
+    /// A list of at most so many.
+    [[nodiscard]] bool isList(std::string_view expected, std::size_t most) const;
     [[nodiscard]] std::optional<bool> boolean(std::string_view expected = "true or false") const;
     [[nodiscard]] std::optional<std::string> text(std::string_view expected = "text") const;
     [[nodiscard]] std::optional<double> number(double minimum, double maximum) const;

@@ -16,7 +16,7 @@
 namespace trembler {
 
 /// The version that this program writes; see migrations.hpp for how it reads older ones.
-inline constexpr int levelVersion = 1;
+inline constexpr int levelVersion = 2;
 
 /// An upright rectangle, in m.
 struct Box {
@@ -59,6 +59,7 @@ struct LevelConnection {
     std::string a;
     std::string b;
     std::string path;
+    std::string kind{}; ///< as stated, for example "wire"; empty: it follows from what is connected
 };
 
 /// A part in the place where a player put it.
@@ -96,6 +97,8 @@ struct Solution {
     bool solves = true;                  ///< "expect": "solved" or "unsolved"
     std::optional<int> frames;           ///< how long to run it; none: as long as whoever runs it likes
     std::string path;
+    /// The file of its own that it was read from, for the places of problems; none: the level's.
+    std::shared_ptr<JsonDocument const> document{};
 };
 
 struct LevelFile {

@@ -28,7 +28,55 @@ void fromDraft(nlohmann::json& document) {
     }
 }
 
-constexpr std::array<LevelMigration, 1> steps{{{0, fromDraft}}};
+/// What an object without a part was made of stood in its look, and nothing but its sound followed from that.
+void ownMaterial(nlohmann::json& properties, nlohmann::json material) {
+    auto const unlessStated = [&](char const* key, nlohmann::json value) {
+        if (!properties.contains(key)) {
+            properties[key] = std::move(value);
+        }
+    };
+    unlessStated("friction", 0.5);
+    unlessStated("restitution", 0);
+    unlessStated("conductor", false);
+    unlessStated("magnetic_strength", false);
+    bool const moves = properties.value("fixed", nlohmann::json()) != true;
+    if ((moves || properties.contains("liquid")) && !properties.contains("mass")) {
+        unlessStated("density", 1000);
+    }
+    unlessStated("material", std::move(material));
+}
+
+/// Version 1 had the material in the look, and numbers that did not depend on it. They are stated now, so
+/// that everything moves as it did. An object made from a part keeps the part's material and only looks
+/// otherwise.
+void fromLooks(nlohmann::json& document) {
+    auto const objects = document.find("objects");
+    if (objects == document.end() || !objects->is_array()) {
+        return;
+    }
+    for (nlohmann::json& object : *objects) {
+        if (!object.is_object() || !object.contains("properties") || !object["properties"].is_object()) {
+            continue;
+        }
+        nlohmann::json& properties = object["properties"];
+        auto const look = properties.find("look");
+        if (look == properties.end() || !look->is_object() || !look->contains("material")) {
+            continue;
+        }
+        nlohmann::json material = (*look)["material"];
+        look->erase("material");
+        if (object.contains("part")) {
+            (*look)["pattern"] = std::move(material);
+            continue;
+        }
+        if (look->empty()) {
+            properties.erase(look);
+        }
+        ownMaterial(properties, std::move(material));
+    }
+}
+
+constexpr std::array<LevelMigration, 2> steps{{{0, fromDraft}, {1, fromLooks}}};
 
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "runtime/level/part_library.hpp"
 
 #include "runtime/level/property_reader.hpp"
+#include "runtime/object/without.hpp"
 
 #include <fmt/format.h>
 
@@ -18,10 +19,16 @@ constexpr std::string_view lookKey = "look";
 Prototype PartDefinition::prototype() const {
     Prototype made;
     made.name = name;
+    Without without;
     for (PropertySet::Entry const& entry : properties.entries()) {
         if (entry.value) {
             made.values.push_back(entry.value->clone());
+        } else {
+            without.keys.emplace_back(entry.info->text.key); // ascending, as the entries are
         }
+    }
+    if (!without.keys.empty()) {
+        made.values.push_back(std::make_unique<ValueOf<Without>>(std::move(without)));
     }
     return made;
 }

@@ -12,9 +12,11 @@
 
 namespace trembler {
 
-std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary const& library,
-                                          std::span<Placement const> others, Placement const& candidate,
-                                          OverlapCheck const& overlap) {
+namespace {
+
+/// Beside `used` placements of the same part.
+std::optional<std::string> check(LevelFile const& level, PartLibrary const& library, std::size_t used,
+                                 Placement const& candidate) {
     if (library.find(candidate.part) == nullptr) {
         return fmt::format("There is no part '{}'{}.", candidate.part,
                            didYouMean(candidate.part, library.names()));
@@ -24,9 +26,7 @@ std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary co
     if (tool == level.toolbox.end()) {
         return fmt::format("The toolbox of this level has no '{}'.", candidate.part);
     }
-    auto const used = std::count_if(others.begin(), others.end(),
-                                    [&](Placement const& other) { return other.part == candidate.part; });
-    if (used >= tool->count) {
+    if (tool->count < 1 || used >= static_cast<std::size_t>(tool->count)) {
         return tool->count == 1
                    ? fmt::format("The toolbox has only one '{}'.", candidate.part)
                    : fmt::format("The toolbox has only {} of '{}'.", tool->count, candidate.part);
@@ -43,7 +43,27 @@ std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary co
     } else if (level.bounds && !level.bounds->contains(candidate.at)) {
         return std::string("That is outside the level.");
     }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary const& library,
+                                          std::span<Placement const> others, Placement const& candidate,
+                                          OverlapCheck const& overlap) {
+    auto const used = std::count_if(others.begin(), others.end(),
+                                    [&](Placement const& other) { return other.part == candidate.part; });
+    if (auto refusal = check(level, library, static_cast<std::size_t>(used), candidate)) {
+        return refusal;
+    }
     return overlap ? overlap(candidate) : std::nullopt;
+}
+
+PlacementCount::PlacementCount(LevelFile const& level, PartLibrary const& library)
+    : level_(level), library_(library) {}
+
+std::optional<std::string> PlacementCount::add(Placement const& candidate) {
+    return check(level_, library_, used_[candidate.part]++, candidate);
 }
 
 std::vector<Placement> inCanonicalOrder(std::span<Placement const> placements) {
@@ -59,6 +79,9 @@ std::vector<Placement> inCanonicalOrder(std::span<Placement const> placements) {
 }
 
 std::vector<std::string> placementNames(LevelFile const& level, std::span<Placement const> placements) {
+    if (placements.empty()) {
+        return {};
+    }
     std::vector<std::string> const joints = jointNames(level);
     std::set<std::string> taken(joints.begin(), joints.end());
     for (LevelObject const& object : level.objects) {

@@ -5,8 +5,10 @@
 #include "runtime/level/part_library.hpp"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace trembler {
 
@@ -20,6 +22,20 @@ using OverlapCheck = std::function<std::optional<std::string>(Placement const&)>
                                                         std::span<Placement const> others,
                                                         Placement const& candidate,
                                                         OverlapCheck const& overlap = {});
+
+/// The same for many placements, each beside those before it that may be placed or not: their parts are
+/// counted, so that n of them cost n times as much as one. The level and the library must outlive it.
+class PlacementCount {
+public:
+    PlacementCount(LevelFile const& level, PartLibrary const& library);
+    /// Why `candidate` may not be placed, as checkPlacement() says it; counts it in any case.
+    [[nodiscard]] std::optional<std::string> add(Placement const& candidate);
+
+private:
+    LevelFile const& level_;
+    PartLibrary const& library_;
+    std::map<std::string, std::size_t, std::less<>> used_; // by part
+};
 
 /// The canonical order: by part, then x, y and angle. It decides ids and names, so that the order in which a
 /// player placed the same parts never matters.

@@ -1,6 +1,7 @@
 #include "runtime/level/property_reader.hpp"
 
 #include "runtime/level/field_outline.hpp"
+#include "runtime/level/limits.hpp"
 #include "runtime/level/suggestion.hpp"
 
 #include <fmt/format.h>
@@ -109,7 +110,7 @@ public:
         if (!node) {
             return;
         }
-        if (!node->isArray(fmt::format("a list ({})", info.meaning))) {
+        if (!node->isList(fmt::format("a list ({})", info.meaning), limits::listInProperty)) {
             good_ = false;
             return;
         }

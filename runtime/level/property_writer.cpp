@@ -2,7 +2,10 @@
 
 #include "runtime/level/field_outline.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace trembler {
 namespace {
@@ -159,8 +162,20 @@ public:
     }
 
 private:
-    /// 0 and -0 are equal as numbers, but not the same.
-    static bool same(Json const& a, Json const& b) { return a.dump() == b.dump(); }
+    /// Whether both are written alike. 0 and -0 are equal as numbers, but not the same.
+    static bool same(Json const& a, Json const& b) {
+        if (a.type() != b.type()) {
+            return false;
+        }
+        if (a.is_number_float()) {
+            return std::bit_cast<std::uint64_t>(a.get<double>()) ==
+                   std::bit_cast<std::uint64_t>(b.get<double>());
+        }
+        if (a.is_array()) {
+            return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+        }
+        return a.is_object() ? a.dump() == b.dump() : a == b;
+    }
 
     void prune(FieldInfo const& info) {
         std::string const key(info.key);

@@ -1,5 +1,7 @@
 #include "runtime/level/read_changes.hpp"
 
+#include "runtime/level/limits.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -75,7 +77,7 @@ void readChange(JsonNode const& node, std::vector<RecordedChange>& into) {
     }
     auto const frameNode =
         reader.required("frame", "the number of the first frame that it counts for, from 1");
-    auto const frame = frameNode ? frameNode->integer(1, lastRecordedFrame) : std::nullopt;
+    auto const frame = frameNode ? frameNode->integer(1, limits::frames) : std::nullopt;
     std::optional<JsonNode> body;
     RecordedChange change;
     int kinds = 0;
@@ -102,7 +104,7 @@ void readChange(JsonNode const& node, std::vector<RecordedChange>& into) {
 
 std::vector<RecordedChange> readChanges(JsonNode const& node) {
     std::vector<RecordedChange> changes;
-    if (node.isArray("a list of timed changes of detail levels, periods and settings")) {
+    if (node.isList("a list of timed changes of detail levels, periods and settings", limits::changes)) {
         for (std::size_t i = 0; i < node.size(); ++i) {
             readChange(node.element(i), changes);
         }

@@ -8,9 +8,6 @@
 
 namespace trembler {
 
-/// The last frame of anything that was recorded: two days of simulated time.
-inline constexpr std::int64_t lastRecordedFrame = 10000000;
-
 /// A list of entries {"frame", and one of "detail", "period", "setting"}; each of these may change several
 /// things:
 ///     {"frame": 61, "detail": {"gravity": "tree"}}

@@ -1,5 +1,8 @@
 #include "runtime/level/read_level.hpp"
 
+#include "runtime/level/add_problem.hpp"
+#include "runtime/level/check_inputs.hpp"
+#include "runtime/level/limits.hpp"
 #include "runtime/level/migrations.hpp"
 #include "runtime/level/placing.hpp"
 #include "runtime/level/property_reader.hpp"
@@ -13,6 +16,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -41,23 +48,25 @@ public:
             readWorld(*world);
         }
         if (auto const objects = reader.optional("objects");
-            objects && objects->isArray("a list of objects")) {
+            objects && objects->isList("a list of objects", limits::objects)) {
             for (std::size_t i = 0; i < objects->size(); ++i) {
                 readObject(objects->element(i));
             }
         }
-        if (auto const joints = reader.optional("joints"); joints && joints->isArray("a list of joints")) {
+        if (auto const joints = reader.optional("joints");
+            joints && joints->isList("a list of joints", limits::joints)) {
             for (std::size_t i = 0; i < joints->size(); ++i) {
                 readJoint(joints->element(i));
             }
         }
         if (auto const list = reader.optional("connections");
-            list && list->isArray("a list of pairs of names")) {
+            list && list->isList("a list of connections", limits::connections)) {
             for (std::size_t i = 0; i < list->size(); ++i) {
                 readConnection(list->element(i));
             }
         }
-        if (auto const placing = reader.optional("placing"); placing && placing->isArray("a list of areas")) {
+        if (auto const placing = reader.optional("placing");
+            placing && placing->isList("a list of areas", limits::areas)) {
             level_.placing.emplace();
             for (std::size_t i = 0; i < placing->size(); ++i) {
                 if (auto area = readArea(placing->element(i))) {
@@ -65,7 +74,8 @@ public:
                 }
             }
         }
-        if (auto const toolbox = reader.optional("toolbox"); toolbox && toolbox->isArray("a list of parts")) {
+        if (auto const toolbox = reader.optional("toolbox");
+            toolbox && toolbox->isList("a list of parts", limits::toolboxEntries)) {
             for (std::size_t i = 0; i < toolbox->size(); ++i) {
                 readToolboxEntry(toolbox->element(i));
             }
@@ -73,7 +83,8 @@ public:
         if (auto const goals = reader.optional("goals"); goals && goals->isObject("a condition")) {
             level_.goals = goals->value();
         }
-        if (auto const hints = reader.optional("hints"); hints && hints->isArray("a list of texts")) {
+        if (auto const hints = reader.optional("hints");
+            hints && hints->isList("a list of texts", limits::hints)) {
             for (std::size_t i = 0; i < hints->size(); ++i) {
                 level_.hints.push_back(hints->element(i).text().value_or(""));
             }
@@ -83,7 +94,8 @@ public:
         }
         reader.finish();
         checkConnections(node);
-        checkInputs(node);
+        checkTwice(node);
+        checkSolutions(node);
         checkChanges(node);
     }
 
@@ -217,52 +229,77 @@ private:
     }
 
     void readConnection(JsonNode const& node) {
+        if (!node.value().is_object()) {
+            readPair(node, {"", "", node.path()},
+                     "a pair [\"object\", \"object\"] of names, or {\"between\", \"kind\"}");
+            return;
+        }
+        MemberReader reader(node, "a connection {\"between\", \"kind\"}");
+        auto const between = reader.required("between", "the pair of objects that it connects");
+        auto const kind = reader.required("kind", listed(registry_.connectionKinds()));
+        reader.finish();
+        auto const name = kind ? kind->text(listed(registry_.connectionKinds())) : std::nullopt;
+        if (!between || !name) {
+            return;
+        }
+        if (std::vector<std::string> const kinds = registry_.connectionKinds();
+            std::find(kinds.begin(), kinds.end(), *name) == kinds.end()) {
+            kind->complain(
+                fmt::format("there is no kind of connection '{}'{}", *name, didYouMean(*name, kinds)),
+                listed(kinds));
+            return;
+        }
+        readPair(*between, {"", "", node.path(), *name}, "a pair [\"object\", \"object\"] of names");
+    }
+
+    void readPair(JsonNode const& node, LevelConnection connection, std::string const& expected) {
         if (!node.value().is_array() || node.size() != 2) {
-            node.complainOfType("a pair [\"object\", \"object\"] of names");
+            node.complainOfType(expected);
             return;
         }
         auto const a = node.element(0).name("the name of an object");
         auto const b = node.element(1).name("the name of an object");
         if (a && b) {
-            level_.connections.push_back({*a, *b, node.path()});
+            connection.a = *a;
+            connection.b = *b;
+            level_.connections.push_back(std::move(connection));
         }
     }
 
     void readToolboxEntry(JsonNode const& node) {
-        constexpr std::int64_t most = 1000;
         MemberReader reader(node, "an object {\"part\", \"count\"}");
         auto const part = reader.required("part", "the name of a part");
         auto const count = reader.optional("count");
         reader.finish();
         auto const name = part ? part->name("the name of a part") : std::nullopt;
-        auto const number = count ? count->integer(1, most) : std::optional<std::int64_t>(1);
+        auto const number = count ? count->integer(1, limits::toolboxCount) : std::optional<std::int64_t>(1);
         if (!name || !number) {
             return;
         }
-        for (ToolboxEntry const& other : level_.toolbox) {
-            if (other.part == *name) {
-                node.complain(fmt::format("'{}' already stands in {}", *name, other.path), "every part once");
-            }
+        if (auto const [first, isNew] = toolPaths_.try_emplace(*name, node.path()); !isNew) {
+            node.complain(fmt::format("'{}' already stands in {}", *name, first->second), "every part once");
         }
         level_.toolbox.push_back({*name, static_cast<int>(*number), node.path()});
     }
 
-    [[nodiscard]] std::vector<std::string> allNames() const {
-        std::vector<std::string> names;
-        for (auto const& [name, path] : namePaths_) {
-            names.push_back(name);
-        }
-        return names;
-    }
-
     void complainAt(JsonNode const& root, std::string const& path, std::string message,
                     std::string expected) {
-        Problems& problems = root.problems();
-        if (problems.hasRoom()) {
-            problems.add(level_.document->diagnostic(path, std::move(message), std::move(expected)));
-        } else {
-            problems.countOne();
-        }
+        addProblem(root.problems(), [&] {
+            return level_.document->diagnostic(path, std::move(message), std::move(expected));
+        });
+    }
+
+    /// That nothing is called so.
+    void complainAboutName(JsonNode const& root, std::string const& path, std::string const& name) {
+        addProblem(root.problems(), [&] { // looking for what was meant costs a walk through all names
+            std::vector<std::string> known;
+            for (auto const& [other, where] : namePaths_) {
+                known.push_back(other);
+            }
+            return level_.document->diagnostic(
+                path, fmt::format("there is no object '{}'{}", name, didYouMean(name, known)),
+                "the name of an object of this level");
+        });
     }
 
     void checkConnections(JsonNode const& root) {
@@ -271,9 +308,9 @@ private:
             std::size_t end = 0;
             for (std::string const* name : {&connection.a, &connection.b}) {
                 if (!namePaths_.contains(*name)) {
-                    complainAt(root, pointerTo(connection.path, end),
-                               fmt::format("there is no object '{}'{}", *name, didYouMean(*name, allNames())),
-                               "the name of an object of this level");
+                    complainAboutName(
+                        root, pointerTo(connection.path + (connection.kind.empty() ? "" : "/between"), end),
+                        *name);
                     known = false;
                 }
                 ++end;
@@ -285,40 +322,35 @@ private:
         }
     }
 
-    /// Inputs may name objects of the level, what the solution places, and what such objects bring forth.
-    void checkInputs(JsonNode const& root) {
+    void checkSolutions(JsonNode const& root) {
+        if (level_.solutions.empty()) {
+            return;
+        }
+        InputCheck const inputs(level_);
         for (Solution const& solution : level_.solutions) {
-            std::set<std::string> names;
-            for (auto const& [name, path] : namePaths_) {
-                names.insert(name);
-            }
-            for (std::string const& name : placementNames(level_, solution.placements)) {
-                names.insert(name);
-            }
-            std::vector<std::string> const known(names.begin(), names.end());
-            for (RecordedInput const& input : solution.inputs) {
-                for (std::string const* name : {&input.object, &input.other}) {
-                    bool const born = name->find(" of ") != std::string::npos; // "bullet of cannon 3"
-                    bool const joint = name->starts_with("joint ");            // a generated name
-                    if (!name->empty() && !names.contains(*name) && !born && !joint) {
-                        complainAt(root, input.path,
-                                   fmt::format("there is no object '{}'{}", *name, didYouMean(*name, known)),
-                                   "an object of the level, or one that the solution places");
-                    }
-                }
+            inputs.check(solution, *level_.document, root.problems());
+        }
+    }
+
+    /// Two wires between the same two would look like one, of which a cut takes only one.
+    void checkTwice(JsonNode const& root) {
+        std::map<std::tuple<std::string, std::string, std::string>, std::string> paths;
+        for (LevelConnection const& connection : level_.connections) {
+            auto const [first, last] = std::minmax(connection.a, connection.b);
+            auto const [at, isNew] = paths.try_emplace({first, last, connection.kind}, connection.path);
+            if (!isNew) {
+                complainAt(root, connection.path,
+                           fmt::format("connects '{}' and '{}', as {} does", first, last, at->second),
+                           "every pair once, in whichever order");
             }
         }
     }
 
     void checkChanges(JsonNode const& root) {
         for (Solution const& solution : level_.solutions) {
-            if (solution.changes.empty()) {
-                continue;
-            }
-            auto const faults = faultsIn(registry_, solution.changes);
-            for (std::size_t i = 0; i < faults.size(); ++i) {
-                if (faults[i]) {
-                    complainAt(root, solution.changes[i].path, *faults[i], "");
+            for (RecordedChange const& change : solution.changes) {
+                if (auto const fault = faultIn(registry_, change)) {
+                    complainAt(root, change.path, fault->message, fault->expected);
                 }
             }
         }
@@ -327,6 +359,7 @@ private:
     Registry const& registry_;
     LevelFile& level_;
     std::map<std::string, std::string> namePaths_;
+    std::map<std::string, std::string> toolPaths_; // by part
 };
 
 } // namespace

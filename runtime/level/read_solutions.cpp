@@ -1,6 +1,7 @@
 #include "runtime/level/read_solutions.hpp"
 
 #include "runtime/level/field_outline.hpp"
+#include "runtime/level/limits.hpp"
 #include "runtime/level/read_area.hpp"
 #include "runtime/level/read_changes.hpp"
 
@@ -85,7 +86,7 @@ std::optional<RecordedInput> readInput(JsonNode const& node) {
     RecordedInput input;
     input.path = node.path();
     auto const frameNode = reader.required("frame", "the number of the frame that sees it, from 1");
-    auto const frame = frameNode ? frameNode->integer(1, lastRecordedFrame) : std::nullopt;
+    auto const frame = frameNode ? frameNode->integer(1, limits::frames) : std::nullopt;
     std::optional<JsonNode> body;
     std::size_t kinds = 0;
     for (std::size_t kind = 0; kind < inputKeys.size(); ++kind) {
@@ -115,7 +116,7 @@ std::optional<RecordedInput> readInput(JsonNode const& node) {
 
 std::vector<Placement> readPlacements(JsonNode const& node) {
     std::vector<Placement> placements;
-    if (node.isArray("a list of placements")) {
+    if (node.isList("a list of placements", limits::placements)) {
         for (std::size_t i = 0; i < node.size(); ++i) {
             if (auto placement = readPlacement(node.element(i))) {
                 placements.push_back(std::move(*placement));
@@ -138,7 +139,8 @@ std::optional<Solution> readSolution(JsonNode const& node) {
     if (auto const placements = reader.optional("placements")) {
         solution.placements = readPlacements(*placements);
     }
-    if (auto const inputs = reader.optional("inputs"); inputs && inputs->isArray("a list of timed inputs")) {
+    if (auto const inputs = reader.optional("inputs");
+        inputs && inputs->isList("a list of timed inputs", limits::inputs)) {
         for (std::size_t i = 0; i < inputs->size(); ++i) {
             if (auto input = readInput(inputs->element(i))) {
                 solution.inputs.push_back(std::move(*input));
@@ -156,7 +158,7 @@ std::optional<Solution> readSolution(JsonNode const& node) {
         solution.solves = expect->choice(names).value_or(0) == 0;
     }
     if (auto const frames = reader.optional("frames")) {
-        if (auto const count = frames->integer(1, lastRecordedFrame)) {
+        if (auto const count = frames->integer(1, limits::frames)) {
             solution.frames = static_cast<int>(*count);
         }
     }
@@ -167,7 +169,7 @@ std::optional<Solution> readSolution(JsonNode const& node) {
 std::vector<Solution> readSolutions(JsonNode const& node) {
     std::vector<Solution> solutions;
     std::set<std::string> names;
-    if (!node.isArray("a list of recorded solutions")) {
+    if (!node.isList("a list of recorded solutions", limits::solutions)) {
         return solutions;
     }
     for (std::size_t i = 0; i < node.size(); ++i) {

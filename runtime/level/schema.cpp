@@ -3,6 +3,7 @@
 #include "runtime/input/player_input.hpp"
 #include "runtime/level/field_outline.hpp"
 #include "runtime/level/level.hpp"
+#include "runtime/level/limits.hpp"
 #include "runtime/level/property_reader.hpp"
 
 #include <fmt/format.h>
@@ -23,8 +24,8 @@ Json reference(std::string_view definition) {
     return Json{{"$ref", fmt::format("#/$defs/{}", definition)}};
 }
 
-Json listOf(Json items) {
-    return Json{{"type", "array"}, {"items", std::move(items)}};
+Json listOf(Json items, std::size_t most = limits::listInProperty) {
+    return Json{{"type", "array"}, {"items", std::move(items)}, {"maxItems", most}};
 }
 
 /// "minimum" and "maximum" of a field, in the unit of the file.
@@ -185,12 +186,32 @@ Json detailSchema(Registry const& registry, bool orNothing) {
     return strictObject(std::move(detail));
 }
 
+/// Of the components that may miss frames.
 Json periodsSchema(Registry const& registry) {
     Json periods = Json::object();
     for (Registration const& registration : registry.components()) {
-        periods[title(*registration.info)] = Json{{"type", "integer"}, {"minimum", 1}, {"maximum", 3600}};
+        if (registration.longestPeriod > registration.period) {
+            periods[title(*registration.info)] =
+                Json{{"type", "integer"}, {"minimum", 1}, {"maximum", registration.longestPeriod}};
+        }
     }
     return strictObject(std::move(periods));
+}
+
+/// Of one number of the world, as far as it is a matter of accuracy.
+Json settingSchema(FieldOutline const& field) {
+    Json schema{{"type", field.type == FieldType::integer ? "integer" : "number"},
+                {"minimum", field.info.accuracy.from},
+                {"maximum", field.info.accuracy.to}};
+    if (field.type == FieldType::integer) {
+        schema["minimum"] = static_cast<std::int64_t>(field.info.accuracy.from);
+        schema["maximum"] = static_cast<std::int64_t>(field.info.accuracy.to);
+    }
+    if (field.info.accuracy.orAutomatic) {
+        schema = Json{{"anyOf", Json::array({Json{{"const", 0}}, std::move(schema)})}};
+    }
+    schema["description"] = describe(field.info);
+    return schema;
 }
 
 Json settingsSchema(Registry const& registry) {
@@ -200,10 +221,10 @@ Json settingsSchema(Registry const& registry) {
             continue;
         }
         Json numbers = Json::object();
-        Json const fields = fieldsOf(*info).properties;
-        for (auto const& [key, field] : fields.items()) {
-            if (field.value("type", "") == "integer" || field.value("type", "") == "number") {
-                numbers[key] = field;
+        for (FieldOutline const& field : outlineOf(*info->makeValue())) {
+            bool const number = field.type == FieldType::integer || field.type == FieldType::number;
+            if (number && field.info.accuracy.any()) {
+                numbers[std::string(field.info.key)] = settingSchema(field);
             }
         }
         if (!numbers.empty()) {
@@ -227,7 +248,10 @@ Json changeSchema(Registry const& registry) {
         members[std::string(kind)] = std::move(body);
         kinds.push_back(strictObject(std::move(members), {"frame", std::string(kind)}));
     }
-    return Json{{"oneOf", std::move(kinds)}};
+    return Json{{"description",
+                 "How exactly the level is computed from a frame on, never its physics. A detail "
+                 "level must compute what the level states; see docs/budget.md."},
+                {"oneOf", std::move(kinds)}};
 }
 
 Json worldSchema(Registry const& registry) {
@@ -259,7 +283,10 @@ Json jointSchema(PropertyInfo const& info) {
 }
 
 Json inputSchema() {
-    Json const frame{{"type", "integer"}, {"minimum", 1}, {"description", "the frame that sees it, from 1"}};
+    Json const frame{{"type", "integer"},
+                     {"minimum", 1},
+                     {"maximum", limits::frames},
+                     {"description", "the frame that sees it, from 1; not after the solution's last one"}};
     Json kinds = Json::array();
     std::map<std::string_view, Json> const bodies{
         {"grab", reference("name")},
@@ -290,10 +317,29 @@ Json commonDefinitions() {
                               {"items", coordinate},
                               {"minItems", 4},
                               {"maxItems", 4}};
-    Json polygon = listOf(reference("point"));
+    Json polygon = listOf(reference("point"), limits::areaCorners);
     polygon["minItems"] = 3;
     definitions["area"] = Json{{"anyOf", Json::array({reference("box"), std::move(polygon)})}};
     return definitions;
+}
+
+Json connectionSchema(Registry const& registry) {
+    Json pair{{"type", "array"}, {"items", reference("name")}, {"minItems", 2}, {"maxItems", 2}};
+    if (registry.connectors().empty()) {
+        return pair;
+    }
+    Json kinds = Json::array();
+    for (std::string const& kind : registry.connectionKinds()) {
+        kinds.push_back(kind);
+    }
+    std::string meanings;
+    for (Connector const& connector : registry.connectors()) {
+        meanings += fmt::format("{}{}: {}", meanings.empty() ? "" : "; ", connector.kind, connector.meaning);
+    }
+    Json stated =
+        strictObject({{"between", pair}, {"kind", {{"enum", std::move(kinds)}, {"description", meanings}}}},
+                     {"between", "kind"});
+    return Json{{"anyOf", Json::array({std::move(pair), std::move(stated)})}};
 }
 
 } // namespace
@@ -324,7 +370,7 @@ Json propertySchema(PropertyInfo const& info) {
 
 Json levelSchema(Registry const& registry, Json const& goals) {
     Json const text{{"type", "string"}};
-    Json const count{{"type", "integer"}, {"minimum", 1}, {"maximum", 1000}};
+    Json const count{{"type", "integer"}, {"minimum", 1}, {"maximum", limits::toolboxCount}};
     Json definitions = commonDefinitions();
     definitions["properties"] = propertiesSchema(registry, PropertyPlace::properties);
     definitions["properties"]["description"] = "Properties of an object. They stand in the place of those "
@@ -335,13 +381,14 @@ Json levelSchema(Registry const& registry, Json const& goals) {
         {{"part", text}, {"at", reference("point")}, {"angle_deg", {{"type", "number"}}}}, {"part", "at"});
     definitions["input"] = inputSchema();
     definitions["change"] = changeSchema(registry);
-    definitions["solution"] = strictObject({{"name", reference("name")},
-                                            {"placements", listOf(reference("placement"))},
-                                            {"inputs", listOf(reference("input"))},
-                                            {"changes", listOf(reference("change"))},
-                                            {"expect", {{"enum", {"solved", "unsolved"}}}},
-                                            {"frames", {{"type", "integer"}, {"minimum", 1}}}},
-                                           {"name"});
+    definitions["solution"] =
+        strictObject({{"name", reference("name")},
+                      {"placements", listOf(reference("placement"), limits::placements)},
+                      {"inputs", listOf(reference("input"), limits::inputs)},
+                      {"changes", listOf(reference("change"), limits::changes)},
+                      {"expect", {{"enum", {"solved", "unsolved"}}}},
+                      {"frames", {{"type", "integer"}, {"minimum", 1}, {"maximum", limits::frames}}}},
+                     {"name"});
     Json members;
     members["version"] = Json{{"const", levelVersion}};
     members["title"] = reference("name");
@@ -349,32 +396,36 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     members["demonstration"] =
         Json{{"type", "boolean"}, {"description", "the level is meant to reach its goals with hands off"}};
     members["world"] = worldSchema(registry);
-    members["objects"] = listOf(reference("object"));
+    members["objects"] = listOf(reference("object"), limits::objects);
     if (PropertyInfo const* const joint = registry.objectProperty("joint")) {
         definitions["joint"] = jointSchema(*joint);
-        members["joints"] = listOf(reference("joint"));
+        members["joints"] = listOf(reference("joint"), limits::joints);
     }
-    members["connections"] =
-        listOf(Json{{"type", "array"}, {"items", reference("name")}, {"minItems", 2}, {"maxItems", 2}});
-    members["connections"]["description"] =
-        "Pairs of objects that are electrically connected from the start.";
-    members["placing"] = listOf(reference("area"));
+    members["connections"] = listOf(connectionSchema(registry), limits::connections);
+    members["connections"]["description"] = "Pairs of objects that are connected from the start. A bare pair "
+                                            "belongs to the effect that can connect "
+                                            "the two; where several can, \"kind\" says which.";
+    members["placing"] = listOf(reference("area"), limits::areas);
     members["placing"]["description"] = "Where the player may place; left out: anywhere within the bounds.";
-    members["toolbox"] = listOf(strictObject({{"part", text}, {"count", count}}, {"part"}));
+    members["toolbox"] =
+        listOf(strictObject({{"part", text}, {"count", count}}, {"part"}), limits::toolboxEntries);
     members["goals"] = goals.is_null() ? Json{{"type", "object"}} : reference("condition");
-    members["hints"] = listOf(text);
-    members["solutions"] = listOf(reference("solution"));
+    members["hints"] = listOf(text, limits::hints);
+    members["solutions"] = listOf(reference("solution"), limits::solutions);
     members["$schema"] = text;
     if (goals.is_object() && goals.contains("$defs")) {
         for (auto const& [name, definition] : goals["$defs"].items()) {
             definitions[name] = definition;
         }
     }
-    Json schema{{"$schema", draft},
-                {"title", "A level of Trembler"},
-                {"description",
-                 "Generated by `trembler schema`. SI units; angles in degrees where the key says so; y "
-                 "up. The order of entries in lists never matters to the simulation."}};
+    Json schema{
+        {"$schema", draft},
+        {"title", "A level of Trembler"},
+        {"description",
+         fmt::format("Generated by `trembler schema`. SI units; angles in degrees where the key says so; y "
+                     "up. The order of entries in lists never matters to the simulation. A file has at "
+                     "most {} bytes and {} values, and {} lists and objects inside one another.",
+                     limits::fileSize, limits::values, limits::depth)}};
     schema.update(strictObject(std::move(members), {"version", "title"}));
     schema["$defs"] = std::move(definitions);
     return schema;

@@ -162,7 +162,8 @@ Json writeLevel(LevelFile const& level) {
             [&](LevelObject const& object) { return objectJson(object, names); });
     addList(out, "joints", level.joints, [&](LevelJoint const& joint) { return jointJson(joint, names); });
     addList(out, "connections", level.connections, [](LevelConnection const& connection) {
-        return Json::array({connection.a, connection.b});
+        Json pair = Json::array({connection.a, connection.b});
+        return connection.kind.empty() ? pair : Json{{"between", std::move(pair)}, {"kind", connection.kind}};
     });
     if (level.placing) {
         out["placing"] = Json::array();

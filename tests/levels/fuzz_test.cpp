@@ -235,21 +235,26 @@ unsigned tries(unsigned usual) {
     return static_cast<unsigned>(std::max(100.0, usual * times));
 }
 
-TEST(LevelFuzz, TheSampleItselfPlays) {
+TEST(LevelFuzzSample, Plays) {
     EXPECT_EQ(tryOut(sampleLevel()).problem, "");
 }
 
-TEST(LevelFuzz, ChangedTreesPlayOrAreRefusedWithAPlace) {
-    int played = 0;
+/// Part of what is tried, every tenth seed: no single test takes long, under a sanitizer either.
+class LevelFuzz : public testing::TestWithParam<unsigned> {};
+constexpr unsigned parts = 10;
+
+TEST_P(LevelFuzz, ChangedTreesPlayOrAreRefusedWithAPlace) {
+    unsigned played = 0;
+    unsigned tried = 0;
     Json const schema = levelSchema(shelf().registry);
-    unsigned const count = tries(4000);
-    for (unsigned seed = 0; seed < count; ++seed) {
+    for (unsigned seed = GetParam(); seed < tries(4000); seed += parts) {
         Random random(seed);
         Json document = Json::parse(sampleLevel());
         for (std::size_t changes = 1 + below(random, 3); changes > 0; --changes) {
             changeTree(document, random);
         }
         SCOPED_TRACE(seed);
+        ++tried;
         if (tryOut(document.dump(1)).played) {
             ++played;
             if (document["version"] == levelVersion) { // it must never refuse what the program plays
@@ -258,12 +263,12 @@ TEST(LevelFuzz, ChangedTreesPlayOrAreRefusedWithAPlace) {
         }
     }
     // Both ways must be well trodden, or this tests nothing.
-    EXPECT_GT(played, static_cast<int>(count / 20));
-    EXPECT_LT(played, static_cast<int>(count - count / 20));
+    EXPECT_GT(played, tried / 20);
+    EXPECT_LT(played, tried - tried / 20);
 }
 
-TEST(LevelFuzz, ChangedBytesPlayOrAreRefusedWithAPlace) {
-    for (unsigned seed = 0; seed < tries(2000); ++seed) {
+TEST_P(LevelFuzz, ChangedBytesPlayOrAreRefusedWithAPlace) {
+    for (unsigned seed = GetParam(); seed < tries(2000); seed += parts) {
         Random random(seed);
         std::string text = sampleLevel();
         for (std::size_t changes = 1 + below(random, 3); changes > 0; --changes) {
@@ -273,6 +278,8 @@ TEST(LevelFuzz, ChangedBytesPlayOrAreRefusedWithAPlace) {
         (void)tryOut(text);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Part, LevelFuzz, testing::Range(0U, parts));
 
 } // namespace
 } // namespace trembler

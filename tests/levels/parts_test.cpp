@@ -1,8 +1,8 @@
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "physics/electricity/properties.hpp"
-#include "physics/look.hpp"
 #include "physics/magnetism/properties.hpp"
+#include "physics/material.hpp"
 #include "runtime/placement.hpp"
 #include "tests/levels/shelf.hpp"
 
@@ -20,7 +20,7 @@ TEST(Parts, HaveWordsForPlayersAndABody) {
         EXPECT_FALSE(part->text.empty()) << part->name;
         EXPECT_TRUE(titles.insert(part->title).second) << part->title;
         EXPECT_NE(part->properties.find<Shape>(), nullptr) << part->name;
-        EXPECT_NE(part->properties.find<Look>(), nullptr) << part->name;
+        EXPECT_NE(part->properties.find<MadeOf>(), nullptr) << part->name;
     }
 }
 
@@ -48,7 +48,7 @@ TEST(Parts, AreAllSoundTogetherInOneWorld) {
 
 TEST(Parts, ConductAndAttractAsTheirMaterialDoes) {
     for (PartDefinition const* part : shelf().parts.all()) {
-        Material const material = part->properties.find<Look>()->material;
+        Material const material = part->properties.find<MadeOf>()->material;
         bool const conducts = part->properties.find<Conductor>() != nullptr;
         bool const isMetal = material == Material::steel || material == Material::iron ||
                              material == Material::copper || material == Material::gold;

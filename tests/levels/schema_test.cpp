@@ -44,7 +44,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
         char const* value;
     };
     for (Case const& c : {
-             Case{"/version", "2"},
+             Case{"/version", "3"},
              Case{"/title", "\"\""},
              Case{"/surprise", "1"},
              Case{"/world/gravity", "[0]"},
@@ -54,7 +54,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
              Case{"/objects/0/properties/shape/0/form", "\"boxx\""},
              Case{"/objects/0/properties/shape/0/width", "0"},
              Case{"/objects/0/properties/shape/0/colour", "1"},
-             Case{"/objects/0/properties/look", "{}"},
+             Case{"/objects/0/properties/look", "{\"colour\": 1}"},
              Case{"/objects/3/properties/collision/mask", "1.5"},
              Case{"/joints/0/lower_deg", "\"a\""},
              Case{"/joints/0/a", "3"},

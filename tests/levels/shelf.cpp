@@ -34,12 +34,12 @@ std::vector<std::filesystem::path> levelFiles() {
 
 std::string sampleLevel() {
     return R"({
-  "version": 1,
+  "version": 2,
   "title": "Something of everything",
   "text": "Not fun.",
   "world": {"gravity": [0, -9.81], "bounds": [-10, -2, 20, 12], "detail": {"gravity": "linear", "electricity": "two-wire"}},
   "objects": [
-    {"name": "floor", "at": [0, -0.5], "properties": {"shape": [{"form": "box", "width": 20, "height": 1}], "fixed": true, "look": {"material": "stone"}}},
+    {"name": "floor", "at": [0, -0.5], "properties": {"shape": [{"form": "box", "width": 20, "height": 1}], "fixed": true, "material": "stone", "friction": 0.5, "restitution": 0, "look": {"colour": "#909090"}}},
     {"name": "crate", "part": "crate", "at": [1, 0.3], "angle_deg": 5, "properties": {"velocity": [1, 0], "angular_velocity_deg": 30}},
     {"name": "ball", "part": "rubber ball", "at": [-1, 3], "properties": {"bullet": true, "density": false, "mass": 2}},
     {"name": "pill", "at": [-3, 2], "properties": {"shape": [{"form": "capsule", "width": 1, "radius": 0.2, "angle_deg": 30}, {"form": "polygon", "corners": [[0, 0], [0.3, 0], [0, 0.3]]}], "density": 500, "damping": {"linear": 0.1}, "collision": {"category": 2, "mask": 65535}}},
@@ -69,7 +69,7 @@ std::string sampleLevel() {
     {"name": "one", "placements": [{"part": "steel bar", "at": [-7, 2], "angle_deg": 30}],
      "inputs": [{"frame": 1, "grab": "ball", "at": [-1, 3]}, {"frame": 2, "move": [0, 4]}, {"frame": 3, "release": true},
                 {"frame": 4, "cut": ["plus", "coil"]}, {"frame": 5, "remove": "steel bar 1"}],
-     "changes": [{"frame": 3, "detail": {"gravity": "linear"}}, {"frame": 9, "period": {"Dynamics Resolver": 2}}, {"frame": 9, "setting": {"solver": {"substeps": 2}}}],
+     "changes": [{"frame": 3, "detail": {"gravity": "linear"}}, {"frame": 9, "period": {"Linear Gravity DPS": 2}}, {"frame": 9, "setting": {"solver": {"substeps": 2}}}],
      "expect": "unsolved", "frames": 60}
   ]
 }

@@ -46,7 +46,7 @@ TEST(WriteLevel, WritesWhatAnEditorMade) {
     level.connections.push_back({"a", "b", ""});
     EXPECT_EQ(
         writeLevel(level).dump(),
-        R"({"version":1,"title":"new","objects":[{"name":"a","part":"crate"}],"connections":[["a","b"]],"placing":[]})");
+        R"({"version":2,"title":"new","objects":[{"name":"a","part":"crate"}],"connections":[["a","b"]],"placing":[]})");
     EXPECT_THROW((void)buildWorld(shelf().registry, level, shelf().parts), InputError); // there is no b
 }
 

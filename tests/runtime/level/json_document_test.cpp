@@ -1,4 +1,5 @@
 #include "runtime/level/json_document.hpp"
+#include "runtime/level/limits.hpp"
 #include "runtime/level/suggestion.hpp"
 
 #include <gtest/gtest.h>
@@ -45,10 +46,53 @@ TEST(JsonDocument, RefusesDeepNestingWithoutDescending) {
     std::string deep(200000, '[');
     auto const problems = problemsOf(deep);
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_EQ(problems[0].column, JsonDocument::deepest + 1);
+    EXPECT_EQ(problems[0].column, limits::depth + 1);
     EXPECT_EQ(problems[0].message, "nested too deeply");
-    EXPECT_TRUE(problemsOf(std::string(JsonDocument::deepest, '[') + std::string(JsonDocument::deepest, ']'))
-                    .empty());
+    EXPECT_TRUE(problemsOf(std::string(limits::depth, '[') + std::string(limits::depth, ']')).empty());
+}
+
+TEST(JsonDocument, RefusesTooManyValuesAndTooMuchText) {
+    std::string many = "[0";
+    for (std::size_t i = 2; i < limits::values; ++i) { // and the list itself
+        many += ",1";
+    }
+    EXPECT_TRUE(problemsOf(many + "]").empty());
+    auto const problems = problemsOf(many + ",1]");
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].print(), "f.json:1:1: has too many values; expected at most 4000000");
+    EXPECT_EQ(problemsOf(std::string(limits::fileSize + 1, ' ')).at(0).print(),
+              "f.json: has 67108865 bytes; expected at most 67108864");
+}
+
+TEST(JsonDocument, DiagnosticsAreOneHarmlessLine) {
+    auto const problems = problemsOf("{\"a\\n\\u001b[2J\\u202e\": 1, \"a\\n\\u001b[2J\\u202e\": 2}");
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].print(),
+              "f.json:1:27: /a<U+000A><U+001B>[2J<U+202E>: the key "
+              "'a<U+000A><U+001B>[2J<U+202E>' stands here twice; expected every key once");
+}
+
+TEST(JsonDocument, DiagnosticsAreNotAsLongAsTheirFile) {
+    std::string const longText(std::size_t{1} << 20U, 'x');
+    for (std::string const& text : {"\"" + longText, "{\"" + longText + "\": 1, \"" + longText + "\": 2}"}) {
+        auto const problems = problemsOf(text);
+        ASSERT_EQ(problems.size(), 1U);
+        EXPECT_LT(problems[0].print().size(), 10'000U);
+    }
+}
+
+TEST(JsonDocument, FilesThatCannotBeReadSayWhy) {
+    auto const whyNot = [](char const* file) {
+        try {
+            (void)JsonDocument::load(file);
+            return std::string();
+        } catch (InputError const& error) {
+            return std::string(error.what());
+        }
+    };
+    EXPECT_EQ(whyNot("/no/such.json"), "/no/such.json: cannot be read: No such file or directory");
+    EXPECT_EQ(whyNot("/dev/null/x.json"), "/dev/null/x.json: cannot be read: Not a directory");
+    EXPECT_EQ(whyNot("/proc"), "/proc: is a folder; expected a file");
 }
 
 TEST(JsonDocument, CountsColumnsInCharacters) {

@@ -209,7 +209,7 @@ TEST_F(ReadLevel, ReadsOlderVersionsAndRefusesNewerOnes) {
     ASSERT_EQ(level.toolbox.size(), 2U);
     EXPECT_EQ(level.toolbox[1].part, "thing");
     EXPECT_EQ(level.toolbox[1].count, 2);
-    EXPECT_SAYS(sample::only(sample::problemsOf(registry, R"({"version": 2, "title": "t"})")),
+    EXPECT_SAYS(sample::only(sample::problemsOf(registry, R"({"version": 3, "title": "t"})")),
                 "newer program");
     EXPECT_SAYS(sample::only(sample::problemsOf(registry, R"({"title": "t"})")), "'version' is missing");
     EXPECT_SAYS(sample::only(
@@ -219,6 +219,18 @@ TEST_F(ReadLevel, ReadsOlderVersionsAndRefusesNewerOnes) {
     migrate(old, 0);
     EXPECT_EQ(old["world"]["gravity"][1], -3.7);
     EXPECT_FALSE(old.contains("gravity"));
+    // What things were made of stood in their look, and only their sound followed from it.
+    nlohmann::json looks = nlohmann::json::parse(R"({"version": 1, "objects": [
+        {"name": "own", "properties": {"look": {"material": "steel", "label": "x"}, "friction": 0.2}},
+        {"name": "wall", "properties": {"look": {"material": "brick"}, "fixed": true}},
+        {"name": "part", "part": "crate", "properties": {"look": {"material": "glass"}}}, 7]})");
+    migrate(looks, 1);
+    EXPECT_EQ(looks["objects"][0]["properties"], nlohmann::json::parse(R"({"material": "steel",
+        "look": {"label": "x"}, "friction": 0.2, "restitution": 0, "density": 1000, "conductor": false,
+        "magnetic_strength": false})"));
+    EXPECT_EQ(looks["objects"][1]["properties"], nlohmann::json::parse(R"({"material": "brick",
+        "fixed": true, "friction": 0.5, "restitution": 0, "conductor": false, "magnetic_strength": false})"));
+    EXPECT_EQ(looks["objects"][2]["properties"], nlohmann::json::parse(R"({"look": {"pattern": "glass"}})"));
     int next = 0; // the chain has no gap and ends at the present version
     for (LevelMigration const& migration : levelMigrations()) {
         EXPECT_EQ(migration.from, next++);

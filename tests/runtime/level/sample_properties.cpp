@@ -13,13 +13,17 @@ std::optional<std::string> checkWeight(Store const& store, ObjectId id) {
     return std::nullopt;
 }
 
-std::optional<std::string> connect(Store& store, ObjectId a, ObjectId b) {
-    if (!store.column<Tag>().has(a) || !store.column<Tag>().has(b)) {
+std::optional<std::string> refuseString(Store const& store, ObjectId a, ObjectId b) {
+    auto const* const tags = store.findColumn<Tag>();
+    if (tags == nullptr || !tags->has(a) || !tags->has(b)) {
         return "only what has a tag can be connected";
     }
+    return std::nullopt;
+}
+
+void layString(Store& store, ObjectId a, ObjectId b) {
     store.column<Links>().addDefault(a);
     store.column<Links>()[a].to.push_back(b);
-    return std::nullopt;
 }
 
 } // namespace
@@ -33,7 +37,7 @@ void fill(Registry& registry) {
     registry.property<Knot>();
     registry.property<Links>();
     registry.rule({&propertyInfo<Weight>(), checkWeight});
-    registry.connector(connect);
+    registry.connector({"string", "sample", "a string between two tags", refuseString, layString});
 }
 
 LevelFile read(Registry const& registry, std::string text) {

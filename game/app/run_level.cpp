@@ -1,0 +1,220 @@
+#include "audio/effect/properties.hpp"
+#include "game/app/budget_report.hpp"
+#include "game/app/commands.hpp"
+#include "game/app/numbers.hpp"
+#include "game/app/progress.hpp"
+#include "game/app/run_arguments.hpp"
+#include "game/app/sound_option.hpp"
+#include "game/session/frame_account.hpp"
+#include "game/session/solution_file.hpp"
+#include "game/watch/watch_table.hpp"
+#include "physics/dynamics/settings.hpp"
+#include "physics/electricity/spice.hpp"
+#include "runtime/file/visible_text.hpp"
+#include "runtime/level/read_level.hpp"
+#include "runtime/level/write_level.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace trembler {
+namespace {
+
+constexpr std::uint64_t usualFrames = 600;
+constexpr int longestPeriod = 3600; // as World::setPeriod has it
+
+int asPeriod(std::string const& text, std::string const& value) {
+    auto const period = wholeNumber(value, 1, longestPeriod);
+    if (!period) {
+        throw std::invalid_argument(fmt::format(
+            "--period {}: expected COMPONENT=N with a whole number N from 1 to {}", text, longestPeriod));
+    }
+    return static_cast<int>(*period);
+}
+
+WorldOptions optionsOf(RunArguments const& arguments, LevelFile const& level) {
+    WorldOptions options;
+    options.threads = arguments.threads;
+    options.trace = arguments.trace.has_value() || arguments.account.has_value();
+    options.detail = detailOf(arguments.detail);
+    options.detail.insert(level.detail.begin(), level.detail.end()); // what it asks for and nobody overrules
+    for (std::string const& text : arguments.periods) {
+        auto const [component, value] = assignment(text, "--period", "COMPONENT=N");
+        options.periods[component] = asPeriod(text, value);
+    }
+    return options;
+}
+
+void setSubsteps(LevelFile& level, int substeps) {
+    DynamicsSettings settings;
+    if (auto const* const stated = level.world.find<DynamicsSettings>()) {
+        settings = *stated;
+    }
+    settings.substeps = substeps;
+    level.world.set(settings);
+}
+
+/// Every file that the run reads, or may come to read.
+void noteInputs(Outputs& outputs, RunArguments const& arguments, Workshop const& workshop,
+                LevelFile const& level) {
+    outputs.reads(arguments.level);
+    if (!arguments.solution.empty() && level.findSolution(arguments.solution) == nullptr) {
+        outputs.reads(arguments.solution);
+    }
+    std::vector<PropertySet const*> sets;
+    for (PartDefinition const* part : workshop.parts.all()) {
+        if (part->document) {
+            outputs.reads(part->document->file());
+        }
+        sets.push_back(&part->properties);
+    }
+    for (LevelObject const& object : level.objects) {
+        sets.push_back(&object.properties);
+    }
+    auto const folders = sampleFoldersOf(workshop, arguments.level);
+    for (PropertySet const* const set : sets) {
+        if (Sample const* const sample = set->find<Sample>()) {
+            for (std::filesystem::path const& folder : folders) {
+                outputs.reads(folder / sample->file);
+            }
+        }
+    }
+}
+
+/// The circuits as they are when the run is over.
+std::string netlistOf(Session const& session) {
+#ifdef TREMBLER_WITHOUT_ELECTRICITY
+    throw std::runtime_error(fmt::format("--export-spice: this program was built without electricity ({})",
+                                         session.level().title));
+#else
+    std::string netlist = spiceNetlist(session.world().store(), session.level().title);
+    if (netlist.empty()) {
+        throw std::invalid_argument("--export-spice: the level has no circuit with a resistance, an EMF, a "
+                                    "rated power or a fuse, so there are no volts to compute");
+    }
+    return netlist;
+#endif
+}
+
+std::string jsonOf(RunReport const& report, budget::BudgetMode const* mode) {
+    nlohmann::ordered_json all = toJson(report);
+    if (mode != nullptr) {
+        addBudget(all, *mode);
+    }
+    return escapedJson(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
+}
+
+/// Adds to a run's onlookers one that writes a table.
+void watchWith(RunOptions& run, std::optional<watch::WatchTable>& table, Registry const& registry,
+               RunArguments const& arguments, std::ostream& out) {
+    run.enter = [&, others = run.enter](Session& session) {
+        if (others) {
+            others(session);
+        }
+        table.emplace(registry, session.world(), arguments.watch, arguments.every, out);
+        table->look(session.world());
+    };
+    run.frame = [&, others = run.frame](World const& world) {
+        if (others) {
+            others(world);
+        }
+        table->look(world);
+    };
+}
+
+} // namespace
+
+int runLevel(RunArguments const& arguments) {
+    Workshop const workshop;
+    LevelFile level = loadLevel(workshop.registry, arguments.level);
+    if (arguments.substeps) {
+        setSubsteps(level, *arguments.substeps);
+    }
+    WorldOptions const options = optionsOf(arguments, level);
+    std::optional<Solution> solution;
+    if (!arguments.solution.empty()) {
+        solution = findOrLoadSolution(workshop.registry, level, arguments.solution);
+    }
+    if (solution && arguments.budget && !solution->changes.empty()) {
+        throw std::invalid_argument(
+            "--budget: the solution was recorded with changes of its own; run it without "
+            "--budget to repeat it");
+    }
+    if (arguments.sound && gameEffectsLeftOut().contains("sound")) {
+        throw std::invalid_argument("--sound: this build was made without the effect sound");
+    }
+    if (arguments.watch.empty() == arguments.csv.has_value()) {
+        throw std::invalid_argument(
+            arguments.watch.empty() ? "--csv: expected --watch OBJECT.FIELD as well, which says what to write"
+                                    : "--watch: expected --csv FILE as well, which says where to write it");
+    }
+    Outputs outputs;
+    noteInputs(outputs, arguments, workshop, level);
+    OutputFile* const json = outputs.add("--json", arguments.json);
+    OutputFile* const trace = outputs.add("--trace", arguments.trace);
+    OutputFile* const account = outputs.add("--account", arguments.account);
+    OutputFile* const spice = outputs.add("--export-spice", arguments.spice);
+    OutputFile* const record = outputs.add("--record", arguments.record);
+    OutputFile* const csv = outputs.add("--csv", arguments.csv);
+    outputs.claim("--sound", arguments.sound);
+
+    Session session(workshop.registry, workshop.parts, std::move(level), options);
+    if (arguments.record) {
+        if (auto const whyNot = session.whyNotRecorded()) {
+            throw std::invalid_argument(fmt::format("--record {}: {}", *arguments.record, *whyNot));
+        }
+    }
+    RunOptions run;
+    budget::BudgetMode mode(workshop.registry);
+    if (arguments.budget) {
+        mode.setBudget(1000 * *arguments.budget);
+        run.before = [&mode](Session& running) { mode.beforeStep(running); };
+    }
+    run.frames = arguments.frames.value_or(usualFrames);
+    if (solution) {
+        session.load(*solution);
+        if (solution->frames && !arguments.frames) {
+            run.frames = static_cast<std::uint64_t>(*solution->frames);
+        }
+    }
+    run.hashEvery = arguments.hashEvery;
+    run.trace = trace == nullptr ? nullptr : &trace->stream();
+    Progress progress;
+    run.progress = [&](std::uint64_t done) {
+        progress.frames(done, run.frames);
+        outputs.check(); // nobody needs the rest of what cannot be written
+    };
+    std::optional<RunSound> sound;
+    if (arguments.sound) {
+        sound.emplace(*arguments.sound, arguments.level, workshop, run);
+    }
+    std::optional<watch::WatchTable> table;
+    if (csv != nullptr) {
+        watchWith(run, table, workshop.registry, arguments, csv->stream());
+    }
+    RunReport const report = trembler::run(session, arguments.level, run);
+    progress.clear();
+    budget::BudgetMode const* const budgeted = arguments.budget ? &mode : nullptr;
+    if (account != nullptr) {
+        account->stream() << frameAccount(session);
+    }
+    if (spice != nullptr) {
+        spice->stream() << netlistOf(session);
+    }
+    if (record != nullptr) {
+        record->stream() << escapedJson(writeSolution(session.record("recorded")).dump(2)) << "\n";
+    }
+    if (json != nullptr) {
+        json->stream() << jsonOf(report, budgeted);
+    }
+    if (sound) {
+        sound->finish();
+    }
+    outputs.finish();
+    if (json == nullptr || !json->isStandardOutput()) {
+        outputs.words() << toWords(report) << (budgeted != nullptr ? budgetInWords(*budgeted) : "");
+    }
+    return report.solved ? exitSolved : exitNotSolved;
+}
+
+} // namespace trembler

@@ -1,0 +1,27 @@
+// Text from outside made safe for a terminal: whatever would move its cursor, change its colours or the order
+// of its letters is shown as a code instead.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace trembler {
+
+/// One line for people. Control characters (C0, DEL, C1), bidirectional overrides, embeddings and isolates,
+/// line and paragraph separators and the format characters that nobody sees become <U+001B> and the like;
+/// bytes that are no UTF-8 become <9B>. Everything else stays. The result is UTF-8, and visible() of it is
+/// itself. Line feeds and tabs are replaced, too: one name cannot pretend to be two lines. Any thread.
+[[nodiscard]] std::string visible(std::string_view text);
+
+/// The same, but line feeds and tabs stay: for text that has lines of its own.
+[[nodiscard]] std::string visibleLines(std::string_view text);
+
+/// The bytes at the end of a text that may be the beginning of a character whose rest is still to come: 0
+/// to 3.
+[[nodiscard]] std::size_t unfinishedCharacter(std::string_view text);
+
+/// A JSON document, already printed, with the same characters as \u escapes: it means the same as before.
+/// Line feeds and tabs outside strings stay. Expects valid UTF-8.
+[[nodiscard]] std::string escapedJson(std::string_view printed);
+
+} // namespace trembler

@@ -1,0 +1,54 @@
+// The program itself as a process: what its exit status, its files and its words are.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::test {
+
+struct Ran {
+    int status = -1; ///< exit status; -1: ended by a signal
+    std::string out;
+    std::string err;
+    std::size_t mostMemory = 0; ///< bytes, resident
+};
+
+struct RunAs {
+    std::string outputTo{};                     ///< a file for standard output instead of `out`
+    std::optional<std::uint64_t> longestFile{}; ///< RLIMIT_FSIZE, bytes
+    std::vector<std::pair<std::string, std::string>> environment{};
+    std::filesystem::path folder{}; ///< to run in; empty: this one
+    /// Called with the process's id while it runs, before its output is read.
+    std::function<void(int)> meanwhile{};
+};
+
+/// Runs the program with these arguments and waits for its end.
+[[nodiscard]] Ran runProgram(std::vector<std::string> const& arguments, RunAs const& how = {});
+
+/// A level of the project.
+[[nodiscard]] std::filesystem::path levelFile(std::string const& name);
+[[nodiscard]] std::string contentsOf(std::filesystem::path const& file);
+void write(std::filesystem::path const& file, std::string const& text);
+
+/// A folder of its own for each test, gone afterwards.
+class InAFolder : public testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+    /// The names of all that lies in it, sorted.
+    [[nodiscard]] std::vector<std::string> names() const;
+    /// A file in it.
+    [[nodiscard]] std::string at(std::string const& name) const { return (folder / name).string(); }
+    /// A copy in it of the shortest level.
+    [[nodiscard]] std::string level(std::string const& name = "level.json") const;
+
+    std::filesystem::path folder;
+};
+
+} // namespace trembler::test

@@ -1,0 +1,29 @@
+#include "runtime/level/placing.hpp"
+#include "tests/levels/shelf.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+namespace trembler {
+namespace {
+
+// Counting parts as they come says of each placement what a look at all those before it says.
+TEST(PlacementCount, SaysOfEachPlacementWhatALookAtAllBeforeItSays) {
+    LevelFile const level = readLevel(shelf().registry, JsonDocument::parse(sampleLevel(), "sample.json"));
+    rc::check([&] {
+        std::vector<Placement> placements(*rc::gen::inRange<std::size_t>(0, 12));
+        for (Placement& placement : placements) {
+            placement.part = *rc::gen::element<std::string>("steel bar", "spanner", "crate", "no such part");
+            placement.at = {static_cast<double>(*rc::gen::inRange(-10, 10)),
+                            static_cast<double>(*rc::gen::inRange(-2, 6))};
+        }
+        PlacementCount count(level, shelf().parts);
+        for (std::size_t i = 0; i < placements.size(); ++i) {
+            RC_ASSERT(count.add(placements[i]) ==
+                      checkPlacement(level, shelf().parts, std::span(placements).first(i), placements[i]));
+        }
+    });
+}
+
+} // namespace
+} // namespace trembler
