@@ -1,9 +1,11 @@
 #include "physics/dynamics/bodies.hpp"
 
+#include "physics/dynamics/shape_order.hpp"
 #include "physics/dynamics/shape_rules.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace trembler {
@@ -17,20 +19,6 @@ P valueOr(Column<P> const& column, ObjectId id, P fallback = {}) {
 
 bool within(Vec2 v, double limit) {
     return isFinite(v) && std::abs(v.x) <= limit && std::abs(v.y) <= limit;
-}
-
-// Everything but the shape's spread and where the body is.
-BodySpec traitsOf(DynamicsColumns const& columns, ObjectId id) {
-    BodySpec spec;
-    spec.object = id;
-    spec.fixed = columns.fixed.has(id);
-    spec.bullet = columns.bullet.has(id);
-    spec.mass = valueOr(columns.mass, id).value;
-    spec.friction = valueOr(columns.friction, id).coefficient;
-    spec.restitution = valueOr(columns.restitution, id).coefficient;
-    spec.groups = valueOr(columns.groups, id);
-    spec.damping = valueOr(columns.damping, id);
-    return spec;
 }
 
 bool sameTraits(BodySpec const& a, BodySpec const& b) {
@@ -79,6 +67,20 @@ Motion motionOf(DynamicsColumns const& columns, ObjectId id, Vec2 centre) {
 }
 
 } // namespace
+
+// Everything but the shape's spread and where the body is.
+BodySpec BodyTable::traitsOf(DynamicsColumns const& columns, ObjectId id) const {
+    BodySpec spec;
+    spec.object = id;
+    spec.fixed = columns.fixed.has(id) || std::binary_search(still_.begin(), still_.end(), id);
+    spec.bullet = columns.bullet.has(id);
+    spec.mass = spec.fixed ? Mass{}.value : valueOr(columns.mass, id).value; // nothing moves what is fixed
+    spec.friction = valueOr(columns.friction, id).coefficient;
+    spec.restitution = valueOr(columns.restitution, id).coefficient;
+    spec.groups = valueOr(columns.groups, id);
+    spec.damping = valueOr(columns.damping, id);
+    return spec;
+}
 
 std::vector<SlotIndex> BodyTable::outdated(DynamicsColumns const& columns) const {
     std::vector<SlotIndex> found;
@@ -142,9 +144,10 @@ void BodyTable::addMissing(DynamicsColumns const& columns, Engine& engine, std::
         SlotIndex const slot = slots_.take(id);
         bodies_.resize(slots_.objects().size());
         bodies_[slot] = std::move(body);
-        bodies_[slot].spec.shape = &bodies_[slot].shape;
+        Shape const ordered = inOrder(bodies_[slot].shape);
+        bodies_[slot].spec.shape = &ordered;
         engine.addBody(slot, bodies_[slot].spec);
-        bodies_[slot].spec.shape = nullptr; // the table may move
+        bodies_[slot].spec.shape = nullptr; // it is the engine's for the moment only
     }
 }
 

@@ -39,14 +39,24 @@ public:
     /// Finds the rows again after any of the written columns has gained or lost some.
     void findRows(DynamicsColumns const& columns);
 
+    /// These stand still, whatever they state, from when they are next added. Ascending.
+    void standStill(std::vector<ObjectId> objects) { still_ = std::move(objects); }
+
     /// noSlot if the object is no body.
     [[nodiscard]] SlotIndex slotOf(ObjectId object) const { return slots_.find(object); }
     [[nodiscard]] std::span<Body const> bodies() const { return bodies_; }
     [[nodiscard]] Body const& operator[](SlotIndex slot) const { return bodies_[slot]; }
+    /// Whether there is a body that moves in the slot, which may be noSlot.
+    [[nodiscard]] bool moves(SlotIndex slot) const {
+        return slot != noSlot && bodies_[slot].object.valid() && !bodies_[slot].fixed;
+    }
 
 private:
     SlotBook slots_;
+    [[nodiscard]] BodySpec traitsOf(DynamicsColumns const& columns, ObjectId id) const;
+
     std::vector<Body> bodies_; // by slot
+    std::vector<ObjectId> still_;
 };
 
 /// The centre of mass in the world, in m, of an object whose frame is at `position`, turned by `angle`.

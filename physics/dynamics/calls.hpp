@@ -60,6 +60,28 @@ struct AddDrag {
     [[nodiscard]] double magnitude() const { return xx + yy + angular; }
 };
 
+/// A force stands for a frame, or for as long as its effect lets it, while what it depends on moves on.
+/// Whoever adds one says how fast it varies: the angular frequency ω = √(k/m) with which the object would
+/// swing if the force alone held it, k being how much the force changes per way (N/m), or the rate at which
+/// it would come to rest if the force alone slowed it down. A factor of two does not matter. A force of which
+/// nobody says anything does not vary. What Dynamics makes of it is ForceRates.
+struct TellRate {
+    static constexpr CallText text{"tellRate", "(object, rate, foreseen, swings)",
+                                   "Says how fast (1/s) a force on the object varies as it moves, whether "
+                                   "the force is one that allows for "
+                                   "the time for which it stands, and whether the object can swing by it."};
+    static constexpr Algebra algebra = Algebra::greatest;
+    static constexpr double negligible = 0;
+    ObjectId object;
+    double rate = 0;       ///< 1/s, >= 0
+    bool foreseen = false; ///< the force is that of where the object will be, or acts against its motion
+    bool swings = true;    ///< it depends on where the object is; shorter parts of a frame follow it better
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+    [[nodiscard]] std::uint64_t key() const { return packed(object); }
+    [[nodiscard]] double value() const { return rate; }
+    [[nodiscard]] double magnitude() const { return 0; } ///< nothing happens by it, so it is no event
+};
+
 struct AddImpulse {
     static constexpr CallText text{"addImpulse", "(object, point, impulse)",
                                    "Adds the impulse (N s) at a point of the world (m), once."};
@@ -72,7 +94,7 @@ struct AddImpulse {
 
 struct DynamicsRole {
     static constexpr std::string_view name = "Dynamics";
-    using Calls = CallList<AddForce, AddForceToPoint, AddTorque, AddDrag, AddImpulse>;
+    using Calls = CallList<AddForce, AddForceToPoint, AddTorque, AddDrag, TellRate, AddImpulse>;
 };
 
 } // namespace trembler

@@ -6,7 +6,6 @@
 #include "physics/dynamics/joint_anchors.hpp"
 #include "physics/dynamics/settings.hpp"
 #include "physics/dynamics/shape.hpp"
-#include "physics/gravity/properties.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/property/column.hpp"
 
@@ -27,8 +26,6 @@ struct DynamicsColumns {
     Column<Joint> const& joint;
     Column<JointAnchors> const& anchors;
     Column<DynamicsSettings> const& settings;
-    Column<GravityField> const& gravityField;
-    Column<GravityLaw> const& gravityLaw;
     Column<Position> const& position;
     Column<Rotation> const& rotation;
     Column<Velocity> const& velocity;
@@ -47,11 +44,6 @@ struct DynamicsColumns {
     [[nodiscard]] std::uint64_t motionStructure() const {
         return position.structureVersion() + rotation.structureVersion() + velocity.structureVersion() +
                spin.structureVersion();
-    }
-    /// m/s², of the world; where it states none, Earth's, as magnets and motors pull as well.
-    [[nodiscard]] Vec2 gravity() const {
-        Vec2 const stated = gravityField.empty() ? Vec2{} : gravityField.values().front().acceleration;
-        return stated == Vec2{} || !isFinite(stated) ? Vec2{0, -9.81} : stated;
     }
     /// Held to the ranges of its description, whoever wrote it.
     [[nodiscard]] DynamicsSettings worldSettings() const {

@@ -1,7 +1,9 @@
 // Who touches whom: the resolver properties C_C, C_N and C_P (6.13.2), and how they touch.
 #pragma once
 
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
+#include "runtime/property/news.hpp"
 #include "runtime/trace/event.hpp"
 
 #include <array>
@@ -23,18 +25,23 @@ struct TouchingPair {
     }
 };
 
-/// All ascending by pair. What begins and ends within one frame is neither new nor gone: it is brief, as an
-/// impact that bounces can be.
+/// All ascending by pair. What begins and ends within one frame, or one part of it, is neither new nor gone:
+/// it is brief, as an impact that bounces can be.
 struct Contacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
         "C_C, C_N, C_P", "contacts",
         "The pairs of objects that touch, those that began to touch in this frame and "
         "those that ceased to."};
+    static constexpr Coverage coverage = hashed;
     std::vector<TouchingPair> current; ///< C_C
     std::vector<TouchingPair> begun;   ///< C_N
     std::vector<TouchingPair> ended;   ///< C_P; an object in it may be gone
     std::vector<TouchingPair> brief;   ///< touched within this frame only; in no other list
+
+    /// Of a frame in parts: who touches at its end, who has begun to since its beginning, who ceased to, and
+    /// who touched in between only, in whichever part. With the event of the first part that tells of it.
+    static void gather(Contacts& frame, Contacts const& part, PartSpan span);
 
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
@@ -56,7 +63,10 @@ struct ContactPatches {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Contact patches", "contact_patches",
                                        "Points, normals and impulses of all contacts."};
+    static constexpr Coverage coverage = derivedFrom(
+        "the engine's contacts of the last advance; what interactions make of them is in their calls");
     std::vector<ContactPatch> patches;
+    double step = 0; ///< s, of that substep
 
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}

@@ -6,20 +6,25 @@
 #include "physics/dynamics/simulation.hpp"
 #include "runtime/component/resolver.hpp"
 
+#include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace trembler {
 
 namespace detail {
 template <class Self>
-using DynamicsBase = Resolver<
-    Self, DynamicsRole,
-    Reads<Shape, Mass, Fixed, Bullet, Friction, Restitution, CollisionGroups, Damping, Liquid, Joint,
-          JointAnchors, DynamicsSettings, GravityField, GravityLaw>,
-    Writes<Position, Velocity, AngularVelocity, Rotation>,
-    Provides<Contacts, ContactPatches, Impacts, JointForces, OverloadedJoints, MotionCauses, SolverChoice>>;
+using DynamicsBase = Resolver<Self, DynamicsRole,
+                              Reads<Shape, Mass, Fixed, Bullet, Friction, Restitution, CollisionGroups,
+                                    Damping, Liquid, Joint, JointAnchors, DynamicsSettings>,
+                              Writes<Position, Velocity, AngularVelocity, Rotation>,
+                              Provides<Contacts, ContactPatches, Impacts, JointForces, OverloadedJoints,
+                                       MotionCauses, ForceRates, ForceLag, SolverChoice, EngineState>>;
 } // namespace detail
+
+/// Makes the engine that takes over where another cannot go on.
+[[nodiscard]] std::unique_ptr<Engine> makeBox2dEngine(double scale);
 
 /// `Self` adds `text` and `static constexpr EngineMaker engineMaker`.
 ///
@@ -31,6 +36,11 @@ class DynamicsResolver : public detail::DynamicsBase<Self> {
 
 public:
     using CalledFor = NeedsAll<Shape>;
+    static constexpr Coverage memory =
+        leftOut("the engine's world: bodies and joints follow from their columns, but what it starts each "
+                "solution with, how long bodies have been still and in which order it found contacts no "
+                "engine lets anybody read; beside it the loads under which bodies fell asleep and those "
+                "for which substeps were last found; equal recordings give equal ones");
     using Access = typename Base::Access;
 
     // What is news in one frame must be taken back in the next, even if all is at rest by then.
@@ -46,25 +56,16 @@ public:
             access.template read<Restitution>(),  access.template read<CollisionGroups>(),
             access.template read<Damping>(),      access.template read<Joint>(),
             access.template read<JointAnchors>(), access.template read<DynamicsSettings>(),
-            access.template read<GravityField>(), access.template read<GravityLaw>(),
             access.template read<Position>(),     access.template read<Rotation>(),
             access.template read<Velocity>(),     access.template read<AngularVelocity>()};
-        for (Refusal const& refusal : simulation_.follow(columns)) {
-            if (access.tracing() && told_.insert({refusal.object, refusal.why}).second) {
-                access.event("refused: " + refusal.why, {refusal.object}, {});
-            }
+        if (!std::exchange(begun_, true)) {
+            simulation_.takeOver(access.template provided<EngineState>());
         }
-        if (access.callsChanged() || simulation_.loadsStale() || pointForces_) {
-            drainLoads(access, columns);
-        }
-        drainImpulses(access);
-        simulation_.engine().noteImpacts(access.template wanted<Impacts>());
-        bool const moved = simulation_.step(access.duration(), columns);
+        bool const moved = compute(access, columns);
         updateImpacts(access, moved);
         if (moved) {
-            if (!(access.template provided<SolverChoice>() == simulation_.choice())) {
-                access.template provide<SolverChoice>() = simulation_.choice();
-            }
+            provideIfOther(access, simulation_.choice());
+            provideIfOther(access, simulation_.lag());
             writeMotion(access);
             simulation_.noteWritten(columns);
         }
@@ -74,7 +75,7 @@ public:
         }
         bool const contactsChanged = updateContacts(access);
         if (contactsChanged) {
-            simulation_.noteContacts(columns, access.template provided<Contacts>().current);
+            simulation_.noteContacts();
         }
         if (!moved && overloadNews_) {
             access.template provide<OverloadedJoints>() = {};
@@ -96,6 +97,45 @@ public:
     }
 
 private:
+    /// Moves bodies on, with another engine if need be: until it is done the columns stay as they are.
+    /// Returns whether any has moved.
+    bool compute(Access& access, DynamicsColumns const& columns) {
+        for (;;) {
+            try {
+                for (Refusal const& refusal : simulation_.follow(columns)) {
+                    if (access.tracing() && told_.insert({refusal.object, refusal.why}).second) {
+                        access.event("refused: " + refusal.why, {refusal.object}, {});
+                    }
+                }
+                if (access.callsChanged() || simulation_.loadsStale() || pointForces_) {
+                    drainLoads(access, columns);
+                }
+                drainImpulses(access);
+                simulation_.engine().noteImpacts(access.template wanted<Impacts>());
+                return simulation_.step(access.duration(), columns,
+                                        access.template provided<Contacts>().current);
+            } catch (EngineFailure const& failure) {
+                giveUp(access, failure);
+            }
+        }
+    }
+
+    void giveUp(Access& access, EngineFailure const& failure) {
+        simulation_.giveUp(failure);
+        EngineState const& state = simulation_.state();
+        std::vector<ObjectId> const before = access.template provided<EngineState>().stopped;
+        access.template provide<EngineState>() = state;
+        for (ObjectId const object : state.stopped) {
+            if (!std::binary_search(before.begin(), before.end(), object)) {
+                access.template write<Velocity>()[object] = {};
+                access.template write<AngularVelocity>()[object] = {};
+            }
+        }
+        if (access.tracing()) {
+            access.event(std::string("engine gave up: ") + failure.what(), state.stopped, {});
+        }
+    }
+
     void drainLoads(Access& access, DynamicsColumns const& columns) {
         bool const tracing = access.tracing();
         LoadTable& loads = simulation_.loads();
@@ -148,6 +188,16 @@ private:
             });
         });
         simulation_.endLoads();
+        access.template forCalls<TellRate>(
+            [&](TellRate const& call, CallOrigin const&) { simulation_.noteRate(call); });
+        provideIfOther(access, simulation_.rates());
+    }
+
+    template <class P>
+    static void provideIfOther(Access& access, P const& now) {
+        if (!(access.template provided<P>() == now)) {
+            access.template provide<P>() = now;
+        }
     }
 
     static Vec2 centreNow(DynamicsColumns const& columns, Body const& body) {
@@ -296,6 +346,7 @@ private:
         auto& patches = access.template provide<ContactPatches>().patches;
         patches.clear();
         simulation_.engine().addContactPatches(patches);
+        access.template provide<ContactPatches>().step = simulation_.lag().step;
         std::stable_sort(patches.begin(), patches.end(), [](ContactPatch const& x, ContactPatch const& y) {
             return x.a != y.a ? x.a < y.a : x.b < y.b;
         });
@@ -329,7 +380,8 @@ private:
                   [](auto const& x, auto const& y) { return x.object < y.object; });
     }
 
-    Simulation simulation_{Self::engineMaker};
+    Simulation simulation_{Self::engineMaker, Self::text.level, makeBox2dEngine};
+    bool begun_ = false;
     Contacts next_;                                   // kept for its memory
     std::set<std::pair<ObjectId, std::string>> told_; // refusals that the trace knows
     bool pointForces_ = false;

@@ -4,6 +4,7 @@
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/contacts.hpp"
 #include "physics/dynamics/drag.hpp"
+#include "physics/dynamics/engine_failure.hpp"
 #include "physics/dynamics/impacts.hpp"
 #include "physics/dynamics/joint_anchors.hpp"
 #include "physics/dynamics/mass_properties.hpp"
@@ -80,14 +81,9 @@ struct TouchChange {
 };
 
 /// A rigid-body engine. Used by one thread at a time. Everything that it does follows from the order of
-/// calls.
-class Engine {
+/// calls. All that is not const may throw EngineFailure; after that only lost() may be called.
+class Engine : public Abandonable {
 public:
-    Engine() = default;
-    virtual ~Engine() = default;
-    Engine(Engine const&) = delete;
-    Engine& operator=(Engine const&) = delete;
-
     virtual void addBody(SlotIndex slot, BodySpec const& spec) = 0;
     /// Its joints must have been removed before. Wakes what it touched.
     virtual void removeBody(SlotIndex slot) = 0;
@@ -130,6 +126,8 @@ public:
     [[nodiscard]] virtual std::span<Impact const> impacts() const { return {}; }
     /// The mean force that a joint exerted during the last step(), in N.
     [[nodiscard]] virtual Vec2 jointForce(SlotIndex slot) const = 0;
+    /// The bodies whose places or speeds are no finite numbers, ascending by slot.
+    [[nodiscard]] virtual std::vector<SlotIndex> lost() const { return {}; }
 };
 
 /// Makes an engine whose unit of length is 1/`scale` m.

@@ -17,11 +17,15 @@ public:
         .effect = "magnetism",
         .level = "",
         .work = "Adds all the forces calculated in the Magnetic Forces DPS at the "
-                "magnetic poles, or at the centre of what has none."};
+                "magnetic poles, or at the centre of what has none, and says how fast they vary."};
     using CalledFor = NeedsAll<>;
     void apply(Access& access) {
         auto const& forces = access.read<MagneticForce>().forces;
         auto const& fixed = access.read<Fixed>();
+        bool const foreseen = access.read<MagneticForce>().foreseen;
+        for (MagneticForce::Rate const& one : access.read<MagneticForce>().rates) {
+            access.call(TellRate{one.object, one.rate, foreseen});
+        }
         access.forChunks(forces.size(), [&](Caller& caller, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 if (!fixed.has(forces[i].object)) {

@@ -23,9 +23,11 @@ public:
                 "is, like a critically damped spring, and damps its turning."};
     using CalledFor = NeedsAll<Shape>;
 
-    static constexpr double frequency = 12;    ///< rad/s, of the spring
-    static constexpr double strongest = 490.5; ///< m/s²: at most fifty times the weight
-    static constexpr double turnDamping = 2;   ///< 1/s
+    static constexpr double frequency = 12; ///< rad/s, of the spring
+    /// m/s². A hand has a strength of its own, whatever the world weighs things with: it can give this much
+    /// to what it holds, light or heavy, and so holds up anything in a world that pulls less.
+    static constexpr double strongest = 490.5;
+    static constexpr double turnDamping = 2; ///< 1/s
 
     void apply(Access& access);
 };

@@ -1,8 +1,19 @@
 #include "physics/dynamics/impacts.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace trembler {
+
+void Impacts::gather(Impacts& frame, Impacts const& part, PartSpan span) {
+    for (Impact impact : part.impacts) {
+        impact.since += span.begin;
+        frame.impacts.push_back(impact);
+    }
+    std::stable_sort(frame.impacts.begin(), frame.impacts.end(), [](Impact const& x, Impact const& y) {
+        return std::tie(x.a, x.b, x.since) < std::tie(y.a, y.b, y.since);
+    });
+}
 
 double ImpactBook::press(Key contact, double impulse) {
     auto const [at, isNew] = pressed_.emplace(contact, impulse);

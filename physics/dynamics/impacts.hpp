@@ -2,7 +2,9 @@
 #pragma once
 
 #include "runtime/math/vec2.hpp"
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
+#include "runtime/property/news.hpp"
 
 #include <cstdint>
 #include <unordered_map>
@@ -17,7 +19,7 @@ struct Impact {
     Vec2 point;         ///< m, in the world
     Vec2 normal;        ///< unit, in the world, from a to b
     double impulse = 0; ///< N s, along the normal, beyond what pressed there before
-    double since = 0;   ///< s, from the beginning of the frame
+    double since = 0;   ///< s, from the beginning of the frame, or of the part in which it is told
 };
 
 /// Computed only where somebody reads it. Steady pressure is no blow, and neither is one that changes the
@@ -26,8 +28,11 @@ struct Impacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Impacts", "impacts",
                                        "Where objects hit each other in this frame, and how hard."};
+    static constexpr Coverage coverage = derivedFrom(
+        "the engine's contacts of the last advance; what interactions make of them is in their calls");
     std::vector<Impact> impacts; ///< ascending by pair, then by time
 
+    static void gather(Impacts& frame, Impacts const& part, PartSpan span);
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
 };

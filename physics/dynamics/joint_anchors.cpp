@@ -1,8 +1,5 @@
 #include "physics/dynamics/joint_anchors.hpp"
 
-#include "runtime/placement.hpp"
-#include "runtime/world/store.hpp"
-
 namespace trembler {
 namespace {
 
@@ -15,14 +12,14 @@ struct Frame {
 
 } // namespace
 
-void completeJoint(Store& store, ObjectId id) {
-    Joint const* const joint = store.column<Joint>().find(id);
-    if (joint == nullptr || store.column<JointAnchors>().has(id)) {
+void JointCompletion::complete(Access& access) {
+    if (access.has<JointAnchors>()) {
         return;
     }
+    Joint const* const joint = access.find<Joint>();
     auto const frameOf = [&](ObjectId object, Frame& frame) {
-        Position const* const position = store.column<Position>().find(object);
-        Rotation const* const rotation = store.column<Rotation>().find(object);
+        Position const* const position = access.find<Position>(object);
+        Rotation const* const rotation = access.find<Rotation>(object);
         frame = {position == nullptr ? Vec2{} : position->value, rotation == nullptr ? 0 : rotation->angle};
         return position != nullptr;
     };
@@ -45,7 +42,7 @@ void completeJoint(Store& store, ObjectId id) {
     } else if (twoEnds) {
         anchors.length = joint->length > 0 ? joint->length : length(joint->atB - joint->at);
     }
-    store.column<JointAnchors>().set(id, anchors);
+    access.add(anchors);
 }
 
 } // namespace trembler

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "physics/dynamics/joint.hpp"
+#include "runtime/component/completion.hpp"
+#include "runtime/placement.hpp"
 
 namespace trembler {
-
-class Store;
 
 /// Fixed when the joint comes into being, so that the simulation can be taken up at any later time, by any
 /// engine. Without object b the world stands in for it: its frame is the world's.
@@ -38,8 +38,14 @@ struct JointAnchors {
     friend bool operator==(JointAnchors const&, JointAnchors const&) = default;
 };
 
-/// Gives a joint its anchors from where its objects are now, unless it has them. Does nothing if they are
-/// nowhere.
-void completeJoint(Store& store, ObjectId id);
+/// A joint whose objects are nowhere gets none.
+struct JointCompletion final
+    : Completion<JointCompletion, Reads<Joint, Position, Rotation>, Adds<JointAnchors>> {
+    static constexpr CompletionText text{
+        .name = "Joint",
+        .work = "Gives a joint its anchors from where its objects are when it comes into being."};
+    using CalledFor = NeedsAll<Joint>;
+    static void complete(Access& access);
+};
 
 } // namespace trembler

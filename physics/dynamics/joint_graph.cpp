@@ -11,7 +11,8 @@ bool carries(Joint const& joint) {
 
 class Walk {
 public:
-    Walk(DynamicsColumns const& columns, BodyTable const& bodies, JointTable const& joints)
+    Walk(DynamicsColumns const& columns, BodyTable const& bodies, JointTable const& joints,
+         std::span<LoadSum const> loads)
         : bodies_(bodies), loads_(joints.joints().size()), nodes_(bodies.bodies().size() + 1) {
         ground_ = nodes_.size() - 1;
         for (SlotIndex slot = 0; slot < ground_; ++slot) {
@@ -21,6 +22,10 @@ public:
                 nodes_[slot].moment =
                     body.mass * worldCentre(body, columns.position.values()[body.rows.position].value,
                                             columns.rotation.values()[body.rows.rotation].angle);
+                if (slot < loads.size()) {
+                    nodes_[slot].force = loads[slot].load.force;
+                    nodes_[slot].pulls = length(loads[slot].load.force);
+                }
             }
         }
         std::span<TiedJoint const> const all = joints.joints();
@@ -50,8 +55,10 @@ private:
         std::size_t joint;
     };
     struct Node {
-        double mass = 0; // with all below it in the walk, once that is done
-        Vec2 moment;     // mass times place
+        double mass = 0;  // with all below it in the walk, once that is done
+        Vec2 moment;      // mass times place
+        Vec2 force;       // N
+        double pulls = 0; // N, of the forces on each body, whichever way they point
         std::vector<Edge> edges;
         std::size_t order = 0; // in which the walk came here, from 1
         std::size_t low = 0;   // the earliest that it or what is below reaches by another way
@@ -95,6 +102,8 @@ private:
             if (node.from != ground_) { // what hangs side by side from the ground stays apart
                 parent.mass += node.mass;
                 parent.moment += node.moment;
+                parent.force += node.force;
+                parent.pulls += node.pulls;
             } else {
                 tell(at, root);
             }
@@ -109,20 +118,23 @@ private:
     void tell(std::size_t top, std::size_t root) {
         double const total = nodes_[top].mass;
         Vec2 const moment = nodes_[top].moment;
+        Vec2 const force = nodes_[top].force;
+        double const pulls = nodes_[top].pulls;
         for (std::size_t const at : finished_) {
             Node const& node = nodes_[at];
             bool const bridge = node.low == node.order;
-            JointLoad load{total, {}, bridge};
+            JointLoad load{total, pulls, {}, bridge};
             if (bridge) {
                 bool const below = root == ground_ || 2 * node.mass <= total;
                 load.mass = below ? node.mass : total - node.mass;
+                load.pull = length(below ? node.force : force - node.force);
                 Vec2 const share = below ? node.moment : moment - node.moment;
                 load.centre = load.mass > 0 ? share / load.mass : Vec2{};
             }
             loads_[node.by] = load;
             for (Edge const& edge : node.edges) {
                 if (loads_[edge.joint].mass == 0) { // closes a loop
-                    loads_[edge.joint] = {total, {}, false};
+                    loads_[edge.joint] = {total, pulls, {}, false};
                 }
             }
         }
@@ -140,8 +152,8 @@ private:
 } // namespace
 
 std::vector<JointLoad> jointLoads(DynamicsColumns const& columns, BodyTable const& bodies,
-                                  JointTable const& joints) {
-    return Walk(columns, bodies, joints).run();
+                                  JointTable const& joints, std::span<LoadSum const> loads) {
+    return Walk(columns, bodies, joints, loads).run();
 }
 
 } // namespace trembler

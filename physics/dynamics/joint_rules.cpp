@@ -84,7 +84,8 @@ Fault faultIn(Joint const& joint, JointPartners const& partners) {
     if (Fault fault = faultInNumbers(joint)) {
         return fault;
     }
-    if (joint.limited && joint.lower > joint.upper) {
+    // Also while they are not in force: they may be put in force later.
+    if (joint.lower > joint.upper) {
         return fmt::format("its lower limit, {}, is above its upper one, {}", joint.lower, joint.upper);
     }
     switch (joint.form) {

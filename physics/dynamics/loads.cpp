@@ -7,8 +7,9 @@ namespace trembler {
 namespace {
 
 constexpr double relativeChange = 0.002;
-constexpr double weightFraction = 1e-6;
-constexpr double standardGravity = 9.80665; // m/s²
+constexpr double muchChange = 0.125;
+// Box2D and Chipmunk hold what is slower than 0.01 m/s to be at rest.
+constexpr double leastAcceleration = 1e-5; // m/s²
 
 // Sums of huge forces may have left the numbers.
 double tame(double value) {
@@ -28,8 +29,8 @@ Load bounded(Load load, Body const& body) {
 
 } // namespace
 
-bool LoadTable::differs(Sum const& now, Load const& then, Body const& body) {
-    double const slack = relativeChange * now.gross + weightFraction * body.mass * standardGravity;
+bool LoadTable::differs(LoadSum const& now, Load const& then, Body const& body) {
+    double const slack = relativeChange * now.gross + leastAcceleration * body.mass;
     double const gyration = std::sqrt(body.inertia / body.mass);
     double const turningSlack = relativeChange * std::abs(then.torque) + slack * gyration;
     return length(now.load.force - then.force) > slack ||
@@ -56,6 +57,19 @@ void LoadTable::apply(std::span<Body const> bodies, Engine& engine) {
             engine.wake(slot);
         }
     }
+}
+
+bool LoadTable::changedMuch() {
+    bool much = known_.size() > sums_.size();
+    known_.resize(sums_.size());
+    for (std::size_t slot = 0; slot < sums_.size() && !much; ++slot) {
+        double const gross = std::max(sums_[slot].gross, known_[slot].gross);
+        much = length(sums_[slot].load.force - known_[slot].load.force) > muchChange * gross;
+    }
+    if (much) {
+        known_ = sums_;
+    }
+    return much;
 }
 
 void LoadTable::noteSleepers(Engine const& engine) {

@@ -1,5 +1,7 @@
 #include "physics/dynamics/mass_properties.hpp"
 
+#include "physics/dynamics/shape_order.hpp"
+
 namespace trembler {
 namespace {
 
@@ -48,9 +50,7 @@ MassProperties inOwnFrame(ShapePiece const& piece) {
     return {};
 }
 
-} // namespace
-
-MassProperties massPropertiesOf(Shape const& shape) {
+MassProperties ofPieces(Shape const& shape) {
     if (shape.pieces.size() == 1 && shape.pieces[0].at == Vec2{} && shape.pieces[0].angle == 0) {
         return inOwnFrame(shape.pieces[0]); // so that a centred piece is centred exactly
     }
@@ -67,6 +67,13 @@ MassProperties massPropertiesOf(Shape const& shape) {
         all.inertiaPerMass += own.area / all.area * (own.inertiaPerMass + lengthSquared(away));
     }
     return all;
+}
+
+} // namespace
+
+MassProperties massPropertiesOf(Shape const& shape) {
+    // What is not finite has no order, and is taken as it stands.
+    return isInOrder(shape) ? ofPieces(shape) : ofPieces(inOrder(shape));
 }
 
 Vec2 centreOfMass(Shape const& shape) {

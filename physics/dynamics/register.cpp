@@ -5,14 +5,40 @@
 #include "physics/dynamics/breaking.hpp"
 #include "physics/dynamics/chipmunk/chipmunk_dynamics.hpp"
 #include "physics/dynamics/completion.hpp"
+#include "physics/dynamics/frame_from_dynamics.hpp"
 #include "physics/dynamics/hand.hpp"
 #include "physics/dynamics/joint_rules.hpp"
 #include "physics/dynamics/ode/ode_dynamics.hpp"
 #include "physics/dynamics/shape_rules.hpp"
 #include "runtime/world/registry.hpp"
 
+#include <fmt/format.h>
+
 namespace trembler {
 namespace {
+
+/// A file states the measures of a piece's form and no others: a radius of a box would mean nothing. (One
+/// that is stated as it initially is cannot be told from one that is not stated.)
+std::optional<std::string> checkMeasures(Store const& store, ObjectId id) {
+    ShapePiece const initial;
+    for (ShapePiece const& piece : store.findColumn<Shape>()->find(id)->pieces) {
+        bool const isBox = piece.form == ShapeForm::box;
+        bool const isCapsule = piece.form == ShapeForm::capsule;
+        bool const isRound = isCapsule || piece.form == ShapeForm::circle;
+        std::string_view const foreign = !isRound && piece.radius != initial.radius             ? "radius"
+                                         : !isBox && !isCapsule && piece.width != initial.width ? "width"
+                                         : !isBox && piece.height != initial.height             ? "height"
+                                         : piece.form != ShapeForm::polygon && !piece.corners.empty()
+                                             ? "corners"
+                                             : "";
+        if (!foreign.empty()) {
+            return fmt::format(
+                "states '{}' of a {}, where it does not count; expected the measures of its form", foreign,
+                choiceNames<ShapeForm>[static_cast<std::size_t>(piece.form)]);
+        }
+    }
+    return {};
+}
 
 std::optional<std::string> checkShape(Store const& store, ObjectId id) {
     return faultIn(*store.findColumn<Shape>()->find(id));
@@ -46,13 +72,16 @@ std::optional<std::string> checkJoint(Store const& store, ObjectId id) {
 void registerDynamics(Registry& registry) {
     registry.property<Density>();
     registry.rule({&propertyInfo<Shape>(), checkShape});
+    registry.rule({&propertyInfo<Shape>(), checkMeasures});
     registry.rule({&propertyInfo<Joint>(), checkJoint});
-    registry.completion(completeBody);
-    registry.completion(completeJoint);
+    registry.completion<MatterCompletion>();
+    registry.completion<BodyCompletion>();
+    registry.completion<JointCompletion>();
     registry.component<Box2dDynamics>();
     registry.component<ChipmunkDynamics>();
     registry.component<OdeDynamics>();
     registry.component<DynamicsFromPlayer>();
+    registry.component<FrameFromDynamics>();
     registry.component<PopulationFromDynamics>();
 }
 

@@ -1,5 +1,7 @@
 #include "physics/dynamics/shape.hpp"
 
+#include "physics/dynamics/shape_order.hpp"
+
 namespace trembler {
 
 ShapePiece circlePiece(double radius, Vec2 at) {
@@ -58,12 +60,21 @@ double areaOf(ShapePiece const& piece) {
     return 0;
 }
 
-double areaOf(Shape const& shape) {
+namespace {
+
+double sumOfAreas(std::vector<ShapePiece> const& pieces) {
     double area = 0;
-    for (ShapePiece const& piece : shape.pieces) {
+    for (ShapePiece const& piece : pieces) {
         area += areaOf(piece);
     }
     return area;
+}
+
+} // namespace
+
+double areaOf(Shape const& shape) {
+    // What is not finite has no order, and is summed as it stands.
+    return isInOrder(shape) ? sumOfAreas(shape.pieces) : sumOfAreas(inOrder(shape).pieces);
 }
 
 } // namespace trembler

@@ -1,5 +1,6 @@
 #include "physics/dynamics/simulation.hpp"
 
+#include "physics/dynamics/load_ratio.hpp"
 #include "physics/dynamics/solver_demand.hpp"
 #include "runtime/component/component.hpp"
 
@@ -21,7 +22,7 @@ constexpr int mostRounds = 64;
 // Joints in one piece that an engine can still solve one by one, in the iterations of a few substeps.
 constexpr std::size_t largestOneByOne = 24;
 // Joints that are new carry nothing yet, and where they are solved one by one, what hangs on them would fall,
-// stretch them and swing for ever after. So, where much hangs on them, the frame in which they are made and
+// stretch them and swing for ever after. So, where much pulls at them, the frame in which they are made and
 // the next, in which forces first act on what has just been made, look for what they carry with many more
 // iterations.
 constexpr int settlingFrames = 2;
@@ -31,8 +32,25 @@ constexpr int settlingIterations = 256;
 constexpr double farthestPerStep = 1.9;
 constexpr double widestPerStep = 1.5;
 constexpr int leastSubsteps = 4;
-// But where masses fly freely about each other, a step is a frame: as long as the forces that depend on their
-// places stand. Split up, it would let these lag behind, and the energy of an orbit grow without end.
+// But where everything flies freely, under forces that vary and do not allow for the time for which they
+// stand, a step is a frame, as long as they do. Split up, it would let these lag behind, and the energy of an
+// orbit grow without end.
+// What swings by a force that looks ahead has an energy that ripples by about half of the angle, in rad, by
+// which it swings in a step, as the semi-implicit Euler method has velocities half a step ahead of places.
+constexpr double swingPerStep = 0.18;
+// Where many bodies fall together under such forces, what each impact adds to the energy adds up, and six
+// substeps instead of four keep it small; more would not help.
+constexpr std::size_t manyBodies = 20;
+constexpr double swingPerStepOfMany = 0.06;
+constexpr double substepsOfMany = 6;
+// After so many failures in one frame nothing moves any more.
+constexpr int mostFailures = 4;
+
+// Substeps, as they are stated and as they are found, are those of a frame: a part of one has its share of
+// them. Where Dynamics has a period, the frames that it then computes at once have as many as one.
+double shareOf(double duration) {
+    return std::min(1.0, duration / frameDuration);
+}
 
 } // namespace
 
@@ -57,31 +75,62 @@ void Simulation::makeEngine(DynamicsSettings const& settings, DynamicsColumns co
     engineScale_ = scale;
     engine_ = maker_(scale);
     bodies_ = {};
+    bodies_.standStill(state_.stopped);
     joints_ = {};
     touching_ = {};
     bodiesVersion_ = 0;
     contactSubsteps_ = 0;
     contactRounds_ = 0;
+    jointsNew_ = contactsNew_ = true;
 }
 
-void Simulation::noteDemand(double gravity, DynamicsColumns const& columns) {
+void Simulation::noteRate(TellRate const& call) {
+    if (!bodies_.moves(bodies_.slotOf(call.object)) || !std::isfinite(call.rate)) {
+        return;
+    }
+    if (call.rate > rates_.greatest) {
+        rates_.greatest = call.rate;
+        rates_.object = call.object;
+    }
+    if (!call.foreseen) {
+        rates_.unforeseen = std::max(rates_.unforeseen, call.rate);
+    }
+    if (call.swings) {
+        rates_.swinging = std::max(rates_.swinging, call.rate);
+    }
+    if (call.swings && call.foreseen) {
+        rates_.ahead = std::max(rates_.ahead, call.rate);
+    }
+}
+
+void Simulation::findJointDemand(double duration, DynamicsColumns const& columns) {
     double const before = jointSubsteps_;
-    double const halfFrame = frameDuration / 2;
-    JointDemand const demand = jointDemand(columns, bodies_, joints_, gravity);
-    double const taut = tautMargin * demand.zigZag * halfFrame;
-    double const bending = weldMargin * demand.bending * halfFrame;
-    bool const atOnce = std::max(taut, bending) > leastSubsteps || demand.network > largestOneByOne;
+    double const half = duration / 2;
+    JointDemand const demand = jointDemand(columns, bodies_, joints_, loads_.sums());
+    double const taut = tautMargin * demand.zigZag * half;
+    double const bending = weldMargin * demand.bending * half;
+    double const few = leastSubsteps * shareOf(duration);
+    bool const atOnce = std::max(taut, bending) > few || demand.network > largestOneByOne;
     choice_.jointsAtOnce = engine_->solveJointsAtOnce(atOnce);
     jointSubsteps_ = choice_.jointsAtOnce ? taut : std::max(taut, bending);
-    if (!choice_.jointsAtOnce && jointSubsteps_ > leastSubsteps && jointSubsteps_ > before) {
-        settling_ = settlingFrames;
-    }
+    bool const more = settles_ || jointSubsteps_ > before;
+    settles_ = more && !choice_.jointsAtOnce && jointSubsteps_ > few;
+    jointsNew_ = false;
+    demandFor_ = duration;
+}
+
+void Simulation::findContactDemand(DynamicsColumns const& columns, std::span<TouchingPair const> touching) {
+    double const ratio = loadRatio(columns, bodies_, touching, loads_.sums());
+    contactSubsteps_ = stackFactor * std::sqrt(ratio);
+    contactRounds_ = ratio > heaviest ? static_cast<int>(std::min<double>(mostRounds, ratio / 2)) : 0;
+    contactsNew_ = false;
 }
 
 void Simulation::forgetDemand() {
     jointSubsteps_ = contactSubsteps_ = 0;
     contactRounds_ = settling_ = 0;
-    demandGravity_ = -1;
+    settles_ = false;
+    jointsNew_ = contactsNew_ = true;
     choice_.jointsAtOnce = engine_->solveJointsAtOnce(false);
 }
 
@@ -110,12 +159,12 @@ std::vector<Refusal> Simulation::follow(DynamicsColumns const& columns) {
         bodiesVersion_ = columns.bodiesVersion();
         jointsVersion_ = columns.jointsVersion();
         motionStructure_ = columns.motionStructure();
+        jointsNew_ = true;
+        settling_ = settlingFrames;
+        settles_ = false;
     }
     if (settings.substeps != DynamicsSettings::automatic) {
         forgetDemand();
-    } else if (double const gravity = length(columns.gravity()); jointsChanged || gravity != demandGravity_) {
-        demandGravity_ = gravity;
-        noteDemand(gravity, columns);
     }
     if (columns.motionVersion() != motionVersion_) {
         bodies_.followMotion(columns, *engine_);
@@ -127,53 +176,131 @@ std::vector<Refusal> Simulation::follow(DynamicsColumns const& columns) {
 void Simulation::endLoads() {
     loads_.apply(bodies_.bodies(), *engine_);
     loadsStale_ = false;
+    loadsNew_ = true;
 }
 
-void Simulation::noteContacts(DynamicsColumns const& columns, std::span<TouchingPair const> touching) {
-    if (settings_.substeps == DynamicsSettings::automatic) {
-        double const ratio = loadRatio(columns, bodies_, touching, columns.gravity());
-        contactSubsteps_ = stackFactor * std::sqrt(ratio);
-        contactRounds_ = ratio > heaviest ? static_cast<int>(std::min<double>(mostRounds, ratio / 2)) : 0;
-    }
-}
-
-DynamicsSettings Simulation::chosen(double duration, DynamicsColumns const& columns) {
+DynamicsSettings Simulation::chosen(double duration, DynamicsColumns const& columns,
+                                    std::span<TouchingPair const> touching) {
     DynamicsSettings chosen = settings_;
     chosen.scale = engineScale_;
+    double const share = shareOf(duration);
+    chosen.substeps = static_cast<int>(std::ceil(share * chosen.substeps));
     if (settings_.substeps == DynamicsSettings::automatic) {
-        double fastest = 0;
-        for (Velocity const& velocity : columns.velocity.values()) {
-            fastest = std::max(fastest, std::abs(velocity.value.x) + std::abs(velocity.value.y));
+        bool const otherLoads = loadsNew_ && loads_.changedMuch();
+        loadsNew_ = false;
+        if (otherLoads || jointsNew_ || duration != demandFor_) {
+            findJointDemand(duration, columns);
         }
+        if (otherLoads || contactsNew_) {
+            findContactDemand(columns, touching);
+        }
+        double fastest = 0;
         double spin = 0;
-        for (AngularVelocity const& turning : columns.spin.values()) {
-            spin = std::max(spin, std::abs(turning.value));
+        std::size_t moving = 0;
+        for (Body const& body : bodies_.bodies()) { // what is no body may be as fast as it likes
+            if (body.object.valid() && !body.fixed) {
+                ++moving;
+                Vec2 const velocity = columns.velocity.values()[body.rows.velocity].value;
+                fastest = std::max(fastest, std::abs(velocity.x) + std::abs(velocity.y));
+                spin = std::max(spin, std::abs(columns.spin.values()[body.rows.spin].value));
+            }
         }
         double const motion =
             duration * std::max(fastest * engineScale_ / farthestPerStep, spin / widestPerStep);
-        bool const orbits = !touching_.any() && joints_.joints().empty() && !columns.gravityLaw.empty();
-        double const least = orbits ? 1 : leastSubsteps;
-        chosen.substeps = roundedSubsteps(std::max({least, jointSubsteps_, contactSubsteps_, motion}));
+        bool const flies = !touching_.any() && joints_.joints().empty() && rates_.unforeseen > 0;
+        double const least = flies ? 1 : leastSubsteps;
+        double const swings = duration * rates_.ahead / swingPerStep;
+        double const heaped =
+            moving >= manyBodies && touching_.any()
+                ? std::min(substepsOfMany, frameDuration * rates_.ahead / swingPerStepOfMany)
+                : 0;
+        chosen.substeps = roundedSubsteps(
+            std::max({share * std::max({least, contactSubsteps_, heaped}), jointSubsteps_, motion, swings}));
         chosen.velocityIterations = std::max(chosen.velocityIterations, contactRounds_);
         if (settling_ > 0) {
             --settling_;
-            chosen.substeps = settlingSubsteps;
-            chosen.velocityIterations = std::max(chosen.velocityIterations, settlingIterations);
+            if (settles_) {
+                chosen.substeps = static_cast<int>(std::ceil(share * settlingSubsteps));
+                chosen.velocityIterations = std::max(chosen.velocityIterations, settlingIterations);
+            }
         }
     }
-    choice_.substeps = chosen.substeps;
+    choice_.substeps = static_cast<int>(std::lround(chosen.substeps / share));
     choice_.velocityIterations = chosen.velocityIterations;
     choice_.scale = chosen.scale;
     return chosen;
 }
 
-bool Simulation::step(double duration, DynamicsColumns const& columns) {
+bool Simulation::step(double duration, DynamicsColumns const& columns,
+                      std::span<TouchingPair const> touching) {
     if (!engine_->anyAwake()) {
+        failures_ = 0;
         return false;
     }
-    engine_->step(duration, chosen(duration, columns));
+    DynamicsSettings const with = chosen(duration, columns, touching);
+    engine_->step(duration, with);
+    checkMotion();
+    failures_ = 0;
+    lag_ = {duration, duration / with.substeps};
     loads_.noteSleepers(*engine_);
     return true;
+}
+
+void Simulation::checkMotion() const {
+    for (MovedBody const& moved : engine_->moved()) {
+        Motion const& motion = moved.motion;
+        if (!isFinite(motion.centre) || !isFinite(motion.velocity) || !std::isfinite(motion.angle) ||
+            !std::isfinite(motion.spin)) {
+            throw EngineFailure("a body's place or speed is no finite number");
+        }
+    }
+}
+
+void Simulation::takeOver(EngineState const& state) {
+    state_ = state;
+    if (state_.gaveUp == level_) {
+        maker_ = standIn_;
+        stoodIn_ = true;
+    }
+}
+
+void Simulation::giveUp(EngineFailure const& failure) {
+    if (!state_.troubled()) {
+        state_.why = failure.what();
+    }
+    if (!stoodIn_ && maker_ != standIn_) {
+        state_.gaveUp = level_;
+        maker_ = standIn_;
+        stoodIn_ = true;
+    } else {
+        // What has lost its numbers stands still from now on; everything, where it cannot be told or does not
+        // help.
+        std::vector<ObjectId> stopping;
+        if (engine_ && ++failures_ < mostFailures) {
+            for (SlotIndex const slot : engine_->lost()) {
+                if (!bodies_[slot].fixed) { // what is fixed may be drawn in, and is put back
+                    stopping.push_back(bodies_[slot].object);
+                }
+            }
+        }
+        if (stopping.empty()) {
+            for (Body const& body : bodies_.bodies()) {
+                if (body.object.valid() && !body.fixed) {
+                    stopping.push_back(body.object);
+                }
+            }
+        }
+        if (stopping.empty()) {
+            throw std::runtime_error(std::string("dynamics cannot go on: ") + failure.what());
+        }
+        state_.stopped.insert(state_.stopped.end(), stopping.begin(), stopping.end());
+        std::sort(state_.stopped.begin(), state_.stopped.end());
+    }
+    if (!failure.intact()) {
+        abandon(std::move(engine_));
+    }
+    engine_ = nullptr;
+    loadsStale_ = true;
 }
 
 } // namespace trembler

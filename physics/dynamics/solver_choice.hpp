@@ -1,16 +1,19 @@
 // What the settings of the world's solver came to.
 #pragma once
 
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
 
 namespace trembler {
 
-/// What Dynamics computed the last frame with. With automatic settings it follows from the scene's own
-/// columns and contacts, hence from what the state hash covers.
+/// What Dynamics computed the last frame with. With automatic settings it follows from the scene's bodies,
+/// joints and contacts, and from what acts on them. For people to look at: what other effects need to know is
+/// ForceLag.
 struct SolverChoice {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Solver choice", "solver_choice",
                                        "How exactly the last frame's motion was computed."};
+    static constexpr Coverage coverage = hashed;
     std::int32_t substeps = 4;
     std::int32_t velocityIterations = 8;
     bool jointsAtOnce = false;

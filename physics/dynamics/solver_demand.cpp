@@ -19,10 +19,6 @@ struct Hold {
     bool weld = false; // it cannot turn about it
 };
 
-bool moves(BodyTable const& bodies, SlotIndex slot) {
-    return slot != noSlot && bodies[slot].object.valid() && !bodies[slot].fixed;
-}
-
 double squareFrequency(Body const& body, std::span<Hold const> holds) {
     if (std::any_of(holds.begin(), holds.end(), [](Hold const& hold) { return hold.weld; })) {
         return 0;
@@ -62,20 +58,19 @@ double thicknessOf(ShapePiece const& piece) {
     return least;
 }
 
-double zigZagFrequency(BodyTable const& bodies, JointTable const& joints, std::span<JointLoad const> loads,
-                       double gravity) {
+double zigZagFrequency(BodyTable const& bodies, JointTable const& joints, std::span<JointLoad const> loads) {
     std::vector<Hold> holds;
     for (std::size_t slot = 0; slot < loads.size(); ++slot) {
         TiedJoint const& tied = joints.joints()[slot];
         if (loads[slot].mass <= 0) {
             continue;
         }
-        double const pull = loads[slot].mass * gravity;
+        double const pull = loads[slot].pull;
         bool const weld = tied.joint.form == JointForm::weld;
-        if (moves(bodies, tied.a)) {
+        if (bodies.moves(tied.a)) {
             holds.push_back({tied.a, tied.anchors.onA - bodies[tied.a].centre, pull, weld});
         }
-        if (moves(bodies, tied.b)) {
+        if (bodies.moves(tied.b)) {
             holds.push_back({tied.b, tied.anchors.onB - bodies[tied.b].centre, pull, weld});
         }
     }
@@ -92,7 +87,7 @@ double zigZagFrequency(BodyTable const& bodies, JointTable const& joints, std::s
 }
 
 double bendingFrequency(DynamicsColumns const& columns, BodyTable const& bodies, JointTable const& joints,
-                        std::span<JointLoad const> loads, double gravity) {
+                        std::span<JointLoad const> loads) {
     double most = 0;
     for (std::size_t slot = 0; slot < loads.size(); ++slot) {
         TiedJoint const& tied = joints.joints()[slot];
@@ -103,9 +98,9 @@ double bendingFrequency(DynamicsColumns const& columns, BodyTable const& bodies,
         ObjectId const a = bodies[tied.a].object; // what is fixed need not state how it is turned
         double const angle = columns.rotation.has(a) ? columns.rotation.find(a)->angle : 0;
         Vec2 const at = columns.position.find(a)->value + rotated(tied.anchors.onA, angle);
-        double const moment = load.mass * gravity * length(load.centre - at);
+        double const moment = load.pull * length(load.centre - at);
         for (SlotIndex const side : {tied.a, tied.b}) {
-            if (moves(bodies, side)) {
+            if (bodies.moves(side)) {
                 most = std::max(most, moment / bodies[side].inertia);
             }
         }
@@ -124,11 +119,11 @@ std::size_t largestNetwork(BodyTable const& bodies, JointTable const& joints) {
     };
     auto const counts = [&](TiedJoint const& tied) {
         JointForm const form = tied.joint.form;
-        return tied.object.valid() && (moves(bodies, tied.a) || moves(bodies, tied.b)) &&
+        return tied.object.valid() && (bodies.moves(tied.a) || bodies.moves(tied.b)) &&
                (form == JointForm::hinge || form == JointForm::weld || form == JointForm::distance);
     };
     for (TiedJoint const& tied : joints.joints()) {
-        if (counts(tied) && moves(bodies, tied.a) && moves(bodies, tied.b)) {
+        if (counts(tied) && bodies.moves(tied.a) && bodies.moves(tied.b)) {
             leader[find(tied.a)] = find(tied.b);
         }
     }
@@ -136,7 +131,7 @@ std::size_t largestNetwork(BodyTable const& bodies, JointTable const& joints) {
     std::size_t most = 0;
     for (TiedJoint const& tied : joints.joints()) {
         if (counts(tied)) {
-            std::size_t& count = ties[find(moves(bodies, tied.a) ? tied.a : tied.b)];
+            std::size_t& count = ties[find(bodies.moves(tied.a) ? tied.a : tied.b)];
             most = std::max(most, ++count);
         }
     }
@@ -146,77 +141,13 @@ std::size_t largestNetwork(BodyTable const& bodies, JointTable const& joints) {
 } // namespace
 
 JointDemand jointDemand(DynamicsColumns const& columns, BodyTable const& bodies, JointTable const& joints,
-                        double gravity) {
+                        std::span<LoadSum const> loads) {
     if (joints.joints().empty()) {
         return {};
     }
-    std::vector<JointLoad> const loads = jointLoads(columns, bodies, joints);
-    return {zigZagFrequency(bodies, joints, loads, gravity),
-            bendingFrequency(columns, bodies, joints, loads, gravity), largestNetwork(bodies, joints)};
-}
-
-double loadRatio(DynamicsColumns const& columns, BodyTable const& bodies,
-                 std::span<TouchingPair const> touching, Vec2 gravity) {
-    struct Rest {
-        double height = 0; // m, against gravity
-        double carried = 0;
-        int supports = 0;
-        SlotIndex slot = noSlot;
-    };
-    double const strength = length(gravity);
-    if (touching.empty() || !(strength > 0)) {
-        return 0;
-    }
-    Vec2 const up = -1 / strength * gravity;
-    std::vector<Rest> rests(bodies.bodies().size());
-    for (SlotIndex slot = 0; slot < rests.size(); ++slot) {
-        rests[slot].slot = slot;
-        if (moves(bodies, slot)) {
-            Body const& body = bodies[slot];
-            rests[slot].height =
-                dot(up, worldCentre(body, columns.position.values()[body.rows.position].value,
-                                    columns.rotation.values()[body.rows.rotation].angle));
-        }
-    }
-    struct Support {
-        SlotIndex upper;
-        SlotIndex lower; // noSlot: the ground
-    };
-    std::vector<Support> supports;
-    for (TouchingPair const& pair : touching) {
-        SlotIndex a = bodies.slotOf(pair.a);
-        SlotIndex b = bodies.slotOf(pair.b);
-        if (!moves(bodies, a)) {
-            std::swap(a, b);
-        }
-        if (!moves(bodies, a)) {
-            continue;
-        }
-        if (!moves(bodies, b)) {
-            supports.push_back({a, noSlot});
-        } else if (rests[a].height > rests[b].height) {
-            supports.push_back({a, b});
-        } else if (rests[b].height > rests[a].height) {
-            supports.push_back({b, a});
-        }
-    }
-    for (Support const& support : supports) {
-        ++rests[support.upper].supports;
-    }
-    std::stable_sort(supports.begin(), supports.end(), [&](Support const& x, Support const& y) {
-        return rests[x.upper].height > rests[y.upper].height;
-    });
-    double most = 0;
-    for (Support const& support : supports) { // from the top downwards
-        if (support.lower == noSlot) {
-            continue;
-        }
-        Rest const& upper = rests[support.upper];
-        Rest& lower = rests[support.lower];
-        lower.carried += (bodies[support.upper].mass + upper.carried) / upper.supports;
-        most = std::max(most, lower.carried / bodies[support.lower].mass);
-    }
-    return most;
+    std::vector<JointLoad> const carried = jointLoads(columns, bodies, joints, loads);
+    return {zigZagFrequency(bodies, joints, carried), bendingFrequency(columns, bodies, joints, carried),
+            largestNetwork(bodies, joints)};
 }
 
 double scaleFor(DynamicsColumns const& columns) {

@@ -2,6 +2,7 @@
 // pieces between the markers are the ones that the page shows.
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/calls.hpp"
+#include "physics/dynamics/force_rates.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/notation/notation.hpp"
@@ -57,7 +58,8 @@ struct WindForce {
     static constexpr PropertyText text{"F_W", "wind_force", "The force of the wind on each sail."};
     struct Entry {
         ObjectId object;
-        Vec2 force; ///< N
+        Vec2 force;      ///< N
+        double rate = 0; ///< 1/s, at which the wind alone would bring the sail to its own speed
     };
     std::vector<Entry> forces;
 
@@ -65,7 +67,7 @@ struct WindForce {
     static void describe(Self&, Visitor&&) {}
 };
 
-class QuadraticWind final : public Dps<QuadraticWind, Reads<Wind, Sail, Velocity>, Derives<WindForce>> {
+class QuadraticWind final : public Dps<QuadraticWind, Reads<Wind, Sail, Velocity, Mass>, Derives<WindForce>> {
 public:
     static constexpr ComponentText text{
         .name = "Wind Forces",
@@ -82,11 +84,12 @@ public:
         auto& forces = access.derive<WindForce>().forces;
         forces.clear();
         forEach(
-            [&](ObjectId id, Sail const& sail, Velocity const& velocity) {
+            [&](ObjectId id, Sail const& sail, Velocity const& velocity, Mass const& mass) {
                 Vec2 const relative = wind - velocity.value;
-                forces.push_back({id, 0.5 * airDensity * sail.dragArea * length(relative) * relative});
+                double const perSpeed = 0.5 * airDensity * sail.dragArea * length(relative); // N s/m
+                forces.push_back({id, perSpeed * relative, 2 * perSpeed / mass.value}); // d(v²) = 2 v dv
             },
-            access.read<Sail>(), access.read<Velocity>());
+            access.read<Sail>(), access.read<Velocity>(), access.read<Mass>());
     }
 };
 // [derived]
@@ -104,6 +107,7 @@ public:
     void apply(Access& access) {
         for (WindForce::Entry const& entry : access.read<WindForce>().forces) {
             access.call(AddForce{entry.object, entry.force});
+            access.call(TellRate{entry.object, entry.rate});
         }
     }
 };
@@ -128,6 +132,10 @@ TEST(ExampleEffect, BlowsASailUpToTheSpeedOfTheWind) {
     world.start();
     for (int frame = 0; frame < 60 * 600; ++frame) {
         world.step();
+        if (frame == 1) {
+            double const told = 2 * 0.5 * 1.2 * 2 * 10 / world.find<Mass>(boat)->value;
+            EXPECT_NEAR(world.find<ForceRates>()->greatest, told, 1e-3 * told);
+        }
     }
     // m dv/dt = c (w - v)²  gives  v = w (1 - 1 / (1 + c w t / m)),  c = half density times drag area.
     double const mass = world.find<Mass>(boat)->value;

@@ -26,6 +26,7 @@ struct TestLiquid {
 struct TestBuoyantForce {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"F_B", "test_buoyant_force", "Per object buoyancy force."};
+    static constexpr Coverage coverage = hashed;
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
 };

@@ -11,20 +11,12 @@ namespace {
 
 constexpr std::uintptr_t groundData = ~std::uintptr_t{0};
 
-ImpactBook::Key keyOf(b2Contact const* contact) {
-    return reinterpret_cast<std::uintptr_t>(contact);
-}
-
-// What drifts freely, however slowly, does not come to rest by itself: above these it must not fall asleep.
-constexpr double driftAcceleration = 1e-3; // m/s²
-constexpr double driftSpeed = 1e-4;        // m/s
-constexpr double driftSpin = 1e-3;         // rad/s
-
 } // namespace
 
 Box2dEngine::Box2dEngine(double scale) : scale_(scale), world_(b2Vec2_zero) {
     world_.SetAutoClearForces(false); // loads stand for all substeps
     world_.SetContactListener(this);
+    world_.SetContactFilter(&crowds_);
     b2BodyDef def;
     def.userData.pointer = groundData;
     ground_ = world_.CreateBody(&def);
@@ -59,8 +51,13 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
     }
     def.userData.pointer = slot;
     b2Body* const body = world_.CreateBody(&def);
-    bodies_[slot] = {
-        .body = body, .object = spec.object, .force = b2Vec2_zero, .torque = 0, .restlessJoints = 0};
+    ++added_;
+    bodies_[slot] = {.body = body,
+                     .object = spec.object,
+                     .force = b2Vec2_zero,
+                     .torque = 0,
+                     .restlessJoints = 0,
+                     .core = coreOf(spec)};
     b2FixtureDef fixture; // whose density stays 0: mass and moment are set for the body as a whole
     fixture.friction = static_cast<float>(spec.friction);
     fixture.restitution = static_cast<float>(spec.restitution);
@@ -111,122 +108,6 @@ bool Box2dEngine::isAt(SlotIndex slot, Motion const& motion) const {
     }
     return body.GetType() == b2_staticBody || (body.GetLinearVelocity() == toEngine(motion.velocity) &&
                                                body.GetAngularVelocity() == static_cast<float>(motion.spin));
-}
-
-void Box2dEngine::setLoads(std::span<Load const> loads) {
-    loadWoken();
-    world_.ClearForces();
-    for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
-        BodyEntry& entry = bodies_[slot];
-        if (entry.body == nullptr) {
-            continue;
-        }
-        Load const load = slot < loads.size() ? loads[slot] : Load{};
-        entry.force = toEngine(load.force);
-        entry.torque = static_cast<float>(load.torque * scale_ * scale_);
-        if (awake_[slot] != 0) {
-            entry.body->ApplyForceToCenter(entry.force, false);
-            entry.body->ApplyTorque(entry.torque, false);
-        }
-    }
-}
-
-void Box2dEngine::setDrags(std::span<Drag const> drags) {
-    draggedSlots_.clear();
-    dragged_.resize(drags.empty() ? 0 : bodies_.size());
-    for (SlotIndex slot = 0; slot < dragged_.size(); ++slot) {
-        b2Body const* const body = bodies_[slot].body;
-        if (slot < drags.size() && drags[slot].any() && body != nullptr &&
-            body->GetType() == b2_dynamicBody) {
-            dragged_[slot].drag = drags[slot];
-            draggedSlots_.push_back(slot);
-        } else {
-            dragged_[slot] = {};
-        }
-    }
-}
-
-Twist Box2dEngine::momentumOf(b2Body const& body) const {
-    return {static_cast<double>(body.GetMass()) * fromEngine(body.GetLinearVelocity()),
-            static_cast<double>(body.GetInertia()) / (scale_ * scale_) *
-                static_cast<double>(body.GetAngularVelocity())};
-}
-
-void Box2dEngine::applyDrags(double substep) {
-    double const square = scale_ * scale_;
-    for (SlotIndex const slot : draggedSlots_) {
-        BodyEntry const& entry = bodies_[slot];
-        if (entry.body == nullptr || awake_[slot] == 0) {
-            continue;
-        }
-        Twist const load{substep * fromEngine(entry.force),
-                         substep * static_cast<double>(entry.torque) / square};
-        Twist const impulse = dragged_[slot].before(static_cast<double>(entry.body->GetMass()),
-                                                    static_cast<double>(entry.body->GetInertia()) / square,
-                                                    momentumOf(*entry.body), load, substep);
-        entry.body->ApplyLinearImpulseToCenter(toEngine(impulse.linear), false);
-        entry.body->ApplyAngularImpulse(static_cast<float>(impulse.angular * square), false);
-    }
-}
-
-void Box2dEngine::noteDragged() {
-    for (SlotIndex const slot : draggedSlots_) {
-        if (bodies_[slot].body != nullptr && awake_[slot] != 0) {
-            dragged_[slot].after(momentumOf(*bodies_[slot].body));
-        }
-    }
-}
-
-void Box2dEngine::wake(SlotIndex slot) {
-    wakeAll(bodies_[slot].body);
-}
-
-void Box2dEngine::wakeAll(b2Body* body) {
-    wakeStack_.push_back(body);
-    while (!wakeStack_.empty()) {
-        b2Body& next = *wakeStack_.back();
-        wakeStack_.pop_back();
-        SlotIndex const slot = slotOf(&next);
-        if (next.GetType() != b2_dynamicBody || slot == noSlot || awake_[slot] != 0) {
-            continue;
-        }
-        next.SetAwake(true);
-        next.ApplyForceToCenter(bodies_[slot].force, false);
-        next.ApplyTorque(bodies_[slot].torque, false);
-        awake_[slot] = 1;
-        anyAwake_ = true;
-        for (b2ContactEdge* edge = next.GetContactList(); edge != nullptr; edge = edge->next) {
-            if (edge->contact->IsTouching() && edge->contact->IsEnabled()) {
-                wakeStack_.push_back(edge->other);
-            }
-        }
-        for (b2JointEdge* edge = next.GetJointList(); edge != nullptr; edge = edge->next) {
-            wakeStack_.push_back(edge->other);
-        }
-    }
-}
-
-// Box2D wakes bodies by itself too: when what they rested on is destroyed, or when sleep is forbidden.
-void Box2dEngine::loadWoken() {
-    if (!std::exchange(disturbed_, false)) {
-        return;
-    }
-    for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
-        b2Body* const body = bodies_[slot].body;
-        if (body != nullptr && awake_[slot] == 0 && body->GetType() == b2_dynamicBody && body->IsAwake()) {
-            wakeAll(body);
-        }
-    }
-}
-
-void Box2dEngine::keepAwake(SlotIndex slot, int change) {
-    BodyEntry& entry = bodies_[slot];
-    entry.restlessJoints += change;
-    if (entry.body->GetType() == b2_dynamicBody &&
-        entry.body->IsSleepingAllowed() != (entry.restlessJoints == 0)) {
-        wakeAll(entry.body);
-        entry.body->SetSleepingAllowed(entry.restlessJoints == 0);
-    }
 }
 
 void Box2dEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
@@ -291,7 +172,7 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
         since_ = duration * substep / settings.substeps;
         applyDrags(static_cast<double>(h));
         applyJoints(h);
-        world_.Step(h, settings.velocityIterations, settings.positionIterations);
+        takeStep(h, settings, substep + 1 == settings.substeps);
         noteDragged();
         bool const last = substep + 1 == settings.substeps;
         anyAwake_ = false;
@@ -321,25 +202,6 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
     noteMoved();
 }
 
-bool Box2dEngine::drifts(BodyEntry const& entry) const {
-    b2Body& body = *entry.body;
-    float const tolerance = b2_linearSleepTolerance;
-    if (body.GetLinearVelocity().LengthSquared() > tolerance * tolerance) {
-        return false; // too fast to fall asleep anyway
-    }
-    if (body.GetJointList() != nullptr) {
-        return false;
-    }
-    for (b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
-        if (edge->contact->IsTouching()) {
-            return false;
-        }
-    }
-    return length(fromEngine(entry.force)) > driftAcceleration * static_cast<double>(body.GetMass()) ||
-           length(fromEngine(body.GetLinearVelocity())) > driftSpeed ||
-           std::abs(static_cast<double>(body.GetAngularVelocity())) > driftSpin;
-}
-
 void Box2dEngine::noteMoved() {
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (movedMarks_[slot] != 0) {
@@ -352,116 +214,17 @@ void Box2dEngine::noteMoved() {
     }
 }
 
-void Box2dEngine::BeginContact(b2Contact* contact) {
-    noteTouch(contact, 1);
-    if (impactsWanted_) {
-        pressures_.begin(keyOf(contact));
-    }
-}
-
-void Box2dEngine::EndContact(b2Contact* contact) {
-    noteTouch(contact, -1);
-    pressures_.end(keyOf(contact));
-}
-
-float Box2dEngine::speedGain(b2Body const* body) const {
-    SlotIndex const slot = slotOf(body);
-    float const mass = body->GetMass();
-    return slot == noSlot || !(mass > 0) ? 0 : bodies_[slot].force.Length() * substep_ / mass;
-}
-
-// What a strong pull presses on something gains, in every substep, a speed that looks like an impact;
-// bouncing that back would go on for ever. Only speed that the pull cannot explain bounces.
-void Box2dEngine::PreSolve(b2Contact* contact, b2Manifold const*) {
-    if (contact->GetRestitution() > 0) {
-        float const explained =
-            2 * (speedGain(contact->GetFixtureA()->GetBody()) + speedGain(contact->GetFixtureB()->GetBody()));
-        contact->SetRestitutionThreshold(std::max(b2FixtureDef().restitutionThreshold, explained));
-    }
-}
-
-void Box2dEngine::noteImpacts(bool wanted) {
-    if (impactsWanted_ && !wanted) {
-        pressures_.clear();
-        impacts_.clear();
-    }
-    impactsWanted_ = wanted;
-}
-
-void Box2dEngine::PostSolve(b2Contact* contact, b2ContactImpulse const* impulse) {
-    if (!impactsWanted_) {
-        return;
-    }
-    float sum = 0;
-    for (int i = 0; i < impulse->count; ++i) {
-        sum += impulse->normalImpulses[i];
-    }
-    double const blow = pressures_.press(keyOf(contact), static_cast<double>(sum));
-    b2Body const* const a = contact->GetFixtureA()->GetBody();
-    b2Body const* const b = contact->GetFixtureB()->GetBody();
-    auto const inverse = [](b2Body const* body) {
-        return body->GetMass() > 0 ? 1 / static_cast<double>(body->GetMass()) : 0;
-    };
-    if (!(blow * (inverse(a) + inverse(b)) > faintestImpact * scale_)) {
-        return;
-    }
-    b2WorldManifold world;
-    contact->GetWorldManifold(&world);
-    Impact impact;
-    impact.a = bodies_[slotOf(a)].object;
-    impact.b = bodies_[slotOf(b)].object;
-    impact.normal = {static_cast<double>(world.normal.x), static_cast<double>(world.normal.y)};
-    if (impact.b < impact.a) {
-        std::swap(impact.a, impact.b);
-        impact.normal = -impact.normal;
-    }
-    for (int i = 0; i < impulse->count; ++i) {
-        double const share = static_cast<double>(impulse->normalImpulses[i]) / static_cast<double>(sum);
-        impact.point += share * fromEngine(world.points[i]);
-    }
-    impact.impulse = blow / scale_;
-    impact.since = since_;
-    impacts_.push_back(impact);
-}
-
-void Box2dEngine::noteTouch(b2Contact* contact, int delta) {
-    b2Body* const bodies[2] = {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()};
-    ObjectId const a = bodies_[slotOf(bodies[0])].object;
-    ObjectId const b = bodies_[slotOf(bodies[1])].object;
-    touches_.push_back(a < b ? TouchChange{a, b, delta} : TouchChange{b, a, delta});
-    for (b2Body* const body : bodies) {
-        if (body->IsAwake()) {
-            wakeAll(body); // Box2D has just woken it: a touch has begun or ended
+std::vector<SlotIndex> Box2dEngine::lost() const {
+    std::vector<SlotIndex> found;
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        b2Body const* const body = bodies_[slot].body;
+        if (body != nullptr &&
+            !(body->GetPosition().IsValid() && b2IsValid(body->GetAngle()) &&
+              body->GetLinearVelocity().IsValid() && b2IsValid(body->GetAngularVelocity()))) {
+            found.push_back(slot);
         }
     }
-}
-
-void Box2dEngine::addContactPatches(std::vector<ContactPatch>& patches) const {
-    for (b2Contact const* contact = world_.GetContactList(); contact != nullptr;
-         contact = contact->GetNext()) {
-        b2Manifold const& manifold = *contact->GetManifold();
-        if (!contact->IsTouching() || manifold.pointCount == 0) {
-            continue;
-        }
-        b2WorldManifold world;
-        contact->GetWorldManifold(&world);
-        ContactPatch patch;
-        patch.a = bodies_[slotOf(contact->GetFixtureA()->GetBody())].object;
-        patch.b = bodies_[slotOf(contact->GetFixtureB()->GetBody())].object;
-        double const sign = patch.a < patch.b ? 1 : -1;
-        if (sign < 0) {
-            std::swap(patch.a, patch.b);
-        }
-        patch.normal = sign * Vec2{static_cast<double>(world.normal.x), static_cast<double>(world.normal.y)};
-        patch.count = manifold.pointCount;
-        for (int i = 0; i < manifold.pointCount; ++i) {
-            auto const n = static_cast<std::size_t>(i);
-            patch.points[n] = fromEngine(world.points[i]);
-            patch.normalImpulse[n] = static_cast<double>(manifold.points[i].normalImpulse) / scale_;
-            patch.tangentImpulse[n] = static_cast<double>(manifold.points[i].tangentImpulse) / scale_;
-        }
-        patches.push_back(patch);
-    }
+    return found;
 }
 
 std::unique_ptr<Engine> makeBox2dEngine(double scale) {

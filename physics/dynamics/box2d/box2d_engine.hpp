@@ -4,6 +4,8 @@
 // that its reckoning of moments about another origin, in single precision, never loses them.
 #pragma once
 
+#include "physics/dynamics/body_core.hpp"
+#include "physics/dynamics/box2d/box2d_crowd.hpp"
 #include "physics/dynamics/box2d/joints_at_once.hpp"
 
 #include <box2d/box2d.h>
@@ -35,6 +37,7 @@ public:
     void noteImpacts(bool wanted) override;
     [[nodiscard]] std::span<Impact const> impacts() const override { return impacts_; }
     [[nodiscard]] Vec2 jointForce(SlotIndex slot) const override { return joints_[slot].force; }
+    [[nodiscard]] std::vector<SlotIndex> lost() const override;
 
 private:
     struct BodyEntry {
@@ -43,6 +46,11 @@ private:
         b2Vec2 force = b2Vec2_zero; // in engine units
         float torque = 0;
         int restlessJoints = 0; // motors that must not fall asleep
+        BodyCore core;
+    };
+    struct Place { // in engine units
+        b2Vec2 centre = b2Vec2_zero;
+        float angle = 0;
     };
     struct JointEntry {
         b2Joint* joint = nullptr;
@@ -51,6 +59,17 @@ private:
         bool restless = false;
         Vec2 force; // N, mean over the last step()
     };
+
+    void takeStep(float h, DynamicsSettings const& settings, bool last);
+    /// Whether Box2D would spend too much on looking for impacts within the coming substep.
+    [[nodiscard]] bool tooManyImpacts() const;
+    void noteStart();
+    /// Puts what was too fast back to where its path was first blocked, after a substep without impacts.
+    void holdBack();
+    /// The share of its way that a body's core can go before it meets something.
+    [[nodiscard]] float freeShare(BodyEntry const& entry, Place const& start, b2Vec2 way) const;
+    /// Whether Box2D has gone back on a body's way within the substep, and is looking at contacts there.
+    [[nodiscard]] bool onTheWay(b2Contact* contact) const;
 
     void BeginContact(b2Contact* contact) override;
     void EndContact(b2Contact* contact) override;
@@ -81,6 +100,7 @@ private:
     [[nodiscard]] b2Joint* makeJoint(JointSpec const& spec);
 
     double scale_;
+    CrowdFilter crowds_;
     b2World world_;
     b2Body* ground_ = nullptr; // what joints to the world hold on to
     std::vector<BodyEntry> bodies_;
@@ -98,6 +118,10 @@ private:
     std::vector<std::uint8_t> movedMarks_;
     std::vector<TouchChange> touches_;
     std::vector<b2Body*> wakeStack_;
+    int added_ = 0;              // bodies since the last step
+    std::vector<Place> start_;   // by slot: where what is awake began the substep
+    bool watching_ = false;      // start_ is to be compared with
+    bool endedOnTheWay_ = false; // a touch ended where its bodies were on their way only
     bool impactsWanted_ = false;
     ImpactBook pressures_;
     std::vector<Impact> impacts_;

@@ -25,6 +25,10 @@ b2Joint* Box2dEngine::makeJoint(JointSpec const& spec) {
     float const reference = asFloat(spec.anchors.referenceAngle);
     float const strength = asFloat(joint.motorStrength * scale_); // of a force
     float const torque = asFloat(joint.motorStrength * scale_ * scale_);
+    // Box2D aborts where limits are the wrong way round, even those that are not in force.
+    double const limitUnit = joint.form == JointForm::hinge ? 1 : scale_;
+    float const lower = joint.limited ? asFloat(joint.lower * limitUnit) : 0;
+    float const upper = joint.limited ? asFloat(joint.upper * limitUnit) : 0;
     auto const create = [&](b2JointDef& def, b2Body* first, b2Body* second) {
         def.bodyA = first;
         def.bodyB = second;
@@ -38,8 +42,8 @@ b2Joint* Box2dEngine::makeJoint(JointSpec const& spec) {
         def.localAnchorB = onA;
         def.referenceAngle = reference;
         def.enableLimit = joint.limited;
-        def.lowerAngle = asFloat(joint.lower);
-        def.upperAngle = asFloat(joint.upper);
+        def.lowerAngle = lower;
+        def.upperAngle = upper;
         def.enableMotor = joint.motor;
         def.motorSpeed = asFloat(joint.motorSpeed);
         def.maxMotorTorque = torque;
@@ -59,8 +63,8 @@ b2Joint* Box2dEngine::makeJoint(JointSpec const& spec) {
         def.localAxisA = axis;
         def.referenceAngle = reference;
         def.enableLimit = joint.limited;
-        def.lowerTranslation = asFloat(joint.lower * scale_);
-        def.upperTranslation = asFloat(joint.upper * scale_);
+        def.lowerTranslation = lower;
+        def.upperTranslation = upper;
         def.enableMotor = joint.motor;
         def.motorSpeed = asFloat(joint.motorSpeed * scale_);
         def.maxMotorForce = strength;
@@ -72,8 +76,8 @@ b2Joint* Box2dEngine::makeJoint(JointSpec const& spec) {
         def.localAnchorB = onA;
         def.localAxisA = axis;
         def.enableLimit = joint.limited;
-        def.lowerTranslation = asFloat(joint.lower * scale_);
-        def.upperTranslation = asFloat(joint.upper * scale_);
+        def.lowerTranslation = lower;
+        def.upperTranslation = upper;
         def.enableMotor = joint.motor;
         def.motorSpeed = asFloat(joint.motorSpeed);
         def.maxMotorTorque = torque;

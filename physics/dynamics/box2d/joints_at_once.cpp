@@ -38,6 +38,36 @@ double cross(b2Vec2 arm, double nx, double ny) {
     return static_cast<double>(arm.x) * ny - static_cast<double>(arm.y) * nx;
 }
 
+using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+
+// Whether the factor of a matrix, of which the lower triangle is given, would have more than `most` entries
+// beside its diagonal. Walks the elimination tree (Liu 1990) as the factorisation would, and stops as soon as
+// that is certain; needs memory for the matrix only.
+bool factorExceeds(Matrix const& lower, Order const& order, Eigen::Index most) {
+    Matrix upper(lower.rows(), lower.cols());
+    upper.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(order);
+    constexpr Eigen::Index none = -1;
+    std::vector<Eigen::Index> parent(static_cast<std::size_t>(lower.cols()), none);
+    std::vector<Eigen::Index> seen(static_cast<std::size_t>(lower.cols()), none);
+    Eigen::Index entries = 0;
+    for (Eigen::Index column = 0; column < upper.cols(); ++column) {
+        seen[static_cast<std::size_t>(column)] = column;
+        for (Matrix::InnerIterator entry(upper, column); entry; ++entry) {
+            for (Eigen::Index row = entry.row();
+                 row < column && seen[static_cast<std::size_t>(row)] != column;) {
+                if (++entries > most) {
+                    return true;
+                }
+                seen[static_cast<std::size_t>(row)] = column;
+                Eigen::Index& up = parent[static_cast<std::size_t>(row)];
+                up = up == none ? column : up;
+                row = up;
+            }
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 struct JointsAtOnce::Factor {
@@ -97,6 +127,10 @@ void JointsAtOnce::setJoints(std::span<b2Joint* const> joints) {
 void JointsAtOnce::findStructure() {
     Factor& factor = *factor_;
     auto const size = static_cast<Eigen::Index>(rows_.size());
+    tooDense_ = size == 0 || pairsExceed(2 * static_cast<std::size_t>(densest + 1) * rows_.size());
+    if (tooDense_) { // such a matrix must not even be made
+        return;
+    }
     std::vector<Eigen::Triplet<double>> all;
     for (Mover const& mover : movers_) {
         for (auto const& [i, si] : mover.rows) {
@@ -109,6 +143,12 @@ void JointsAtOnce::findStructure() {
     }
     factor.matrix.resize(size, size);
     factor.matrix.setFromTriplets(all.begin(), all.end());
+    Order inverse;
+    Eigen::AMDOrdering<int>()(factor.matrix.selfadjointView<Eigen::Lower>(), inverse);
+    tooDense_ = factorExceeds(factor.matrix, inverse.inverse(), densest * size);
+    if (tooDense_) {
+        return;
+    }
     auto const entry = [&](std::size_t i, std::size_t j) {
         double const* const at =
             &factor.matrix.coeffRef(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
@@ -129,10 +169,20 @@ void JointsAtOnce::findStructure() {
         factor.diagonal.push_back(entry(row, row));
     }
     factor.right.resize(size);
-    tooDense_ = size == 0;
-    if (size > 0) {
-        factor.ldlt.analyzePattern(factor.matrix);
+    factor.ldlt.analyzePattern(factor.matrix);
+}
+
+// Every pair of rows that share a body is an entry of the matrix. As no two rows share more than two bodies,
+// more than twice as many pairs as the factor may have entries leave it too dense whatever the order.
+bool JointsAtOnce::pairsExceed(std::size_t most) const {
+    std::size_t pairs = 0;
+    for (Mover const& mover : movers_) {
+        pairs += mover.rows.size() * (mover.rows.size() + 1) / 2;
+        if (pairs > most) {
+            return true;
+        }
     }
+    return false;
 }
 
 void JointsAtOnce::look(float h, std::function<Pull(b2Body const&)> const& pullOn) {
@@ -208,7 +258,6 @@ bool JointsAtOnce::factorise() {
     if (factor.ldlt.info() != Eigen::Success) {
         return false;
     }
-    tooDense_ = factor.ldlt.matrixL().nestedExpression().nonZeros() > densest * factor.matrix.cols();
     Vector& right = factor.right;
     for (Tie const& tie : ties_) {
         Mover const fixed{};

@@ -75,6 +75,7 @@ private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
     void findStructure();
+    [[nodiscard]] bool pairsExceed(std::size_t most) const;
     void look(float h, std::function<Pull(b2Body const&)> const& pullOn);
     void setRows(Tie const& tie);
     [[nodiscard]] bool factorise();

@@ -6,8 +6,7 @@
 namespace trembler {
 
 #ifdef TREMBLER_HAS_CHIPMUNK
-/// Makes a Chipmunk space, in metres whatever the scale. The first one in a process speaks on the library's
-/// behalf: what it prints goes to the standard error stream.
+/// Makes a Chipmunk space, in metres whatever the scale.
 [[nodiscard]] std::unique_ptr<Engine> makeChipmunkEngine(double scale);
 #endif
 

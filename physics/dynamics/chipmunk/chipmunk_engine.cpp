@@ -4,6 +4,7 @@
 #include "physics/dynamics/chipmunk/chipmunk_dynamics.hpp"
 #include "physics/dynamics/chipmunk/chipmunk_joint.hpp"
 
+#include <algorithm>
 #include <chipmunk/chipmunk_structs.h>
 #include <cmath>
 
@@ -105,10 +106,24 @@ void ChipmunkEngine::move(double h, DynamicsSettings const& settings, std::vecto
     cpSpaceStep(space_.get(), h);
     found_ = nullptr;
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        if (moves(slot) && isAwake(slot)) {
+            limitSpeed(*bodies_[slot]);
+        }
+    }
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (moves(slot) && !isAwake(slot) && cpBodyIsSleeping(bodies_[slot]) == cpFalse) {
             noteAwake(slot);
         }
     }
+}
+
+// Joints and contacts may have asked for any speed.
+void ChipmunkEngine::limitSpeed(cpBody& body) {
+    double const speed = cpvlength(body.v);
+    if (speed > maximumSpeed) {
+        body.v = cpvmult(body.v, maximumSpeed / speed);
+    }
+    body.w = std::clamp(body.w, -maximumSpeed, maximumSpeed);
 }
 
 void ChipmunkEngine::updateVelocity(cpBody* body, cpVect /*gravity*/, cpFloat /*damping*/, cpFloat h) {
@@ -136,7 +151,7 @@ void ChipmunkEngine::updatePosition(cpBody* body, cpFloat h) {
 double ChipmunkEngine::freeShare(cpBody const* body, SlotIndex slot, double h) const {
     BodyEntry const& entry = bodies()[slot];
     cpVect const way = cpvmult(body->v, h);
-    if (cpvlength(way) <= reachOf(entry)) {
+    if (cpvlength(way) <= entry.core.reach()) {
         return 1;
     }
     Vec2 const core = rotated(entry.core.at, body->a);

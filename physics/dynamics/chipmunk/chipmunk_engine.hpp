@@ -42,6 +42,8 @@ private:
     void move(double h, DynamicsSettings const& settings, std::vector<PieceContact>& found) override;
     [[nodiscard]] Vec2 jointImpulse(SlotIndex slot) const override;
 
+    static void limitSpeed(cpBody& body);
+
     // Chipmunk calls these from within its step.
     static void updateVelocity(cpBody* body, cpVect gravity, cpFloat damping, cpFloat h);
     static void updatePosition(cpBody* body, cpFloat h);
@@ -65,7 +67,7 @@ void addShapes(cpSpace& space, cpBody& body, SlotIndex slot, BodySpec const& spe
 /// The name that addShapes() gave.
 [[nodiscard]] std::uint32_t pieceOf(cpShape const* shape);
 
-/// Makes a space. The library greets on the standard output the first time; that goes elsewhere.
+/// Makes a space. The library greets on the standard output the first time; that goes nowhere.
 [[nodiscard]] cpSpace* newSpaceQuietly();
 
 } // namespace trembler

@@ -1,11 +1,8 @@
-// Our shapes in Chipmunk's terms, and how it is made to start without a word.
+// Our shapes in Chipmunk's terms.
 #ifdef TREMBLER_HAS_CHIPMUNK
 #include "physics/dynamics/chipmunk/chipmunk_engine.hpp"
 
 #include <array>
-#include <cstdio>
-#include <mutex>
-#include <unistd.h>
 
 namespace trembler {
 namespace {
@@ -52,25 +49,6 @@ void addShapes(cpSpace& space, cpBody& body, SlotIndex slot, BodySpec const& spe
 
 std::uint32_t pieceOf(cpShape const* shape) {
     return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(cpShapeGetUserData(shape)));
-}
-
-cpSpace* newSpaceQuietly() {
-    // Debian's library says on the standard output that it has its checks on, at the first space of a
-    // process. What programs write there may be read by others: it goes to the standard error stream.
-    static std::once_flag greeted;
-    std::call_once(greeted, [] {
-        std::fflush(stdout);
-        int const output = dup(STDOUT_FILENO);
-        if (output >= 0 && dup2(STDERR_FILENO, STDOUT_FILENO) >= 0) {
-            cpSpaceFree(cpSpaceNew());
-            std::fflush(stdout);
-            dup2(output, STDOUT_FILENO);
-        }
-        if (output >= 0) {
-            close(output);
-        }
-    });
-    return cpSpaceNew();
 }
 
 } // namespace trembler

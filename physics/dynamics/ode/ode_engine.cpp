@@ -10,11 +10,13 @@
 namespace trembler {
 namespace {
 
-constexpr double jointCorrection = 0.4; // of an error of place, in one substep
-constexpr double contactCorrection = 0.2;
-constexpr double fastestCorrection = 0.25; // m/s, of bodies that overlap: ODE's stays with them as speed
+constexpr double jointCorrection = 0.4;       // of an error of place, in one substep
+constexpr double fastestOdeCorrection = 0.25; // m/s, of bodies that overlap: ODE's stays with them as speed
 constexpr std::size_t mostRowsSolvedExactly = 150;
 constexpr int sweepsPerIteration = 12; // ODE's relaxation has nothing to start from
+// Rows times sweeps in a substep: about 5 ms. Beyond, there are fewer sweeps, but so many all the same.
+constexpr std::size_t mostWork = 300000;
+constexpr std::size_t fewestSweeps = 16;
 
 } // namespace
 
@@ -22,7 +24,7 @@ OdeEngine::OdeEngine(double scale) : contacts_(dJointGroupCreate(0)), finder_(sc
     dWorldID const world = world_.get();
     dWorldSetGravity(world, 0, 0, 0); // gravity is a force like any other
     dWorldSetERP(world, jointCorrection);
-    dWorldSetContactMaxCorrectingVel(world, fastestCorrection);
+    dWorldSetContactMaxCorrectingVel(world, fastestOdeCorrection);
     dWorldSetContactSurfaceLayer(world, skinDepth);
     dWorldSetAutoDisableFlag(world, 0);
 }
@@ -99,7 +101,7 @@ void OdeEngine::move(double h, DynamicsSettings const& settings, std::vector<Pie
     if (largestIsland() <= mostRowsSolvedExactly) {
         world_.stepExactly(h);
     } else {
-        world_.stepQuickly(h, sweepsPerIteration * settings.velocityIterations);
+        world_.stepQuickly(h, sweepsFor(settings.velocityIterations));
     }
     reportContacts(h, found);
     noteJointImpulses(h);
@@ -135,7 +137,7 @@ void OdeEngine::readBack(SlotIndex slot, double h) {
 
 double OdeEngine::freeShare(SlotIndex slot, Motion const& from, Vec2 way) const {
     BodyEntry const& entry = bodies()[slot];
-    if (length(way) <= reachOf(entry)) {
+    if (length(way) <= entry.core.reach()) {
         return 1;
     }
     return finder_.freeShare(from.centre + rotated(entry.core.at, from.angle), entry.core.radius, way,
@@ -145,108 +147,10 @@ double OdeEngine::freeShare(SlotIndex slot, Motion const& from, Vec2 way) const 
                              });
 }
 
-bool OdeEngine::mayTouch(SlotIndex a, SlotIndex b) const {
-    return (moves(a) || moves(b)) && canHit(bodies()[a].groups, bodies()[b].groups) &&
-           (apart_.empty() || !apart_.contains({a, b}));
-}
-
-void OdeEngine::findTouches() {
-    touches_.clear();
-    std::vector<SlotIndex> asked;
-    std::vector<std::uint8_t> done(motions_.size(), 0);
-    for (;;) {
-        // Whom a touch wakes may touch, and wake, others.
-        asked.clear();
-        for (SlotIndex slot = 0; slot < motions_.size(); ++slot) {
-            if (done[slot] == 0 && moves(slot) && isAwake(slot)) {
-                asked.push_back(slot);
-                done[slot] = 1;
-            }
-        }
-        if (asked.empty()) {
-            break;
-        }
-        std::size_t const before = touches_.size();
-        finder_.find(
-            asked, [this](SlotIndex a, SlotIndex b) { return mayTouch(a, b); }, touches_);
-        for (std::size_t i = before; i < touches_.size(); ++i) {
-            rouseSleeper(touches_[i].a);
-            rouseSleeper(touches_[i].b);
-        }
-    }
-    std::sort(touches_.begin(), touches_.end(),
-              [](FoundTouch const& x, FoundTouch const& y) { return x.key < y.key; });
-    touches_.erase(std::unique(touches_.begin(), touches_.end(),
-                               [](FoundTouch const& x, FoundTouch const& y) { return x.key == y.key; }),
-                   touches_.end());
-    awakeSlots_.clear();
-    for (SlotIndex slot = 0; slot < motions_.size(); ++slot) {
-        if (done[slot] != 0) {
-            awakeSlots_.push_back(slot);
-        }
-    }
-}
-
-void OdeEngine::addContacts(double h) {
-    feedback_.resize(touches_.size());
-    for (std::size_t i = 0; i < touches_.size(); ++i) {
-        FoundTouch const& touch = touches_[i];
-        bool const flipped = idOf(touch.a) == nullptr; // ODE's first body must move
-        dContact contact{};
-        contact.surface.mode = dContactMu2 | dContactFDir1 | dContactApprox1 | dContactSoftERP;
-        contact.surface.soft_erp = contactCorrection;
-        contact.surface.mu = frictionOf(touch.a, touch.b);
-        contact.surface.mu2 = 0; // nothing moves out of the plane
-        double const bounce = restitutionOf(touch.a, touch.b);
-        if (bounce > 0) {
-            contact.surface.mode |= dContactBounce;
-            contact.surface.bounce = bounce;
-            contact.surface.bounce_vel = bounceThreshold(touch.a, touch.b, h);
-        }
-        Vec2 const inward = flipped ? touch.normal : -touch.normal; // into ODE's first body
-        contact.geom.normal[0] = inward.x;
-        contact.geom.normal[1] = inward.y;
-        contact.fdir1[0] = -inward.y;
-        contact.fdir1[1] = inward.x;
-        for (std::size_t n = 0; n < static_cast<std::size_t>(touch.count); ++n) {
-            contact.geom.pos[0] = touch.points[n].x;
-            contact.geom.pos[1] = touch.points[n].y;
-            contact.geom.depth = std::max(touch.depth[n], 0.0);
-            dJointID const joint = dJointCreateContact(world_.get(), contacts_.get(), &contact);
-            dJointAttach(joint, idOf(flipped ? touch.b : touch.a), idOf(flipped ? touch.a : touch.b));
-            feedback_[i][n] = {};
-            dJointSetFeedback(joint, &feedback_[i][n]);
-        }
-    }
-}
-
-void OdeEngine::reportContacts(double h, std::vector<PieceContact>& found) const {
-    for (std::size_t i = 0; i < touches_.size(); ++i) {
-        FoundTouch const& touch = touches_[i];
-        bool const flipped = idOf(touch.a) == nullptr;
-        PieceContact contact;
-        contact.key = touch.key;
-        contact.slotA = touch.a;
-        contact.slotB = touch.b;
-        ContactPatch& patch = contact.patch;
-        patch.a = bodies()[touch.a].object;
-        patch.b = bodies()[touch.b].object;
-        patch.normal = touch.normal;
-        patch.count = touch.count;
-        for (std::size_t n = 0; n < static_cast<std::size_t>(touch.count); ++n) {
-            dReal const* const onFirst = feedback_[i][n].f1;
-            Vec2 const onB = (flipped ? h : -h) * Vec2{onFirst[0], onFirst[1]};
-            patch.points[n] = touch.points[n];
-            patch.normalImpulse[n] = std::max(dot(onB, touch.normal), 0.0);
-            patch.tangentImpulse[n] = dot(onB, -perpendicular(touch.normal)); // the normal turned clockwise
-        }
-        if (patch.b < patch.a) {
-            std::swap(patch.a, patch.b);
-            std::swap(contact.slotA, contact.slotB);
-            patch.normal = -patch.normal;
-        }
-        found.push_back(contact);
-    }
+int OdeEngine::sweepsFor(int iterations) const {
+    std::size_t const rows = std::accumulate(rowsOf_.begin(), rowsOf_.end(), std::size_t{1});
+    auto const wanted = static_cast<std::size_t>(sweepsPerIteration * iterations);
+    return static_cast<int>(std::min(wanted, std::max(mostWork / rows, fewestSweeps)));
 }
 
 std::size_t OdeEngine::largestIsland() {
@@ -264,8 +168,10 @@ std::size_t OdeEngine::largestIsland() {
             parents_[rootOf(a)] = rootOf(b);
         }
     };
-    for (FoundTouch const& touch : touches_) {
-        link(touch.a, touch.b);
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+        if (pressing_[i] != 0) {
+            link(touches_[i].a, touches_[i].b);
+        }
     }
     for (auto const& joined : joined_) {
         if (joined && (joined->main || joined->drive)) {
@@ -276,8 +182,10 @@ std::size_t OdeEngine::largestIsland() {
         SlotIndex const slot = moves(a) ? a : b;
         rowsOf_[rootOf(slot)] += static_cast<std::size_t>(rows);
     };
-    for (FoundTouch const& touch : touches_) {
-        count(touch.a, touch.b, 2 * touch.count);
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+        if (pressing_[i] != 0) {
+            count(touches_[i].a, touches_[i].b, 2 * touches_[i].count);
+        }
     }
     for (auto const& joined : joined_) {
         if (joined && joined->main) {

@@ -44,6 +44,7 @@ private:
     void rouse(SlotIndex slot) override;
     void layToRest(std::span<SlotIndex const> island) override;
     void move(double h, DynamicsSettings const& settings, std::vector<PieceContact>& found) override;
+    bool lookAgain(std::span<SlotIndex const> fast, std::vector<PieceContact>& found) override;
     [[nodiscard]] Vec2 jointImpulse(SlotIndex slot) const override { return joined_[slot]->impulse; }
 
     // Bodies.
@@ -68,10 +69,14 @@ private:
     // Contacts.
     void findTouches();
     [[nodiscard]] bool mayTouch(SlotIndex a, SlotIndex b) const;
+    void choosePressing();
     void addContacts(double h);
+    [[nodiscard]] PieceContact contactOf(FoundTouch const& touch) const;
     void reportContacts(double h, std::vector<PieceContact>& found) const;
     /// Rows of the largest island: what an exact solution would cost.
     [[nodiscard]] std::size_t largestIsland();
+    /// Sweeps of the approximate solution, after largestIsland().
+    [[nodiscard]] int sweepsFor(int iterations) const;
 
     OdeWorld world_;
     OdeJointGroup contacts_; // of one substep
@@ -82,6 +87,7 @@ private:
     std::map<Pair, int> apart_; // joined bodies that must not hit each other
     std::vector<FoundTouch> touches_;
     std::vector<std::array<dJointFeedback, 2>> feedback_; // of touches_
+    std::vector<std::uint8_t> pressing_;                  // of touches_: ODE is told of it
     std::vector<SlotIndex> awakeSlots_;
     std::vector<std::size_t> parents_;
     std::vector<std::size_t> rowsOf_;

@@ -6,39 +6,6 @@
 namespace trembler {
 namespace {
 
-double sizeOf(ShapePiece const& piece) {
-    switch (piece.form) {
-    case ShapeForm::circle:
-    case ShapeForm::capsule:
-        return piece.radius;
-    case ShapeForm::box:
-        return std::min(piece.width, piece.height) / 2;
-    case ShapeForm::polygon:
-        break;
-    }
-    Vec2 middle;
-    for (Vec2 const corner : piece.corners) {
-        middle += corner / static_cast<double>(piece.corners.size());
-    }
-    double least = 1e9;
-    for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-        Vec2 const side = piece.corners[(i + 1) % piece.corners.size()] - piece.corners[i];
-        least = std::min(least, cross(side, middle - piece.corners[i]) / length(side));
-    }
-    return least;
-}
-
-Vec2 middleOf(ShapePiece const& piece) {
-    if (piece.form != ShapeForm::polygon) {
-        return piece.at;
-    }
-    Vec2 middle;
-    for (Vec2 const corner : piece.corners) {
-        middle += corner / static_cast<double>(piece.corners.size());
-    }
-    return piece.at + rotated(middle, piece.angle);
-}
-
 bool near(double x, double y) {
     return std::abs(x - y) <= 1e-11 * (1 + std::abs(y)); // what turning about a centre rounds away
 }
@@ -50,6 +17,7 @@ bool near(Vec2 x, Vec2 y) {
 } // namespace
 
 void PlainEngine::addBody(SlotIndex slot, BodySpec const& spec) {
+    FailureGuard const guard;
     if (bodies_.size() <= slot) {
         bodies_.resize(slot + std::size_t{1});
         awake_.resize(slot + std::size_t{1}, 0);
@@ -66,12 +34,8 @@ void PlainEngine::addBody(SlotIndex slot, BodySpec const& spec) {
     entry.restitution = spec.restitution;
     entry.groups = spec.groups;
     entry.damping = spec.damping;
-    for (ShapePiece const& piece : spec.shape->pieces) {
-        double const size = 0.9 * sizeOf(piece); // a little less: what is hit must be found to be touched
-        if (size > entry.core.radius) {
-            entry.core = {middleOf(piece) - spec.spread.centre, size};
-        }
-    }
+    entry.core = coreOf(spec);
+    entry.extent = extentOf(spec);
     makeBody(slot, spec);
     if (!spec.fixed) {
         awake_[slot] = 1;
@@ -80,6 +44,7 @@ void PlainEngine::addBody(SlotIndex slot, BodySpec const& spec) {
 }
 
 void PlainEngine::removeBody(SlotIndex slot) {
+    FailureGuard const guard;
     std::vector<SlotIndex> neighbours;
     for (PieceContact const& contact : touches_.contacts()) {
         if (contact.slotA == slot || contact.slotB == slot) {
@@ -100,6 +65,7 @@ void PlainEngine::removeBody(SlotIndex slot) {
 }
 
 void PlainEngine::addJoint(SlotIndex slot, JointSpec const& spec) {
+    FailureGuard const guard;
     if (joints_.size() <= slot) {
         joints_.resize(slot + std::size_t{1});
     }
@@ -122,6 +88,7 @@ void PlainEngine::addJoint(SlotIndex slot, JointSpec const& spec) {
 }
 
 void PlainEngine::removeJoint(SlotIndex slot) {
+    FailureGuard const guard;
     JointEntry const entry = joints_[slot];
     for (SlotIndex const body : {entry.a, entry.b}) {
         if (body != noSlot) {
@@ -135,6 +102,7 @@ void PlainEngine::removeJoint(SlotIndex slot) {
 }
 
 void PlainEngine::place(SlotIndex slot, Motion const& motion) {
+    FailureGuard const guard;
     for (PieceContact const& contact : touches_.contacts()) {
         if (contact.slotA == slot || contact.slotB == slot) {
             wake(contact.slotA == slot ? contact.slotB : contact.slotA);
@@ -212,6 +180,7 @@ double PlainEngine::restitutionOf(SlotIndex a, SlotIndex b) const {
 }
 
 void PlainEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
+    FailureGuard const guard;
     wake(slot);
     BodyEntry const& entry = bodies_[slot];
     double const limit = maximumSpeed * entry.mass;
@@ -226,53 +195,6 @@ void PlainEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
     motion.spin = std::clamp(motion.spin + cross(point - motion.centre, impulse) / entry.inertia,
                              -maximumSpeed, maximumSpeed);
     setMotion(slot, motion);
-}
-
-void PlainEngine::step(double duration, DynamicsSettings const& settings) {
-    if (!settings.sleeping) {
-        for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
-            wake(slot);
-        }
-    }
-    std::fill(movedMarks_.begin(), movedMarks_.end(), std::uint8_t{0});
-    for (JointEntry& entry : joints_) {
-        entry.force = {};
-    }
-    touches_.startStep();
-    double const h = duration / settings.substeps;
-    for (int i = 0; i < settings.substeps; ++i) {
-        substep(h, settings);
-        touches_.findImpacts(h * i,
-                             [this](SlotIndex slot) { return moves(slot) ? 1 / bodies_[slot].mass : 0; });
-    }
-    if (settings.sleeping) {
-        findRest(duration);
-    }
-    noteMoved();
-}
-
-void PlainEngine::substep(double h, DynamicsSettings const& settings) {
-    move(h, settings, found_);
-    // A touch wakes; what is left is asleep on both sides.
-    for (PieceContact const& contact : found_) {
-        rouseSleeper(contact.slotA);
-        rouseSleeper(contact.slotB);
-    }
-    touches_.take(found_, [this](PieceContact const& contact) {
-        return awake_[contact.slotA] == 0 && awake_[contact.slotB] == 0;
-    });
-    for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
-        movedMarks_[slot] |= awake_[slot];
-        if (awake_[slot] != 0 && slot < dragged_.size() && dragged_[slot].drag.any()) {
-            dragged_[slot].after(momentumOf(static_cast<SlotIndex>(slot)));
-        }
-    }
-    for (SlotIndex slot = 0; slot < joints_.size(); ++slot) {
-        JointEntry& entry = joints_[slot];
-        if (entry.used && ((moves(entry.a) && isAwake(entry.a)) || (moves(entry.b) && isAwake(entry.b)))) {
-            entry.force += jointImpulse(slot) / (h * settings.substeps);
-        }
-    }
 }
 
 void PlainEngine::noteMoved() {

@@ -2,6 +2,7 @@
 // in islands, contacts that begin and end, blows, a limit of speed.
 #pragma once
 
+#include "physics/dynamics/body_core.hpp"
 #include "physics/dynamics/plain/touch_record.hpp"
 
 namespace trembler {
@@ -30,11 +31,6 @@ public:
     [[nodiscard]] Vec2 jointForce(SlotIndex slot) const final { return joints_[slot].force; }
 
 protected:
-    /// A circle inside a body that stands for it where it is so fast that it could jump through others.
-    struct Core {
-        Vec2 at; ///< m, from the centre of mass, in the body's frame
-        double radius = 0;
-    };
     struct BodyEntry {
         ObjectId object; ///< invalid: the slot is free
         bool fixed = false;
@@ -46,7 +42,8 @@ protected:
         CollisionGroups groups;
         Damping damping;
         Load load;
-        Core core;
+        BodyCore core;
+        double extent = 0;      ///< m, of its farthest point from the centre of mass
         int restlessJoints = 0; ///< motors that must not fall asleep
         int joints = 0;
         double idle = 0; ///< s
@@ -72,6 +69,11 @@ protected:
     virtual void layToRest(std::span<SlotIndex const> island) = 0;
     /// Moves all that is awake on by `h` (s) and says what touches, at least one of each two being awake.
     virtual void move(double h, DynamicsSettings const& settings, std::vector<PieceContact>& found) = 0;
+    /// Says what touches the bodies in `fast`, with impulses of 0, where all are now. A library that only
+    /// knows what touched when the substep began returns false.
+    virtual bool lookAgain(std::span<SlotIndex const> /*fast*/, std::vector<PieceContact>& /*found*/) {
+        return false;
+    }
     /// The impulse (N s) on a joint's a in the last substep.
     [[nodiscard]] virtual Vec2 jointImpulse(SlotIndex slot) const = 0;
 
@@ -95,14 +97,14 @@ protected:
     /// The speed of approach (m/s) up to which two bodies do not bounce: what a strong pull presses on
     /// something gains speed in every substep; bouncing that back would go on for ever.
     [[nodiscard]] double bounceThreshold(SlotIndex a, SlotIndex b, double h) const;
-    /// How far a body can move in a substep before it could jump through another, in m.
-    [[nodiscard]] static double reachOf(BodyEntry const& entry) { return entry.core.radius / 2; }
     /// Coulomb's coefficient of a pair, and Newton's.
     [[nodiscard]] double frictionOf(SlotIndex a, SlotIndex b) const;
     [[nodiscard]] double restitutionOf(SlotIndex a, SlotIndex b) const;
 
 private:
+    void checkMotion() const;
     void substep(double h, DynamicsSettings const& settings);
+    void lookAtFast(double h);
     void findRest(double duration);
     [[nodiscard]] bool idles(SlotIndex slot, Motion const& motion) const;
     /// By slot: the lowest slot of its island.

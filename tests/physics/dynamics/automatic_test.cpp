@@ -56,6 +56,17 @@ TEST_F(Automatic, AnOrdinarySceneGetsFourSubsteps) {
     EXPECT_FALSE(choiceOf(scene).jointsAtOnce);
 }
 
+TEST_F(Automatic, WhatIsNoBodyMakesNoSubsteps) {
+    Scene scene;
+    scene.ball({0, 0});
+    ObjectId const ghost = scene.world->store().create("ghost");
+    scene.give(ghost, Position{});
+    scene.give(ghost, Velocity{{1e4, 0}});
+    scene.give(ghost, AngularVelocity{1e4});
+    scene.run(2);
+    EXPECT_EQ(choiceOf(scene).substeps, 4);
+}
+
 // A link between joints l apart, pulled at by T, zig-zags with ω² = 12 T / (m l); two substeps to a radian.
 TEST_F(Automatic, ATautChainGetsSubstepsByItsZigZagAndLosesThemWithItsLoad) {
     Scene scene;
@@ -73,11 +84,49 @@ TEST_F(Automatic, ATautChainGetsSubstepsByItsZigZagAndLosesThemWithItsLoad) {
     EXPECT_FALSE(choiceOf(scene).jointsAtOnce);
 }
 
+// What pulls is what acts, not what some constant of nature would make of the masses.
+TEST_F(Automatic, AChainIsAsTautAsItsWeightOnTheMoonMakesIt) {
+    std::vector<int> found;
+    for (double const g : {9.81, 1.62}) {
+        Scene scene;
+        scene.gravity = g;
+        chain(scene, 10, 20000);
+        scene.run(2);
+        double const omega = std::sqrt((20000 + 9) * g * 0.2 / ((0.2 * 0.2 + 0.05 * 0.05) / 12));
+        found.push_back(choiceOf(scene).substeps);
+        EXPECT_GE(found.back(), std::min(64.0, omega / 60)) << g;
+        EXPECT_LE(found.back(), 1.5 * omega / 60 + 1) << g;
+    }
+    EXPECT_LT(found[1], found[0]);
+}
+
+TEST_F(Automatic, AChainThatNothingPullsAtIsNotTaut) {
+    Scene scene;
+    scene.gravity = 0;
+    chain(scene, 10, 2000);
+    scene.run(10);
+    EXPECT_EQ(choiceOf(scene).substeps, 4);
+    EXPECT_FALSE(choiceOf(scene).jointsAtOnce);
+}
+
+TEST_F(Automatic, WhateverPullsAtAChainMakesItTaut) {
+    Scene scene;
+    scene.gravity = 0;
+    ObjectId const ball = chain(scene, 10, 1);
+    scene.run(2);
+    EXPECT_EQ(choiceOf(scene).substeps, 4);
+    scene.give(ball, Pull{.force = {0, -20000}});
+    scene.run(2);
+    double const omega = std::sqrt(20000 * 0.2 / ((0.2 * 0.2 + 0.05 * 0.05) / 12));
+    EXPECT_GE(choiceOf(scene).substeps, omega / 60);
+    EXPECT_LE(choiceOf(scene).substeps, 1.5 * omega / 60 + 1);
+}
+
 TEST_F(Automatic, JointsSolvedAtOnceCarryWhatHangsOnThem) {
     Scene scene;
     std::vector<ObjectId> joints;
     chain(scene, 60, 500, &joints);
-    scene.world->want<JointForces>();
+    Subscription const wantedJointForces = scene.world->want<JointForces>();
     scene.run(3);
     ASSERT_TRUE(choiceOf(scene).jointsAtOnce);
     auto const& entries = scene.world->find<JointForces>()->entries;
@@ -127,6 +176,36 @@ TEST_F(Automatic, AWeightOnSomethingLightGetsThemWhenItTouches) {
     EXPECT_EQ(choiceOf(scene).substeps, 4);
     scene.run(58);
     EXPECT_GE(choiceOf(scene).substeps, 12);
+}
+
+// Pressed against a wall, or up against a ceiling, is pressed.
+TEST_F(Automatic, AWeightIsOneWhicheverWayItIsPulled) {
+    for (Vec2 const way : {Vec2{0, -1}, Vec2{1, 0}, Vec2{0, 1}}) {
+        for (double const g : {9.81, 1.62}) {
+            Scene scene;
+            scene.gravity = 0;
+            scene.fixed("wall", boxPiece(10, 1), 0.5 * way, std::atan2(way.x, way.y));
+            ObjectId const light = scene.body("light", boxPiece(0.5, 0.5), -0.25 * way);
+            ObjectId const heavy = scene.body("heavy", boxPiece(0.5, 0.5), -0.85 * way);
+            scene.give(light, Mass{1});
+            scene.give(heavy, Mass{1000});
+            scene.give(light, Pull{.acceleration = g * way});
+            scene.give(heavy, Pull{.acceleration = g * way});
+            scene.run(2);
+            EXPECT_EQ(choiceOf(scene).substeps, 4);
+            scene.run(98);
+            EXPECT_GE(choiceOf(scene).substeps, 12) << way.x << " " << way.y << " " << g;
+        }
+    }
+}
+
+TEST_F(Automatic, WhatOnlyTouchesIsNoWeight) {
+    Scene scene;
+    scene.gravity = 0;
+    scene.give(scene.body("light", boxPiece(0.5, 0.5), {0, 0.25}), Mass{1});
+    scene.give(scene.body("heavy", boxPiece(0.5, 0.5), {0, 0.75}), Mass{1000});
+    scene.run(30);
+    EXPECT_EQ(choiceOf(scene).substeps, 4);
 }
 
 TEST_F(Automatic, AFixedNumberOfSubstepsIsKept) {

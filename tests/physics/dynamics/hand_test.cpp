@@ -1,4 +1,5 @@
 // The player's hand.
+#include "physics/dynamics/hand.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +59,20 @@ TEST_P(Hand, HoldsAgainstGravityAndLetsGo) {
     EXPECT_TRUE(led);
 }
 
-TEST_P(Hand, IsNoStrongerThanFiftyWeights) {
+TEST_P(Hand, HangsHigherOnTheMoonAndIsAsStrongAsOnEarth) {
+    Scene scene;
+    scene.gravity = 1.62;
+    ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 2});
+    scene.run(1);
+    scene.world->feed(input(PlayerInput::Kind::grab, box, {0, 2.1}));
+    scene.run(300);
+    EXPECT_NEAR(held(scene, box, {0, 0.1}).y, 2.1 - 1.62 / 144, 0.01);
+    scene.world->feed(input(PlayerInput::Kind::move, box, {0, 1e5}));
+    scene.run(4);
+    EXPECT_NEAR(scene.velocity(box).y, (DynamicsFromPlayer::strongest - 1.62) * 3 * frameDuration, 1);
+}
+
+TEST_P(Hand, IsNoStrongerThanItIs) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 0});
@@ -66,8 +80,8 @@ TEST_P(Hand, IsNoStrongerThanFiftyWeights) {
     scene.world->feed(input(PlayerInput::Kind::grab, box, {0, 0}));
     scene.world->feed(input(PlayerInput::Kind::move, box, {1e5, 0}));
     scene.run(4);
-    EXPECT_LT(scene.velocity(box).x, 490.5 * 4 * frameDuration);
-    EXPECT_GT(scene.velocity(box).x, 490.5 * 2 * frameDuration);
+    EXPECT_LT(scene.velocity(box).x, DynamicsFromPlayer::strongest * 4 * frameDuration);
+    EXPECT_GT(scene.velocity(box).x, DynamicsFromPlayer::strongest * 2 * frameDuration);
 }
 
 TEST_P(Hand, DoesNotMoveWhatIsFixedNorForgetWhatIsGone) {

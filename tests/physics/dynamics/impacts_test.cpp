@@ -35,7 +35,7 @@ TEST_P(ImpactsTest, AreNotWorkedOutWhereNobodyReadsThem) {
 
 TEST_P(ImpactsTest, ABouncingBallGetsTheImpulseThatTurnsItRound) {
     Scene scene;
-    scene.world->want<Impacts>();
+    Subscription const wantedImpacts = scene.world->want<Impacts>();
     ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     ObjectId const ball = scene.ball({0, 2});
     scene.give(ball, Restitution{0.8});
@@ -62,7 +62,7 @@ TEST_P(ImpactsTest, ABouncingBallGetsTheImpulseThatTurnsItRound) {
 TEST_P(ImpactsTest, TwoBallsThatMeetInTheAirShareOneBlow) {
     Scene scene;
     scene.gravity = 0;
-    scene.world->want<Impacts>();
+    Subscription const wantedImpacts = scene.world->want<Impacts>();
     ObjectId const left = scene.ball({-1, 0});
     ObjectId const right = scene.ball({1, 0}, 0.15);
     scene.give(left, Velocity{{3, 0}});
@@ -77,7 +77,7 @@ TEST_P(ImpactsTest, TwoBallsThatMeetInTheAirShareOneBlow) {
 
 TEST_P(ImpactsTest, PressureIsNoBlow) {
     Scene scene;
-    scene.world->want<Impacts>();
+    Subscription const wantedImpacts = scene.world->want<Impacts>();
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     for (int i = 0; i < 8; ++i) {
         scene.body("box " + std::to_string(i), boxPiece(0.5, 0.5), {0, 0.25 + 0.5 * i});
@@ -94,7 +94,7 @@ TEST_P(ImpactsTest, WhoComesLaterHearsOnlyNewBlows) {
     settings.sleeping = false;
     scene.give(scene.world->store().find("world"), settings);
     scene.run(60);
-    scene.world->want<Impacts>();
+    Subscription const wantedImpacts = scene.world->want<Impacts>();
     EXPECT_TRUE(blowsIn(scene, 60).empty()) << "the box lies there as it did";
     ObjectId const ball = scene.ball({0, 2});
     test::Pull weight;
@@ -107,8 +107,9 @@ TEST_P(ImpactsTest, WhoComesLaterHearsOnlyNewBlows) {
 TEST_P(ImpactsTest, WantingThemChangesNoBit) {
     auto const hashes = [](bool wanted) {
         Scene scene;
+        Subscription impacts;
         if (wanted) {
-            scene.world->want<Impacts>();
+            impacts = scene.world->want<Impacts>();
         }
         scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
         for (int i = 0; i < 12; ++i) {

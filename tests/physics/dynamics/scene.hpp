@@ -42,11 +42,11 @@ protected:
 struct Pull {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Pull", "test_pull", "A force, for tests."};
-    Vec2 force;        ///< N, at the centre of mass
-    Vec2 acceleration; ///< m/s², times the mass
-    double torque = 0; ///< N m
-    Vec2 pointForce;   ///< N, at `point`
-    Vec2 point;        ///< m, in the world
+    Vec2 force{};        ///< N, at the centre of mass
+    Vec2 acceleration{}; ///< m/s², times the mass
+    double torque = 0;   ///< N m
+    Vec2 pointForce{};   ///< N, at `point`
+    Vec2 point{};        ///< m, in the world
 
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
@@ -76,6 +76,8 @@ class DynamicsFromKick final : public Interaction<DynamicsFromKick, DynamicsRole
 public:
     static constexpr ComponentText text{
         .name = "Dynamics <- Kick", .effect = "test", .level = "", .work = "Applies kicks."};
+    static constexpr Coverage memory =
+        leftOut("which kicks have been given; a test compares no hashes of it");
     using CalledFor = NeedsAll<Kick>;
     void apply(Access& access);
 

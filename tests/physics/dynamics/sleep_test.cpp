@@ -10,14 +10,15 @@ class Sleep : public OnEveryEngine {};
 TREMBLER_ON_EVERY_ENGINE(Sleep);
 
 struct Rest {
-    explicit Rest(double friction = 0) {
+    explicit Rest(double friction = 0, double gravity = 9.81) {
+        scene.gravity = gravity;
         floor = scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
         box = scene.body("box", boxPiece(0.5, 0.5), {0, 0.26});
         other = scene.body("other", boxPiece(0.5, 0.5), {3, 0.26});
         for (ObjectId const id : {floor, box, other}) {
             scene.give(id, Friction{friction});
         }
-        scene.run(200);
+        scene.run(gravity < 1 ? 600 : 200);
         EXPECT_EQ(scene.dynamics(), Activity::asleep);
     }
     Scene scene;
@@ -60,6 +61,20 @@ TEST_P(Sleep, AChangedForceWakesTheOneThatItActsOn) {
                 2e-3 / rest.scene.mass(rest.box));
     EXPECT_EQ(rest.scene.at(rest.other), other);
     EXPECT_EQ(rest.scene.velocity(rest.other), (Vec2{}));
+}
+
+// A five-hundredth of the weight, whatever the world weighs it with.
+TEST_P(Sleep, OnTheMoonAForceWakesByItsShareOfTheWeightThere) {
+    for (double const g : {9.81, 1.62, 0.05}) {
+        Rest rest(0.5, g);
+        double const weight = rest.scene.mass(rest.box) * g;
+        rest.scene.of<Pull>(rest.box).force = {0.001 * weight, 0};
+        rest.scene.run(3);
+        EXPECT_EQ(rest.scene.dynamics(), Activity::asleep) << g;
+        rest.scene.of<Pull>(rest.box).force = {0.004 * weight, 0};
+        rest.scene.run(3);
+        EXPECT_EQ(rest.scene.dynamics(), Activity::active) << g;
+    }
 }
 
 TEST_P(Sleep, ATorqueWakes) {

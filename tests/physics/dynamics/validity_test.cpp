@@ -58,9 +58,9 @@ TEST(ShapeRules, SayWhatIsWrong) {
     }
     EXPECT_TRUE(faultIn(Shape{}));
     EXPECT_TRUE(faultIn(Shape{std::vector<ShapePiece>(257, circlePiece(1))}));
-    for (ShapePiece const& sound : {circlePiece(0.005), boxPiece(0.01, 0.01), capsulePiece(0.4, 0.2),
+    for (ShapePiece const& valid : {circlePiece(0.005), boxPiece(0.01, 0.01), capsulePiece(0.4, 0.2),
                                     polygonPiece(ngon(8, 0.5)), polygonPiece(ngon(3, 0.02))}) {
-        EXPECT_FALSE(faultIn(Shape{{sound}})) << *faultIn(Shape{{sound}});
+        EXPECT_FALSE(faultIn(Shape{{valid}})) << *faultIn(Shape{{valid}});
     }
 }
 
@@ -86,6 +86,9 @@ TEST(JointRules, SayWhatIsWrong) {
     EXPECT_NE(fault(sound, [](Joint& j) { j.at = {nan, 0}; }).find("place is nan"), std::string::npos);
     EXPECT_NE(fault(sound, [](Joint& j) { j.limited = true, j.lower = 1; }).find("above its upper"),
               std::string::npos);
+    EXPECT_NE(
+        fault(sound, [](Joint& j) { j.form = JointForm::slider, j.upper = -1; }).find("above its upper"),
+        std::string::npos); // also while they are not in force
     auto const form = [&](JointForm wanted, auto&& change) {
         return fault(sound, [&](Joint& j) {
             j.form = wanted;
@@ -229,6 +232,27 @@ TEST_P(Validity, SoundBodiesStayFinite) {
             RC_ASSERT(std::isfinite(rotation.angle));
         }
     }));
+}
+
+// In an editor one of two limits is written first, with the other still at 0.
+TEST_P(Validity, LimitsTheWrongWayRoundAbortNothing) {
+    for (JointForm const form : {JointForm::hinge, JointForm::slider, JointForm::wheel}) {
+        for (bool const limited : {false, true}) {
+            Scene scene({.trace = true});
+            Joint joint;
+            joint.form = form;
+            joint.a = scene.ball({0, 1});
+            joint.stiffness = 10;
+            joint.limited = limited;
+            joint.upper = -1;
+            ObjectId const id = scene.joint("joint", joint);
+            scene.run(3);
+            EXPECT_NE(scene.world->tracer()->events().size(), 0U);
+            joint.lower = -1;
+            scene.give(id, joint);
+            scene.run(3);
+        }
+    }
 }
 
 TEST_P(Validity, WhatIsRefusedIsToldOnceAndTheRestGoesOn) {

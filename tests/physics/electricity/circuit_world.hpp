@@ -17,13 +17,16 @@
 namespace trembler::test {
 
 /// What a test wants interactions to call in a frame.
+inline constexpr std::size_t scripts = 3;
+/// In place of a script: cuts a wire of the level, as scissors do.
+inline constexpr std::size_t scissors = scripts;
 struct Script {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Script", "test_script", "Calls that a test wants made."};
     struct Line {
         ObjectId a;
         ObjectId b;
-        ConnectionCause cause = ConnectionCause::wire;
+        std::size_t script = 0; ///< which of the interactions of a CircuitWorld calls
         bool add = true;
     };
     std::vector<Line> lines;
@@ -60,14 +63,28 @@ public:
     void advance(Access& access);
 };
 
+/// Several interactions of one C++ type, as those that are made from files will be: each makes the calls of
+/// its own number.
 class ElectricityFromScript final
     : public Interaction<ElectricityFromScript, ElectricityRole, Reads<Script>> {
 public:
     static constexpr ComponentText text{
         .name = "Electricity <- Script", .effect = "test", .level = "", .work = "As told."};
     using CalledFor = NeedsAll<Script>;
+    static constexpr Coverage memory = leftOut("its number is its name's, and for the world's life");
+    ElectricityFromScript(ComponentInfo const& info, std::size_t number)
+        : Interaction(info), number_(number) {}
     void apply(Access& access);
+
+private:
+    std::size_t number_;
 };
+/// Registers them under the names "Electricity <- Script 1" and so on.
+void registerScripts(Registry& registry);
+/// How often the caller of that name has added.
+[[nodiscard]] std::int32_t countBy(CallerCounts const& counts, std::string_view name);
+/// How often that script has.
+[[nodiscard]] std::int32_t countBy(CallerCounts const& counts, std::size_t script);
 
 class PopulationFromScript final : public Interaction<PopulationFromScript, PopulationRole, Reads<Script>> {
 public:
@@ -99,9 +116,9 @@ public:
     /// Writes down what the interactions are to call in the next frame.
     void write(std::vector<Script::Line> lines, std::vector<ObjectId> destroys = {},
                std::vector<CreateObject> creates = {});
-    void connect(std::string const& a, std::string const& b, ConnectionCause cause = ConnectionCause::wire);
-    void disconnect(std::string const& a, std::string const& b,
-                    ConnectionCause cause = ConnectionCause::wire);
+    void connect(std::string const& a, std::string const& b, std::size_t script = 0);
+    /// Takes back what connect() added, or cuts a wire of the level if there is no such thing.
+    void disconnect(std::string const& a, std::string const& b, std::size_t script = 0);
     /// Who touches whom from the next frame on.
     void touch(std::vector<std::pair<std::string, std::string>> const& pairs);
 

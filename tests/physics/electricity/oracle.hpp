@@ -21,9 +21,9 @@ struct Oracle {
     };
     using Pair = std::pair<ObjectId, ObjectId>; ///< first < second
     std::map<ObjectId, Part> parts;
-    std::map<Pair, std::array<int, connectionCauses>> counts;
+    std::map<Pair, std::array<int, scripts>> counts;
 
-    /// What one frame's calls do: net change per pair and cause, then never below zero.
+    /// What one frame's calls do: net change per pair and caller, then never below zero.
     void carryOut(std::vector<Script::Line> const& lines);
     void destroy(ObjectId id);
     [[nodiscard]] bool connected(ObjectId a, ObjectId b) const;

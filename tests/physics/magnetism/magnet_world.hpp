@@ -1,6 +1,7 @@
 // Worlds of magnets for tests, without any dynamics: what is placed stays where it is.
 #pragma once
 
+#include "physics/dynamics/standstill.hpp"
 #include "physics/magnetism/calls.hpp"
 #include "physics/magnetism/magnetic_forces.hpp"
 #include "physics/magnetism/properties.hpp"
@@ -50,6 +51,7 @@ inline Registry const& magnetRules() {
         registerRuntime(made);
         registerMagnetism(made);
         made.component<MagneticsFromSwitch>();
+        made.component<Standstill>();
         return made;
     }();
     return registry;

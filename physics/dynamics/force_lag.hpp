@@ -1,0 +1,37 @@
+// What Dynamics does with a force that stands for a while.
+#pragma once
+
+#include "runtime/property/coverage.hpp"
+#include "runtime/property/description.hpp"
+
+#include <algorithm>
+
+namespace trembler {
+
+/// A force that stands for a time t acts, on average, t/2 after the moment that it belongs to. An engine that
+/// integrates it in steps of h by the semi-implicit Euler method makes up for h/2 of this, as that method
+/// moves bodies with the velocity that they will have. What is left, (t - h)/2, is the lag: it feeds every
+/// oscillation (docs/stability.md), and whoever adds forces can allow for it. Provided by Dynamics after
+/// every step that it takes; zero where nobody moves anything.
+struct ForceLag {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Force lag", "force_lag",
+                                       "By how much forces lag behind the motion of what they act on."};
+    static constexpr Coverage coverage = hashed;
+    double turn = 0; ///< s, that Dynamics computes at a time: a frame, or what it is divided into
+    double step = 0; ///< s, of the engine, `turn` or a part of it
+
+    /// Lag in s of a force that is new whenever Dynamics has had its turn.
+    [[nodiscard]] double ofTurn() const { return of(turn); }
+    /// Lag in s of a force that stands for `time` (s).
+    [[nodiscard]] double of(double time) const { return std::max(0.0, time - step) / 2; }
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "turn", .unit = "s", .meaning = "computed at a time"}, self.turn);
+        visit(FieldInfo{.key = "step", .unit = "s", .meaning = "of the engine"}, self.step);
+    }
+    friend bool operator==(ForceLag const&, ForceLag const&) = default;
+};
+
+} // namespace trembler

@@ -1,0 +1,211 @@
+// Dynamics in frames of several parts: the same laws, and nothing that touches for a part only is lost.
+#include "physics/dynamics/force_lag.hpp"
+#include "physics/dynamics/solver_choice.hpp"
+#include "runtime/frame/frame_resolver.hpp"
+#include "tests/physics/dynamics/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler {
+namespace {
+
+using test::engines;
+using test::OnEveryEngine;
+using test::Scene;
+
+class PartsTest : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(PartsTest);
+
+void inParts(Scene& scene, int parts) {
+    scene.give(scene.world->store().find("world"), FrameSettings{parts});
+}
+
+TouchingPair pairOf(ObjectId a, ObjectId b) {
+    return {std::min(a, b), std::max(a, b), {}};
+}
+bool contains(std::vector<TouchingPair> const& pairs, TouchingPair const& pair) {
+    return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
+}
+
+TEST_P(PartsTest, AThrownBallFallsAsItShould) {
+    for (int const parts : {1, 2, 4, 8}) {
+        Scene scene;
+        inParts(scene, parts);
+        ObjectId const ball = scene.ball({0, 10});
+        scene.give(ball, Velocity{{3, 4}});
+        scene.run(60);
+        // Weight is told of at the end of the first part, and acts from the second on.
+        double const first = 1.0 / 60 / parts;
+        double const t = 1 - first;
+        EXPECT_NEAR(scene.at(ball).x, 3, 1e-3) << parts;
+        EXPECT_NEAR(scene.velocity(ball).y, 4 - 9.81 * t, 1e-3) << parts;
+        // In steps of h the semi-implicit Euler method falls by g h t / 2 more, Chipmunk's less.
+        EXPECT_NEAR(scene.at(ball).y, 10 + 4 - 9.81 * t * t / 2, 9.81 * t / 60 / 4) << parts;
+    }
+}
+
+TEST_P(PartsTest, ABounceWithinAFrameIsToldOfWhicheverPartItIsIn) {
+    for (int const parts : {1, 2, 4, 8}) {
+        int withinAFrame = 0;
+        for (int start = 0; start < 24; ++start) {
+            Scene scene;
+            inParts(scene, parts);
+            ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
+            ObjectId const ball = scene.ball({0, 0.5 + 0.01 * start});
+            scene.give(ball, Restitution{1});
+            scene.give(ball, Velocity{{0, -8}});
+            TouchingPair const pair = pairOf(floor, ball);
+            int bounces = 0;
+            scene.run(0);
+            for (int frame = 0; frame < 12; ++frame) {
+                bool insideBegun = false;
+                bool insideTouched = false;
+                scene.world->step([&](World const& inside) {
+                    Contacts const& part = *inside.find<Contacts>();
+                    insideBegun = insideBegun || contains(part.begun, pair) || contains(part.brief, pair);
+                    insideTouched =
+                        insideTouched || contains(part.current, pair) || contains(part.brief, pair);
+                });
+                Contacts const& whole = scene.contacts();
+                bool const brief = contains(whole.brief, pair);
+                bool const begun = contains(whole.begun, pair);
+                bool const current = contains(whole.current, pair);
+                EXPECT_EQ(insideBegun, begun || brief) << "in a frame of " << parts;
+                EXPECT_TRUE(!insideTouched || current || brief || contains(whole.ended, pair));
+                EXPECT_LE(brief + begun + contains(whole.ended, pair), 1) << "one list only";
+                EXPECT_TRUE(!begun || current);
+                bounces += insideBegun ? 1 : 0;
+                withinAFrame += brief ? 1 : 0;
+            }
+            EXPECT_EQ(bounces, 1) << parts << " parts, start " << start;
+        }
+        EXPECT_GT(withinAFrame, 0) << "some of these are over within a frame of " << parts;
+    }
+}
+
+TEST_P(PartsTest, SubstepsAreThoseOfAFrame) {
+    for (int const parts : {1, 2, 4, 8}) {
+        for (int const stated : {DynamicsSettings::automatic, 1, 6, 16}) {
+            Scene::Options options;
+            options.solver.substeps = stated;
+            Scene scene(options);
+            inParts(scene, parts);
+            scene.ball({0, 0});
+            scene.run(2);
+            int const wanted = stated == DynamicsSettings::automatic ? 4 : stated;
+            int const each = (wanted + parts - 1) / parts; // at least one in each part
+            ForceLag const lag = *scene.world->find<ForceLag>();
+            EXPECT_DOUBLE_EQ(lag.turn, 1.0 / 60 / parts);
+            EXPECT_DOUBLE_EQ(lag.step, lag.turn / each) << stated << " in " << parts;
+            EXPECT_EQ(scene.world->find<SolverChoice>()->substeps, each * parts);
+        }
+    }
+}
+
+/// A weight on a spring that a test holds: F = -k x, told once a part. It says how fast it varies.
+struct Spring {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Spring", "test_spring", "A spring to the origin, for tests."};
+    double rate = 0; ///< rad/s
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+class DynamicsFromSpring final : public Interaction<DynamicsFromSpring, DynamicsRole,
+                                                    Reads<Spring, Mass, Position, Velocity, ForceLag>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Dynamics <- Spring", .effect = "test", .level = "", .work = "Pulls, and looks ahead."};
+    using CalledFor = NeedsAll<Spring>;
+    void apply(Access& access) {
+        auto const& springs = access.read<Spring>();
+        for (std::size_t row = 0; row < springs.size(); ++row) {
+            ObjectId const id = springs.owners()[row];
+            double const rate = springs.values()[row].rate;
+            Vec2 const then = access.read<Position>()[id].value +
+                              access.read<ForceLag>().ofTurn() * access.read<Velocity>()[id].value;
+            access.call(AddForce{id, (-rate * rate * access.read<Mass>()[id].value) * then});
+            access.call(TellRate{.object = id, .rate = rate, .foreseen = true, .swings = true});
+        }
+    }
+};
+
+struct Swung {
+    int parts = 0;     ///< of the last frame
+    double growth = 0; ///< of the energy, as a share of it, after two seconds
+};
+Swung swing(double rate, std::int32_t parts) {
+    Scene::Options options;
+    options.extend = [](Registry& registry) { registry.component<DynamicsFromSpring>(); };
+    options.solver.sleeping = false;
+    Scene scene(options);
+    inParts(scene, parts);
+    scene.gravity = 0;
+    ObjectId const ball = scene.ball({0, 0});
+    scene.give(ball, Spring{rate});
+    scene.give(ball, Velocity{{1, 0}});
+    auto const energy = [&] {
+        return (lengthSquared(scene.velocity(ball)) + rate * rate * lengthSquared(scene.at(ball))) / 2;
+    };
+    Swung found;
+    scene.run(4); // until the force has been told of, and the frame divided
+    double const before = energy();
+    for (int frame = 0; frame < 120 && found.growth < 1e3; ++frame) {
+        scene.run(1);
+        found.growth = std::max(found.growth, energy() / before - 1);
+    }
+    found.parts = scene.world->find<FrameParts>()->parts;
+    return found;
+}
+
+TEST(AutomaticParts, FollowWhatIsTooFastForAFrame) {
+    EXPECT_EQ(swing(10, FrameSettings::automatic).parts, 1) << "a sixth of a radian in a frame";
+    for (auto const& [rate, parts] : {std::pair(60.0, 2), {130.0, 4}, {250.0, 8}}) {
+        Swung const found = swing(rate, FrameSettings::automatic);
+        EXPECT_EQ(found.parts, parts) << rate;
+        // What the leapfrog method keeps is E (1 - ω h sin 2φ / 2): the energy swings by that, and does not
+        // grow.
+        EXPECT_LT(found.growth, rate * frameDuration / parts / 2) << rate;
+    }
+    EXPECT_GT(swing(130, 1).growth, 1e3) << "explicit integration breaks down at two radians in a step";
+    EXPECT_LT(swing(250, 8).growth, 0.15);
+}
+
+TEST(ContactsOfAFrame, AreThoseOfItsParts) {
+    ObjectId const a{1, 1};
+    ObjectId const b{2, 1};
+    ObjectId const c{3, 1};
+    ObjectId const d{4, 1};
+    auto const pair = [](ObjectId x, ObjectId y, std::uint64_t event) {
+        return TouchingPair{x, y, EventId{event}};
+    };
+    Contacts frame;
+    // a-b has touched all along, a-c ends in part 1 and begins again in part 3, a-d begins and ends, b-c
+    // begins, b-d ends, c-d is brief in part 2.
+    Contacts one;
+    one.current = {pair(a, b, 1), pair(a, d, 2), pair(b, d, 3)};
+    one.begun = {pair(a, d, 2)};
+    one.ended = {pair(a, c, 4)};
+    Contacts two;
+    two.current = {pair(a, b, 1), pair(b, c, 5)};
+    two.begun = {pair(b, c, 5)};
+    two.ended = {pair(a, d, 6), pair(b, d, 7)};
+    two.brief = {pair(c, d, 8)};
+    Contacts three;
+    three.current = {pair(a, b, 1), pair(a, c, 9), pair(b, c, 5)};
+    three.begun = {pair(a, c, 9)};
+    Contacts::gather(frame, one, {.first = true, .begin = 0, .share = 0.25});
+    Contacts::gather(frame, two, {.first = false, .begin = 1, .share = 0.25});
+    Contacts::gather(frame, three, {.first = false, .begin = 2, .share = 0.25});
+    EXPECT_EQ(frame.current, three.current);
+    EXPECT_EQ(frame.begun, (std::vector{pair(b, c, 5)}));
+    EXPECT_EQ(frame.ended, (std::vector{pair(b, d, 7)}));
+    ASSERT_EQ(frame.brief, (std::vector{pair(a, d, 2), pair(c, d, 8)}));
+    EXPECT_EQ(frame.ended[0].event, EventId{7});
+    EXPECT_EQ(frame.brief[0].event, EventId{2});
+    EXPECT_EQ(frame.brief[1].event, EventId{8});
+}
+
+} // namespace
+} // namespace trembler
