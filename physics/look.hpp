@@ -1,6 +1,8 @@
-// What a thing is made of, for the eye and the ear. It moves nothing: physics has numbers of its own.
+// How a thing is drawn, where that does not follow from what it is made of. It has no consequences: no
+// component reads it.
 #pragma once
 
+#include "physics/material.hpp"
 #include "runtime/property/description.hpp"
 
 #include <array>
@@ -10,24 +12,46 @@ namespace trembler {
 
 class Registry;
 
-enum class Material : int { steel, iron, copper, wood, glass, rubber, stone, plastic, brick, water, gold };
+/// The pattern of a surface: its material's own, or one that it only pretends to be made of.
+enum class Pattern : int {
+    own,
+    steel,
+    iron,
+    copper,
+    wood,
+    glass,
+    rubber,
+    stone,
+    plastic,
+    brick,
+    water,
+    gold
+};
 template <>
-inline constexpr std::array<std::string_view, 11> choiceNames<Material>{
-    "steel", "iron", "copper", "wood", "glass", "rubber", "stone", "plastic", "brick", "water", "gold"};
+inline constexpr std::array<std::string_view, 12> choiceNames<Pattern>{"own",     "steel", "iron",   "copper",
+                                                                       "wood",    "glass", "rubber", "stone",
+                                                                       "plastic", "brick", "water",  "gold"};
+
+/// Of any pattern but `own`: the material that it is taken from.
+[[nodiscard]] constexpr Material materialOf(Pattern pattern) {
+    return static_cast<Material>(static_cast<int>(pattern) - 1);
+}
 
 struct Look {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Look", "look",
-                                       "What the object is made of, for the eye and the ear."};
-    Material material = Material::plastic;
-    std::string colour; ///< "#rrggbb", or empty: the material's own
+    static constexpr PropertyText text{
+        "Look", "look",
+        "How the object is drawn, where that does not follow from its material. "
+        "It has no other consequences."};
+    Pattern pattern = Pattern::own;
+    std::string colour; ///< "#rrggbb", or empty: the pattern's own
     std::string label;  ///< drawn on the object; at most four characters
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "material", .unit = "", .meaning = "what it is made of", .required = true},
-              self.material);
-        visit(FieldInfo{.key = "colour", .unit = "", .meaning = "#rrggbb; left out: the material's own"},
+        visit(FieldInfo{.key = "pattern", .unit = "", .meaning = "surface; own: that of its material"},
+              self.pattern);
+        visit(FieldInfo{.key = "colour", .unit = "", .meaning = "#rrggbb; left out: the pattern's own"},
               self.colour);
         visit(FieldInfo{.key = "label", .unit = "", .meaning = "up to four characters drawn on it"},
               self.label);

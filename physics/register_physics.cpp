@@ -7,6 +7,7 @@
 #include "physics/electricity/nodal_properties.hpp"
 #include "physics/electricity/properties.hpp"
 #include "physics/electricity/register.hpp"
+#include "physics/electricity/wire.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/gravity/register.hpp"
 #include "physics/look.hpp"
@@ -30,14 +31,12 @@ void registerOnly(Registry& registry) {
 }
 
 // Connections of a level that has no electricity: they may be stated, and nothing flows.
-std::optional<std::string> connectNothing(Store& /*store*/, ObjectId /*a*/, ObjectId /*b*/) {
-    return std::nullopt;
-}
+void layNothing(Store& /*store*/, ObjectId /*a*/, ObjectId /*b*/) {}
 
 void knowElectricity(Registry& registry) {
     registerOnly<Conductor, ElectricalSource, ElectricalReturn, ElectricalDevice, Resistance, Emf, RatedPower,
                  Fuse, CurrentCapacity>(registry);
-    registry.connector(connectNothing);
+    registry.connector(wireConnector(layNothing));
 }
 
 struct Effect {
@@ -115,6 +114,7 @@ void registerEverything(Registry& registry, std::set<std::string> const& without
         bool const there = effect.registerAll != nullptr && !without.contains(effect.name);
         (there ? effect.registerAll : effect.registerProperties)(registry);
     }
+    registerMaterial(registry);
     registerLook(registry);
 }
 

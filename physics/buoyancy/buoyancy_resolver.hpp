@@ -26,6 +26,9 @@ class BuoyancyResolver
 
 public:
     using CalledFor = NeedsAll<Liquid, Shape, Position>;
+    static constexpr int longestPeriod = 12; // docs/buoyancy.md: up to there nothing looks wrong
+    static constexpr Coverage memory =
+        leftOut("what hulls are made of, from their shapes, and which of them moved");
     using Access = typename Base::Access;
 
     void advance(Access& access) {
@@ -48,15 +51,12 @@ public:
 private:
     static constexpr std::size_t hulls = 32; // to a range: each is a polygon to be cut, or many particles
 
-    // While nobody has called yet, in the first frame, what the world began with stands (see startGravity()).
-    Vec2 gravityNow(Access& access) const {
+    static Vec2 gravityNow(Access const& access) {
         Vec2 sum;
-        bool called = access.sources() == 0;
         access.template forCalls<SetLinearGravity>([&](SetLinearGravity const& call, CallOrigin const&) {
             sum += isFinite(call.gravity) ? call.gravity : Vec2{};
-            called = true;
         });
-        return called ? sum : access.template provided<LinearGravityVector>().gravity;
+        return sum;
     }
     void publish(Access& access, FlotationColumns const& columns, Vec2 gravity) {
         flotation_.gather(next_);

@@ -1,6 +1,7 @@
 #include "physics/buoyancy/exact_hull.hpp"
 
 #include "physics/buoyancy/disc.hpp"
+#include "physics/dynamics/shape_order.hpp"
 
 #include <algorithm>
 
@@ -49,7 +50,8 @@ double reachOf(ShapePiece const& piece) {
 } // namespace
 
 ExactHull::ExactHull(Shape const& shape) : Hull(shapeMoments(shape), reachOf(shape)) {
-    for (ShapePiece const& piece : shape.pieces) {
+    Shape const ordered = inOrder(shape);
+    for (ShapePiece const& piece : ordered.pieces) {
         switch (piece.form) {
         case ShapeForm::circle:
             discs_.push_back({piece.at, piece.radius, std::nullopt});
@@ -164,7 +166,8 @@ Displacement ExactHull::manySided(Disc const& disc, std::span<Side const> sides,
 
 AreaMoments shapeMoments(Shape const& shape) {
     AreaMoments sum;
-    for (ShapePiece const& piece : shape.pieces) {
+    Shape const ordered = inOrder(shape);
+    for (ShapePiece const& piece : ordered.pieces) {
         switch (piece.form) {
         case ShapeForm::circle:
             sum += discMoments(piece.radius).moved(piece.at);

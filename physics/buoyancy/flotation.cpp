@@ -1,6 +1,7 @@
 #include "physics/buoyancy/flotation.hpp"
 
 #include "physics/depth.hpp"
+#include "physics/dynamics/shape_order.hpp"
 #include "physics/dynamics/shape_rules.hpp"
 #include "runtime/property/for_each.hpp"
 
@@ -11,6 +12,7 @@ namespace trembler {
 namespace {
 
 constexpr double leastArea = 1e-12; // m²: a square of a thousandth of a millimetre
+constexpr double margin = 1e-9;     // of a place, more than rounding moves it
 
 double angleOf(FlotationColumns const& columns, ObjectId id) {
     Rotation const* const rotation = columns.rotation.find(id);
@@ -39,6 +41,7 @@ bool Flotation::followLiquids(FlotationColumns const& columns, bool all) {
         return false;
     }
     liquids_.clear();
+    std::vector<Bounds> areas;
     forEach(
         [&](ObjectId id, Liquid const&, Shape const& shape, Position const& position) {
             if (faultIn(shape)) {
@@ -53,10 +56,12 @@ bool Flotation::followLiquids(FlotationColumns const& columns, bool all) {
                               .pieces = {}};
             Pose const pose(liquid.position, liquid.angle);
             liquid.up = pose.turned({0, 1});
-            liquid.pieces = liquidPieces(shape, pose);
+            liquid.pieces = liquidPieces(inOrder(shape), pose);
             liquids_.push_back(std::move(liquid));
+            areas.push_back(areaBounds(shape, pose));
         },
         columns.liquid, columns.shape, columns.position);
+    areas_ = BoxTree(std::move(areas));
     return true;
 }
 
@@ -120,7 +125,11 @@ bool Flotation::follow(FlotationColumns const& columns, HullMaker const& makeHul
 void Flotation::measure(Floater& floater) const {
     Pose const pose(floater.position, floater.angle);
     floater.entries.clear();
-    for (LiquidBody const& liquid : liquids_) {
+    double const reach = floater.hull->radius() + margin * (1 + length(pose.at));
+    std::vector<std::uint32_t> near;
+    areas_.find({pose.at - Vec2{reach, reach}, pose.at + Vec2{reach, reach}}, near);
+    for (std::uint32_t const index : near) {
+        LiquidBody const& liquid = liquids_[index];
         Displacement sum;
         for (LiquidPiece const& piece : liquid.pieces) {
             sum += displacedOf(*floater.hull, piece, pose, liquid.up);

@@ -1,6 +1,7 @@
 // All of Buoyancy that depends neither on the detail level nor on how a resolver gets at its properties.
 #pragma once
 
+#include "physics/box_tree.hpp"
 #include "physics/buoyancy/hull.hpp"
 #include "physics/buoyancy/liquid.hpp"
 #include "physics/buoyancy/results.hpp"
@@ -61,6 +62,7 @@ private:
     void measure(Floater& floater) const;
 
     std::vector<LiquidBody> liquids_; // ascending
+    BoxTree areas_;                   // of the liquids
     std::vector<Floater> floaters_;   // ascending
     bool known_ = false;
     std::uint64_t shapes_ = 0;

@@ -15,6 +15,7 @@ public:
                                         .level = "",
                                         .work = "Feeds the world's linear gravity vector to buoyancy."};
     using CalledFor = NeedsAll<GravityField>;
+    static constexpr bool inSetup = true; // or whatever floats would fall for a frame before it is held
     void apply(Access& access) {
         forEach(
             [&](ObjectId id, GravityField const& field) {

@@ -68,6 +68,16 @@ std::vector<LiquidPiece> liquidPieces(Shape const& shape, Pose const& pose) {
     return pieces;
 }
 
+Bounds areaBounds(Shape const& shape, Pose const& pose) {
+    std::vector<Vec2> corners;
+    for (ShapePiece const& piece : shape.pieces) {
+        for (Vec2 const corner : straightened(piece)) {
+            corners.push_back(pose.toWorld(corner));
+        }
+    }
+    return boundsOf(corners);
+}
+
 void findCuttingSides(LiquidPiece const& piece, Pose const& body, double radius, CuttingSides& found) {
     found.count = 0;
     found.dry = false;

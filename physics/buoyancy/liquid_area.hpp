@@ -1,6 +1,7 @@
 // The area of a liquid in the world, as convex pieces bounded by straight sides.
 #pragma once
 
+#include "physics/box_tree.hpp"
 #include "physics/buoyancy/clip.hpp"
 #include "physics/dynamics/shape.hpp"
 
@@ -35,6 +36,9 @@ inline constexpr std::size_t mostSides = roundSides + 2; // a capsule has two st
 
 /// The pieces of a shape that has been found sound, placed in the world.
 [[nodiscard]] std::vector<LiquidPiece> liquidPieces(Shape const& shape, Pose const& pose);
+
+/// The box around all of them.
+[[nodiscard]] Bounds areaBounds(Shape const& shape, Pose const& pose);
 
 /// The corners of a piece in the object's frame, anticlockwise, with round parts as above.
 [[nodiscard]] std::vector<Vec2> straightened(ShapePiece const& piece);

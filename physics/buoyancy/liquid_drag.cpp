@@ -37,6 +37,8 @@ struct BodyMotion {
     Vec2 centreOfMass; // m, in the object's frame
     Vec2 velocity;
     double spin = 0;
+    double mass = 0;    // kg; 0: unknown
+    double inertia = 0; // kg m²
 
     [[nodiscard]] Vec2 velocityAt(Vec2 local) const {
         return velocity + spin * perpendicular(pose.turned(local - centreOfMass));
@@ -67,12 +69,13 @@ LiquidResistance::Entry dragOn(Immersions::Entry const& immersion, Liquid const&
             .yy = rate,
             .angular = turning,
             .push = rate * liquid.current,
+            .rate = 0, // resistance is integrated implicitly, however steep
             .event = immersion.event};
 }
 
 struct Lag {
-    double held = 0;  // s, half of the time for which F_B stands
-    double frame = 0; // s, half of a frame: for which the point where it acts does
+    double held = 0; // s, of F_B
+    double turn = 0; // s, of the point where it acts
 };
 
 // Resists motion out of the surface and into it at every point of the waterline, and turning by what it does
@@ -87,8 +90,12 @@ LiquidResistance::Entry lookAhead(Immersions::Entry const& immersion, BodyMotion
     Vec2 const upward = body.pose.turnedBack(up);
     Vec2 const across{upward.y, -upward.x};
     double const above = dot(upward, immersion.wet.first - immersion.wet.area * body.centreOfMass);
-    double const turning =
-        lag.held * perArea * std::max(0.0, line.second - line.first * middle) + lag.frame * perArea * above;
+    double const spread = std::max(0.0, line.second - line.first * middle);
+    double const turning = lag.held * perArea * spread + lag.turn * perArea * above;
+    double square = 0;
+    if (body.mass > 0 && body.inertia > 0) {
+        square = perArea * (line.length / body.mass + std::max(0.0, spread + above) / body.inertia);
+    }
     return {.object = immersion.object,
             .point = body.pose.toWorld(middle * across),
             .xx = rate * up.x * up.x,
@@ -96,6 +103,7 @@ LiquidResistance::Entry lookAhead(Immersions::Entry const& immersion, BodyMotion
             .yy = rate * up.y * up.y,
             .angular = std::max(0.0, turning), // whatever is not stable falls over anyway
             .push = {},
+            .rate = std::sqrt(square),
             .event = immersion.event};
 }
 
@@ -109,21 +117,20 @@ void LiquidDrag::update(Access& access) {
     auto const& rotations = access.read<Rotation>();
     auto const& velocities = access.read<Velocity>();
     auto const& spins = access.read<AngularVelocity>();
+    auto const& masses = access.read<Mass>();
     auto const& settings = access.read<BuoyancySettings>();
 
     Vec2 const gravity = access.read<LinearGravityVector>().gravity;
     bool const ahead = settings.empty() || settings.values().front().lookAhead;
-    int const substeps = access.read<SolverChoice>().substeps;
-    // A force that lags by half of a time t, but is integrated in n steps, lags by (1 - 1/n) t/2.
-    auto const lagOf = [&](double frames) {
-        return ahead ? frames * frameDuration / 2 * (1 - 1 / (frames * substeps)) : 0;
-    };
-    Lag const lag{lagOf(std::max(1.0, std::round(immersions.interval / frameDuration))), lagOf(1)};
+    ForceLag const& forceLag = access.read<ForceLag>();
+    Lag const lag{ahead ? forceLag.of(std::max(immersions.interval, forceLag.turn)) : 0,
+                  ahead ? forceLag.ofTurn() : 0};
     if (immersions.entries.empty() && access.derived<LiquidResistance>().entries.empty()) {
         return;
     }
     auto& entries = access.derive<LiquidResistance>().entries;
     entries.clear();
+    access.derive<LiquidResistance>().foreseen = ahead;
     for (Immersions::Entry const& immersion : immersions.entries) {
         ObjectId const id = immersion.object;
         Liquid const* const liquid = liquids.find(immersion.liquid);
@@ -135,12 +142,17 @@ void LiquidDrag::update(Access& access) {
         }
         Rotation const* const rotation = rotations.find(id);
         AngularVelocity const* const spin = spins.find(id);
+        Mass const* const mass = masses.find(id);
+        MassProperties const spread = massPropertiesOf(*shape);
+        double const kilograms = mass == nullptr ? 0 : mass->value;
         BodyMotion const body{Pose(position->value, rotation == nullptr ? 0 : rotation->angle),
-                              centreOfMass(*shape), velocity->value, spin == nullptr ? 0 : spin->value};
+                              spread.centre,
+                              velocity->value,
+                              spin == nullptr ? 0 : spin->value,
+                              kilograms,
+                              kilograms * spread.inertiaPerMass};
         entries.push_back(dragOn(immersion, *liquid, body));
-        if (ahead) {
-            entries.push_back(lookAhead(immersion, body, Immersions::pull(immersion, gravity), lag));
-        }
+        entries.push_back(lookAhead(immersion, body, Immersions::pull(immersion, gravity), lag));
     }
 }
 

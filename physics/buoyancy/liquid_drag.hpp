@@ -4,8 +4,9 @@
 #include "physics/buoyancy/liquid.hpp"
 #include "physics/buoyancy/results.hpp"
 #include "physics/buoyancy/settings.hpp"
+#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/force_lag.hpp"
 #include "physics/dynamics/shape.hpp"
-#include "physics/dynamics/solver_choice.hpp"
 #include "runtime/component/dps.hpp"
 #include "runtime/placement.hpp"
 
@@ -26,12 +27,32 @@ struct LiquidResistance {
         double yy = 0;      ///< kg/s
         double angular = 0; ///< kg m²/s: torque against the angular velocity
         Vec2 push;          ///< N: what a current adds at the point
+        double rate = 0;    ///< 1/s, at which F_B varies as the object moves; see TellRate
         EventId event;      ///< "enters the liquid"; none while nobody traces
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whose motion it resists"}, self.object);
+            visit(FieldInfo{.key = "point", .unit = "m", .meaning = "where it acts"}, self.point);
+            visit(FieldInfo{.key = "xx",
+                            .unit = "kg/s",
+                            .meaning = "force against the velocity of the point, along x"},
+                  self.xx);
+            visit(FieldInfo{.key = "xy", .unit = "kg/s", .meaning = "across"}, self.xy);
+            visit(FieldInfo{.key = "yy", .unit = "kg/s", .meaning = "along y"}, self.yy);
+            visit(FieldInfo{.key = "angular",
+                            .unit = "kg m²/s",
+                            .meaning = "torque against the angular velocity"},
+                  self.angular);
+            visit(FieldInfo{.key = "push", .unit = "N", .meaning = "what a current adds"}, self.push);
+        }
     };
     std::vector<Entry> entries;
+    bool foreseen = false; ///< whether the entries resist what F_B will have changed by before it is new
 
     template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by object"}, self.entries);
+    }
 };
 
 /// Drag acts at the centroid of what is immersed, against its velocity v in the liquid:
@@ -45,10 +66,13 @@ struct LiquidResistance {
 /// average it is the force of t/2 ago, and a force that lags behind feeds oscillations. So the body is made
 /// to resist motion up and down at its waterline with ρ g d t/2 per length, which is what the force will have
 /// lost on average; and turning, with t/2 times F_B times the height of the centre of buoyancy above that of
-/// mass. What the engine's own N substeps make up for is left out: (1 - 1/N) t/2.
+/// mass. What the engine itself makes up for is left out: see ForceLag.
+///
+/// How fast F_B varies: ω² = k/m + k'/I, k = ρ g d per length of the waterline, as a float of mass m bobs,
+/// and k' its righting moment per angle, as it rolls.
 class LiquidDrag final : public Dps<LiquidDrag,
                                     Reads<Immersions, LinearGravityVector, Liquid, Shape, Position, Rotation,
-                                          Velocity, AngularVelocity, SolverChoice, BuoyancySettings>,
+                                          Velocity, AngularVelocity, Mass, ForceLag, BuoyancySettings>,
                                     Derives<LiquidResistance>> {
 public:
     static constexpr ComponentText text{
@@ -60,6 +84,7 @@ public:
             "must resist its motion while F_B stands unchanged.",
         .cost = 1};
     using CalledFor = NeedsAll<Liquid, Shape, Velocity>;
+    static constexpr int longestPeriod = 12;
     void update(Access& access);
 };
 

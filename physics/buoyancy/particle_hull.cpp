@@ -2,6 +2,7 @@
 
 #include "physics/buoyancy/disc.hpp"
 #include "physics/buoyancy/exact_hull.hpp"
+#include "physics/dynamics/shape_order.hpp"
 
 #include <algorithm>
 
@@ -125,7 +126,8 @@ std::vector<Vec2> pointsIn(ShapePiece const& piece, double share, int count) {
 ParticleHull::ParticleHull(Shape const& shape, int count) : Hull(shapeMoments(shape), 0) {
     double const all = areaOf(shape);
     double reach = 0;
-    for (ShapePiece const& piece : shape.pieces) {
+    Shape const ordered = inOrder(shape);
+    for (ShapePiece const& piece : ordered.pieces) {
         double const area = areaOf(piece);
         std::vector<Vec2> const points = pointsIn(piece, area / all, count);
         double const radius = std::sqrt(area / (pi * static_cast<double>(points.size())));

@@ -10,20 +10,7 @@
 #include "runtime/world/registry.hpp"
 
 namespace trembler {
-namespace {
-
-// Interactions first speak at the end of the first frame. Until then buoyancy knows the gravity that the
-// world begins with, or whatever floats would fall for a frame before it is held.
-void startGravity(Store& store, ObjectId id) {
-    if (GravityField const* const field = store.column<GravityField>().find(id)) {
-        store.slot<LinearGravityVector>().value().gravity += field->acceleration;
-    }
-}
-
-} // namespace
-
 void registerBuoyancy(Registry& registry) {
-    registry.completion(startGravity);
     registry.rule({&propertyInfo<Liquid>(), checkLiquid});
     registry.component<ExactBuoyancy>();
     registry.component<ParticleBuoyancy>();

@@ -3,6 +3,7 @@
 
 #include "physics/buoyancy/moments.hpp"
 #include "physics/buoyancy/waterline.hpp"
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
 #include "runtime/trace/event.hpp"
 
@@ -16,6 +17,7 @@ struct LinearGravityVector {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Linear gravity vector", "linear_gravity",
                                        "The acceleration due to gravity that buoyancy works with."};
+    static constexpr Coverage coverage = hashed;
     Vec2 gravity; ///< m/s²
 
     template <class Self, class Visitor>
@@ -29,16 +31,24 @@ struct BuoyancyForce {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"F_B", "buoyancy_force",
                                        "The buoyancy force on each object: the weight of what it displaces."};
+    static constexpr Coverage coverage = derivedFrom("Immersion and Linear gravity vector");
     struct Entry {
         ObjectId object;
         Vec2 force;    ///< N, acts at the centre of buoyancy
         EventId event; ///< "enters the liquid"; none while nobody traces
         friend bool operator==(Entry const&, Entry const&) = default;
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);
+            visit(FieldInfo{.key = "force", .unit = "N", .meaning = "at the centre of buoyancy"}, self.force);
+        }
     };
     std::vector<Entry> forces;
 
     template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "forces", .unit = "", .meaning = "ascending by object"}, self.forces);
+    }
 };
 
 /// The centres of buoyancy: of the displaced liquid's mass. Entries as in BuoyancyForce.
@@ -46,16 +56,26 @@ struct CentreOfBuoyancy {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"COB", "centre_of_buoyancy",
                                        "The centre of buoyancy of each object: where F_B acts."};
+    static constexpr Coverage coverage = derivedFrom("Immersion");
     struct Entry {
         ObjectId object;
         Vec2 centre; ///< m, in the object's frame
         Vec2 world;  ///< m, in the world when it was computed
         friend bool operator==(Entry const&, Entry const&) = default;
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whose it is"}, self.object);
+            visit(FieldInfo{.key = "centre", .unit = "m", .meaning = "in the frame of the object"},
+                  self.centre);
+            visit(FieldInfo{.key = "world", .unit = "m", .meaning = "in the world"}, self.world);
+        }
     };
     std::vector<Entry> centres;
 
     template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "centres", .unit = "", .meaning = "ascending by object"}, self.centres);
+    }
 };
 
 /// What each object displaces of each liquid; ascending by object, then by liquid.
@@ -63,6 +83,8 @@ struct Immersions {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Immersion", "immersion",
                                        "Which part of each object is in which liquid."};
+    static constexpr Coverage coverage =
+        derivedFrom("shapes, positions and rotations of what is in liquids and of these");
     struct Entry {
         ObjectId object;
         ObjectId liquid;

@@ -20,7 +20,8 @@ struct BuoyancySettings {
                         .unit = "",
                         .meaning = "that stand for a body at the detail level \"particles\"",
                         .minimum = 4,
-                        .maximum = 256},
+                        .maximum = 256,
+                        .accuracy = {4, 256}},
               self.particles);
         visit(FieldInfo{.key = "look_ahead",
                         .unit = "",

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <tuple>
 
 namespace trembler {
@@ -23,6 +22,7 @@ constexpr std::size_t journalLimit = 4096;
 void ElectricityResolver::advance(Access& access) {
     touched_.clear();
     followObjects(access);
+    followCallers(access);
     blowFuses(access);
     carryOutCalls(access);
     publish(access);
@@ -116,6 +116,42 @@ void ElectricityResolver::followNetworks(Access& access) {
     parts_ = std::move(now);
 }
 
+// An interaction that is gone, because nothing in the scene calls for it any more, can never take back what
+// it added, so that goes with it, as its held calls do; if it comes again it begins with nothing. A walk over
+// the whole graph, in the frame after somebody went.
+void ElectricityResolver::followCallers(Access& access) {
+    std::span<CallerId const> const now = access.callers();
+    if (!first_ && std::equal(now.begin(), now.end(), callers_.begin(), callers_.end())) {
+        return;
+    }
+    bool const somebodyWent =
+        first_ || !std::includes(now.begin(), now.end(), callers_.begin(), callers_.end());
+    callers_.assign(now.begin(), now.end());
+    if (!somebodyWent) {
+        return;
+    }
+    auto const& graph = access.read<ElectricityGraph>();
+    std::vector<std::pair<ObjectId, ObjectId>> left;
+    for (std::uint32_t r = 0; r < graph.size(); ++r) {
+        ObjectId const owner = graph.owners()[r];
+        for (ElectricityGraph::Connection const& connection : graph.values()[r].connections) {
+            if (owner < connection.to && !connection.counts.onlyBy(now)) {
+                left.emplace_back(owner, connection.to);
+            }
+        }
+    }
+    for (auto const& [a, b] : left) {
+        CallerCounts kept = connectionBetween(graph, a, b);
+        kept.keepOnly(now);
+        setConnection(access.write<ElectricityGraph>(), a, b, kept);
+        if (!kept.any()) {
+            EventId const event = access.event("disconnected", {a, b}, {});
+            touch(a, event);
+            touch(b, event);
+        }
+    }
+}
+
 // A blown fuse stays a vertex, but an isolated one. A level may start with one, wires and all.
 void ElectricityResolver::blowFuses(Access& access) {
     struct Blown {
@@ -168,16 +204,23 @@ void ElectricityResolver::carryOutCalls(Access& access) {
         Fuse const* const fuse = access.read<Fuse>().find(id);
         return graph.has(id) && (fuse == nullptr || !fuse->blown);
     };
-    auto const note = [&](auto const& call, CallOrigin origin) {
+    auto const note = [&](auto const& call, CallerId caller, int delta, CallOrigin const& origin) {
         if (call.a != call.b && conducts(call.a) && conducts(call.b)) { // non-conductors never enter
             auto const [a, b] = std::minmax(call.a, call.b);
-            changes_.push_back({a, b, call.cause, call.delta(), origin.cause});
+            changes_.push_back({a, b, caller, delta, origin.cause});
         }
     };
-    access.forCalls<AddConnection>(note);
-    access.forCalls<RemoveConnection>(note);
+    access.forCalls<AddConnection>([&](AddConnection const& call, CallOrigin const& origin) {
+        note(call, origin.caller, call.delta(), origin);
+    });
+    access.forCalls<RemoveConnection>([&](RemoveConnection const& call, CallOrigin const& origin) {
+        note(call, origin.caller, call.delta(), origin);
+    });
+    access.forCalls<CutWire>(
+        [&](CutWire const& call, CallOrigin const& origin) { note(call, CallerId::level(), -1, origin); });
     std::sort(changes_.begin(), changes_.end(), [](Change const& x, Change const& y) {
-        return std::tie(x.a, x.b, x.cause, x.event, x.delta) < std::tie(y.a, y.b, y.cause, y.event, y.delta);
+        return std::tie(x.a, x.b, x.caller, x.event, x.delta) <
+               std::tie(y.a, y.b, y.caller, y.event, y.delta);
     });
     for (auto from = changes_.begin(); from != changes_.end();) {
         auto const to = std::find_if(from, changes_.end(),
@@ -192,32 +235,31 @@ void ElectricityResolver::carryOutCalls(Access& access) {
 void ElectricityResolver::changePair(Access& access, std::span<Change const> changes) {
     ObjectId const a = changes.front().a;
     ObjectId const b = changes.front().b;
-    ConnectionCounts const before = connectionBetween(access.read<ElectricityGraph>(), a, b);
-    std::array<std::int64_t, connectionCauses> sums{};
-    for (Change const& change : changes) {
-        sums[static_cast<std::size_t>(change.cause)] += change.delta;
-    }
-    ConnectionCounts after;
-    for (std::size_t c = 0; c < connectionCauses; ++c) {
-        std::int64_t const most = std::numeric_limits<std::int32_t>::max();
-        after.byCause[c] =
-            static_cast<std::int32_t>(std::clamp<std::int64_t>(before.byCause[c] + sums[c], 0, most));
+    CallerCounts const before = connectionBetween(access.read<ElectricityGraph>(), a, b);
+    CallerCounts after = before;
+    for (auto from = changes.begin(); from != changes.end();) {
+        CallerId const caller = from->caller;
+        std::int64_t sum = 0;
+        for (; from != changes.end() && from->caller == caller; ++from) {
+            sum += from->delta;
+        }
+        after.add(caller, sum);
     }
     if (after == before) {
         return;
     }
     setConnection(access.write<ElectricityGraph>(), a, b, after);
-    if (after.connected() == before.connected()) {
+    if (after.any() == before.any()) {
         return; // one reason more or less, but nothing new for whoever asks only whether
     }
     std::vector<EventId> causes;
     for (Change const& change : changes) {
-        if ((change.delta > 0) == after.connected()) {
+        if ((change.delta > 0) == after.any()) {
             causes.push_back(change.event);
         }
     }
     std::array const pair{a, b};
-    EventId const event = access.event(after.connected() ? "connected" : "disconnected", pair, causes);
+    EventId const event = access.event(after.any() ? "connected" : "disconnected", pair, causes);
     touch(a, event);
     touch(b, event);
 }

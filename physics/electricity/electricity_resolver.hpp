@@ -13,20 +13,23 @@
 namespace trembler {
 
 /// Light-weight: what a change means for who is on is the business of a derived property set. Objects that
-/// come and go are the one thing besides calls that changes the graph; a frame without either costs O(1).
+/// and callers that come and go are all that changes the graph besides calls; a frame without either costs
+/// O(1).
 class ElectricityResolver final : public Resolver<ElectricityResolver, ElectricityRole,
                                                   Reads<Conductor, ElectricalSource, ElectricalReturn>,
                                                   Writes<ElectricityGraph, Fuse>, Provides<GraphChanges>> {
 public:
-    static constexpr ComponentText text{.name = "Electricity",
-                                        .effect = "electricity",
-                                        .level = "",
-                                        .work =
-                                            "Manipulates the electricity graph as instructed: counts the "
-                                            "connections of each pair of conductors by cause. Connections to "
-                                            "objects that are gone go with them. Blows fuses: what has "
-                                            "blown has no connections."};
+    static constexpr ComponentText text{
+        .name = "Electricity",
+        .effect = "electricity",
+        .level = "",
+        .work = "Manipulates the electricity graph as instructed: counts, for each "
+                "pair of conductors, the connections of each caller and of the "
+                "level. Connections to objects, and of callers, that are gone go "
+                "with them. Blows fuses: what has blown has no connections."};
     using CalledFor = NeedsAny<Conductor>;
+    static constexpr Coverage memory =
+        leftOut("who was a conductor, and in which network, in the last advance, to see what changes");
     void advance(Access& access);
 
 private:
@@ -41,7 +44,7 @@ private:
     struct Change {
         ObjectId a; ///< a < b
         ObjectId b;
-        ConnectionCause cause = ConnectionCause::wire;
+        CallerId caller;
         int delta = 0;
         EventId event;
     };
@@ -49,6 +52,7 @@ private:
     void followObjects(Access& access);
     void followVertices(Access& access);
     void followNetworks(Access& access);
+    void followCallers(Access& access);
     void dropLooseEnds(Access& access);
     void blowFuses(Access& access);
     void carryOutCalls(Access& access);
@@ -58,6 +62,7 @@ private:
 
     std::vector<ObjectId> vertices_;      // as of the last advance, ascending
     std::vector<NetworkPart> parts_;      // as of the last advance, ascending
+    std::vector<CallerId> callers_;       // as of the last advance, ascending
     std::array<std::uint64_t, 3> seen_{}; // versions of the columns read
     std::vector<GraphChanges::Touched> touched_;
     std::vector<Change> changes_;

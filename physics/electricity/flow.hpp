@@ -31,7 +31,11 @@ public:
                 "while it lies on a path from source to return. Looks only at circuits that have changed.",
         .cost = 4};
     using CalledFor = NeedsAny<Conductor>;
+    static constexpr Coverage memory =
+        leftOut("the analyses of circuits that have not changed; anew they come to the same");
     static bool suits(Store const&) { return false; } // of itself
+    /// Capacities count for it alone, and its fuses never blow.
+    static bool faithful(Store const& store) { return isFaithful(ElectricalLevel::flow, store); }
     static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access);
 

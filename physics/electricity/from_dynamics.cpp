@@ -5,12 +5,12 @@
 namespace trembler {
 namespace {
 
-// The pairs that the graph holds connected by contact.
-void gatherContacts(Column<ElectricityGraph> const& graph, std::vector<TouchingPair>& pairs) {
+// The pairs that the graph holds connected by that caller.
+void gatherPairs(Column<ElectricityGraph> const& graph, CallerId caller, std::vector<TouchingPair>& pairs) {
     for (std::size_t r = 0; r < graph.size(); ++r) {
         ObjectId const owner = graph.owners()[r];
         for (ElectricityGraph::Connection const& connection : graph.values()[r].connections) {
-            if (owner < connection.to && connection.counts.of(ConnectionCause::contact) > 0) {
+            if (owner < connection.to && connection.counts.of(caller) > 0) {
                 pairs.push_back({owner, connection.to, {}});
             }
         }
@@ -28,7 +28,7 @@ void ElectricityFromDynamics::apply(Access& access) {
     Contacts const& contacts = access.read<Contacts>();
     auto const& conductors = access.read<Conductor>();
     if (access.firstTime()) {
-        gatherContacts(access.read<ElectricityGraph>(), told_);
+        gatherPairs(access.read<ElectricityGraph>(), access.caller(), told_);
     }
     touching_.clear();
     for (TouchingPair const& pair : contacts.current) {
@@ -37,12 +37,11 @@ void ElectricityFromDynamics::apply(Access& access) {
         }
     }
     auto const begin = [&](TouchingPair const& pair) {
-        access.call(AddConnection{{pair.a, pair.b, ConnectionCause::contact}}, pair.event);
+        access.call(AddConnection{{pair.a, pair.b}}, pair.event);
     };
     auto const end = [&](TouchingPair const& pair) {
         if (conductors.has(pair.a) && conductors.has(pair.b)) { // else the graph has dropped it already
-            access.call(RemoveConnection{{pair.a, pair.b, ConnectionCause::contact}},
-                        endOf(pair, contacts.ended));
+            access.call(RemoveConnection{{pair.a, pair.b}}, endOf(pair, contacts.ended));
         }
     };
     auto before = told_.begin();

@@ -27,6 +27,8 @@ public:
                                             "Connects any new colliding objects (if both are conductors) and "
                                             "disconnects any previous colliding objects."};
     using CalledFor = NeedsAll<Conductor>;
+    /// What it has told, and will take back.
+    void hashMemory(StateHash& hash) const { hash.members(told_); }
     void apply(Access& access);
 
 private:

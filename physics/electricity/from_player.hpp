@@ -8,8 +8,8 @@
 
 namespace trembler {
 
-/// One cut takes away one wire: where several are laid between two objects the others still connect them, and
-/// so does a contact. A cut where no wire is changes nothing.
+/// One cut takes away one wire that the level has laid: where several are laid between two objects the others
+/// still connect them, and so does a contact. A cut where no wire is changes nothing.
 class ElectricityFromPlayer final
     : public Interaction<ElectricityFromPlayer, ElectricityRole, Reads<PlayerCommands>> {
 public:
@@ -20,7 +20,7 @@ public:
     using CalledFor = NeedsAll<Conductor>;
     void apply(Access& access) {
         for (PlayerCommands::Cut const& cut : access.read<PlayerCommands>().cuts) {
-            access.call(RemoveConnection{{cut.a, cut.b, ConnectionCause::wire}}, cut.event);
+            access.call(CutWire{cut.a, cut.b}, cut.event);
         }
     }
 };

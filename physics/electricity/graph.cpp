@@ -15,10 +15,10 @@ auto place(Connections& connections, ObjectId to) {
                             [](Connection const& connection, ObjectId id) { return connection.to < id; });
 }
 
-void setOneWay(ElectricityGraph& row, ObjectId to, ConnectionCounts const& counts) {
+void setOneWay(ElectricityGraph& row, ObjectId to, CallerCounts const& counts) {
     auto const at = place(row.connections, to);
     bool const there = at != row.connections.end() && at->to == to;
-    if (!counts.connected()) {
+    if (!counts.any()) {
         if (there) {
             row.connections.erase(at);
         }
@@ -31,21 +31,21 @@ void setOneWay(ElectricityGraph& row, ObjectId to, ConnectionCounts const& count
 
 } // namespace
 
-ConnectionCounts connectionBetween(Column<ElectricityGraph> const& graph, ObjectId a, ObjectId b) {
+CallerCounts connectionBetween(Column<ElectricityGraph> const& graph, ObjectId a, ObjectId b) {
     ElectricityGraph const* const row = graph.find(a);
     if (row == nullptr) {
         return {};
     }
     auto const at = place(row->connections, b);
-    return at == row->connections.end() || at->to != b ? ConnectionCounts{} : at->counts;
+    return at == row->connections.end() || at->to != b ? CallerCounts{} : at->counts;
 }
 
-ConnectionCounts connectionBetween(Store const& store, ObjectId a, ObjectId b) {
+CallerCounts connectionBetween(Store const& store, ObjectId a, ObjectId b) {
     auto const* const graph = store.findColumn<ElectricityGraph>();
-    return graph == nullptr ? ConnectionCounts{} : connectionBetween(*graph, a, b);
+    return graph == nullptr ? CallerCounts{} : connectionBetween(*graph, a, b);
 }
 
-void setConnection(Column<ElectricityGraph>& graph, ObjectId a, ObjectId b, ConnectionCounts const& counts) {
+void setConnection(Column<ElectricityGraph>& graph, ObjectId a, ObjectId b, CallerCounts const& counts) {
     assert(a != b);
     setOneWay(graph[a], b, counts);
     setOneWay(graph[b], a, counts);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/object/object_id.hpp"
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
 #include "runtime/trace/event.hpp"
 
@@ -18,6 +19,9 @@ struct GraphChanges {
         "Changes of G_E", "graph_changes",
         "The vertices of the electricity graph that lately gained or lost a "
         "connection, appeared, disappeared or changed their part in a network."};
+    static constexpr Coverage coverage =
+        leftOut("a journal of what G_E went through, which saves its readers work; who has missed some of it "
+                "looks at all of G_E, and comes to the same");
     struct Touched {
         ObjectId object;          ///< may be gone
         EventId event;            ///< "connected" or "disconnected"; none while nobody traces

@@ -1,34 +1,43 @@
 #include "physics/electricity/initial_connections.hpp"
 
+#include "physics/electricity/completion.hpp"
 #include "physics/electricity/graph.hpp"
-#include "physics/electricity/properties.hpp"
-#include "runtime/world/store.hpp"
-
-#include <fmt/format.h>
+#include "physics/electricity/wire.hpp"
+#include "runtime/property/for_each.hpp"
 
 namespace trembler {
 
-std::optional<std::string> connectInitially(Store& store, ObjectId a, ObjectId b) {
-    auto const& conductors = store.column<Conductor>();
-    for (ObjectId const id : {a, b}) {
-        if (!store.alive(id)) {
-            return "one end of the connection is no object; expected two objects that conduct electricity";
-        }
-        if (!conductors.has(id)) {
-            return fmt::format("'{}' is no conductor; expected two objects with the property '{}'",
-                               store.nameOf(id), Conductor::text.key);
-        }
-    }
-    if (a == b) {
-        return fmt::format("'{}' is connected to itself; expected two different objects", store.nameOf(a));
+void layWire(Store& store, ObjectId a, ObjectId b) {
+    auto& conductors = store.column<Conductor>();
+    if (!conductors.has(a) || !conductors.has(b)) {
+        // They conduct by what they are made of, and completions come after this. So all that do so are told
+        // at once: one by one would be quadratic.
+        auto const& without = store.column<Without>();
+        std::vector<ObjectId> metal;
+        forEach(
+            [&](ObjectId id, MadeOf const& of) {
+                if (!conductors.has(id) && conductsByMaterial(&of, without.find(id))) {
+                    metal.push_back(id);
+                }
+            },
+            store.column<MadeOf>());
+        conductors.addMany(metal, std::vector<Conductor>(metal.size()));
     }
     auto& graph = store.column<ElectricityGraph>();
     if (!graph.has(a) || !graph.has(b)) {
-        addVertices(graph, conductors.owners()); // all at once, in order: one by one would be quadratic
+        // All at once, in order: one by one would be quadratic.
+        addVertices(graph, conductors.owners());
     }
-    ConnectionCounts counts = connectionBetween(graph, a, b);
-    ++counts.of(ConnectionCause::wire);
+    CallerCounts counts = connectionBetween(graph, a, b);
+    counts.add(CallerId::level(), 1);
     setConnection(graph, a, b, counts);
+}
+
+std::optional<std::string> connectInitially(Store& store, ObjectId a, ObjectId b) {
+    if (auto wrong = refuseWire(store, a, b)) {
+        return wrong;
+    }
+    layWire(store, a, b);
     return std::nullopt;
 }
 

@@ -37,6 +37,8 @@ public:
     static constexpr double leastShare = 1e-9;
     static constexpr double leastPower = 0.01;
     using CalledFor = NeedsAny<Conductor>;
+    static constexpr Coverage memory =
+        leftOut("the analyses of circuits that have not changed; anew they come to the same");
     static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access);
 

@@ -76,6 +76,12 @@ struct ElectricalState {
         ObjectId object; ///< invalid while no conductor has this index
         bool on = false;
         EventId event; ///< what was recorded when it last changed; none while nobody traces
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "the conductor"}, self.object);
+            visit(FieldInfo{.key = "on", .unit = "", .meaning = "whether it is part of a working circuit"},
+                  self.on);
+        }
     };
     std::vector<Entry> byIndex;       ///< by object index
     std::vector<ObjectId> switchedOn; ///< in the last change, ascending
@@ -92,7 +98,9 @@ struct ElectricalState {
     }
 
     template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "objects", .unit = "", .meaning = "one for each conductor"}, self.byIndex);
+    }
 };
 
 } // namespace trembler

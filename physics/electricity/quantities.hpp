@@ -45,6 +45,24 @@ struct ElectricalQuantities {
         double overload = 0;   ///< of a fuse: current over its rating; above 1 it will blow
         EventId event;         ///< "overloaded"; none while nobody traces
         bool floating = false; ///< no way leads to a source or a return: its potential is anything
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "the conductor"}, self.object);
+            visit(FieldInfo{.key = "potential",
+                            .unit = "V",
+                            .meaning = "of its middle, above the return of its network"},
+                  self.potential);
+            visit(FieldInfo{.key = "current", .unit = "A", .meaning = "through it"}, self.current);
+            visit(FieldInfo{.key = "power", .unit = "W", .meaning = "that becomes heat or light in it"},
+                  self.power);
+            visit(FieldInfo{.key = "supplied", .unit = "W", .meaning = "that its EMF gives"}, self.supplied);
+            visit(FieldInfo{.key = "brightness", .unit = "", .meaning = "power over rated power"},
+                  self.brightness);
+            visit(FieldInfo{.key = "overload", .unit = "", .meaning = "of a fuse: current over its rating"},
+                  self.overload);
+            visit(FieldInfo{.key = "floating", .unit = "", .meaning = "no way leads to a source or a return"},
+                  self.floating);
+        }
     };
     /// One circuit: everything that is connected to `first`, the first of its objects by id.
     struct Circuit {
@@ -80,7 +98,9 @@ struct ElectricalQuantities {
     }
 
     template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "objects", .unit = "", .meaning = "one for each conductor"}, self.byIndex);
+    }
 };
 
 [[nodiscard]] std::string_view nameOf(ElectricalLevel level);

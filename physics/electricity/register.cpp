@@ -1,5 +1,6 @@
 #include "physics/electricity/register.hpp"
 
+#include "physics/electricity/completion.hpp"
 #include "physics/electricity/electricity_resolver.hpp"
 #include "physics/electricity/flow.hpp"
 #include "physics/electricity/from_dynamics.hpp"
@@ -9,6 +10,7 @@
 #include "physics/electricity/nodal.hpp"
 #include "physics/electricity/single_cable.hpp"
 #include "physics/electricity/two_wire.hpp"
+#include "physics/electricity/wire.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <fmt/format.h>
@@ -16,12 +18,26 @@
 namespace trembler {
 namespace {
 
+template <class P>
+P const* find(Store const& store, ObjectId id) {
+    auto const* const column = store.findColumn<P>();
+    return column == nullptr ? nullptr : column->find(id);
+}
+
+// As stated, or as it follows from the material: rules look at objects before they are completed.
+std::optional<Conductor> conductorOf(Store const& store, ObjectId id) {
+    if (Conductor const* const stated = find<Conductor>(store, id)) {
+        return *stated;
+    }
+    return conductsByMaterial(find<MadeOf>(store, id), find<Without>(store, id)) ? std::optional(Conductor{})
+                                                                                 : std::nullopt;
+}
+
 // What is joined to a network must be a vertex of the graph, and take part in that network.
 template <class Terminal>
 std::optional<std::string> checkTerminal(Store const& store, ObjectId id) {
-    auto const* const conductors = store.findColumn<Conductor>();
-    Conductor const* const conductor = conductors == nullptr ? nullptr : conductors->find(id);
-    if (conductor == nullptr) {
+    std::optional<Conductor> const conductor = conductorOf(store, id);
+    if (!conductor) {
         return fmt::format(
             "'{}' is no conductor, so no current can reach it; expected the property '{}' beside "
             "'{}'",
@@ -40,8 +56,7 @@ std::optional<std::string> checkTerminal(Store const& store, ObjectId id) {
 // What says something about currents is about a conductor.
 template <class P>
 std::optional<std::string> checkConducts(Store const& store, ObjectId id) {
-    auto const* const conductors = store.findColumn<Conductor>();
-    if (conductors == nullptr || !conductors->has(id)) {
+    if (!conductorOf(store, id)) {
         return fmt::format(
             "'{}' is no conductor, so no current can reach it; expected the property '{}' beside '{}'",
             store.nameOf(id), Conductor::text.key, P::text.key);
@@ -88,13 +103,6 @@ std::optional<std::string> checkRating(Store const& store, ObjectId id) {
                     "resistance that follows from the rating");
 }
 
-// Every conductor is a vertex from its birth on, even where it is the one that calls for the resolver.
-void makeVertex(Store& store, ObjectId id) {
-    if (store.column<Conductor>().has(id)) {
-        store.column<ElectricityGraph>().addDefault(id);
-    }
-}
-
 } // namespace
 
 void registerElectricity(Registry& registry) {
@@ -107,8 +115,9 @@ void registerElectricity(Registry& registry) {
     registry.component<ElectricityFromPlayer>();
     registry.component<ElectricityFromFuses>();
     registry.property<ElectricalDevice>();
-    registry.completion(makeVertex);
-    registry.connector(connectInitially);
+    registry.completion<ConductorCompletion>();
+    registry.completion<VertexCompletion>();
+    registry.connector(wireConnector(layWire));
     registry.rule({&propertyInfo<ElectricalSource>(), checkTerminal<ElectricalSource>});
     registry.rule({&propertyInfo<ElectricalReturn>(), checkTerminal<ElectricalReturn>});
     registry.rule({&propertyInfo<Resistance>(), checkResistance});

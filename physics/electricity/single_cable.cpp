@@ -27,6 +27,10 @@ void markSingleCable(Circuit const& circuit, std::vector<std::uint8_t>& on) {
     }
 }
 
+bool SingleCableElectricity::faithful(Store const& store) {
+    return isFaithful(ElectricalLevel::singleCable, store);
+}
+
 bool SingleCableElectricity::suits(Store const& store) {
     return sufficientLevel(store).level == ElectricalLevel::singleCable;
 }

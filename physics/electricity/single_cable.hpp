@@ -24,8 +24,11 @@ public:
                 "it may take part in. Looks only at circuits that have changed.",
         .cost = 1};
     using CalledFor = NeedsAny<Conductor>;
+    static constexpr Coverage memory =
+        leftOut("the analyses of circuits that have not changed; anew they come to the same");
     /// In worlds that never had a return; see neverHadReturns().
     static bool suits(Store const& store);
+    static bool faithful(Store const& store);
     static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access) { updateElectricalState(access, update_, markSingleCable); }
 

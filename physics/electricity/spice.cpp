@@ -1,5 +1,6 @@
 #include "physics/electricity/spice.hpp"
 
+#include "physics/electricity/graph.hpp"
 #include "physics/electricity/nodal_analysis.hpp"
 #include "physics/electricity/sufficient_level.hpp"
 #include "runtime/world/store.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -68,8 +70,12 @@ public:
                     continue;
                 }
                 source(quoted(netlist, branch.to), nodes[to], branch.emf, ohm);
-            } else if (ohm != 0 && !analysis.floats(branch.from)) {
+            } else if (analysis.floats(branch.from)) {
+                continue;
+            } else if (ohm != 0) {
                 resistor(describe(netlist, branch), nodes[from], nodes[to], ohm);
+            } else if (branch.kind == Netlist::Kind::connection) {
+                fmt::format_to(std::back_inserter(text_), "* {}\n", describe(netlist, branch));
             }
         }
     }
@@ -90,7 +96,10 @@ private:
         if (branch.kind == Netlist::Kind::returning) {
             return fmt::format("return {}", quoted(netlist, branch.from));
         }
-        return fmt::format("{} to {}", quoted(netlist, branch.from), quoted(netlist, branch.to));
+        CallerCounts const counts =
+            connectionBetween(store_, netlist.objects[branch.from], netlist.objects[branch.to]);
+        return fmt::format("{} to {}, by {}", quoted(netlist, branch.from), quoted(netlist, branch.to),
+                           oneLine(counts.names()));
     }
     void source(std::string const& object, std::string const& node, double emf, double ohm) {
         ++elements_;

@@ -13,10 +13,17 @@ ObjectId firstOwner(Store const& store) {
     return column == nullptr || column->empty() ? ObjectId{} : column->owners().front();
 }
 
+constexpr std::uint64_t never = 1; // the structure version of a column that never had a row
+
+template <class P>
+bool neverHadAny(Store const& store) {
+    auto const* const column = store.findColumn<P>();
+    return column == nullptr || column->structureVersion() == never;
+}
+
 } // namespace
 
 bool neverHadReturns(Column<ElectricalReturn> const& returns) {
-    static constexpr std::uint64_t never = 1; // the structure version of a column that never had a row
     return returns.structureVersion() == never;
 }
 
@@ -70,6 +77,24 @@ SufficientLevel sufficientLevel(Store const& store) {
         return {ElectricalLevel::nodal, ElectricalReason::fuse, id};
     }
     return {};
+}
+
+bool isFaithful(ElectricalLevel level, Store const& store) {
+    auto const* const returns = store.findColumn<ElectricalReturn>();
+    bool const wholeCables = returns == nullptr || neverHadReturns(*returns);
+    bool const onOffOnly = neverHadAny<Resistance>(store) && neverHadAny<Emf>(store) &&
+                           neverHadAny<RatedPower>(store) && neverHadAny<Fuse>(store);
+    switch (level) {
+    case ElectricalLevel::singleCable:
+        return wholeCables;
+    case ElectricalLevel::twoWire:
+        return !wholeCables && onOffOnly;
+    case ElectricalLevel::flow:
+        return false;
+    case ElectricalLevel::nodal:
+        return true;
+    }
+    return false;
 }
 
 std::string whyElectricalLevel(Store const& store) {

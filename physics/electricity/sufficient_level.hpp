@@ -35,6 +35,11 @@ struct SufficientLevel {
 /// Of the whole scene: the dearest that any of its circuits may call for.
 [[nodiscard]] SufficientLevel sufficientLevel(Store const& store);
 
+/// Whether a level tells all that the scene has ever stated about its circuits, so that another such level
+/// would turn the same things on: single-cable in a world that never had a return; two-wire in one that had
+/// returns but nothing that calls for nodal analysis; nodal always; flow never.
+[[nodiscard]] bool isFaithful(ElectricalLevel level, Store const& store);
+
 /// Why the scene calls for that level, as a sentence for people: "nodal, because 'lamp' has a rated power".
 [[nodiscard]] std::string whyElectricalLevel(Store const& store);
 

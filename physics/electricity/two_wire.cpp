@@ -103,6 +103,10 @@ void markTwoWire(Circuit const& circuit, std::vector<std::uint8_t>& on) {
     }
 }
 
+bool TwoWireElectricity::faithful(Store const& store) {
+    return isFaithful(ElectricalLevel::twoWire, store);
+}
+
 bool TwoWireElectricity::suits(Store const& store) {
     return sufficientLevel(store).level != ElectricalLevel::nodal;
 }

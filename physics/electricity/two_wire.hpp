@@ -31,8 +31,11 @@ public:
                                             "object twice. Looks only at circuits that have changed.",
                                         .cost = 2};
     using CalledFor = NeedsAny<Conductor>;
+    static constexpr Coverage memory =
+        leftOut("the analyses of circuits that have not changed; anew they come to the same");
     /// Where nothing has a resistance, an EMF, a rating or a fuse.
     static bool suits(Store const& store);
+    static bool faithful(Store const& store);
     static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access) { updateElectricalState(access, update_, markTwoWire); }
 

@@ -7,6 +7,8 @@
 
 namespace trembler {
 
+class Store;
+
 /// F = m g for every object with a mass (6.13.3).
 class LinearGravity final : public Dps<LinearGravity, Reads<GravityField, Mass>, Derives<GravityForce>> {
 public:
@@ -17,6 +19,9 @@ public:
                                             "Exports mass times the world's acceleration for each object.",
                                         .cost = 1};
     using CalledFor = NeedsAll<GravityField, Mass>;
+    static constexpr int longestPeriod = 4; // as that of the levels which it may stand in for
+    /// A world that states a law of gravity means it, and masses that attract nobody are another world.
+    static bool faithful(Store const& store);
     void update(Access& access);
 };
 

@@ -2,6 +2,8 @@
 
 #include "runtime/property/for_each.hpp"
 
+#include <cmath>
+
 namespace trembler {
 
 void gatherMasses(Column<Mass> const& masses, Column<Position> const& positions, GravityForce& forces,
@@ -21,10 +23,11 @@ void weighReceivers(inverse_square::Points const& sources, inverse_square::Point
     receivers.weight.assign(sources.size(), 1);
 }
 
-void weighFields(GravityLaw const& law, inverse_square::Points const& points, std::vector<Vec2> const& fields,
+void weighFields(GravityLaw const& law, inverse_square::Points const& points, MassSums const& sums,
                  GravityForce& forces) {
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        forces.forces[i].force = law.constant * points.weight[i] * fields[i];
+    for (std::size_t i = 0; i < sums.fields.size(); ++i) {
+        forces.forces[i].force = law.constant * points.weight[i] * sums.fields[i];
+        forces.forces[i].rate = std::sqrt(law.constant * sums.stiffness[i]);
     }
 }
 

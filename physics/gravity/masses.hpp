@@ -16,8 +16,20 @@ void gatherMasses(Column<Mass> const& masses, Column<Position> const& positions,
 /// Sources of the field and receivers of weight 1 are the same points but for the weights.
 void weighReceivers(inverse_square::Points const& sources, inverse_square::Points& receivers);
 
-/// From fields to forces, in place: F = G m g.
-void weighFields(GravityLaw const& law, inverse_square::Points const& points, std::vector<Vec2> const& fields,
+/// What the sources give each receiver.
+struct MassSums {
+    std::vector<Vec2> fields;      ///< kg/m²
+    std::vector<double> stiffness; ///< kg/m³, see inverse_square::addAllPairs()
+
+    void clear(std::size_t count) {
+        fields.assign(count, {});
+        stiffness.assign(count, 0);
+    }
+};
+
+/// From sums to forces, F = G m g, and to how fast they vary, ω² = G Σ m / (r² + s²)^(3/2): between two
+/// masses that is Kepler's mean motion, but for the mass of the receiver itself.
+void weighFields(GravityLaw const& law, inverse_square::Points const& points, MassSums const& sums,
                  GravityForce& forces);
 
 } // namespace trembler

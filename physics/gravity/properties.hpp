@@ -55,23 +55,36 @@ struct GravityLaw {
                             "at the detail level \"tree\": a cluster whose radius is a smaller share of "
                             "its distance than this acts as a whole; 0: never",
                         .minimum = 0,
-                        .maximum = 1},
+                        .maximum = 1,
+                        .accuracy = {0, 1}},
               self.openingAngle);
     }
 };
 
-/// F_G. One entry per object with a mass that moves, ascending.
+/// F_G. One entry per object with a mass, ascending: what is fixed has its weight too.
 struct GravityForce {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"F_G", "gravity_force", "The force due to gravity on each object."};
     struct Entry {
         ObjectId object;
-        Vec2 force; ///< N, at the centre of mass
+        Vec2 force;      ///< N, at the centre of mass
+        double rate = 0; ///< 1/s, at which the force varies as the object moves; see TellRate
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);
+            visit(FieldInfo{.key = "force", .unit = "N", .meaning = "at the centre of mass"}, self.force);
+            visit(FieldInfo{.key = "rate",
+                            .unit = "1/s",
+                            .meaning = "at which the force varies as the object moves"},
+                  self.rate);
+        }
     };
     std::vector<Entry> forces;
 
     template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "forces", .unit = "", .meaning = "ascending by object"}, self.forces);
+    }
 };
 
 } // namespace trembler

@@ -1,6 +1,5 @@
 #include "physics/gravity/real_gravity.hpp"
 
-#include "physics/gravity/masses.hpp"
 #include "physics/inverse_square/kernels.hpp"
 
 namespace trembler {
@@ -10,13 +9,14 @@ void RealGravity::update(Access& access) {
     auto& forces = access.derive<GravityForce>();
     gatherMasses(access.read<Mass>(), access.read<Position>(), forces, sources_);
     weighReceivers(sources_, receivers_);
-    fields_.assign(sources_.size(), {});
+    sums_.clear(sources_.size());
     // Every object sums over all others by itself: twice the work of sharing each pair, but the order of
     // additions, and so every bit, is the same on any number of threads.
     access.forRanges(sources_.size(), [&](std::size_t begin, std::size_t end) {
-        inverse_square::addAllPairs(sources_, receivers_, begin, end, law.softening * law.softening, fields_);
+        inverse_square::addAllPairs(sources_, receivers_, begin, end, law.softening * law.softening,
+                                    sums_.fields, sums_.stiffness);
     });
-    weighFields(law, sources_, fields_, forces);
+    weighFields(law, sources_, sums_, forces);
 }
 
 } // namespace trembler

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/dynamics/body.hpp"
+#include "physics/gravity/masses.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/inverse_square/points.hpp"
 #include "runtime/component/dps.hpp"
@@ -19,12 +20,14 @@ public:
                                         .work = "Exports the sum of the attractions of all other masses.",
                                         .cost = 0}; // a world that states a law of gravity means it
     using CalledFor = NeedsAll<GravityLaw, Mass, Position>;
+    static constexpr int longestPeriod = 4; // a force that stands for longer is another force
+    static constexpr Coverage memory = leftOut("filled anew in each update");
     void update(Access& access);
 
 private:
     inverse_square::Points sources_;
     inverse_square::Points receivers_;
-    std::vector<Vec2> fields_;
+    MassSums sums_;
 };
 
 } // namespace trembler

@@ -1,6 +1,5 @@
 #include "physics/gravity/tree_gravity.hpp"
 
-#include "physics/gravity/masses.hpp"
 #include "runtime/world/store.hpp"
 
 namespace trembler {
@@ -15,13 +14,13 @@ void TreeGravity::update(Access& access) {
     auto& forces = access.derive<GravityForce>();
     gatherMasses(access.read<Mass>(), access.read<Position>(), forces, sources_);
     weighReceivers(sources_, receivers_);
-    fields_.assign(sources_.size(), {});
+    sums_.clear(sources_.size());
     tree_.build(sources_);
     tree_.setReceivers(receivers_, false);
     access.forRanges(sources_.size(), [&](std::size_t begin, std::size_t end) {
-        tree_.add(begin, end, law.openingAngle, law.softening * law.softening, fields_);
+        tree_.add(begin, end, law.openingAngle, law.softening * law.softening, sums_.fields, sums_.stiffness);
     });
-    weighFields(law, sources_, fields_, forces);
+    weighFields(law, sources_, sums_, forces);
 }
 
 } // namespace trembler

@@ -68,8 +68,8 @@ std::size_t Grid::firstAtOrAfter(std::uint64_t key) const {
     return static_cast<std::size_t>(found - order_.begin());
 }
 
-void Grid::add(std::size_t begin, std::size_t end, double inner, double softening2,
-               std::span<Vec2> totals) const {
+void Grid::add(std::size_t begin, std::size_t end, double inner, double softening2, std::span<Vec2> totals,
+               std::span<double> stiffness) const {
     Kernels const& run = kernels();
     Window const window(inner, cutoff_);
     Block block;
@@ -91,7 +91,7 @@ void Grid::add(std::size_t begin, std::size_t end, double inner, double softenin
             run.addWindowed(sources_, firstAtOrAfter(keyOf(r, first)), firstAtOrAfter(keyOf(r, last) + 1),
                             softening2, window, block);
         }
-        emptyBlock(block, totals, past - i, totalRow);
+        emptyBlock(block, totals, stiffness, past - i, totalRow);
         i = past;
     }
 }

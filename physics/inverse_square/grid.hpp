@@ -23,9 +23,10 @@ public:
     void setReceivers(Points const& receivers);
     /// Adds to `totals`, whose order is the receivers' as given, what the rows in [begin, end) of the ordered
     /// receivers get: pairs nearer than `inner` (< cutoff, m) in full, and smoothly less from there to
-    /// nothing at the cutoff. Different ranges at the same time.
-    void add(std::size_t begin, std::size_t end, double inner, double softening2,
-             std::span<Vec2> totals) const;
+    /// nothing at the cutoff. To `stiffness`, where it is given, it adds how much that varies (see
+    /// addAllPairs()), the weakening on the way to the cutoff left out. Different ranges at the same time.
+    void add(std::size_t begin, std::size_t end, double inner, double softening2, std::span<Vec2> totals,
+             std::span<double> stiffness = {}) const;
 
 private:
     [[nodiscard]] std::uint32_t cell(double offset) const;

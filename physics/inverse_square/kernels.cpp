@@ -20,6 +20,7 @@ namespace one {
 #define LOAD(p) (*(p))
 #define STORE(p, v) (*(p) = (v))
 #define SQRT(v) std::sqrt(v)
+#define SIZE(v) std::abs(v)
 #define ATMOST(a, b) ((a) < (b) ? (a) : (b))
 #define ATLEAST(a, b) ((a) > (b) ? (a) : (b))
 #define UNLESS_EQUAL(a, b, v) ((a) != (b) ? (v) : 0.0)
@@ -31,6 +32,7 @@ namespace one {
 #undef LOAD
 #undef STORE
 #undef SQRT
+#undef SIZE
 #undef ATMOST
 #undef ATLEAST
 #undef UNLESS_EQUAL
@@ -47,6 +49,7 @@ namespace two {
 #define LOAD(p) _mm_load_pd(p)
 #define STORE(p, v) _mm_store_pd(p, v)
 #define SQRT(v) _mm_sqrt_pd(v)
+#define SIZE(v) _mm_andnot_pd(_mm_set1_pd(-0.0), v)
 #define ATMOST(a, b) _mm_min_pd(a, b)
 #define ATLEAST(a, b) _mm_max_pd(a, b)
 #define UNLESS_EQUAL(a, b, v) _mm_and_pd(_mm_cmpneq_pd(a, b), v)
@@ -58,6 +61,7 @@ namespace two {
 #undef LOAD
 #undef STORE
 #undef SQRT
+#undef SIZE
 #undef ATMOST
 #undef ATLEAST
 #undef UNLESS_EQUAL
@@ -72,6 +76,7 @@ namespace four {
 #define LOAD(p) _mm256_load_pd(p)
 #define STORE(p, v) _mm256_store_pd(p, v)
 #define SQRT(v) _mm256_sqrt_pd(v)
+#define SIZE(v) _mm256_andnot_pd(_mm256_set1_pd(-0.0), v)
 #define ATMOST(a, b) _mm256_min_pd(a, b)
 #define ATLEAST(a, b) _mm256_max_pd(a, b)
 #define UNLESS_EQUAL(a, b, v) _mm256_and_pd(_mm256_cmp_pd(a, b, _CMP_NEQ_UQ), v)
@@ -83,6 +88,7 @@ namespace four {
 #undef LOAD
 #undef STORE
 #undef SQRT
+#undef SIZE
 #undef ATMOST
 #undef ATLEAST
 #undef UNLESS_EQUAL
@@ -114,7 +120,7 @@ Kernels const& kernels() {
 }
 
 void addAllPairs(Points const& sources, Points const& receivers, std::size_t begin, std::size_t end,
-                 double softening2, std::span<Vec2> totals) {
+                 double softening2, std::span<Vec2> totals, std::span<double> stiffness) {
     Kernels const& run = kernels();
     Block block;
     for (std::size_t i = begin; i < end; i += blockSize) {
@@ -122,7 +128,7 @@ void addAllPairs(Points const& sources, Points const& receivers, std::size_t beg
         auto const row = [i](std::size_t k) { return i + k; };
         fillBlock(block, receivers, totals, count, row, row);
         run.addPairs(sources, 0, sources.size(), softening2, block);
-        emptyBlock(block, totals, count, row);
+        emptyBlock(block, totals, stiffness, count, row);
     }
 }
 

@@ -18,6 +18,7 @@ struct alignas(32) Block {
     double owner[blockSize];
     double sumX[blockSize];
     double sumY[blockSize];
+    double stiffness[blockSize]; ///< see addAllPairs()
 };
 
 /// Sources far away, taken as a whole: moments about a centre up to the second.
@@ -30,6 +31,7 @@ struct Cluster {
     double xx = 0; ///< Σ w δx²
     double xy = 0;
     double yy = 0;
+    double absolute = 0; ///< Σ |w|
 };
 
 /// Takes the sums smoothly to zero between `inner` and `outer` (m): with t = (outer² - r²) / (outer² -
@@ -61,9 +63,12 @@ struct Kernels {
 /// The widest of them.
 [[nodiscard]] Kernels const& kernels();
 
-/// Adds to totals[i] what all sources give receiver i, for i in [begin, end): O(sources · receivers).
+/// Adds to totals[i] what all sources give receiver i, for i in [begin, end): O(sources · receivers). And to
+/// stiffness[i], where it is given, how much that varies with the receiver's place, signs left out:
+///     |f_i| Σ |w_j| / (r_ij² + s²)^(3/2).
+/// That is the derivative across r; the one along r is between once and minus twice as much.
 void addAllPairs(Points const& sources, Points const& receivers, std::size_t begin, std::size_t end,
-                 double softening2, std::span<Vec2> totals);
+                 double softening2, std::span<Vec2> totals, std::span<double> stiffness = {});
 
 /// Receivers into a block: row(k) among the receivers and totalRow(k) among the totals, for k in [0, count),
 /// 0 < count <= blockSize. The last one fills up the block.
@@ -79,12 +84,17 @@ void fillBlock(Block& block, Points const& receivers, std::span<Vec2 const> tota
         block.owner[k] = receivers.owner[i];
         block.sumX[k] = total.x;
         block.sumY[k] = total.y;
+        block.stiffness[k] = 0;
     }
 }
 template <class TotalRow>
-void emptyBlock(Block const& block, std::span<Vec2> totals, std::size_t count, TotalRow&& totalRow) {
+void emptyBlock(Block const& block, std::span<Vec2> totals, std::span<double> stiffness, std::size_t count,
+                TotalRow&& totalRow) {
     for (std::size_t k = 0; k < count; ++k) {
         totals[totalRow(k)] = {block.sumX[k], block.sumY[k]};
+        if (!stiffness.empty()) {
+            stiffness[totalRow(k)] += block.stiffness[k];
+        }
     }
 }
 

@@ -74,12 +74,13 @@ void Tree::sumLeaf(Node& node) const {
     Vec2 plain;
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
         double const size = std::abs(sources_.weight[i]);
-        node.absolute += size;
+        node.cluster.absolute += size;
         node.cluster.weight += sources_.weight[i];
         weighted += size * sources_.at(i);
         plain += sources_.at(i);
     }
-    Vec2 const centre = node.absolute > 0 ? weighted / node.absolute : plain / (node.end - node.begin);
+    Vec2 const centre =
+        node.cluster.absolute > 0 ? weighted / node.cluster.absolute : plain / (node.end - node.begin);
     Cluster& c = node.cluster;
     c.x = centre.x;
     c.y = centre.y;
@@ -104,12 +105,13 @@ void Tree::sumChildren(std::uint32_t at) {
     for (std::uint32_t child = at + 1; child < node.skip; child = nodes_[child].skip) {
         Node const& part = nodes_[child];
         Vec2 const centre{part.cluster.x, part.cluster.y};
-        node.absolute += part.absolute;
+        node.cluster.absolute += part.cluster.absolute;
         node.cluster.weight += part.cluster.weight;
-        weighted += part.absolute * centre;
+        weighted += part.cluster.absolute * centre;
         plain += static_cast<double>(part.end - part.begin) * centre;
     }
-    Vec2 const centre = node.absolute > 0 ? weighted / node.absolute : plain / (node.end - node.begin);
+    Vec2 const centre =
+        node.cluster.absolute > 0 ? weighted / node.cluster.absolute : plain / (node.end - node.begin);
     Cluster& c = node.cluster;
     c.x = centre.x;
     c.y = centre.y;
@@ -179,7 +181,7 @@ void Tree::walk(Box const& box, double openingAngle, Lists& lists) const {
 }
 
 void Tree::add(std::size_t begin, std::size_t end, double openingAngle, double softening2,
-               std::span<Vec2> totals) const {
+               std::span<Vec2> totals, std::span<double> stiffness) const {
     Kernels const& run = kernels();
     Lists lists;
     Block block;
@@ -203,7 +205,7 @@ void Tree::add(std::size_t begin, std::size_t end, double openingAngle, double s
             for (auto const& [from, to] : lists.near) {
                 run.addPairs(sources_, from, to, softening2, block);
             }
-            emptyBlock(block, totals, count, totalRow);
+            emptyBlock(block, totals, stiffness, count, totalRow);
         }
     }
 }

@@ -31,17 +31,17 @@ public:
     /// per receiver.
     void setReceivers(Points const& receivers, bool ownElsewhere);
     /// Adds to `totals`, whose order is the receivers' as given, what the rows in [begin, end) of the ordered
-    /// receivers get; `begin` is a multiple of groupSize. Different ranges at the same time.
+    /// receivers get, and to `stiffness`, where it is given, how much that varies (see addAllPairs());
+    /// `begin` is a multiple of groupSize. Different ranges at the same time.
     void add(std::size_t begin, std::size_t end, double openingAngle, double softening2,
-             std::span<Vec2> totals) const;
+             std::span<Vec2> totals, std::span<double> stiffness = {}) const;
 
     [[nodiscard]] std::size_t nodes() const { return nodes_.size(); }
 
 private:
     struct Node {
         Cluster cluster;
-        double absolute = 0; // Σ |w|
-        double radius = 0;   // m, no source lies farther from the centre
+        double radius = 0; // m, no source lies farther from the centre
         std::uint32_t begin = 0;
         std::uint32_t end = 0;  // of its sources, in order
         std::uint32_t skip = 0; // the node after its last descendant

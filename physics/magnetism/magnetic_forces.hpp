@@ -21,11 +21,11 @@ public:
 
     // Every receiver sums over all others by itself, so no bit depends on threads.
     void sum(Access& access, MagneticSum, inverse_square::Points const& sources,
-             inverse_square::Points const& receivers, std::span<Vec2> totals) {
+             inverse_square::Points const& receivers, MagneticTotals totals) {
         constexpr std::size_t receiversToARange = 64; // as each of them is a sum over all sources
         auto const sumUp = [&](std::size_t begin, std::size_t end) {
             inverse_square::addAllPairs(sources, receivers, begin, end, magneticSoftening * magneticSoftening,
-                                        totals);
+                                        totals.forces, totals.stiffness);
         };
         access.forRanges(receivers.size(), sumUp, receiversToARange);
     }

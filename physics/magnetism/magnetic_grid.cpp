@@ -19,8 +19,16 @@ double magneticCutoff(MagnetismSettings const& settings, Column<MagneticStrength
     return std::max(full, magneticSoftening) / fullShareOfCutoff;
 }
 
+bool MagneticGrid::faithful(Store const& store) {
+    auto const* const all = store.findColumn<MagnetismSettings>();
+    MagnetismSettings const settings =
+        all == nullptr || all->empty() ? MagnetismSettings{} : all->values().front();
+    return settings.cutoff > 0 ? settings.cutoff >= MagnetismSettings::leastCutoff
+                               : settings.forceThreshold <= MagnetismSettings::greatestThreshold;
+}
+
 void MagneticGrid::sum(Access& access, MagneticSum sum, inverse_square::Points const& sources,
-                       inverse_square::Points const& receivers, std::span<Vec2> totals) {
+                       inverse_square::Points const& receivers, MagneticTotals totals) {
     auto const& all = access.read<MagnetismSettings>();
     double const cutoff = magneticCutoff(all.empty() ? MagnetismSettings{} : all.values().front(),
                                          access.read<MagneticStrength>());
@@ -28,7 +36,8 @@ void MagneticGrid::sum(Access& access, MagneticSum sum, inverse_square::Points c
     grid.build(sources, cutoff);
     grid.setReceivers(receivers);
     access.forRanges(receivers.size(), [&](std::size_t begin, std::size_t end) {
-        grid.add(begin, end, fullShareOfCutoff * cutoff, magneticSoftening * magneticSoftening, totals);
+        grid.add(begin, end, fullShareOfCutoff * cutoff, magneticSoftening * magneticSoftening, totals.forces,
+                 totals.stiffness);
     });
 }
 

@@ -8,6 +8,8 @@
 
 namespace trembler {
 
+class Store;
+
 /// Poles act in full up to this share of the cutoff, and smoothly less from there on.
 inline constexpr double fullShareOfCutoff = 0.8;
 
@@ -29,8 +31,10 @@ public:
         .work = "Adds up the forces that magnets within a cutoff length exert.",
         .cost = 2}; // not picked by itself: what it leaves out has no bound that a scene could be asked about
 
+    /// Unless the world states a cutoff or a threshold that takes away forces which matter.
+    static bool faithful(Store const& store);
     void sum(Access& access, MagneticSum sum, inverse_square::Points const& sources,
-             inverse_square::Points const& receivers, std::span<Vec2> totals);
+             inverse_square::Points const& receivers, MagneticTotals totals);
 
 private:
     std::array<inverse_square::Grid, magneticSums> grids_; // each keeps its memory

@@ -1,43 +1,43 @@
 // What the detail levels of the magnetic forces have in common: everything but the way of adding up.
 #pragma once
 
-#include "physics/dynamics/settings.hpp"
+#include "physics/dynamics/force_lag.hpp"
 #include "physics/magnetism/magnetic_points.hpp"
 #include "runtime/component/dps.hpp"
 
-#include <algorithm>
-
 namespace trembler {
+
+namespace detail {
+template <class Self, class... More>
+using MagneticBase =
+    Dps<Self,
+        Reads<Position, Rotation, Velocity, AngularVelocity, Mass, Shape, MagneticPoles, MagneticStrength,
+              Magnet, MagnetSwitching, ForceLag, MagnetismSettings, More...>,
+        Derives<MagneticForce>>;
+} // namespace detail
 
 /// `Self` adds `text` and
 ///     void sum(Access&, MagneticSum, sources, receivers, totals)
 /// which adds to `totals` what the sources do to each receiver, see inverse_square::Points. `More` are
-/// properties that it reads besides.
+/// properties that it reads besides. It is absent where nobody moves anything and tells by how much forces
+/// lag: all that forces are for is to move things.
 template <class Self, class... More>
-class MagneticLevel
-    : public Dps<Self,
-                 Reads<Position, Rotation, Velocity, AngularVelocity, Shape, MagneticPoles, MagneticStrength,
-                       Magnet, MagnetSwitching, DynamicsSettings, MagnetismSettings, More...>,
-                 Derives<MagneticForce>> {
-    using Base =
-        Dps<Self,
-            Reads<Position, Rotation, Velocity, AngularVelocity, Shape, MagneticPoles, MagneticStrength,
-                  Magnet, MagnetSwitching, DynamicsSettings, MagnetismSettings, More...>,
-            Derives<MagneticForce>>;
-
+class MagneticLevel : public detail::MagneticBase<Self, More...> {
 public:
-    using Access = typename Base::Access;
+    using Access = typename detail::MagneticBase<Self, More...>::Access;
     using CalledFor = NeedsAll<Magnet, MagneticStrength, Position>;
+    static constexpr int longestPeriod = 4; // a force that stands for longer is another force
+    static constexpr Coverage memory = leftOut("filled anew in each update");
 
     void update(Access& access) {
-        auto const& solver = access.template read<DynamicsSettings>();
         auto const& settings = access.template read<MagnetismSettings>();
         bool const ahead = settings.empty() || settings.values().front().lookAhead;
-        double const lag = ahead ? frameDuration / 2 * (1 - 1.0 / ordinarySubsteps(solver)) : 0;
+        double const lag = ahead ? access.template read<ForceLag>().ofTurn() : 0;
         points_.gather({access.template read<Position>(), access.template read<Rotation>(),
                         access.template read<Velocity>(), access.template read<AngularVelocity>(),
-                        access.template read<Shape>(), access.template read<MagneticPoles>(),
-                        access.template read<MagneticStrength>(), access.template read<Magnet>()},
+                        access.template read<Mass>(), access.template read<Shape>(),
+                        access.template read<MagneticPoles>(), access.template read<MagneticStrength>(),
+                        access.template read<Magnet>()},
                        lag);
         if (points_.active()) {
             for (MagneticSum const sum :
@@ -48,19 +48,12 @@ public:
                 }
             }
         }
-        points_.exportForces(access.template read<MagnetSwitching>().byIndex,
-                             access.template derive<MagneticForce>());
+        auto& into = access.template derive<MagneticForce>();
+        points_.exportForces(access.template read<MagnetSwitching>().byIndex, into);
+        into.foreseen = ahead;
     }
 
 private:
-    // As stated, or as many as an ordinary scene gets. It does without Dynamics, so it cannot ask that; where
-    // there are in fact more, what is left of the lag is at most an eighth of a frame.
-    static int ordinarySubsteps(Column<DynamicsSettings> const& settings) {
-        int const stated =
-            settings.empty() ? DynamicsSettings::automatic : settings.values().front().substeps;
-        return stated == DynamicsSettings::automatic ? 4 : std::max(stated, 1);
-    }
-
     MagneticPoints points_;
 };
 

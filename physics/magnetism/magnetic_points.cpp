@@ -1,6 +1,5 @@
 #include "physics/magnetism/magnetic_points.hpp"
 
-#include "physics/dynamics/mass_properties.hpp"
 #include "runtime/property/for_each.hpp"
 
 #include <algorithm>
@@ -25,22 +24,22 @@ Vec2 shortened(Vec2 shift) {
 } // namespace
 
 // Shapes hardly ever change, and their centres of mass take a while to compute: once will do.
-void MagneticPoints::findCentres(MagneticColumns const& columns) {
+void MagneticPoints::findSpreads(MagneticColumns const& columns) {
     std::uint64_t const version = columns.shapes.version() + columns.strengths.structureVersion();
-    if (version == centresVersion_) {
+    if (version == spreadsVersion_) {
         return;
     }
-    centresVersion_ = version;
-    centres_.assign(columns.strengths.size(), {});
+    spreadsVersion_ = version;
+    spreads_.assign(columns.strengths.size(), {});
     for (std::size_t row = 0; row < columns.strengths.size(); ++row) {
         if (Shape const* const shape = columns.shapes.find(columns.strengths.owners()[row])) {
-            centres_[row] = centreOfMass(*shape);
+            spreads_[row] = massPropertiesOf(*shape);
         }
     }
 }
 
 void MagneticPoints::gather(MagneticColumns const& columns, double lag) {
-    findCentres(columns);
+    findSpreads(columns);
     poleObjects_.clear();
     softObjects_.clear();
     poleShifts_.clear();
@@ -48,6 +47,8 @@ void MagneticPoints::gather(MagneticColumns const& columns, double lag) {
     for (auto* const points : {&poles_, &unsignedPoles_, &soft_, &repelled_, &pulledPoles_, &pulledSoft_}) {
         points->clear();
     }
+    poleYields_.clear();
+    softYields_.clear();
     auto const addPole = [&](ObjectId id, Vec2 at, double q, Vec2 shift) {
         poleObjects_.push_back(id);
         poleShifts_.push_back(shift);
@@ -65,12 +66,20 @@ void MagneticPoints::gather(MagneticColumns const& columns, double lag) {
             double const angle = spin == nullptr ? now : now + lag * spin->value;
             Vec2 const shift = velocity == nullptr ? Vec2{} : shortened(lag * velocity->value);
             // It is its centre of mass that goes straight on.
-            Vec2 const centre = centres_[columns.strengths.row(id)];
+            MassProperties const& spread = spreads_[columns.strengths.row(id)];
+            Vec2 const centre = spread.centre;
+            Mass const* const mass = columns.masses.find(id);
+            double const yield = mass == nullptr ? 0 : 1 / mass->value;
+            auto const yieldAt = [&](Vec2 point) {
+                double const turning = spread.inertiaPerMass;
+                return turning > 0 ? yield * (1 + lengthSquared(point - centre) / turning) : yield;
+            };
             Vec2 const origin = position.value + shift + (rotated(centre, now) - rotated(centre, angle));
             if (strength.susceptibility > 0) {
                 Vec2 const at = origin + rotated(centre, angle);
                 softObjects_.push_back(id);
                 softShifts_.push_back(shift);
+                softYields_.push_back(yield);
                 soft_.add(at, strength.susceptibility, id.index);
                 pulledSoft_.add(at, magneticConstant * strength.susceptibility, id.index);
             }
@@ -82,14 +91,18 @@ void MagneticPoints::gather(MagneticColumns const& columns, double lag) {
             double const q = magnet->level * strength.strength;
             if (poles->poles == PoleSet::north || poles->poles == PoleSet::both) {
                 addPole(id, origin + rotated(poles->north, angle), q, shift);
+                poleYields_.push_back(yieldAt(poles->north));
             }
             if (poles->poles == PoleSet::south || poles->poles == PoleSet::both) {
                 addPole(id, origin + rotated(poles->south, angle), -q, shift);
+                poleYields_.push_back(yieldAt(poles->south));
             }
         },
         columns.strengths, columns.positions);
     onPoles_.assign(poles_.size(), {});
     onSoft_.assign(soft_.size(), {});
+    poleStiffness_.assign(poles_.size(), 0);
+    softStiffness_.assign(soft_.size(), 0);
 }
 
 inverse_square::Points const& MagneticPoints::sources(MagneticSum sum) const {
@@ -104,8 +117,9 @@ inverse_square::Points const& MagneticPoints::receivers(MagneticSum sum) const {
                                              : pulledSoft_;
 }
 
-std::span<Vec2> MagneticPoints::totals(MagneticSum sum) {
-    return sum == MagneticSum::polesOnSoft ? onSoft_ : onPoles_;
+MagneticTotals MagneticPoints::totals(MagneticSum sum) {
+    return sum == MagneticSum::polesOnSoft ? MagneticTotals{onSoft_, softStiffness_}
+                                           : MagneticTotals{onPoles_, poleStiffness_};
 }
 
 ObjectId MagneticPoints::strongest(MagneticSum sum, std::size_t receiver) const {
@@ -128,6 +142,7 @@ ObjectId MagneticPoints::strongest(MagneticSum sum, std::size_t receiver) const 
 void MagneticPoints::exportForces(std::span<EventId const> switching, MagneticForce& into) const {
     auto& forces = into.forces;
     forces.clear();
+    into.rates.clear();
     if (!active()) {
         return;
     }
@@ -150,6 +165,28 @@ void MagneticPoints::exportForces(std::span<EventId const> switching, MagneticFo
     std::inplace_merge(
         forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(poleObjects_.size()), forces.end(),
         [](MagneticForce::Entry const& a, MagneticForce::Entry const& b) { return a.object < b.object; });
+    exportRates(into);
+}
+
+void MagneticPoints::exportRates(MagneticForce& into) const {
+    std::size_t pole = 0;
+    std::size_t soft = 0;
+    while (pole < poleObjects_.size() || soft < softObjects_.size()) {
+        bool const both = pole < poleObjects_.size() && soft < softObjects_.size();
+        ObjectId const id = both                         ? std::min(poleObjects_[pole], softObjects_[soft])
+                            : pole < poleObjects_.size() ? poleObjects_[pole]
+                                                         : softObjects_[soft];
+        double square = 0;
+        for (; pole < poleObjects_.size() && poleObjects_[pole] == id; ++pole) {
+            square += poleStiffness_[pole] * poleYields_[pole];
+        }
+        for (; soft < softObjects_.size() && softObjects_[soft] == id; ++soft) {
+            square += softStiffness_[soft] * softYields_[soft];
+        }
+        if (square > 0) {
+            into.rates.push_back({id, std::sqrt(square)});
+        }
+    }
 }
 
 } // namespace trembler

@@ -2,6 +2,8 @@
 // levels of magnetism start and end here.
 #pragma once
 
+#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/mass_properties.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "physics/inverse_square/points.hpp"
 #include "physics/magnetism/properties.hpp"
@@ -18,6 +20,7 @@ struct MagneticColumns {
     Column<Rotation> const& rotations;
     Column<Velocity> const& velocities;
     Column<AngularVelocity> const& spins;
+    Column<Mass> const& masses;
     Column<Shape> const& shapes;
     Column<MagneticPoles> const& poleSets;
     Column<MagneticStrength> const& strengths;
@@ -31,6 +34,12 @@ enum class MagneticSum : std::size_t {
     polesOnSoft,  ///< a soft object is drawn to either pole, as if of the opposite sign
 };
 inline constexpr std::size_t magneticSums = 3;
+
+/// What each receiver gets.
+struct MagneticTotals {
+    std::span<Vec2> forces;      ///< N
+    std::span<double> stiffness; ///< N/m, see inverse_square::addAllPairs()
+};
 
 class MagneticPoints {
 public:
@@ -46,18 +55,22 @@ public:
     [[nodiscard]] inverse_square::Points const& sources(MagneticSum sum) const;
     [[nodiscard]] inverse_square::Points const& receivers(MagneticSum sum) const;
     /// Where the sum belongs: in the order of the receivers. polesOnPoles and softOnPoles add up in one.
-    [[nodiscard]] std::span<Vec2> totals(MagneticSum sum);
+    [[nodiscard]] MagneticTotals totals(MagneticSum sum);
 
-    /// Entries ascending by object, north before south. `switching`: events by object index, empty while
-    /// nobody traces; what pulls hardest is then looked for among all sources, O(n²).
+    /// Entries ascending by object, north before south, and how fast the forces on each object vary: a force
+    /// on a pole, of stiffness k and at a distance a from the centre of mass, swings a body of mass m and
+    /// moment of inertia I with ω² = k (1/m + a²/I); the sum over all poles of a body is at least the square
+    /// of its fastest swing, and at most three times as much. `switching`: events by object index, empty
+    /// while nobody traces; what pulls hardest is then looked for among all sources, O(n²).
     void exportForces(std::span<EventId const> switching, MagneticForce& into) const;
 
 private:
-    void findCentres(MagneticColumns const& columns);
+    void findSpreads(MagneticColumns const& columns);
+    void exportRates(MagneticForce& into) const;
     [[nodiscard]] ObjectId strongest(MagneticSum sum, std::size_t receiver) const;
 
-    std::vector<Vec2> centres_;        // m, centres of mass in their own frames, by row of MagneticStrength
-    std::uint64_t centresVersion_ = 0; // of what they were made from
+    std::vector<MassProperties> spreads_; // by row of MagneticStrength
+    std::uint64_t spreadsVersion_ = 0;    // of what they were made from
 
     std::vector<ObjectId> poleObjects_; // ascending
     std::vector<ObjectId> softObjects_;
@@ -69,8 +82,12 @@ private:
     inverse_square::Points repelled_;      // the poles as they receive from poles
     inverse_square::Points pulledPoles_;   // the poles as they receive from soft objects
     inverse_square::Points pulledSoft_;
+    std::vector<double> poleYields_; // 1/kg, 1/m + a²/I of each pole's body; 0 where it has no mass
+    std::vector<double> softYields_;
     std::vector<Vec2> onPoles_; // N
     std::vector<Vec2> onSoft_;
+    std::vector<double> poleStiffness_; // N/m
+    std::vector<double> softStiffness_;
 };
 
 /// µ0/4π in N/A².

@@ -27,7 +27,7 @@ public:
     static bool suits(Store const& store);
 
     void sum(Access& access, MagneticSum sum, inverse_square::Points const& sources,
-             inverse_square::Points const& receivers, std::span<Vec2> totals);
+             inverse_square::Points const& receivers, MagneticTotals totals);
 
 private:
     std::array<inverse_square::Tree, magneticSums> trees_; // each keeps its memory

@@ -15,6 +15,7 @@ void MagneticsResolver::advance(Access& access) {
     access.forCalls<DisableMagnet>([&](DisableMagnet const& call, CallOrigin origin) {
         disabled.try_emplace(call.object, origin.cause);
     });
+    double const frames = access.duration() / frameDuration;
     cooling_ = false;
     // First find what changes, so that a frame in which nothing does leaves the column's version alone.
     struct Change {
@@ -39,7 +40,7 @@ void MagneticsResolver::advance(Access& access) {
                 EventId const cause = reason == disabled.end() ? EventId{} : reason->second;
                 EventId const event = magnet.on ? access.event("magnet off", {id}, {cause}) : EventId{};
                 // Fewer than half a step left is none: rounding must not add a frame.
-                double const step = 1.0 / coil.coolDown;
+                double const step = frames / coil.coolDown;
                 double const level = magnet.level - step < step / 2 ? 0 : magnet.level - step;
                 changes.push_back({id, {false, level}, event});
                 cooling_ = cooling_ || level > 0;

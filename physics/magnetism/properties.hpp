@@ -1,6 +1,7 @@
 // What magnetism knows of objects.
 #pragma once
 
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
 #include "runtime/property/state_hash.hpp"
 #include "runtime/trace/event.hpp"
@@ -115,8 +116,11 @@ struct MagnetismSettings {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Magnetism settings", "magnetism",
                                        "How exactly magnetic forces are computed.", PropertyPlace::world};
+    /// From here on the two settings of the grid are a matter of accuracy; beyond, they take magnetism away.
+    static constexpr double leastCutoff = 1;          ///< m
+    static constexpr double greatestThreshold = 0.01; ///< N
     double cutoff = 0;
-    double forceThreshold = 0.01;
+    double forceThreshold = greatestThreshold;
     double openingAngle = 0.25;
     bool lookAhead = true;
 
@@ -127,14 +131,16 @@ struct MagnetismSettings {
                         .meaning = "at the detail level \"grid\": poles farther apart do not act on each "
                                    "other; 0: chosen by the force threshold",
                         .minimum = 0,
-                        .maximum = 1e6},
+                        .maximum = 1e6,
+                        .accuracy = {leastCutoff, 1e6, true}},
               self.cutoff);
         visit(FieldInfo{.key = "force_threshold",
                         .unit = "N",
                         .meaning = "at the detail level \"grid\": no pair of poles with a force of at least "
                                    "this is weakened or left out",
                         .minimum = 1e-9,
-                        .maximum = 1e6},
+                        .maximum = 1e6,
+                        .accuracy = {1e-9, greatestThreshold}},
               self.forceThreshold);
         visit(FieldInfo{.key = "opening_angle",
                         .unit = "",
@@ -142,7 +148,8 @@ struct MagnetismSettings {
                             "at the detail level \"tree\": a cluster whose radius is a smaller share of "
                             "its distance than this acts as a whole; 0: never",
                         .minimum = 0,
-                        .maximum = 1},
+                        .maximum = 1,
+                        .accuracy = {0, 1}},
               self.openingAngle);
         visit(FieldInfo{.key = "look_ahead",
                         .unit = "",
@@ -158,6 +165,7 @@ struct MagnetSwitching {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Magnet switching", "magnet_switching",
                                        "The event that last switched each magnet."};
+    static constexpr Coverage coverage = leftOut("events of the trace lead to nothing");
     std::vector<EventId> byIndex; ///< by object index
 
     template <class Self, class Visitor>
@@ -173,11 +181,29 @@ struct MagneticForce {
         Vec2 point;    ///< m, in the world
         Vec2 force;    ///< N
         EventId cause; ///< what switched on the magnet that pulls hardest; none while nobody traces
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);
+            visit(FieldInfo{.key = "force",
+                            .unit = "N",
+                            .meaning = "of all magnets, on all its poles together",
+                            .adds = true},
+                  self.force);
+        }
+    };
+    struct Rate {
+        ObjectId object;
+        double rate = 0; ///< 1/s, at which the forces on it vary as it moves; see TellRate
     };
     std::vector<Entry> forces;
+    std::vector<Rate> rates; ///< of objects with a mass, ascending
+    bool foreseen = false;   ///< whether forces are those of where things will be when they act
 
     template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "forces", .unit = "", .meaning = "one for each pole; ascending by object"},
+              self.forces);
+    }
 };
 
 } // namespace trembler

@@ -17,9 +17,8 @@ void ElectricityFromRotation::apply(Access& access) {
             }
             AngularVelocity const* const turning = speeds.find(id);
             double const speed = turning == nullptr ? 0 : std::abs(turning->value);
-            bool const connected =
-                connectionBetween(graph, id, generator.source).of(ConnectionCause::other) > 0;
-            ConnectionKey const key{id, generator.source, ConnectionCause::other};
+            bool const connected = connectionBetween(graph, id, generator.source).of(access.caller()) > 0;
+            ConnectionKey const key{id, generator.source};
             if (!connected && speed >= generator.speed) {
                 access.call(AddConnection{key}, access.event("turns fast enough", std::array{id},
                                                              access.read<MotionCauses>().of(id)));

@@ -10,8 +10,8 @@
 
 namespace trembler {
 
-/// Whether it is connected at present is read from the graph, so it has no memory of its own that could go
-/// wrong.
+/// Whether it has connected one at present is read from the graph, so it has no memory of its own that could
+/// go wrong.
 class ElectricityFromRotation final
     : public Interaction<ElectricityFromRotation, ElectricityRole,
                          Reads<Generator, AngularVelocity, ElectricityGraph, MotionCauses>> {

@@ -5,12 +5,24 @@
 
 namespace trembler {
 
+namespace {
+
+// N m s: of the line's fall with the speed.
+double slopeOf(ElectricMotor const& motor, double inertia, double step) {
+    return std::min(std::abs(motor.torque) / motor.idleSpeed, inertia / step);
+}
+
+} // namespace
+
 double motorTorque(ElectricMotor const& motor, double speed, double inertia, double step) {
     if (!(motor.idleSpeed > 0)) {
         return motor.torque;
     }
-    double const slope = std::min(std::abs(motor.torque) / motor.idleSpeed, inertia / step);
-    return slope * (std::copysign(motor.idleSpeed, motor.torque) - speed);
+    return slopeOf(motor, inertia, step) * (std::copysign(motor.idleSpeed, motor.torque) - speed);
+}
+
+double motorRate(ElectricMotor const& motor, double inertia, double step) {
+    return motor.idleSpeed > 0 && inertia > 0 ? slopeOf(motor, inertia, step) / inertia : 0;
 }
 
 double brakingTorque(Generator const& generator, double speed, double inertia, double step) {

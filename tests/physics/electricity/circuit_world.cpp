@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <deque>
 #include <iterator>
 #include <stdexcept>
 
@@ -40,13 +42,48 @@ void ScriptedCollisions::advance(Access& access) {
 void ElectricityFromScript::apply(Access& access) {
     for (Script const& script : access.read<Script>().values()) {
         for (Script::Line const& line : script.lines) {
+            if (line.script == scissors && number_ == 0) {
+                access.call(CutWire{line.a, line.b});
+            }
+            if (line.script != number_) {
+                continue;
+            }
             if (line.add) {
-                access.call(AddConnection{{line.a, line.b, line.cause}});
+                access.call(AddConnection{{line.a, line.b}});
             } else {
-                access.call(RemoveConnection{{line.a, line.b, line.cause}});
+                access.call(RemoveConnection{{line.a, line.b}});
             }
         }
     }
+}
+
+void registerScripts(Registry& registry) {
+    static std::array<std::string, scripts> names;
+    static std::deque<ComponentInfo> const infos = [] {
+        std::deque<ComponentInfo> made;
+        for (std::size_t i = 0; i < scripts; ++i) {
+            names[i] = "Electricity <- Script " + std::to_string(i + 1);
+            made.push_back(ElectricityFromScript::describeSelf());
+            made.back().text.name = names[i];
+        }
+        return made;
+    }();
+    for (std::size_t i = 0; i < scripts; ++i) {
+        registry.component(infos[i], [i] { return std::make_unique<ElectricityFromScript>(infos[i], i); });
+    }
+}
+
+std::int32_t countBy(CallerCounts const& counts, std::string_view name) {
+    for (CallerCounts::Entry const& entry : counts.entries()) {
+        if (entry.caller.name() == name) {
+            return entry.count;
+        }
+    }
+    return 0;
+}
+
+std::int32_t countBy(CallerCounts const& counts, std::size_t script) {
+    return countBy(counts, "Electricity <- Script " + std::to_string(script + 1));
 }
 
 void PopulationFromScript::apply(Access& access) {
@@ -65,7 +102,7 @@ CircuitWorld::CircuitWorld(WorldOptions options) {
     registry_.component<ScriptedCollisions>();
     registerElectricity(registry_);
     registry_.component<PopulationFromScript>();
-    registry_.component<ElectricityFromScript>();
+    registerScripts(registry_);
     world_ = std::make_unique<World>(registry_, std::move(options));
     director_ = store().create("director");
     store().column<Script>().set(director_, {});
@@ -118,12 +155,14 @@ void CircuitWorld::call(std::vector<Script::Line> lines, std::vector<ObjectId> d
     world_->step();
 }
 
-void CircuitWorld::connect(std::string const& a, std::string const& b, ConnectionCause cause) {
-    call({{(*this)[a], (*this)[b], cause, true}});
+void CircuitWorld::connect(std::string const& a, std::string const& b, std::size_t script) {
+    call({{(*this)[a], (*this)[b], script, true}});
 }
 
-void CircuitWorld::disconnect(std::string const& a, std::string const& b, ConnectionCause cause) {
-    call({{(*this)[a], (*this)[b], cause, false}});
+void CircuitWorld::disconnect(std::string const& a, std::string const& b, std::size_t script) {
+    CallerCounts const counts = connectionBetween(store(), (*this)[a], (*this)[b]);
+    bool const added = countBy(counts, script) > 0;
+    call({{(*this)[a], (*this)[b], added || counts.of(CallerId::level()) == 0 ? script : scissors, false}});
 }
 
 void CircuitWorld::touch(std::vector<std::pair<std::string, std::string>> const& pairs) {

@@ -16,7 +16,7 @@ void drawSwitch(CircuitWorld& circuit) {
 }
 
 std::int32_t contactsBetween(CircuitWorld& circuit, std::string const& a, std::string const& b) {
-    return connectionBetween(circuit.store(), circuit[a], circuit[b]).of(ConnectionCause::contact);
+    return countBy(connectionBetween(circuit.store(), circuit[a], circuit[b]), "Electricity <- Dynamics");
 }
 
 TEST(ElectricityContacts, FollowTheThesissFrames) {

@@ -134,7 +134,7 @@ TEST(ElectricityFigures, A13VirtualEdgeAndArticulationVertices) {
     graph["S"].insert("T"); // the virtual edge, which the world's own graph must not contain
     graph["T"].insert("S");
     EXPECT_EQ(articulationVertices(graph), (std::set<std::string>{"1", "5", "7"}));
-    EXPECT_FALSE(connectionBetween(circuit.store(), circuit["S"], circuit["T"]).connected());
+    EXPECT_FALSE(connectionBetween(circuit.store(), circuit["S"], circuit["T"]).any());
     // What the articulation vertices cut off from both S and T is off: 10 behind 1; 7 behind 5; 8 and 9.
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "4", "5", "6", "S", "T"}));
 }
@@ -185,7 +185,7 @@ TEST(ElectricityFigures, A16SeparateNetworksKeepTheLaserFromTheBattery) {
     circuit.connect("2 battery", "3 laser");
     EXPECT_EQ(circuit.on(), (Names{"2 battery", "4 flashlight", "battery return"}));
     // A plain wire takes part in any network: through one, the plant reaches its laser again.
-    circuit.call({{circuit["1 plant"], circuit["2 battery"], ConnectionCause::wire, true}});
+    circuit.call({{circuit["1 plant"], circuit["2 battery"], 0, true}});
     EXPECT_TRUE(circuit.isOn(circuit["3 laser"]));
     EXPECT_TRUE(circuit.isOn(circuit["4 flashlight"]));
 }

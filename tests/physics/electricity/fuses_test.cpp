@@ -41,8 +41,8 @@ TEST(ElectricityFuses, BlowAboveTheirRatingAndStayBlown) {
     EXPECT_TRUE(circuit.at("fuse").floating);
     // Neither taking the load away, nor contact, nor another level of detail repairs it.
     circuit.disconnect("bar", "second");
-    circuit.connect("fuse", "bar", ConnectionCause::contact);
-    circuit.connect("fuse", "plus", ConnectionCause::wire);
+    circuit.connect("fuse", "bar", 1);
+    circuit.connect("fuse", "plus", 0);
     EXPECT_TRUE(circuit.store().column<ElectricityGraph>()[circuit["fuse"]].connections.empty());
     for (char const* const level : {"two-wire", "nodal", "single-cable"}) {
         circuit.world().setDetail("electricity", level);

@@ -107,7 +107,7 @@ TEST(ElectricityLifecycle, ConnectionsGoWithTheirObjects) {
     ASSERT_TRUE(born.valid());
     EXPECT_EQ(born.index, bridge.index);
     EXPECT_FALSE(circuit.isOn(born));
-    circuit.call({{circuit["battery"], born, ConnectionCause::contact, true}});
+    circuit.call({{circuit["battery"], born, 1, true}});
     EXPECT_TRUE(circuit.isOn(born));
     EXPECT_FALSE(circuit.isOn(bridge));
 }
@@ -171,7 +171,7 @@ std::vector<std::uint64_t> hashesWith(int threads, std::vector<bool>& states) {
         for (int i = 0; i < 400; ++i) {
             auto const a = static_cast<std::size_t>(random() % count);
             std::size_t const b = (a + 1 + random() % 40) % count;
-            lines.push_back({ids[a], ids[b], static_cast<ConnectionCause>(random() % 3), random() % 4 != 0});
+            lines.push_back({ids[a], ids[b], random() % scripts, random() % 4 != 0});
         }
         std::vector<ObjectId> destroys;
         if (frame % 5 == 4) {
@@ -214,7 +214,7 @@ TEST(ElectricityLifecycle, AChainOfAMillionObjects) {
     circuit.start();
     circuit.world().step();
     EXPECT_EQ(circuit.state().switchedOn.size(), count);
-    Script::Line middle{chain[count / 2], chain[count / 2 + 1], ConnectionCause::wire, false};
+    Script::Line middle{chain[count / 2], chain[count / 2 + 1], scissors, false};
     circuit.call({middle});
     EXPECT_EQ(circuit.state().switchedOff.size(), count);
     EXPECT_FALSE(circuit.isOn(chain.front()));
@@ -224,6 +224,7 @@ TEST(ElectricityLifecycle, AChainOfAMillionObjects) {
     EXPECT_TRUE(circuit.isOn(chain[count / 2]));
     EXPECT_FALSE(circuit.isOn(chain[count / 2 + 1]));
     circuit.world().setDetail("electricity", "two-wire");
+    middle.script = 0;
     middle.add = true;
     circuit.call({middle});
     EXPECT_TRUE(circuit.isOn(chain.back()));
@@ -235,7 +236,7 @@ TEST(ElectricityLifecycle, RegistersWhatLevelFilesNeed) {
     registerRuntime(registry);
     registerElectricity(registry);
     EXPECT_NO_THROW(registry.check());
-    EXPECT_EQ(registry.connector(), &connectInitially);
+    EXPECT_EQ(registry.connectionKinds(), std::vector<std::string>{"wire"});
     for (std::string_view const key :
          {"conductor", "electrical_source", "electrical_return", "electrical_device"}) {
         ASSERT_NE(registry.objectProperty(key), nullptr) << key;

@@ -213,8 +213,7 @@ std::vector<double> currentsAfterDetours(Plan const& plan, std::vector<std::size
     circuit.begin();
     auto const line = [&](std::size_t w, bool add) {
         return Script::Line{circuit["object " + std::to_string(plan.wires[w].first)],
-                            circuit["object " + std::to_string(plan.wires[w].second)], ConnectionCause::wire,
-                            add};
+                            circuit["object " + std::to_string(plan.wires[w].second)], 0, add};
     };
     for (std::size_t const w : order) {
         circuit.call({line(w, true)});

@@ -198,18 +198,18 @@ TEST(ElectricityNodal, AShortedLampIsDarkAndTheShortIsReported) {
     circuit.begin();
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
     EXPECT_TRUE(circuit.circuitOf("lamp").shorted.empty());
-    circuit.connect("spanner", "minus", ConnectionCause::contact);
+    circuit.connect("spanner", "minus", 1);
     EXPECT_EQ(circuit.circuitOf("lamp").shorted, std::vector{circuit["plus"]});
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
     near(circuit.at("spanner").current, 12, "E / r");
     near(circuit.at("lamp").current, 0, "nothing takes the long way");
     auto const events = circuit.events();
     EXPECT_EQ(std::count(events.begin(), events.end(), "short circuit"), 1);
-    circuit.disconnect("spanner", "minus", ConnectionCause::contact);
+    circuit.disconnect("spanner", "minus", 1);
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
     EXPECT_TRUE(circuit.circuitOf("lamp").shorted.empty());
     // Two-wire: everything lies on some path, the shorted lamp, too.
-    circuit.connect("spanner", "minus", ConnectionCause::contact);
+    circuit.connect("spanner", "minus", 1);
     circuit.world().setDetail("electricity", "two-wire");
     circuit.world().step();
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));

@@ -11,7 +11,7 @@ void Oracle::carryOut(std::vector<Script::Line> const& lines) {
     for (Script::Line const& line : lines) {
         if (line.a != line.b && parts.contains(line.a) && parts.contains(line.b)) {
             Pair const pair = std::minmax(line.a, line.b);
-            net[{pair, static_cast<std::size_t>(line.cause)}] += line.add ? 1 : -1;
+            net[{pair, line.script}] += line.add ? 1 : -1;
         }
     }
     for (auto const& [key, change] : net) {

@@ -180,7 +180,8 @@ TEST(ElectricitySpice, NamesTheObjectsAndLeavesIslandsOut) {
     for (char const* const line :
          {"* a title, as Trembler has it\n", "* 0 = 'minus'\n", "* n1 = 'plus', 'second'\n",
           "* n2 = 'line break'\n", "v1 n1 0 dc 9\n", "r1 n1 n2 1.5\n", "r2 0 n2 1.5\n",
-          "* source 'second': like the ideal source above it\n"}) {
+          "* source 'second': like the ideal source above it\n", "* 'plus' to 'second', by level\n",
+          "* r1: 'second' to 'line break', by level\n"}) {
         EXPECT_NE(netlist.find(line), std::string::npos) << line << "in\n" << netlist;
     }
     EXPECT_EQ(netlist.find("v2"), std::string::npos);

@@ -1,5 +1,6 @@
 // Kepler's third law through the whole frame: Real Gravity's forces, passed on by the interaction, integrated
 // by Dynamics. T = 2 pi sqrt(a³ / (G (M + m))).
+#include "physics/depth.hpp"
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/settings.hpp"
 #include "physics/dynamics/shape.hpp"
@@ -22,8 +23,9 @@ struct Orbit {
     double starMass = 1000; ///< kg
     double planetMass = 1;  ///< kg
     bool starFixed = true;
-    double period = 10; ///< s, by which the constant of gravity is chosen
-    int substeps = 1;   ///< see the last test
+    bool starByDensity = false; ///< its mass is not stated, but follows from its size and its density
+    double period = 10;         ///< s, by which the constant of gravity is chosen
+    int substeps = 1;           ///< see the last test
 };
 
 struct Measured {
@@ -60,6 +62,10 @@ Measured measure(Orbit const& orbit, int revolutions) {
         body("planet", orbit.planetMass, 0.1, {(1 - share) * r, 0}, {0, (1 - share) * speed});
     if (orbit.starFixed) {
         store.column<Fixed>().set(star, {});
+    }
+    if (orbit.starByDensity) {
+        store.column<Mass>().remove(star);
+        store.column<Density>().set(star, {orbit.starMass / (pi * 0.2 * 0.2 * worldDepth)});
     }
     DynamicsSettings settings;
     settings.substeps = orbit.substeps;
@@ -100,6 +106,14 @@ TEST(KeplerPeriod, OfACircularOrbitAroundAFixedStar) {
     EXPECT_NEAR(m.period, 10, 0.01);
     EXPECT_NEAR(m.leastDistance, 5, 0.05);
     EXPECT_NEAR(m.greatestDistance, 5, 0.05);
+}
+
+// What is fixed has its mass for whoever asks, so a fixed sun attracts though nobody states a mass.
+TEST(KeplerPeriod, OfAnOrbitAroundAFixedStarOfSomeDensity) {
+    Measured const m = measure({.eccentricity = 0.2, .starByDensity = true}, 5);
+    EXPECT_NEAR(m.period, 10, 0.01);
+    EXPECT_NEAR(m.leastDistance, 4, 0.05);
+    EXPECT_NEAR(m.greatestDistance, 6, 0.05);
 }
 
 TEST(KeplerPeriod, OfAnEccentricOrbitAroundAFixedStar) {

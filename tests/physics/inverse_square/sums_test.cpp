@@ -39,7 +39,8 @@ Points cluster(std::size_t count, unsigned seed, bool bothSigns) {
 
 struct Sum {
     Vec2 total;
-    double scale = 0; ///< sum of the absolute values of what was added
+    double scale = 0;     ///< sum of the absolute values of what was added
+    double stiffness = 0; ///< sum of them, per distance
 };
 std::vector<Sum> reference(Points const& sources, Points const& receivers) {
     std::vector<Sum> sums(receivers.size());
@@ -47,6 +48,7 @@ std::vector<Sum> reference(Points const& sources, Points const& receivers) {
         long double x = 0;
         long double y = 0;
         long double scale = 0;
+        long double stiffness = 0;
         for (std::size_t j = 0; j < sources.size(); ++j) {
             if (sources.owner[j] == receivers.owner[i]) {
                 continue;
@@ -58,8 +60,11 @@ std::vector<Sum> reference(Points const& sources, Points const& receivers) {
             x += part * rx;
             y += part * ry;
             scale += std::abs(part) * std::hypot(rx, ry);
+            stiffness += std::abs(part);
         }
-        sums[i] = {{static_cast<double>(x), static_cast<double>(y)}, static_cast<double>(scale)};
+        sums[i] = {{static_cast<double>(x), static_cast<double>(y)},
+                   static_cast<double>(scale),
+                   static_cast<double>(stiffness)};
     }
     return sums;
 }
@@ -99,11 +104,40 @@ TEST(InverseSquarePairs, AreThePlainSum) {
     }
 }
 
+TEST(InverseSquarePairs, TellHowStiffTheyAre) {
+    Points const points = cluster(203, 1, true);
+    auto const right = reference(points, points);
+    std::vector<Vec2> totals(points.size());
+    std::vector<double> stiffness(points.size(), 1);
+    addAllPairs(points, points, 0, points.size(), softening2, totals, stiffness);
+    expectAllPairs(totals, right);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_NEAR(stiffness[i] - 1, right[i].stiffness, 1e-9 * (1 + right[i].stiffness)) << i;
+    }
+}
+
+// Far clusters count with all of their weights: what cancels in the force does not cancel in how it varies.
+TEST(InverseSquareTree, TellsHowStiffItIs) {
+    Points const points = cluster(1500, 4, true);
+    auto const right = reference(points, points);
+    for (double const angle : {0.0, 0.35}) {
+        Tree tree;
+        tree.build(points);
+        tree.setReceivers(points, false);
+        std::vector<Vec2> totals(points.size());
+        std::vector<double> stiffness(points.size());
+        tree.add(0, points.size(), angle, softening2, totals, stiffness);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            EXPECT_NEAR(stiffness[i] / right[i].stiffness, 1, angle == 0 ? 1e-12 : 0.15) << i;
+        }
+    }
+}
+
 TEST(InverseSquarePairs, AreTheSameBitsInVectorsOfEveryWidth) {
     Points const points = cluster(203, 2, true);
     Window const window(20, 30);
     std::vector<Cluster> const clusters{{200, 1, 3, 0.5, -0.25, 2, 0.125, 1},
-                                        {-90, 150, -1, 2, 1, 0.5, 3, 4}};
+                                        {-90, 150, -1, 2, 1, 0.5, 3, 4, 5}};
     std::vector<Block> first;
     for (Kernels const& kernels : availableKernels()) {
         std::vector<Block> blocks;
@@ -122,6 +156,7 @@ TEST(InverseSquarePairs, AreTheSameBitsInVectorsOfEveryWidth) {
             for (std::size_t k = 0; k < blockSize; ++k) {
                 ASSERT_EQ(blocks[i].sumX[k], first[i].sumX[k]) << kernels.name;
                 ASSERT_EQ(blocks[i].sumY[k], first[i].sumY[k]) << kernels.name;
+                ASSERT_EQ(blocks[i].stiffness[k], first[i].stiffness[k]) << kernels.name;
             }
         }
     }

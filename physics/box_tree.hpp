@@ -1,0 +1,53 @@
+// Which of many boxes lie where: found in a time that grows with the logarithm of their number.
+#pragma once
+
+#include "runtime/math/vec2.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace trembler {
+
+/// A box with sides along the axes, in m.
+struct Bounds {
+    Vec2 lower;
+    Vec2 upper;
+
+    [[nodiscard]] bool meets(Bounds const& other) const {
+        return lower.x <= other.upper.x && other.lower.x <= upper.x && lower.y <= other.upper.y &&
+               other.lower.y <= upper.y;
+    }
+    void include(Bounds const& other) {
+        lower = {std::min(lower.x, other.lower.x), std::min(lower.y, other.lower.y)};
+        upper = {std::max(upper.x, other.upper.x), std::max(upper.y, other.upper.y)};
+    }
+};
+
+/// The bounds of some points; there must be one.
+[[nodiscard]] Bounds boundsOf(std::vector<Vec2> const& points);
+
+/// Boxes that stay where they are, halved along their longer extent until few are left (a bounding volume
+/// hierarchy). Takes n log n to make. May be asked by several threads.
+class BoxTree {
+public:
+    BoxTree() = default;
+    explicit BoxTree(std::vector<Bounds> boxes);
+    /// The numbers of all boxes that meet a box, touching included, ascending.
+    void find(Bounds const& where, std::vector<std::uint32_t>& found) const;
+
+private:
+    struct Node {
+        Bounds bounds;
+        std::uint32_t first = 0; // in order_
+        std::uint32_t last = 0;
+        std::uint32_t second = 0; // the other half's node; the first half's is the next one; 0: a leaf
+    };
+    void halve(std::uint32_t first, std::uint32_t last);
+
+    std::vector<Bounds> boxes_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+};
+
+} // namespace trembler

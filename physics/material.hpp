@@ -1,0 +1,58 @@
+// What a thing is made of: the material, and what follows from it where nothing else is stated.
+#pragma once
+
+#include "runtime/property/description.hpp"
+
+#include <array>
+
+namespace trembler {
+
+class Registry;
+
+enum class Material : int { steel, iron, copper, wood, glass, rubber, stone, plastic, brick, water, gold };
+template <>
+inline constexpr std::array<std::string_view, 11> choiceNames<Material>{
+    "steel", "iron", "copper", "wood", "glass", "rubber", "stone", "plastic", "brick", "water", "gold"};
+
+/// Each effect takes from it what is its own: Dynamics density, friction and restitution, Electricity whether
+/// it conducts, Magnetism how strongly magnets pull it, Sound how it rings and what it swallows. What an
+/// object states itself, or states that it is without ("conductor": false), always goes first. How it looks
+/// follows from it too, unless its Look says otherwise; nothing else follows from a look.
+struct MadeOf {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{
+        "Material", "material",
+        "What the object is made of: its density, friction, restitution, sound, whether it conducts and "
+        "whether "
+        "magnets pull it, as far as nothing else is stated, and how it looks."};
+    Material material = Material::plastic;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "value", .unit = "", .meaning = "what it is made of", .required = true},
+              self.material);
+    }
+    friend bool operator==(MadeOf const&, MadeOf const&) = default;
+};
+
+/// What is known of a material, as far as motion, electricity and magnetism go. See also acousticMaterial().
+struct MaterialFacts {
+    double density = 0; ///< kg/m³, of the solid material
+    double friction = 0;
+    double restitution = 0;
+    bool conducts = false;
+    double saturation = 0; ///< A/m, the magnetisation that a strong magnet brings about; 0: none
+};
+
+/// Densities as in Fletcher and Rossing, The Physics of Musical Instruments (1998), Chapter 22, and for what
+/// does not ring as in the CRC Handbook of Chemistry and Physics; iron is cast, wood is spruce or pine along
+/// the grain, "gold" is what bells look like, and is taken for bronze. Saturation of iron as in Cullity and
+/// Graham, Introduction to Magnetic Materials (2009), Chapter 4; steel with some carbon has a little less.
+/// Friction and restitution depend on both surfaces, their wear and the speed more than on the material:
+/// they are middling values for dry, worn surfaces, chosen by hand.
+[[nodiscard]] MaterialFacts const& materialFacts(Material material);
+
+/// Makes the property known.
+void registerMaterial(Registry& registry);
+
+} // namespace trembler
