@@ -30,17 +30,17 @@ Loudspeaker::Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> out
 
 Loudspeaker::~Loudspeaker() = default;
 
-void Loudspeaker::enter(World& world) {
+void Loudspeaker::enter(World const& world) {
     startAfresh();
     if (dynamic_cast<NullOutput const*>(output_.get()) == nullptr) {
-        world.want<Sounds>(); // even if its address is that of the world before: that one may be gone
+        sounds_ = world.want<Sounds>(); // even if its address is that of the world before, which may be gone
         world_ = &world;
     }
 }
 
-void Loudspeaker::leave(World& world) {
-    if (world_ == &world) {
-        world.release<Sounds>();
+void Loudspeaker::leave() {
+    if (world_ != nullptr) {
+        sounds_.end();
         world_ = nullptr;
         startAfresh();
     }
@@ -53,7 +53,7 @@ void Loudspeaker::startAfresh() {
 }
 
 void Loudspeaker::frame(World const& world, Listener const& listener) {
-    if (world_ != &world) {
+    if (world_ != &world || !sounds_) {
         return;
     }
     followRoom(world, listener);

@@ -3,6 +3,7 @@
 
 #include "audio/device/output.hpp"
 #include "audio/device/sample_files.hpp"
+#include "runtime/world/subscription.hpp"
 
 #include <functional>
 
@@ -31,9 +32,9 @@ public:
 
     /// Begins, once, to listen to a world, which may be running already, instead of the one before, which may
     /// be gone. Where nobody can hear anything, the world is not asked for its sounds.
-    void enter(World& world);
-    /// Stops listening to a world that goes on without being heard.
-    void leave(World& world);
+    void enter(World const& world);
+    /// Stops listening, if it does: the world goes on without being heard, or is gone.
+    void leave();
     /// After every step() of the world: plays what is new.
     void frame(World const& world, Listener const& listener);
     /// Instead, for every sixtieth of a second in which the world stands still: what rings dies away.
@@ -52,7 +53,8 @@ private:
     std::unique_ptr<Output> output_;
     SampleFiles recordings_;
     Synthesiser synthesiser_;
-    World const* world_ = nullptr; // compared, never looked into: it may be gone
+    Subscription sounds_;          // of the world that it listens to
+    World const* world_ = nullptr; // that one: compared, never looked into, as it may be gone
     std::optional<Vec2> roomAt_;   // where the room was last looked at
     std::uint64_t roomFrame_ = 0;
 };

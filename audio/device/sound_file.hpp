@@ -2,6 +2,7 @@
 #pragma once
 
 #include "audio/device/loudspeaker.hpp"
+#include "runtime/file/output_file.hpp"
 
 #include <memory>
 
@@ -15,28 +16,29 @@ class OpenAlOutput;
 /// OpenAlOutput; what is louder is clipped. Used by one thread at a time.
 class SoundFile {
 public:
-    /// Throws std::invalid_argument if the name does not end in .wav or the file cannot be written, and
-    /// std::runtime_error if OpenAL cannot play into memory here.
+    /// Throws std::invalid_argument if the name does not end in .wav, OutputError if the file cannot be
+    /// written, and std::runtime_error if OpenAL cannot play into memory here.
     SoundFile(std::filesystem::path file, LoudspeakerOptions const& options, Loudspeaker::Tell tell = {});
     ~SoundFile();
     SoundFile(SoundFile const&) = delete;
     SoundFile& operator=(SoundFile const&) = delete;
 
     /// Before the first frame of the world that is to be heard.
-    void enter(World& world) { loudspeaker_->enter(world); }
-    /// After every step of the world.
+    void enter(World const& world) { loudspeaker_->enter(world); }
+    /// After every step of the world. Throws OutputError if the file cannot take more.
     void frame(World const& world, Listener const& listener);
-    /// Completes the file. Throws std::runtime_error if not all of it could be written.
+    /// Completes the file and puts it in its place; without it there is none. Throws OutputError if not all
+    /// of it could be written.
     void finish();
 
 private:
     struct Handle;
 
-    std::filesystem::path file_;
+    std::filesystem::path name_;
+    std::unique_ptr<OutputFile> file_;
     OpenAlOutput* output_ = nullptr; // the loudspeaker's
     std::unique_ptr<Loudspeaker> loudspeaker_;
     std::unique_ptr<Handle> handle_;
-    bool complete_ = true;
 };
 
 } // namespace trembler

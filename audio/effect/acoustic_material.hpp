@@ -1,7 +1,7 @@
 // How materials sound: what they are made of, as far as vibration and absorption go.
 #pragma once
 
-#include "physics/look.hpp"
+#include "physics/material.hpp"
 
 namespace trembler {
 
@@ -19,10 +19,11 @@ struct AcousticMaterial {
     [[nodiscard]] double shearSpeed() const;
 };
 
-/// Textbook values: moduli and densities as in Fletcher and Rossing, The Physics of Musical Instruments
-/// (1998), Chapter 22; loss factors as in Cremer, Heckl and Petersson, Structure-Borne Sound (2005), towards
-/// the upper end, as nothing here hangs free; absorption as in Kuttruff, Room Acoustics (2000), Chapter 9.
-/// Roughness is an estimate by hand. "gold" is what bells look like, and is taken for bronze.
+/// Textbook values: densities are those of materialFacts(), moduli as in Fletcher and Rossing, The Physics of
+/// Musical Instruments (1998), Chapter 22; loss factors as in Cremer, Heckl and Petersson, Structure-Borne
+/// Sound (2005), towards the upper end, as nothing here hangs free; absorption as in Kuttruff, Room Acoustics
+/// (2000), Chapter 9. Roughness is an estimate by hand. "gold" is what bells look like, and is taken for
+/// bronze.
 [[nodiscard]] AcousticMaterial const& acousticMaterial(Material material);
 
 } // namespace trembler

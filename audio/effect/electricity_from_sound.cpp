@@ -45,9 +45,11 @@ void ElectricityFromSound::recall(Access& access, std::vector<Link> const& possi
     std::map<std::pair<ObjectId, ObjectId>, std::int32_t> left;
     for (Link const& link : possible) {
         std::pair const ends{link.a, link.b};
-        auto const at = left.emplace(ends, connectionBetween(access.read<ElectricityGraph>(), link.a, link.b)
-                                               .of(ConnectionCause::other))
-                            .first;
+        auto const at =
+            left.emplace(
+                    ends,
+                    connectionBetween(access.read<ElectricityGraph>(), link.a, link.b).of(access.caller()))
+                .first;
         if (at->second > 0) {
             --at->second;
             told.push_back(link);
@@ -80,11 +82,11 @@ void ElectricityFromSound::apply(Access& access) {
     std::set_difference(links.begin(), links.end(), told_.begin(), told_.end(), std::back_inserter(begun));
     for (Link const& link : ended) {
         if (conductors.has(link.a) && conductors.has(link.b)) { // else the graph has dropped it already
-            access.call(RemoveConnection{{link.a, link.b, ConnectionCause::other}}, causeOf(link.sensor));
+            access.call(RemoveConnection{{link.a, link.b}}, causeOf(link.sensor));
         }
     }
     for (Link const& link : begun) {
-        access.call(AddConnection{{link.a, link.b, ConnectionCause::other}}, causeOf(link.sensor));
+        access.call(AddConnection{{link.a, link.b}}, causeOf(link.sensor));
     }
     told_ = std::move(links);
 }

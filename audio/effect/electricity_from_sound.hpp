@@ -23,6 +23,8 @@ public:
                                                 "that it names, or all that touch it, and "
                                                 "disconnects them when it no longer does."};
     using CalledFor = NeedsAll<SoundSensor>;
+    /// What it has told, and will take back.
+    void hashMemory(StateHash& hash) const { hash.members(told_); }
     void apply(Access& access);
 
 private:

@@ -4,7 +4,7 @@
 #include "audio/effect/calls.hpp"
 #include "physics/buoyancy/liquid.hpp"
 #include "physics/buoyancy/results.hpp"
-#include "physics/look.hpp"
+#include "physics/material.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/placement.hpp"
 
@@ -23,6 +23,8 @@ public:
         .level = "",
         .work = "Strikes a liquid with the momentum that an object gives to what it newly displaces."};
     using CalledFor = NeedsAll<Liquid>;
+    /// What was wet is no splash.
+    void hashMemory(StateHash& hash) const { hash.members(wet_); }
 
     static constexpr double slowest = 0.1;  ///< m/s into the liquid; below, it closes without a splash
     static constexpr double contact = 1e-4; ///< s: bubbles close at once

@@ -20,11 +20,11 @@ public:
         return access_.template read<P>().find(id);
     }
     [[nodiscard]] bool sounds(ObjectId id) const {
-        return find<Look>(id) != nullptr || find<Acoustics>(id) != nullptr;
+        return find<MadeOf>(id) != nullptr || find<Acoustics>(id) != nullptr;
     }
     [[nodiscard]] Material material(ObjectId id) const {
-        Look const* const look = find<Look>(id);
-        return look == nullptr ? Material::plastic : look->material;
+        MadeOf const* const of = find<MadeOf>(id);
+        return of == nullptr ? Material::plastic : of->material;
     }
     /// 1/kg; 0 for what does not move.
     [[nodiscard]] double inverseMass(ObjectId id) const {
@@ -71,7 +71,7 @@ private:
 // The event with which the two began to touch.
 EventId touchOf(Contacts const& contacts, ObjectId a, ObjectId b) {
     TouchingPair const pair{a, b, {}};
-    for (auto const* list : {&contacts.begun, &contacts.current}) {
+    for (auto const* list : {&contacts.begun, &contacts.current, &contacts.brief}) {
         auto const at = std::lower_bound(list->begin(), list->end(), pair);
         if (at != list->end() && *at == pair) {
             return at->event;
@@ -119,14 +119,16 @@ void SoundFromDynamics::tellImpacts(Access& access) {
 
 void SoundFromDynamics::tellRubbing(Access& access) {
     Scene const scene(access);
-    double const substeps = access.read<SolverChoice>().substeps;
+    double const step = access.read<ContactPatches>().step;
+    if (!(step > 0)) {
+        return; // nothing has ever moved
+    }
     auto const friction = [&](ObjectId id) {
         Friction const* const stated = scene.template find<Friction>(id);
         return stated == nullptr ? Friction{}.coefficient : stated->coefficient;
     };
     for (ContactPatch const& patch : access.read<ContactPatches>().patches) {
-        double const load = (patch.normalImpulse[0] + (patch.count > 1 ? patch.normalImpulse[1] : 0)) *
-                            substeps / frameDuration;
+        double const load = (patch.normalImpulse[0] + (patch.count > 1 ? patch.normalImpulse[1] : 0)) / step;
         if (!(load > faintest)) {
             continue;
         }

@@ -7,8 +7,7 @@
 #include "physics/dynamics/contacts.hpp"
 #include "physics/dynamics/impacts.hpp"
 #include "physics/dynamics/shape.hpp"
-#include "physics/dynamics/solver_choice.hpp"
-#include "physics/look.hpp"
+#include "physics/material.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/placement.hpp"
 
@@ -19,8 +18,8 @@ namespace trembler {
 /// with as many bumps per second as the rougher of the two has in the way that it covers.
 class SoundFromDynamics final
     : public Interaction<SoundFromDynamics, SoundRole,
-                         Reads<Impacts, ContactPatches, Contacts, Shape, Look, Acoustics, Sample, Mass, Fixed,
-                               Friction, SolverChoice, Position, Rotation, Velocity, AngularVelocity>> {
+                         Reads<Impacts, ContactPatches, Contacts, Shape, MadeOf, Acoustics, Sample, Mass,
+                               Fixed, Friction, Position, Rotation, Velocity, AngularVelocity>> {
 public:
     static constexpr ComponentText text{.name = "Sound <- Dynamics",
                                         .effect = "sound",
@@ -29,7 +28,7 @@ public:
                                                 "for the time that their hardness keeps "
                                                 "them in touch; rubs those that slide or roll on each other; "
                                                 "plays the recordings of struck objects."};
-    using CalledFor = NeedsAny<Look, Acoustics, Sample>;
+    using CalledFor = NeedsAny<MadeOf, Acoustics, Sample>;
 
     static constexpr double slidingShare = 0.1; ///< of the friction that is noise, an estimate
     static constexpr double rollingShare =

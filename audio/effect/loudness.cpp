@@ -1,8 +1,8 @@
 #include "audio/effect/loudness.hpp"
 
-#include "audio/effect/acoustic_material.hpp"
 #include "audio/effect/decibel.hpp"
 #include "audio/effect/smoothing.hpp"
+#include "physics/material.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -53,13 +53,21 @@ std::vector<Obstacle> obstaclesOf(LoudnessColumns const& columns) {
         }
         Rotation const* const rotation = columns.rotation.find(id);
         Density const* const density = columns.density.find(id);
-        Look const* const look = columns.look.find(id);
-        Material const material = look == nullptr ? Material::plastic : look->material;
         addObstacles(obstacles, id, columns.shape.values()[row], position->value,
                      rotation == nullptr ? 0 : rotation->angle,
-                     density == nullptr ? acousticMaterial(material).density : density->value);
+                     density == nullptr ? materialFacts(Material::plastic).density : density->value);
     }
     return obstacles;
+}
+
+// Ways around grow in number with the sources times the ears, and each one's cost with the obstacles. What a
+// frame spends on all of them is bounded: in a crowd only the simpler ways are found, and for the others what
+// comes straight through the walls counts. It follows from numbers of objects alone, so it is the same in
+// every run.
+int patienceFor(std::size_t ways, std::size_t obstacles) {
+    constexpr double chords = 5e6; // of obstacles, tested in one frame
+    double const each = chords / (static_cast<double>(ways) * std::max(1.0, static_cast<double>(obstacles)));
+    return static_cast<int>(std::clamp(each, 20.0, static_cast<double>(mostPatience)));
 }
 
 } // namespace
@@ -99,11 +107,12 @@ std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns co
     if (!ways.empty()) {
         std::vector<Obstacle> const obstacles = obstaclesOf(columns);
         ObstacleField const field(obstacles);
+        int const patience = patienceFor(ways.size(), obstacles.size());
         forPaths(ways.size(), [&](std::size_t begin, std::size_t end) {
             for (Way& way : std::span(ways).subspan(begin, end - begin)) {
                 way.heard = way.source->loudness * transmission(field, std::span(&entries[way.ear].ear, 1),
                                                                 way.source->at, way.to, way.source->frequency,
-                                                                detail);
+                                                                detail, 0, patience);
             }
         });
     }

@@ -5,7 +5,6 @@
 #include "audio/effect/sound_path.hpp"
 #include "audio/effect/sounds.hpp"
 #include "physics/dynamics/body.hpp"
-#include "physics/look.hpp"
 #include "runtime/component/dps.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/store.hpp"
@@ -25,6 +24,12 @@ struct Loudness {
         double level = 0; ///< dB(A), "fast"; silentLevel where nothing is heard
         ObjectId loudest; ///< the object that contributes most; invalid in silence
         EventId event;    ///< what made that one sound; none while nobody traces
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "that listens"}, self.ear);
+            visit(FieldInfo{.key = "level", .unit = "dB(A)", .meaning = "how loud it is"}, self.level);
+            visit(FieldInfo{.key = "loudest", .unit = "", .meaning = "that contributes most"}, self.loudest);
+        }
     };
     std::vector<Entry> entries; ///< ascending by ear
 
@@ -32,7 +37,9 @@ struct Loudness {
     [[nodiscard]] double at(ObjectId ear) const;
 
     template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by object"}, self.entries);
+    }
 };
 
 /// The columns that loudness is worked out from.
@@ -40,7 +47,6 @@ struct LoudnessColumns {
     Column<Ear> const& ears;
     Column<SoundSensor> const& sensors;
     Column<Shape> const& shape;
-    Column<Look> const& look;
     Column<Density> const& density;
     Column<Position> const& position;
     Column<Rotation> const& rotation;
@@ -58,11 +64,10 @@ using ForPaths =
 
 /// `Self` adds `text` and `static constexpr PathDetail detail`.
 template <class Self>
-class LoudnessDps
-    : public Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Look, Density, Position, Rotation>,
-                 Derives<Loudness>> {
-    using Base = Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Look, Density, Position, Rotation>,
-                     Derives<Loudness>>;
+class LoudnessDps : public Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Density, Position, Rotation>,
+                               Derives<Loudness>> {
+    using Base =
+        Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Density, Position, Rotation>, Derives<Loudness>>;
 
 public:
     using CalledFor = NeedsAny<Ear, SoundSensor>;
@@ -70,13 +75,13 @@ public:
     static constexpr std::size_t waysToARange = 8;
 
     void update(Access& access) {
-        std::vector<Loudness::Entry> entries = loudnessOf(
-            access.template read<Sounds>(),
-            {access.template read<Ear>(), access.template read<SoundSensor>(), access.template read<Shape>(),
-             access.template read<Look>(), access.template read<Density>(), access.template read<Position>(),
-             access.template read<Rotation>()},
-            Self::detail,
-            [&](std::size_t count, auto const& f) { access.forRanges(count, f, waysToARange); });
+        std::vector<Loudness::Entry> entries =
+            loudnessOf(access.template read<Sounds>(),
+                       {access.template read<Ear>(), access.template read<SoundSensor>(),
+                        access.template read<Shape>(), access.template read<Density>(),
+                        access.template read<Position>(), access.template read<Rotation>()},
+                       Self::detail,
+                       [&](std::size_t count, auto const& f) { access.forRanges(count, f, waysToARange); });
         auto const& before = access.template derived<Loudness>().entries;
         bool const same =
             std::equal(entries.begin(), entries.end(), before.begin(), before.end(),

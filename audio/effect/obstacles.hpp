@@ -29,9 +29,11 @@ void addObstacles(std::vector<Obstacle>& obstacles, ObjectId object, Shape const
 /// The shortest way from one point to another that stays out of one obstacle, in m, if neither lies in it.
 [[nodiscard]] double detourAround(Obstacle const& obstacle, Vec2 from, Vec2 to);
 
+inline constexpr int mostPatience = 20000;
+
 /// The shortest way, in m, that stays out of all obstacles, along their corners; negative if there is none,
 /// or none was found within `patience` tests of whether one point is seen from another.
 [[nodiscard]] double shortestWay(std::span<Obstacle const* const> obstacles, Vec2 from, Vec2 to,
-                                 int patience = 20000);
+                                 int patience = mostPatience);
 
 } // namespace trembler

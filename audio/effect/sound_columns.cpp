@@ -1,6 +1,5 @@
 #include "audio/effect/sound_columns.hpp"
 
-#include "physics/depth.hpp"
 #include "physics/dynamics/shape_rules.hpp"
 
 namespace trembler {
@@ -8,10 +7,11 @@ namespace trembler {
 BodyFacts SoundColumns::factsOf(ObjectId id) const {
     BodyFacts facts;
     Shape const* const form = shape.find(id);
-    Look const* const surface = look.find(id);
+    MadeOf const* const of = madeOf.find(id);
     facts.acoustics = acoustics.find(id);
     bool const isLiquid = liquid.has(id);
-    if (form == nullptr || (surface == nullptr && facts.acoustics == nullptr && !isLiquid) ||
+    Mass const* const heavy = mass.find(id); // whatever has a shape has one, what is fixed too
+    if (form == nullptr || heavy == nullptr || (of == nullptr && facts.acoustics == nullptr && !isLiquid) ||
         faultIn(*form)) {
         return facts;
     }
@@ -19,21 +19,16 @@ BodyFacts SoundColumns::factsOf(ObjectId id) const {
     facts.fixed = fixed.has(id);
     if (isLiquid) {
         facts.material = Material::water; // whichever liquid it is, its bubbles are what is heard
-    } else if (surface != nullptr) {
-        facts.material = surface->material;
+    } else if (of != nullptr) {
+        facts.material = of->material;
     }
-    if (Mass const* const stated = mass.find(id)) {
-        facts.mass = stated->value;
-    } else {
-        Density const* const dense = density.find(id);
-        facts.mass = (dense == nullptr ? Density{} : *dense).value * areaOf(*form) * worldDepth;
-    }
+    facts.mass = heavy->value;
     return facts;
 }
 
-std::array<std::uint64_t, 8> SoundColumns::voiceVersions() const {
-    return {shape.version(), look.version(),    acoustics.version(), sample.version(),
-            mass.version(),  density.version(), fixed.version(),     liquid.version()};
+std::array<std::uint64_t, 7> SoundColumns::voiceVersions() const {
+    return {shape.version(), madeOf.version(), acoustics.version(), sample.version(),
+            mass.version(),  fixed.version(),  liquid.version()};
 }
 
 SoundingBodies::Facts::Facts(BodyFacts const& from)
@@ -52,15 +47,15 @@ bool SoundingBodies::Facts::hold(BodyFacts const& now) const {
 
 void SoundingBodies::follow(SoundColumns const& columns) {
     constexpr std::size_t many = 2000;
-    std::array<std::uint64_t, 8> const versions = columns.voiceVersions();
+    std::array<std::uint64_t, 7> const versions = columns.voiceVersions();
     if (epoch_ > 0 && versions == seen_) {
         return;
     }
     seen_ = versions;
     ++epoch_;
     std::erase_if(known_, [&](auto const& entry) { return !columns.shape.has(entry.first); });
-    if (epoch_ == 1 && columns.look.size() <= many) {
-        for (ObjectId const id : columns.look.owners()) {
+    if (epoch_ == 1 && columns.madeOf.size() <= many) {
+        for (ObjectId const id : columns.madeOf.owners()) {
             static_cast<void>(find(columns, id));
         }
     }

@@ -16,11 +16,10 @@ namespace trembler {
 /// The columns that the resolver reads.
 struct SoundColumns {
     Column<Shape> const& shape;
-    Column<Look> const& look;
+    Column<MadeOf> const& madeOf;
     Column<Acoustics> const& acoustics;
     Column<Sample> const& sample;
     Column<Mass> const& mass;
-    Column<Density> const& density;
     Column<Fixed> const& fixed;
     Column<Liquid> const& liquid;
     Column<Position> const& position;
@@ -30,7 +29,7 @@ struct SoundColumns {
     /// What is known of an object that can sound; no shape in it if it cannot.
     [[nodiscard]] BodyFacts factsOf(ObjectId id) const;
     /// Changes when any object may have got another voice.
-    [[nodiscard]] std::array<std::uint64_t, 8> voiceVersions() const;
+    [[nodiscard]] std::array<std::uint64_t, 7> voiceVersions() const;
 };
 
 /// The acoustic models of objects, made when they are first asked for and kept for as long as they hold.
@@ -65,7 +64,7 @@ private:
     };
 
     int modes_;
-    std::array<std::uint64_t, 8> seen_{};
+    std::array<std::uint64_t, 7> seen_{};
     std::uint64_t epoch_ = 0; // counts changes of anything that a model can follow from
     std::map<ObjectId, Known> known_;
 };

@@ -30,7 +30,7 @@ double shareAround(double detour, double frequency) {
 }
 
 double transmission(ObstacleField const& field, std::span<ObjectId const> exempt, Vec2 from, Vec2 to,
-                    double frequency, PathDetail detail, double least) {
+                    double frequency, PathDetail detail, double least, int patience) {
     double const distance = std::max(nearest, length(to - from));
     // Sound begins at the surface of what it is in; what is built in is heard outside, and shields it.
     auto const inTheWay = [&](Obstacle const& obstacle) {
@@ -70,7 +70,7 @@ double transmission(ObstacleField const& field, std::span<ObjectId const> exempt
             walls.push_back(&obstacle);
         }
     }
-    double const way = shortestWay(walls, from, to);
+    double const way = shortestWay(walls, from, to, patience);
     if (way < 0) {
         return direct;
     }

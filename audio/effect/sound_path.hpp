@@ -26,8 +26,9 @@ enum class PathDetail {
 /// the objects in `exempt` (the listener), and those that an end lies in, are not in the way. Two
 /// ends nearer than 10 cm count as 10 cm apart. `frequency` in Hz. Echoes are left out. Along a straight line
 /// what would be less than `least` may come out as 0: walls are not counted on once it no longer matters.
-/// Thread-safe.
+/// `patience` is that of shortestWay(); where it runs out, only the straight line counts. Thread-safe.
 [[nodiscard]] double transmission(ObstacleField const& field, std::span<ObjectId const> exempt, Vec2 from,
-                                  Vec2 to, double frequency, PathDetail detail, double least = 0);
+                                  Vec2 to, double frequency, PathDetail detail, double least = 0,
+                                  int patience = mostPatience);
 
 } // namespace trembler

@@ -9,10 +9,10 @@ namespace trembler {
 
 namespace detail {
 template <class Self>
-using SoundBase = Resolver<
-    Self, SoundRole,
-    Reads<Shape, Look, Acoustics, Sample, Mass, Density, Fixed, Liquid, Position, Rotation, Velocity>,
-    Writes<>, Provides<Sounds>>;
+using SoundBase =
+    Resolver<Self, SoundRole,
+             Reads<Shape, MadeOf, Acoustics, Sample, Mass, Fixed, Liquid, Position, Rotation, Velocity>,
+             Writes<>, Provides<Sounds>>;
 } // namespace detail
 
 /// `Self` adds `text` and `static constexpr int modes`. Nothing is heard where nobody listens: it is there on
@@ -23,7 +23,9 @@ class SoundResolver : public detail::SoundBase<Self> {
     using Base = detail::SoundBase<Self>;
 
 public:
-    using CalledFor = NeedsAny<Look, Acoustics, Sample>;
+    using CalledFor = NeedsAny<MadeOf, Acoustics, Sample>;
+    static constexpr Coverage memory =
+        leftOut("how bodies sound, from their columns; what does sound is in Sounds");
     using Access = typename Base::Access;
     static constexpr bool onDemand = true;
 
@@ -35,12 +37,11 @@ public:
         gather<Rub>(access, calls_.rubs);
         gather<PlaySample>(access, calls_.plays);
         gather<HoldSample>(access, calls_.holds);
-        SoundColumns const columns{access.template read<Shape>(),     access.template read<Look>(),
+        SoundColumns const columns{access.template read<Shape>(),     access.template read<MadeOf>(),
                                    access.template read<Acoustics>(), access.template read<Sample>(),
-                                   access.template read<Mass>(),      access.template read<Density>(),
-                                   access.template read<Fixed>(),     access.template read<Liquid>(),
-                                   access.template read<Position>(),  access.template read<Rotation>(),
-                                   access.template read<Velocity>()};
+                                   access.template read<Mass>(),      access.template read<Fixed>(),
+                                   access.template read<Liquid>(),    access.template read<Position>(),
+                                   access.template read<Rotation>(),  access.template read<Velocity>()};
         work_.follow(columns);
         if (calls_.empty() && !SoundWork::goesOn(access.template provided<Sounds>())) {
             goesOn_ = false;
@@ -67,8 +68,8 @@ private:
 
 /// How many objects there are that can sound.
 [[nodiscard]] inline std::size_t soundingObjects(Store const& store) {
-    auto const* const looks = store.findColumn<Look>();
-    return looks == nullptr ? 0 : looks->size();
+    auto const* const madeOf = store.findColumn<MadeOf>();
+    return madeOf == nullptr ? 0 : madeOf->size();
 }
 
 // The detail levels. Eight modes are what most ears ask for; scenes of very many bodies make do with fewer.

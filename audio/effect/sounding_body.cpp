@@ -3,6 +3,7 @@
 #include "audio/effect/decibel.hpp"
 #include "audio/effect/mode_shapes.hpp"
 #include "physics/depth.hpp"
+#include "physics/dynamics/shape_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,9 +53,10 @@ ShapePiece const& mainPiece(Shape const& shape) {
 
 SoundingBody::SoundingBody(BodyFacts const& facts, int count) : mass_(facts.mass) {
     AcousticMaterial const& material = acousticMaterial(facts.material);
-    ShapePiece const& piece = mainPiece(*facts.shape);
+    Shape const shape = inOrder(*facts.shape);
+    ShapePiece const& piece = mainPiece(shape);
     place(piece);
-    double const volume = areaOf(*facts.shape) * worldDepth;
+    double const volume = areaOf(shape) * worldDepth;
     movedAir_ = facts.fixed ? 0 : 1.5 * volume;
     SoundingForm const asked = facts.acoustics == nullptr ? SoundingForm::automatic : facts.acoustics->form;
     builtIn_ = facts.fixed && facts.acoustics == nullptr;

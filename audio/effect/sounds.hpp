@@ -2,7 +2,9 @@
 #pragma once
 
 #include "runtime/math/vec2.hpp"
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
+#include "runtime/property/news.hpp"
 #include "runtime/trace/event.hpp"
 
 #include <cstdint>
@@ -16,6 +18,7 @@ struct Sounds {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Sounds", "sounds",
                                        "What sounds where: modes that ring, blows, rubbing, recordings."};
+    static constexpr Coverage coverage = hashed;
 
     /// A mode of a body that rings.
     struct Ring {
@@ -35,19 +38,19 @@ struct Sounds {
         std::vector<Ring> rings; ///< its modes, ascending by frequency
         EventId event;           ///< the latest blow; none while nobody traces
     };
-    /// A blow in this frame.
+    /// A blow in this frame, or in the part of it that is told of.
     struct Blow {
         ObjectId object;
         ObjectId other;
         Vec2 at;                  ///< m, in the world
-        double since = 0;         ///< s after the frame's beginning
+        double since = 0;         ///< s after the beginning of the frame, or of the part
         double meanSquare = 0;    ///< Pa², A-weighted, of its modes at their beginning and of its click
         double clickPressure = 0; ///< Pa, amplitude of the click
         double clickTime = 0;     ///< s, its one period
         std::uint32_t first = 0;  ///< the body's modes get `amplitudes` from here on, one each
         std::uint32_t count = 0;
     };
-    /// A noise that drives a body's modes throughout the frame.
+    /// A noise that drives a body's modes throughout the frame, or the part of it.
     struct Scrape {
         ObjectId object;
         ObjectId other;
@@ -78,6 +81,9 @@ struct Sounds {
     std::vector<Recording> recordings; ///< ascending by object and serial
     std::uint64_t frame = 0;           ///< the last in which anything was worked out
     std::uint64_t recordingsEver = 0;
+
+    /// Of a frame in parts: what sounds at its end, with the blows and the scraping of all parts.
+    static void gather(Sounds& frame, Sounds const& part, PartSpan span);
 
     [[nodiscard]] bool silent() const { return bodies.empty() && recordings.empty(); }
 

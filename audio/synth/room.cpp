@@ -96,7 +96,7 @@ RoomAcoustics roomAround(Store const& store, Vec2 point) {
     auto const* const shapes = store.findColumn<Shape>();
     auto const* const positions = store.findColumn<Position>();
     auto const* const rotations = store.findColumn<Rotation>();
-    auto const* const looks = store.findColumn<Look>();
+    auto const* const madeOf = store.findColumn<MadeOf>();
     if (fixed == nullptr || shapes == nullptr || positions == nullptr) {
         return roomAround(walls, materials, point);
     }
@@ -108,8 +108,8 @@ RoomAcoustics roomAround(Store const& store, Vec2 point) {
         }
         Rotation const* const rotation = rotations == nullptr ? nullptr : rotations->find(id);
         addObstacles(walls, id, *shape, position->value, rotation == nullptr ? 0 : rotation->angle, 0);
-        if (Look const* const look = looks == nullptr ? nullptr : looks->find(id)) {
-            materials[id] = look->material;
+        if (MadeOf const* const of = madeOf == nullptr ? nullptr : madeOf->find(id)) {
+            materials[id] = of->material;
         }
     }
     return roomAround(walls, materials, point);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "audio/effect/obstacles.hpp"
-#include "physics/look.hpp"
+#include "physics/material.hpp"
 
 #include <map>
 

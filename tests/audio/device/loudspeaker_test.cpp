@@ -136,7 +136,8 @@ TEST(Loudspeaker, AnotherWorldBeginsInSilence) {
     speaker.run(next, 30, {{0, 1}, 3, {}});
     EXPECT_EQ(meanSquareIn(speaker.left), 0);
     EXPECT_NE(next.of("Sound, 8 modes"), Activity::absent);
-    speaker.loudspeaker->leave(*next.world);
+    speaker.loudspeaker->leave();
+    next.run(1);
     EXPECT_EQ(next.of("Sound, 8 modes"), Activity::absent);
 }
 
@@ -155,7 +156,7 @@ TEST(Loudspeaker, WithoutADeviceItSaysSoAndGoesOn) {
         loudspeaker.frame(*room.world, {});
     }
     EXPECT_EQ(room.of("Sound, 8 modes"), Activity::absent) << "nobody hears it, so nobody works it out";
-    loudspeaker.leave(*room.world);
+    loudspeaker.leave();
 }
 
 } // namespace

@@ -90,12 +90,28 @@ TEST_F(SoundFiles, AreSilentWhereNothingHappens) {
 
 TEST_F(SoundFiles, SayWhatIsWrong) {
     EXPECT_THROW(SoundFile(folder / "sound.mp3", {}), std::invalid_argument);
-    EXPECT_THROW(SoundFile(folder / "nowhere" / "sound.wav", {}), std::invalid_argument);
+    EXPECT_THROW(SoundFile(folder / "nowhere" / "sound.wav", {}), OutputError);
     if (fs::exists("/dev/full")) { // a disk without room
         fs::create_symlink("/dev/full", folder / "full.wav");
         auto const writing = [&] { write("full.wav", true, 60); };
         EXPECT_ANY_THROW(writing());
     }
+}
+
+TEST_F(SoundFiles, ThatAreNotFinishedReplaceNothing) {
+    test::Wav const first = write("sound.wav", true, 30);
+    {
+        auto const heard = room(true);
+        SoundFile file(folder / "sound.wav", {});
+        file.enter(*heard->world);
+        for (int i = 0; i < 60; ++i) {
+            heard->run(1);
+            file.frame(*heard->world, listener);
+        }
+    }
+    test::Wav const second(folder / "sound.wav");
+    EXPECT_EQ(second.left, first.left);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
 }
 
 } // namespace

@@ -6,13 +6,14 @@
 #include "audio/effect/register.hpp"
 #include "audio/effect/sounds.hpp"
 #include "physics/buoyancy/liquid.hpp"
+#include "physics/depth.hpp"
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/impacts.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "physics/electricity/graph.hpp"
 #include "physics/electricity/properties.hpp"
 #include "physics/gravity/properties.hpp"
-#include "physics/look.hpp"
+#include "physics/material.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
@@ -35,18 +36,17 @@ public:
     void give(ObjectId id, P property) {
         world->store().column<P>().set(id, std::move(property));
     }
+    /// What differs between materials is how they sound: weight and surface are those that state nothing.
     ObjectId body(std::string const& name, Material material, ShapePiece piece, Vec2 at, double angle = 0) {
-        ObjectId const id = world->store().create(name);
-        give(id, Shape{{std::move(piece)}});
-        give(id, Position{at});
-        give(id, Rotation{angle});
-        Look look;
-        look.material = material;
-        give(id, look);
+        ObjectId const id = surface(name, material, std::move(piece), at, angle);
+        give(id, Density{});
         return id;
     }
+    /// Damps by the density of its material.
     ObjectId fixed(std::string const& name, Material material, ShapePiece piece, Vec2 at, double angle = 0) {
-        ObjectId const id = body(name, material, std::move(piece), at, angle);
+        double const mass = Density{}.value * areaOf(piece) * worldDepth;
+        ObjectId const id = surface(name, material, std::move(piece), at, angle);
+        give(id, Mass{mass});
         give(id, Fixed{});
         return id;
     }
@@ -102,6 +102,16 @@ public:
     std::unique_ptr<World> world;
 
 private:
+    ObjectId surface(std::string const& name, Material material, ShapePiece piece, Vec2 at, double angle) {
+        ObjectId const id = world->store().create(name);
+        give(id, Shape{{std::move(piece)}});
+        give(id, Position{at});
+        give(id, Rotation{angle});
+        give(id, MadeOf{material});
+        give(id, Friction{});
+        give(id, Restitution{});
+        return id;
+    }
     bool started_ = false;
 };
 

@@ -37,8 +37,8 @@ TEST(WorldSound, ABlowIsHeardInTheNextFrameAndDiesAway) {
     ListeningRoom room;
     ObjectId const floor = addFloor(room);
     ObjectId const bar = room.body("bar", Material::steel, boxPiece(1, 0.05), {0, 0.5}, 0.1);
-    room.world->want<Sounds>();
-    room.world->want<Impacts>();
+    Subscription const wantedSounds = room.world->want<Sounds>();
+    Subscription const wantedImpacts = room.world->want<Impacts>();
     std::uint64_t struckIn = 0;
     for (int i = 0; i < 120 && struckIn == 0; ++i) {
         room.run(1);
@@ -64,7 +64,7 @@ TEST(WorldSound, ABlowIsHeardInTheNextFrameAndDiesAway) {
 
 TEST(WorldSound, DecaysAsItsModesSay) {
     ListeningRoom room;
-    room.world->want<Sounds>();
+    Subscription const wantedSounds = room.world->want<Sounds>();
     addFloor(room);
     ObjectId const bar = room.body("bar", Material::copper, boxPiece(0.8, 0.04), {0, 0.3}, 0.3);
     ASSERT_TRUE(room.runToBlow());
@@ -95,7 +95,7 @@ struct Heard {
 Heard thrown(double speed, Material ballMaterial = Material::steel,
              Material plateMaterial = Material::steel) {
     ListeningRoom room;
-    room.world->want<Sounds>();
+    Subscription const wantedSounds = room.world->want<Sounds>();
     room.give(room.world->store().find("world"), GravityField{{0, 0}});
     ObjectId const plate = room.fixed("plate", plateMaterial, boxPiece(1, 0.25), {0, 0});
     Acoustics hung;
@@ -126,7 +126,7 @@ TEST(WorldSound, SoftThingsAreDullerThanHardOnes) {
 
 TEST(WorldSound, SlidingAndRollingAreHeardAndRestIsNot) {
     ListeningRoom room;
-    room.world->want<Sounds>();
+    Subscription const wantedSounds = room.world->want<Sounds>();
     ObjectId const floor = addFloor(room);
     ObjectId const box = room.body("box", Material::wood, boxPiece(0.4, 0.2), {-3, 0.1});
     room.give(box, Velocity{{4, 0}});
@@ -170,7 +170,7 @@ void furnish(ListeningRoom& room) {
 TEST(WorldSound, WhatFallsIntoWaterSplashesOnce) {
     auto const loudest = [](double height, double* later) {
         ListeningRoom room;
-        room.world->want<Sounds>();
+        Subscription const wantedSounds = room.world->want<Sounds>();
         ObjectId const pond = room.world->store().create("pond");
         room.give(pond, Shape{{boxPiece(6, 2)}});
         room.give(pond, Position{{0, -1}});
@@ -205,18 +205,21 @@ TEST(WorldSound, ListeningChangesNoState) {
     furnish(deaf);
     furnish(listening);
     furnish(joining);
-    listening.world->want<Sounds>();
+    Subscription const wantedSounds = listening.world->want<Sounds>();
     deaf.start();
     listening.start();
     joining.start();
+    Subscription joined;
     for (int i = 0; i < 300; ++i) {
         if (i % 50 == 25) {
-            joining.world->want<Sounds>();
+            joined = joining.world->want<Sounds>();
         } else if (i % 50 == 49) {
-            joining.world->release<Sounds>();
+            joined.end();
         }
         if (i % 30 == 0) {
-            listening.world->setDetail("sound", i % 60 == 0 ? "4-modes" : "32-modes");
+            for (ListeningRoom* room : {&deaf, &listening, &joining}) { // what is asked for is state
+                room->world->setDetail("sound", i % 60 == 0 ? "4-modes" : "32-modes");
+            }
         }
         deaf.run(1);
         listening.run(1);
@@ -250,7 +253,7 @@ TEST(WorldSound, IsTheSameForAnyNumberOfThreads) {
 
 TEST(WorldSound, RingingGoesOnWhenTheNumberOfModesIsSwapped) {
     ListeningRoom room;
-    room.world->want<Sounds>();
+    Subscription const wantedSounds = room.world->want<Sounds>();
     addFloor(room);
     ObjectId const bar = room.body("bar", Material::steel, boxPiece(1, 0.05), {0, 0.4}, 0.2);
     ASSERT_TRUE(room.runToBlow());
@@ -273,7 +276,7 @@ TEST(WorldSound, RingingGoesOnWhenTheNumberOfModesIsSwapped) {
 
 TEST(WorldSound, WhatIsGoneFallsSilent) {
     ListeningRoom room;
-    room.world->want<Sounds>();
+    Subscription const wantedSounds = room.world->want<Sounds>();
     addFloor(room);
     ObjectId const bar = room.body("bar", Material::steel, boxPiece(1, 0.05), {0, 0.4}, 0.2);
     ASSERT_TRUE(room.runToBlow());
@@ -286,7 +289,7 @@ TEST(WorldSound, TheTraceLeadsFromTheTouchToTheStroke) {
     ListeningRoom room({.threads = 1, .detail = {}, .periods = {}, .trace = true});
     addFloor(room);
     room.body("ball", Material::steel, circlePiece(0.1), {0, 0.5});
-    room.world->want<Sounds>();
+    Subscription const wantedSounds = room.world->want<Sounds>();
     ASSERT_TRUE(room.runToBlow());
     bool found = false;
     for (Event const& event : room.world->tracer()->events()) {

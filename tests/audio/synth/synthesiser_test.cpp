@@ -24,7 +24,7 @@ std::vector<float> listen(ListeningRoom& room, int frames, SynthesiserOptions op
                           ObjectId only = {}, SampleSource* source = nullptr, Listener listener = {}) {
     Synthesiser synthesiser(options, source);
     std::vector<float> out;
-    room.world->want<Sounds>();
+    Subscription const wantedSounds = room.world->want<Sounds>();
     for (int i = 0; i < frames; ++i) {
         room.run(1);
         synthesiser.hear(room.sounds(), listener);
@@ -201,7 +201,7 @@ TEST(Synthesiser, MaskingSavesModesAndCannotBeHeard) {
             room.body("bar " + std::to_string(i), i % 2 == 0 ? Material::steel : Material::glass,
                       boxPiece(0.5 + 0.02 * i, 0.3), {-3 + 0.6 * i, 0.3 + 0.02 * i}, 0.1 * i);
         }
-        room.world->want<Sounds>();
+        Subscription const wantedSounds = room.world->want<Sounds>();
         SynthesiserOptions options = plain;
         options.masking = masking;
         Synthesiser synthesiser(options);
@@ -330,7 +330,7 @@ TEST(Synthesiser, AMissingRecordingIsSilent) {
 
 TEST(Synthesiser, AFrameIsHeardOnceAndAPauseRingsOn) {
     Xylophone x(0.8, 0.02, Material::steel, 4);
-    x.room.world->want<Sounds>();
+    Subscription const wantedSounds = x.room.world->want<Sounds>();
     ASSERT_TRUE(x.room.runToBlow());
     Synthesiser once(plain);
     once.hear(x.room.sounds(), {});
