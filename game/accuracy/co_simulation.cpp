@@ -11,6 +11,7 @@
 #include "physics/dynamics/shape.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
+#include "runtime/frame/settings.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
 
@@ -71,14 +72,15 @@ Swing swing(World& world, Stiffness const& stiffness, std::function<double()> co
 
 } // namespace
 
-double predictedGrowth(Stiffness const& stiffness, int substeps, int period, bool lookAhead) {
+double predictedGrowth(Stiffness const& stiffness, int substeps, int period, bool lookAhead, int parts) {
     double const oscillation = 2 * pi / std::sqrt(stiffness.lagged + stiffness.own);
-    double const lag =
-        lookAhead ? 0 : period * frameDuration / 2 * (1 - 1.0 / (static_cast<double>(substeps) * period));
-    return std::exp(oscillation * (stiffness.lagged * lag - stiffness.own * frameDuration / substeps)) - 1;
+    double const stands = period * frameDuration / parts;
+    double const step = frameDuration / parts / std::ceil(static_cast<double>(substeps) / parts);
+    double const lag = lookAhead ? 0 : (stands - step) / 2;
+    return std::exp(oscillation * (stiffness.lagged * lag - stiffness.own * step)) - 1;
 }
 
-Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead) {
+Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead, int parts) {
     constexpr double distance = 1;    // m
     constexpr double strength = 5500; // A m
     constexpr double stiffness = 1;   // N/m, of the spring; the mass is 1 kg
@@ -87,6 +89,7 @@ Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead) {
     Store& store = world.store();
     ObjectId const settings = store.create("world");
     store.column<DynamicsSettings>().set(settings, solverOf(substeps));
+    store.column<FrameSettings>().set(settings, {parts});
     MagnetismSettings magnetism;
     magnetism.lookAhead = lookAhead;
     store.column<MagnetismSettings>().set(settings, magnetism);
@@ -111,7 +114,7 @@ Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead) {
     Swing result = swing(
         world, found, [&] { return world.find<Position>(body)->value.x; },
         [&] { return world.find<Velocity>(body)->value.x; });
-    result.predicted = predictedGrowth(found, substeps, 1, lookAhead);
+    result.predicted = predictedGrowth(found, substeps, 1, lookAhead, parts);
     return result;
 }
 

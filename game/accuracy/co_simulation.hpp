@@ -32,11 +32,13 @@ struct Stiffness {
 /// k/m times a substep.
 ///
 /// `substeps` and `period` at least 1. `lookAhead`: the lagged force is made up for (see LiquidDrag and
-/// MagneticPoints).
-[[nodiscard]] double predictedGrowth(Stiffness const& stiffness, int substeps, int period, bool lookAhead);
+/// MagneticPoints). In a frame of several `parts` the force stands for a part, which has its share of the
+/// substeps; then `period` is 1.
+[[nodiscard]] double predictedGrowth(Stiffness const& stiffness, int substeps, int period, bool lookAhead,
+                                     int parts = 1);
 
 /// A magnet that a fixed one pushes away holds itself against a spring. Needs magnetism.
-[[nodiscard]] Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead);
+[[nodiscard]] Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead, int parts = 1);
 /// A wide box that floats, on a spring, in a liquid without drag. Needs buoyancy and gravity.
 [[nodiscard]] Swing floatOnSpring(Workshop const& workshop, int substeps, int period, bool lookAhead);
 

@@ -13,6 +13,7 @@ namespace trembler::accuracy {
 namespace {
 
 [[maybe_unused]] constexpr std::array<int, 5> substepCounts{1, 2, 4, 8, 16};
+[[maybe_unused]] constexpr std::array<int, 4> partCounts{1, 2, 4, 8};
 
 // A ladder whose remark says how far the measured growth is from the predicted one, at worst.
 class Growth {
@@ -50,6 +51,10 @@ Ladder climbMagnet(Workshop const& workshop, Effort) {
     for (int const substeps : substepCounts) {
         growth.add(substepsName(substeps) + ", ahead", magnetOnSpring(workshop, substeps, true));
     }
+    for (int const parts : partCounts) {
+        growth.add(fmt::format("16 substeps, late, in {} part{}", parts, parts == 1 ? "" : "s"),
+                   magnetOnSpring(workshop, 16, false, parts));
+    }
     return growth.finish(
         "A force that is computed once in a frame of the length t, and stands for it, is late by t/2 on "
         "average. Where it is late by τ, amplitudes grow at the rate ½ τ F'/m, F' being its stiffness, and "
@@ -58,7 +63,11 @@ Ladder climbMagnet(Workshop const& workshop, Effort) {
         "of them do not help, they take away what makes up for the lag. The spring, which belongs to "
         "dynamics, has no such lag; Box2D's implicit steps take energy out of it, the less the shorter they "
         "are. With one substep that is all there is, and the swing loses; with more it "
-        "gains. Looking ahead, the default, takes the force of where the magnet will be by τ.");
+        "gains. Looking ahead, the default, takes the force of where the magnet will be by τ. *In parts* a "
+        "frame is "
+        "computed in several equal parts (`\"frame\": {\"parts\": 4}`), in each of which the force is "
+        "computed "
+        "anew: t is a part, and so is the lag.");
 }
 
 #endif

@@ -48,9 +48,10 @@ public:
     void apply(Access& access) {
         for (CableChange const& change : access.read<CableChange>().values()) {
             if (change.mend) {
-                access.call(AddConnection{{change.a, change.b, ConnectionCause::wire}});
+                access.call(AddConnection{{change.a, change.b}});
             } else {
-                access.call(RemoveConnection{{change.a, change.b, ConnectionCause::wire}});
+                access.call(CutWire{change.a, change.b}); // the level's, or the one that mended it
+                access.call(RemoveConnection{{change.a, change.b}});
             }
         }
     }

@@ -2,6 +2,7 @@
 #include "game/accuracy/effect_clock.hpp"
 #include "game/accuracy/ladder.hpp"
 #include "game/accuracy/vector_error.hpp"
+#include "physics/dynamics/standstill.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/magnetism/register.hpp"
 #include "runtime/placement.hpp"
@@ -81,6 +82,7 @@ Registry const& magnetismAlone() {
         Registry made;
         registerRuntime(made);
         registerMagnetism(made);
+        made.component<Standstill>();
         return made;
     }();
     return registry;

@@ -6,7 +6,7 @@
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "physics/gravity/properties.hpp"
-#include "physics/look.hpp"
+#include "physics/material.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
 
@@ -35,9 +35,7 @@ Hearing listen(Workshop const& workshop, std::string const& level, int bodies, i
         store.column<Shape>().set(id, {{std::move(piece)}});
         store.column<Position>().set(id, {at});
         store.column<Rotation>().set(id, {angle});
-        Look look;
-        look.material = material;
-        store.column<Look>().set(id, look);
+        store.column<MadeOf>().set(id, {material});
         return id;
     };
     ObjectId const floor = put("floor", boxPiece(100, 1), {0, -0.5}, 0, Material::stone);
@@ -51,7 +49,7 @@ Hearing listen(Workshop const& workshop, std::string const& level, int bodies, i
         put(fmt::format("body {:02}", i), piece, {1.0 * i - bodies / 2.0, 0.4 + 0.1 * (i % 4)}, 0.3 * i,
             materials[static_cast<std::size_t>(i) % materials.size()]);
     }
-    world.want<Sounds>();
+    Subscription const wantedSounds = world.want<Sounds>();
     world.start();
     EffectClock clock("sound");
     Hearing found;

@@ -68,6 +68,17 @@ double BudgetMode::error() const {
 void BudgetMode::look(World const& world) {
     log_.look(world);
     knobs_ = knobsOf(world, log_);
+    for (Knob& knob : knobs_) {
+        for (std::size_t i = 0; i < knob.options.size(); ++i) {
+            Option& option = knob.options[i];
+            for (RecordedChange const& change : option.makes) {
+                auto const fault = faultIn(registry_, world, change);
+                if (fault && i != knob.current && option.cannot.empty()) {
+                    option.cannot = fault->message;
+                }
+            }
+        }
+    }
     knobsFrame_ = world.frame();
     knobsStructure_ = world.store().structureVersion();
     knobsOptions_.detail = world.options().detail;

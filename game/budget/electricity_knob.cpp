@@ -16,7 +16,6 @@ std::optional<Knob> electricityKnob(World const& world) {
     if (!now) {
         return std::nullopt;
     }
-    ElectricalLevel const needed = sufficientLevel(world.store()).level;
     Knob knob;
     knob.effect = effect;
     knob.of = "of the lamps";
@@ -27,10 +26,11 @@ std::optional<Knob> electricityKnob(World const& world) {
         Option option{
             std::string(name), {toLevel(effect, name)}, static_cast<double>(level.info->text.cost), {}, {}};
         bool const isNow = level.info == now->info;
-        bool const enough =
-            name == nameOf(ElectricalLevel::nodal) ||
-            (name == nameOf(ElectricalLevel::twoWire) && needed <= ElectricalLevel::twoWire) ||
-            (name == nameOf(ElectricalLevel::singleCable) && needed == ElectricalLevel::singleCable);
+        bool enough = false;
+        for (ElectricalLevel const known : {ElectricalLevel::singleCable, ElectricalLevel::twoWire,
+                                            ElectricalLevel::flow, ElectricalLevel::nodal}) {
+            enough = enough || (name == nameOf(known) && isFaithful(known, world.store()));
+        }
         if (!enough && !isNow) { // what somebody has asked for is left to them
             option.cannot = "it cannot tell everything that the circuits state";
         }

@@ -28,6 +28,7 @@ Scene lookAt(World const& world, TreeSample& tree) {
     static Column<AngularVelocity> const noSpins;
     static Column<Shape> const noShapes;
     static Column<MagneticPoles> const noPoles;
+    static Column<Mass> const noMasses;
     auto const orNone = [](auto const* column, auto const& none) -> auto const& {
         return column == nullptr ? none : *column;
     };
@@ -44,7 +45,7 @@ Scene lookAt(World const& world, TreeSample& tree) {
     points.gather({*positions, orNone(store.findColumn<Rotation>(), noRotations),
                    orNone(store.findColumn<Velocity>(), noVelocities),
                    orNone(store.findColumn<AngularVelocity>(), noSpins),
-                   orNone(store.findColumn<Shape>(), noShapes),
+                   orNone(store.findColumn<Mass>(), noMasses), orNone(store.findColumn<Shape>(), noShapes),
                    orNone(store.findColumn<MagneticPoles>(), noPoles), *strengths, *magnets},
                   0);
     for (MagneticSum const which :

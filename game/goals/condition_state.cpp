@@ -4,6 +4,7 @@
 #include "physics/dynamics/shape.hpp"
 #include "physics/electricity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
+#include "runtime/level/add_problem.hpp"
 #include "runtime/level/placing.hpp"
 #include "runtime/placement.hpp"
 
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -43,24 +46,47 @@ bool isOn(World const& world, ObjectId id) {
     return state != nullptr && state->isOn(id);
 }
 
-/// The touch of two objects in this frame, or nullptr. A hit that is over within the frame is one, too.
-TouchingPair const* findTouch(Contacts const& contacts, ObjectId a, ObjectId b) {
-    TouchingPair const* const lasting = findPair(contacts.current, a, b);
-    return lasting != nullptr ? lasting : findPair(contacts.brief, a, b);
+/// Calls f(a, b, pair) for every contact of one of `as` with another one of `bs`, both of which are
+/// ascending. Looks each two of them up, or each contact, whichever is less.
+template <class F>
+void forContacts(std::vector<TouchingPair> const& pairs, std::vector<ObjectId> const& as,
+                 std::vector<ObjectId> const& bs, F&& f) {
+    if (bs.empty() || as.size() <= pairs.size() / bs.size()) {
+        for (ObjectId const a : as) {
+            for (ObjectId const b : bs) {
+                if (TouchingPair const* const pair = findPair(pairs, a, b)) {
+                    f(a, b, *pair);
+                }
+            }
+        }
+        return;
+    }
+    auto const isOneOf = [](std::vector<ObjectId> const& all, ObjectId id) {
+        return std::binary_search(all.begin(), all.end(), id);
+    };
+    for (TouchingPair const& pair : pairs) {
+        if (isOneOf(as, pair.a) && isOneOf(bs, pair.b)) {
+            f(pair.a, pair.b, pair);
+        }
+        if (isOneOf(as, pair.b) && isOneOf(bs, pair.a)) {
+            f(pair.b, pair.a, pair);
+        }
+    }
 }
 
-/// What acts on an object at present: what it touches, and which magnet pulls it.
-void collectActing(World const& world, ObjectId id, std::vector<EventId>& events) {
+/// What acts on objects, which are ascending, at present: what they touch, and which magnets pull them.
+void collectActing(World const& world, std::vector<ObjectId> const& ids, std::vector<EventId>& events) {
+    auto const isOne = [&](ObjectId id) { return std::binary_search(ids.begin(), ids.end(), id); };
     if (auto const* const contacts = world.find<Contacts>()) {
         for (TouchingPair const& pair : contacts->current) {
-            if (pair.a == id || pair.b == id) {
+            if (isOne(pair.a) || isOne(pair.b)) {
                 events.push_back(pair.event);
             }
         }
     }
     if (auto const* const magnetic = world.find<MagneticForce>()) {
         for (MagneticForce::Entry const& entry : magnetic->forces) {
-            if (entry.object == id) {
+            if (isOne(entry.object)) {
                 events.push_back(entry.cause);
             }
         }
@@ -122,19 +148,43 @@ void ObjectFinder::mustHave(Selector const& selector, PropertyInfo const& proper
     for (std::string const& name : selector.names) {
         ObjectId const id = world_.store().find(name);
         if (id.valid() && (column == nullptr || !column->has(id))) {
-            problems_.add(
-                level_.diagnostic(selector.path, fmt::format("'{}' {}", name, why),
-                                  fmt::format("an object with the property '{}'", property.text.key)));
+            addProblem(problems_, [&] {
+                return level_.diagnostic(selector.path, fmt::format("'{}' {}", name, why),
+                                         fmt::format("an object with the property '{}'", property.text.key));
+            });
         }
     }
+}
+
+bool ObjectFinder::take(std::size_t objects, std::string const& path) const {
+    bool const had = taken_ <= most;
+    taken_ += std::min(objects, most + 1);
+    if (taken_ <= most) {
+        return true;
+    }
+    if (had) {
+        addProblem(problems_, [&] {
+            return level_.diagnostic(
+                path, "the goals speak of too many objects",
+                fmt::format("at most {} in all, each counted for every condition that it is part of", most));
+        });
+    }
+    return false;
 }
 
 ConditionState::ConditionState(Condition const& condition, ObjectFinder const& finder, ObjectId it)
     : condition_(&condition), subjects_(finder.find(condition.subject, it)),
       objects_(finder.find(condition.object, it)),
       needed_(condition.seconds
-                  ? std::max(1, static_cast<int>(std::lround(*condition.seconds / frameDuration)))
+                  ? World::ticksPerFrame * static_cast<std::uint64_t>(
+                                               std::max(1L, std::lround(*condition.seconds / frameDuration)))
                   : 1) {
+    constexpr std::size_t own = 8; // a condition takes about as much memory as so many objects
+    if (!finder.take(own + subjects_.size() + objects_.size(), condition.path)) {
+        subjects_.clear();
+        objects_.clear();
+        return;
+    }
     switch (condition.kind) {
     case ConditionKind::inside:
     case ConditionKind::moved:
@@ -157,6 +207,9 @@ ConditionState::ConditionState(Condition const& condition, ObjectFinder const& f
         break;
     case ConditionKind::count:
         for (ObjectId const member : subjects_) {
+            if (!finder.take(0, condition.path)) {
+                break;
+            }
             for (Condition const& child : condition.children) {
                 children_.emplace_back(child, finder, member);
             }
@@ -180,15 +233,15 @@ void ConditionState::restart() {
     }
 }
 
-void ConditionState::update(World const& world) {
+void ConditionState::update(World const& world, std::uint64_t ticks) {
     for (ConditionState& child : children_) {
-        child.update(world);
+        child.update(world, ticks);
     }
     base_ = holds(world);
-    held_ = base_ ? std::min(held_ + 1, needed_) : 0;
+    held_ = base_ ? std::min(held_ + ticks, needed_) : 0;
     met_ = held_ >= needed_;
-    if (needed_ > 1 && base_) {
-        progress_ = static_cast<double>(held_) / needed_;
+    if (needed_ > World::ticksPerFrame && base_) {
+        progress_ = static_cast<double>(held_) / static_cast<double>(needed_);
     }
 }
 
@@ -241,16 +294,26 @@ bool ConditionState::touching(World const& world) {
     if (contacts == nullptr) {
         return false;
     }
+    // A hit that is over within the frame is a touch, too.
     bool any = false;
-    for (ObjectId const a : subjects_) {
-        for (ObjectId const b : objects_) {
-            any = any || (a != b && findTouch(*contacts, a, b) != nullptr);
-            for (auto const* const list : {&contacts->ended, &contacts->brief}) {
-                if (TouchingPair const* const pair = findPair(*list, a, b)) {
-                    ended_ = pair->event;
-                }
-            }
+    forContacts(contacts->current, subjects_, objects_,
+                [&](ObjectId, ObjectId, TouchingPair const&) { any = true; });
+    // What ended last, by the order of the objects.
+    std::pair<ObjectId, ObjectId> last;
+    TouchingPair const* ended = nullptr;
+    auto const note = [&](ObjectId a, ObjectId b, TouchingPair const& pair) {
+        if (ended == nullptr || std::pair(a, b) >= last) {
+            last = {a, b};
+            ended = &pair;
         }
+    };
+    forContacts(contacts->ended, subjects_, objects_, note);
+    forContacts(contacts->brief, subjects_, objects_, [&](ObjectId a, ObjectId b, TouchingPair const& pair) {
+        any = true;
+        note(a, b, pair);
+    });
+    if (ended != nullptr) {
+        ended_ = ended->event;
     }
     return any;
 }
@@ -318,13 +381,18 @@ void ConditionState::collectContacts(World const& world, bool truth, std::vector
         return;
     }
     if (auto const* const contacts = world.find<Contacts>()) {
-        for (ObjectId const a : subjects_) {
-            for (ObjectId const b : objects_) {
-                if (TouchingPair const* const pair = findTouch(*contacts, a, b)) {
-                    events.push_back(pair->event);
-                }
-            }
-        }
+        std::set<std::pair<ObjectId, ObjectId>> lasting;
+        forContacts(contacts->current, subjects_, objects_,
+                    [&](ObjectId a, ObjectId b, TouchingPair const& pair) {
+                        lasting.emplace(a, b);
+                        events.push_back(pair.event);
+                    });
+        forContacts(contacts->brief, subjects_, objects_,
+                    [&](ObjectId a, ObjectId b, TouchingPair const& pair) {
+                        if (!lasting.contains({a, b})) {
+                            events.push_back(pair.event);
+                        }
+                    });
     }
 }
 
@@ -332,9 +400,7 @@ void ConditionState::collectCauses(World const& world, bool truth, std::vector<E
     switch (condition_->kind) {
     case ConditionKind::inside:
     case ConditionKind::moved:
-        for (ObjectId const id : subjects_) {
-            collectActing(world, id, events);
-        }
+        collectActing(world, subjects_, events);
         break;
     case ConditionKind::touching:
         collectContacts(world, truth, events);

@@ -20,12 +20,19 @@ public:
     /// for.
     void mustHave(Selector const& selector, PropertyInfo const& property, std::string_view why) const;
     [[nodiscard]] World const& world() const { return world_; }
+    /// Conditions that name many objects, each in many ways, are products of what a file states: a small file
+    /// could ask for more memory than there is.
+    static constexpr std::size_t most = 4000000;
+    /// Counts objects that conditions speak of. False, with a complaint about `path` the first time, once
+    /// there are more than `most` in all.
+    [[nodiscard]] bool take(std::size_t objects, std::string const& path) const;
 
 private:
     LevelFile const& level_;
     World const& world_;
     Problems& problems_;
     std::map<std::string, std::vector<ObjectId>> byPart_;
+    mutable std::size_t taken_ = 0;
 };
 
 class ConditionState {
@@ -33,7 +40,8 @@ public:
     /// `condition` must outlive it.
     ConditionState(Condition const& condition, ObjectFinder const& finder, ObjectId it);
 
-    void update(World const& world);
+    /// `ticks` is the time since the last update, in ticks of the world, at least 1.
+    void update(World const& world, std::uint64_t ticks);
     [[nodiscard]] bool met() const { return met_; }
     /// 0 to 1: how much of it is done.
     [[nodiscard]] double progress() const { return met_ ? 1 : progress_; }
@@ -66,8 +74,8 @@ private:
     bool met_ = false;
     bool base_ = false; // whether it holds, leaving aside for how long
     double progress_ = 0;
-    int needed_ = 1; // frames that it must hold
-    int held_ = 0;   // frames that it has held
+    std::uint64_t needed_ = 1; // ticks of the world for which it must hold
+    std::uint64_t held_ = 0;   // ticks for which it has held
     std::size_t steps_ = 0;
     bool blocked_ = false;            // sequence: the next step already held when its turn came
     std::vector<EventId> stepCauses_; // sequence: of the steps that are done

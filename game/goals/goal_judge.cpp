@@ -1,11 +1,13 @@
 #include "game/goals/goal_judge.hpp"
 
 #include "game/goals/goal_text.hpp"
+#include "game/goals/never_holds.hpp"
 #include "game/goals/read_goals.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -18,13 +20,15 @@ void makeUnique(std::vector<T>& list) {
 
 } // namespace
 
-GoalJudge::GoalJudge(LevelFile const& level, World const& world) : condition_(readGoals(level)) {
+GoalJudge::GoalJudge(LevelFile const& level, World const& world)
+    : condition_(readGoals(level)), ticks_(world.ticks()) {
     if (!condition_) {
         return;
     }
     Problems problems;
     ObjectFinder const finder(level, world, problems);
     state_ = std::make_unique<ConditionState>(*condition_, finder, ObjectId{});
+    complainIfNever(*condition_, level, world, problems);
     problems.throwIfAny();
 
     bool const isSequence = condition_->kind == ConditionKind::sequence;
@@ -49,10 +53,12 @@ ConditionState const& GoalJudge::stateOf(std::size_t goal) const {
 
 void GoalJudge::update(World const& world) {
     newlyMet_.clear();
+    newlySolved_ = false;
     if (!state_ || solvedFrame_) {
         return;
     }
-    state_->update(world);
+    std::uint64_t const passed = world.ticks() - std::exchange(ticks_, world.ticks());
+    state_->update(world, std::max<std::uint64_t>(passed, 1));
     for (std::size_t i = 0; i < status_.size(); ++i) {
         GoalStatus& status = status_[i];
         // A step of a sequence is done when its turn came and it was met, not when it happens to hold.
@@ -66,6 +72,7 @@ void GoalJudge::update(World const& world) {
     }
     if (state_->met()) {
         solvedFrame_ = world.frame();
+        newlySolved_ = true;
     }
 }
 

@@ -29,8 +29,9 @@ public:
     GoalJudge(GoalJudge const&) = delete;
     GoalJudge& operator=(GoalJudge const&) = delete;
 
-    /// Looks at the world; call it once after every frame. Depends on the world's data alone. Once the level
-    /// is solved everything stays as it is.
+    /// Looks at the world; call it after every part of a frame (World::step()), so that nothing that comes
+    /// and goes within a frame is missed. Depends on the world's data alone. Once the level is solved
+    /// everything stays as it is.
     void update(World const& world);
 
     [[nodiscard]] std::vector<GoalStatus> const& status() const { return status_; }
@@ -39,6 +40,8 @@ public:
     [[nodiscard]] std::optional<std::uint64_t> solvedFrame() const { return solvedFrame_; }
     /// The goals that were met for the first time in the last update.
     [[nodiscard]] std::vector<std::size_t> const& newlyMet() const { return newlyMet_; }
+    /// Whether the last update was the one in which the level was solved.
+    [[nodiscard]] bool newlySolved() const { return newlySolved_; }
 
     /// The recorded events that make a goal true (contacts, electrical states, what pulls the object),
     /// ascending; right after an update. Empty while nobody traces.
@@ -57,6 +60,8 @@ private:
     std::vector<GoalStatus> status_;
     std::vector<std::size_t> newlyMet_;
     std::optional<std::uint64_t> solvedFrame_;
+    bool newlySolved_ = false;
+    std::uint64_t ticks_ = 0; // of the world, at the last update
 };
 
 } // namespace trembler

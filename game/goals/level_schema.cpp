@@ -1,5 +1,6 @@
 #include "game/goals/level_schema.hpp"
 
+#include "runtime/level/limits.hpp"
 #include "runtime/level/schema.hpp"
 
 #include <fmt/format.h>
@@ -22,8 +23,8 @@ Json strictObject(Json properties, std::vector<std::string> const& required) {
                 {"required", required}};
 }
 
-Json listOf(Json items) {
-    return Json{{"type", "array"}, {"items", std::move(items)}, {"minItems", 1}};
+Json listOf(Json items, std::size_t most) {
+    return Json{{"type", "array"}, {"items", std::move(items)}, {"minItems", 1}, {"maxItems", most}};
 }
 
 /// A condition of one kind, with what every condition can have besides.
@@ -60,7 +61,7 @@ Json goalSchema() {
                                              strictObject({{"part", {{"type", "string"}}}}, {"part"})})}};
     Json definitions;
     definitions["selector"] =
-        Json{{"anyOf", Json::array({single, listOf(single)})},
+        Json{{"anyOf", Json::array({single, listOf(single, limits::objects)})},
              {"description",
               "The name of an object, {\"part\": name} for anything made from that part, or a list of "
               "these: any of them."}};
@@ -74,13 +75,16 @@ Json goalSchema() {
         {{"object", selector}, {"by", distance}, {"towards", {{"enum", {"up", "down", "left", "right"}}}}},
         {"object", "by"});
     Json const pair{{"type", "array"}, {"items", selector}, {"minItems", 2}, {"maxItems", 2}};
-    Json const conditions = listOf(reference("condition"));
+    Json const conditions = listOf(reference("condition"), limits::conditions);
     definitions["condition"] =
         Json{{"oneOf", Json::array({kind("inside", inside), kind("touching", pair), kind("on", selector),
                                     kind("off", selector), kind("moved", moved), kind("count", count()),
                                     kind("all", conditions), kind("any", conditions),
                                     kind("sequence", conditions), kind("not", reference("condition"))})},
-             {"description", "Something that can hold in a world, or not."}};
+             {"description",
+              fmt::format("Something that can hold in a world, or not; at most {} of them in a level, one "
+                          "inside another included.",
+                          limits::conditions)}};
     return Json{{"$ref", "#/$defs/condition"}, {"$defs", std::move(definitions)}};
 }
 

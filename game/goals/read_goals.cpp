@@ -2,6 +2,7 @@
 
 #include "runtime/level/joint_names.hpp"
 #include "runtime/level/json_node.hpp"
+#include "runtime/level/limits.hpp"
 #include "runtime/level/read_area.hpp"
 #include "runtime/level/suggestion.hpp"
 
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <unordered_set>
 
 namespace trembler {
 namespace {
@@ -32,11 +34,16 @@ public:
             parts_.insert(entry.part);
         }
         parts_.erase("");
+        known_.insert(objects_.begin(), objects_.end());
     }
 
     Condition read(JsonNode const& node) {
         Condition condition;
         condition.path = node.path();
+        if (++conditions_ > limits::conditions) {
+            node.complain("is one condition too many", fmt::format("at most {}", limits::conditions));
+            return condition;
+        }
         MemberReader reader(node, "a condition: an object with one of the keys " + listed(kinds()));
         if (!reader.valid()) {
             return condition;
@@ -106,7 +113,7 @@ private:
             condition.kind = kind == "all"   ? ConditionKind::all
                              : kind == "any" ? ConditionKind::any
                                              : ConditionKind::sequence;
-            if (!body.isArray("a list of conditions")) {
+            if (!body.isList("a list of conditions", limits::conditions)) {
                 return;
             }
             if (body.size() == 0) {
@@ -190,6 +197,9 @@ private:
         Selector selector;
         selector.path = node.path();
         if (node.value().is_array()) {
+            if (!node.isList("a list of objects", limits::objects)) {
+                return selector;
+            }
             if (node.size() == 0) {
                 node.complain("is empty", "at least one object");
             }
@@ -230,16 +240,21 @@ private:
             }
             return;
         }
-        if (std::find(objects_.begin(), objects_.end(), *name) == objects_.end()) {
-            node.complain(fmt::format("there is no object '{}'{}", *name, didYouMean(*name, objects_)),
+        if (!known_.contains(*name)) {
+            bool const told =
+                node.problems().hasRoom(); // looking for what was meant costs a walk through all
+            node.complain(fmt::format("there is no object '{}'{}", *name,
+                                      told ? didYouMean(*name, objects_) : std::string()),
                           "the name of an object of this level; {\"part\": name} for what the player places");
         }
         selector.names.push_back(*name);
     }
 
     std::vector<std::string> objects_;
+    std::unordered_set<std::string> known_; // the same, to be asked
     std::set<std::string> parts_;
     std::set<std::string> ids_;
+    std::size_t conditions_ = 0;
     bool insideCount_ = false;
 };
 

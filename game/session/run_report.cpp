@@ -1,5 +1,7 @@
 #include "game/session/run_report.hpp"
 
+#include "runtime/file/visible_text.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -41,10 +43,12 @@ Json toJson(RunReport const& report) {
              {"wall_s", report.wallSeconds},
              {"realtime_factor", report.wallSeconds > 0 ? report.simulatedSeconds() / report.wallSeconds : 0},
              {"threads", report.threads},
+             {"parts", report.parts},
              {"solved", report.solved},
              {"solved_frame", orNull(report.solvedFrame)},
              {"goals", goals},
              {"state_hash", hashText(report.stateHash)},
+             {"warnings", report.warnings},
              {"effects", effects}};
     if (!report.hashes.empty()) {
         Json hashes = Json::array();
@@ -57,16 +61,19 @@ Json toJson(RunReport const& report) {
 }
 
 std::string toWords(RunReport const& report) {
-    std::string text = fmt::format("{}: {} after {} frames ({:.1f} s simulated in {:.2f} s)\n", report.level,
-                                   report.solved ? "solved" : "not solved", report.frames,
-                                   report.simulatedSeconds(), report.wallSeconds);
+    std::string text = fmt::format("{}: {} after {} frames ({:.1f} s simulated in {:.2f} s)\n",
+                                   visible(report.level), report.solved ? "solved" : "not solved",
+                                   report.frames, report.simulatedSeconds(), report.wallSeconds);
     for (GoalReport const& goal : report.goals) {
-        text += fmt::format("  [{}] {}", goal.met ? "x" : " ", goal.text);
+        text += fmt::format("  [{}] {}", goal.met ? "x" : " ", visible(goal.text));
         if (goal.frame) {
             text += fmt::format("  (frame {}, {:.2f} s)", *goal.frame,
                                 static_cast<double>(*goal.frame) * frameDuration);
         }
         text += "\n";
+    }
+    for (std::string const& warning : report.warnings) {
+        text += fmt::format("  warning: {}\n", warning);
     }
     for (HashAt const& at : report.hashes) {
         text += fmt::format("  frame {:>6}  {}\n", at.frame, hashText(at.hash));

@@ -31,12 +31,14 @@ struct RunReport {
     std::uint64_t frames = 0;
     double wallSeconds = 0; ///< for people to read; it never reaches the world
     int threads = 1;
+    std::uint32_t parts = 1; ///< the most in which a frame was computed
     bool solved = false;
     std::optional<std::uint64_t> solvedFrame;
     std::vector<GoalReport> goals;
     std::uint64_t stateHash = 0;
     std::vector<HashAt> hashes;
     std::vector<ComponentStatus> effects;
+    std::vector<std::string> warnings; ///< see warningsOf()
 
     [[nodiscard]] double simulatedSeconds() const { return static_cast<double>(frames) * frameDuration; }
 };

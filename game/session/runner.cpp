@@ -1,5 +1,8 @@
 #include "game/session/runner.hpp"
 
+#include "game/session/warnings.hpp"
+
+#include <algorithm>
 #include <chrono>
 #include <ostream>
 
@@ -23,6 +26,7 @@ RunReport run(Session& session, std::string levelName, RunOptions const& options
         if (options.frame) {
             options.frame(world);
         }
+        report.parts = std::max(report.parts, world.moment().parts);
         if (session.solved() && !report.solvedFrame) {
             report.solvedFrame = frame;
         }
@@ -47,6 +51,7 @@ RunReport run(Session& session, std::string levelName, RunOptions const& options
     report.solved = report.solvedFrame.has_value();
     report.stateHash = world.stateHash();
     report.effects = world.status();
+    report.warnings = warningsOf(world);
     for (GoalStatus const& goal : session.judge().status()) {
         report.goals.push_back({goal.id, goal.text, goal.met, goal.frame});
     }

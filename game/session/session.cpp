@@ -1,13 +1,18 @@
 #include "game/session/session.hpp"
 
 #include "game/session/fit.hpp"
+#include "runtime/level/add_problem.hpp"
 #include "runtime/level/build_world.hpp"
 #include "runtime/level/world_change.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <stdexcept>
+#include <string_view>
+#include <tuple>
 
 namespace trembler {
 namespace {
@@ -26,6 +31,15 @@ auto withNumber(std::vector<PlacedPart>& placed, int number) {
                         [&](PlacedPart const& p) { return p.number == number; });
 }
 
+/// Those of a frame, out of all in order of their frames.
+template <class Recorded>
+std::span<Recorded const> ofFrame(std::vector<Recorded> const& all, std::uint64_t frame) {
+    auto const first =
+        std::partition_point(all.begin(), all.end(), [&](Recorded const& r) { return r.frame < frame; });
+    auto const last = std::find_if(first, all.end(), [&](Recorded const& r) { return r.frame != frame; });
+    return {first, last};
+}
+
 } // namespace
 
 Session::Session(Registry const& registry, PartLibrary const& parts, LevelFile level, WorldOptions options)
@@ -42,24 +56,29 @@ void Session::rebuild() {
     // The world knows the parts by names that follow from their places, not from the order of placing.
     std::vector<Placement> const ordered = inCanonicalOrder(placements);
     std::vector<std::string> const names = placementNames(level_, placements);
+    std::map<std::tuple<std::string, double, double, double>, std::size_t> places; // the first of equals
+    for (std::size_t i = 0; i < ordered.size(); ++i) {
+        Placement const& placement = ordered[i];
+        places.try_emplace({placement.part, placement.at.x, placement.at.y, placement.angle}, i);
+    }
     objects_.clear();
     for (PlacedPart const& part : placed()) {
-        for (std::size_t i = 0; i < ordered.size(); ++i) {
-            if (ordered[i].part == part.placement.part && ordered[i].at == part.placement.at &&
-                ordered[i].angle == part.placement.angle) {
-                objects_.emplace_back(part.number, world_->store().find(names[i]));
-                break;
-            }
+        Placement const& placement = part.placement;
+        auto const at = places.find({placement.part, placement.at.x, placement.at.y, placement.angle});
+        if (at != places.end()) {
+            objects_.emplace_back(part.number, world_->store().find(names[at->second]));
         }
     }
 }
 
 std::vector<ToolboxSlot> Session::toolbox() const {
+    std::map<std::string_view, int> used;
+    for (PlacedPart const& part : placed()) {
+        ++used[part.placement.part];
+    }
     std::vector<ToolboxSlot> slots;
     for (ToolboxEntry const& entry : level_.toolbox) {
-        auto const used = std::count_if(placed().begin(), placed().end(),
-                                        [&](PlacedPart const& p) { return p.placement.part == entry.part; });
-        slots.push_back({entry.part, entry.count, entry.count - static_cast<int>(used)});
+        slots.push_back({entry.part, entry.count, entry.count - used[entry.part]});
     }
     return slots;
 }
@@ -195,9 +214,10 @@ void Session::step() {
         start();
     }
     feedRecorded();
-    world_->step();
-    judge_->update(*world_);
-    noteGoals();
+    world_->step([this](World const& world) {
+        judge_->update(world);
+        noteGoals();
+    });
 }
 
 void Session::feed(PlayerInput const& input) {
@@ -212,7 +232,11 @@ void Session::startAgain() {
     stop();
     if (startOptions_) {
         for (RecordedChange const& back : differences(registry_, world_->options(), *startOptions_)) {
-            apply(registry_, *world_, back);
+            if (back.kind == RecordedChange::Kind::detail) { // whatever it was, it is not for us to judge
+                world_->setDetail(back.subject, back.level);
+            } else {
+                world_->setPeriod(back.subject, static_cast<int>(back.value));
+            }
         }
     }
     start();
@@ -235,16 +259,13 @@ void Session::remember(RecordedChange change) {
 }
 
 void Session::feedRecorded() {
-    for (RecordedChange const& recorded : scriptChanges_) {
-        if (recorded.frame == world_->frame() + 1) {
-            change(recorded);
-        }
+    std::uint64_t const next = world_->frame() + 1;
+    for (RecordedChange const& recorded : ofFrame(scriptChanges_, next)) {
+        change(recorded);
     }
-    for (RecordedInput const& input : script_) {
-        if (input.frame == world_->frame() + 1) {
-            if (std::optional<PlayerInput> const known = resolved(input)) {
-                feed(*known);
-            }
+    for (RecordedInput const& input : ofFrame(script_, next)) {
+        if (std::optional<PlayerInput> const known = resolved(input)) {
+            feed(*known);
         }
     }
 }
@@ -258,7 +279,7 @@ void Session::noteGoals() {
         std::vector<EventId> const causes = judge_->causes(*world_, goal);
         world_->note("Goals", "goal met: " + judge_->status()[goal].id, objects, causes);
     }
-    if (judge_->solvedFrame() == world_->frame()) {
+    if (judge_->newlySolved()) {
         std::vector<EventId> const causes = judge_->causes(*world_);
         world_->note("Goals", "solved", {}, causes);
     }
@@ -287,13 +308,19 @@ Solution Session::record(std::string name) const {
     Solution solution;
     solution.name = std::move(name);
     solution.placements = inCanonicalOrder(placementsOf(placed()));
-    solution.inputs = inputs_;
+    std::uint64_t const last = world_->frame();
+    std::copy_if(
+        inputs_.begin(), inputs_.end(), std::back_inserter(solution.inputs),
+        [&](RecordedInput const& input) { return input.frame <= last; }); // no frame has seen the others
     WorldOptions plain;
     plain.detail = level_.detail;
     solution.changes =
         differences(registry_, plain, mode_ == SessionMode::building ? world_->options() : *startOptions_);
-    solution.changes.insert(solution.changes.end(), changes_.begin(), changes_.end());
-    solution.frames = static_cast<int>(world_->frame());
+    std::copy_if(changes_.begin(), changes_.end(), std::back_inserter(solution.changes),
+                 [&](RecordedChange const& change) { return change.frame <= last; });
+    if (last > 0) {
+        solution.frames = static_cast<int>(last);
+    }
     solution.solves = solved();
     return solution;
 }
@@ -302,32 +329,41 @@ void Session::load(Solution const& solution) {
     stop();
     Placed next;
     Problems problems;
-    std::vector<Placement> before;
+    auto const complain = [&](std::string const& path, std::string message, std::string expected) {
+        addProblem(problems, [&] {
+            return solution.document
+                       ? solution.document->diagnostic(path, std::move(message), std::move(expected))
+                       : level_.diagnostic(path, std::move(message), std::move(expected));
+        });
+    };
+    PlacementCount count(level_, parts_);
     for (Placement const& placement : solution.placements) {
-        if (auto const why = checkPlacement(level_, parts_, before, placement)) {
-            problems.add(level_.diagnostic(placement.path, *why, "a placement that the level allows"));
+        if (auto const why = count.add(placement)) {
+            complain(placement.path, *why, "a placement that the level allows");
         }
-        before.push_back(placement);
         next.push_back({nextNumber_++, placement});
-    }
-    auto const faults = faultsIn(registry_, solution.changes);
-    for (std::size_t i = 0; i < faults.size(); ++i) {
-        if (faults[i]) {
-            problems.add(level_.diagnostic(solution.changes[i].path, *faults[i], ""));
-        }
     }
     problems.throwIfAny();
     Placed const previous = placed();
     history_.change(std::move(next));
     try {
         rebuild();
+        for (RecordedChange const& change : solution.changes) { // of the world with all that is placed
+            if (auto const fault = faultIn(registry_, *world_, change)) {
+                complain(change.path, fault->message, fault->expected);
+            }
+        }
+        problems.throwIfAny();
     } catch (InputError const&) {
         history_.change(previous);
         rebuild();
         throw;
     }
+    auto const earlier = [](auto const& a, auto const& b) { return a.frame < b.frame; };
     script_ = solution.inputs;
     scriptChanges_ = solution.changes;
+    std::stable_sort(script_.begin(), script_.end(), earlier);
+    std::stable_sort(scriptChanges_.begin(), scriptChanges_.end(), earlier);
 }
 
 void Session::setDetail(std::string const& effect, std::string const& level) {
@@ -335,7 +371,7 @@ void Session::setDetail(std::string const& effect, std::string const& level) {
     made.kind = RecordedChange::Kind::detail;
     made.subject = effect;
     made.level = level;
-    world_->setDetail(effect, level);
+    apply(registry_, *world_, made);
     if (level.empty()) {
         options_.detail.erase(effect);
     } else {
@@ -348,7 +384,6 @@ void Session::setPeriod(std::string const& component, int period) {
     RecordedChange made;
     made.kind = RecordedChange::Kind::period;
     made.value = period;
-    world_->setPeriod(component, period);
     made.subject = component;
     for (ComponentStatus const& status : world_->status()) { // a bare name will do as well
         std::string const full = title(*status.info);
@@ -360,8 +395,31 @@ void Session::setPeriod(std::string const& component, int period) {
             made.subject = full;
         }
     }
+    apply(registry_, *world_, made);
     options_.periods[made.subject] = period;
     remember(std::move(made));
+}
+
+std::optional<std::string> Session::whyNotDetail(std::string const& effect, std::string const& level) const {
+    RecordedChange asked;
+    asked.kind = RecordedChange::Kind::detail;
+    asked.subject = effect;
+    asked.level = level;
+    auto const fault = faultIn(registry_, *world_, asked);
+    return fault ? std::optional(inWords(*fault)) : std::nullopt;
+}
+
+std::optional<std::string> Session::whyNotRecorded() const {
+    WorldOptions plain;
+    plain.detail = level_.detail;
+    WorldOptions const& begun =
+        mode_ == SessionMode::building || !startOptions_ ? world_->options() : *startOptions_;
+    for (RecordedChange const& change : differences(registry_, plain, begun)) {
+        if (auto const fault = faultIn(registry_, *world_, level_.detail, change)) {
+            return inWords(*fault);
+        }
+    }
+    return std::nullopt;
 }
 
 bool Session::solved() const {

@@ -57,9 +57,9 @@ public:
     [[nodiscard]] SessionMode mode() const { return mode_; }
     /// The world as it is now; while building, as it will start. Valid until the next call that changes
     /// anything.
+    /// To be looked at, and subscribed to (World::want()). What changes it goes through feed() and change(),
+    /// which record it.
     [[nodiscard]] World const& world() const { return *world_; }
-    /// For onlookers only: World::want() and release(). Whatever else is done to it is not recorded.
-    [[nodiscard]] World& world() { return *world_; }
 
     // Building. All of these do nothing, and say so, unless mode() is building.
     [[nodiscard]] std::vector<PlacedPart> const& placed() const { return history_.now(); }
@@ -107,6 +107,9 @@ public:
     [[nodiscard]] bool solved() const;
     [[nodiscard]] GoalJudge const& judge() const { return *judge_; }
 
+    /// Why what the run began with cannot stand in a solution: a detail level, asked for on the command line,
+    /// that is other physics, or a period that is no matter of accuracy. Nothing if it can.
+    [[nodiscard]] std::optional<std::string> whyNotRecorded() const;
     /// Placements, inputs and changes so far, those among them that make the level's own levels and periods
     /// what the run began with, as a solution that can be recorded in the level.
     [[nodiscard]] Solution record(std::string name) const;
@@ -114,10 +117,13 @@ public:
     /// InputError if it does not fit.
     void load(Solution const& solution);
 
-    /// Detail level and period of the running world, remembered as by change(), and of all later ones; see
-    /// World.
+    /// Detail level and period of the running world, remembered as by change(), and of all later ones. Throw
+    /// std::invalid_argument like change(); a period also takes a component's bare name.
     void setDetail(std::string const& effect, std::string const& level);
     void setPeriod(std::string const& component, int period);
+    /// Why setDetail() would refuse it; nothing if it would not.
+    [[nodiscard]] std::optional<std::string> whyNotDetail(std::string const& effect,
+                                                          std::string const& level) const;
 
 private:
     using Placed = std::vector<PlacedPart>;

@@ -1,5 +1,7 @@
 #include "game/session/solution_file.hpp"
 
+#include "runtime/level/add_problem.hpp"
+#include "runtime/level/check_inputs.hpp"
 #include "runtime/level/read_solutions.hpp"
 #include "runtime/level/world_change.hpp"
 
@@ -28,16 +30,19 @@ Solution findOrLoadSolution(Registry const& registry, LevelFile const& level, st
     Problems problems;
     std::optional<Solution> solution = readSolution(JsonNode(*document, document->root(), "", problems));
     problems.throwIfAny();
-    if (solution && !solution->changes.empty()) {
-        auto const faults = faultsIn(registry, solution->changes);
-        for (std::size_t i = 0; i < faults.size(); ++i) {
-            if (faults[i]) {
-                problems.add(document->diagnostic(solution->changes[i].path, *faults[i], ""));
-            }
-        }
-        problems.throwIfAny();
+    if (!solution) {
+        return {};
     }
-    return solution.value_or(Solution{});
+    solution->document = document;
+    InputCheck(level).check(*solution, *document, problems);
+    for (RecordedChange const& change : solution->changes) {
+        if (auto const fault = faultIn(registry, change)) {
+            addProblem(problems,
+                       [&] { return document->diagnostic(change.path, fault->message, fault->expected); });
+        }
+    }
+    problems.throwIfAny();
+    return *solution;
 }
 
 } // namespace trembler

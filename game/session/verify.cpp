@@ -27,6 +27,12 @@ RunReport runOnce(Workshop const& workshop, LevelFile const& level, Solution con
     return trembler::run(session, "", run);
 }
 
+void addWarnings(std::vector<std::string>& failures, std::string const& name, RunReport const& report) {
+    for (std::string const& warning : report.warnings) {
+        failures.push_back(fmt::format("{}: {}", name, warning));
+    }
+}
+
 bool sameHashes(RunReport const& a, RunReport const& b) {
     if (a.hashes.size() != b.hashes.size() || a.stateHash != b.stateHash) {
         return false;
@@ -57,6 +63,7 @@ std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::
             failures.push_back(fmt::format("{}: no solution is recorded", name));
         }
         RunReport const handsOff = runOnce(workshop, level, nullptr, 1);
+        addWarnings(failures, name, handsOff);
         if (handsOff.solved && !level.demonstration) {
             failures.push_back(fmt::format("{}: solved by an empty toolbox, in frame {}", name,
                                            handsOff.solvedFrame.value_or(0)));
@@ -70,6 +77,7 @@ std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::
         }
         for (Solution const& solution : level.solutions) {
             RunReport const report = runOnce(workshop, level, &solution, 1);
+            addWarnings(failures, fmt::format("{}: solution '{}'", name, solution.name), report);
             if (report.solved != solution.solves) {
                 failures.push_back(
                     fmt::format("{}: solution '{}' was recorded as {} but {}", name, solution.name,

@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// What is wrong with a level, a line each; empty if it is sound: it loads; with an empty toolbox it is not
+/// What is wrong with a level, a line each; empty if it is valid: it loads; with an empty toolbox it is not
 /// solved within 60 s (a demonstration: it is); each recorded solution fits and ends as recorded; and every
 /// run, repeated on another number of threads, ends in the same state. `detail` overrules the detail levels
 /// that the level asks for. Takes seconds.

@@ -126,16 +126,20 @@ void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, dou
     int period = status.period;
     ImGui::SetNextItemWidth(-1);
     ImGui::PushID(name.c_str());
-    if (ImGui::DragInt("##period", &period, 0.1F, 1, 600, "%d", ImGuiSliderFlags_AlwaysClamp) &&
+    bool const mayChange = status.longestPeriod > 1;
+    ImGui::BeginDisabled(!mayChange);
+    if (ImGui::DragInt("##period", &period, 0.1F, 1, status.longestPeriod, "%d",
+                       ImGuiSliderFlags_AlwaysClamp) &&
         period != status.period) {
         attempt(toasts, [&] { session.setPeriod(name, period); });
     }
+    ImGui::EndDisabled();
     ImGui::PopID();
     if (ImGui::IsItemVisible()) { // not what has been scrolled out of sight
         layout.item("period of " + name);
     }
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", words::periodTip);
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        ImGui::SetTooltip("%s", mayChange ? words::periodTip : words::periodFixedTip);
     }
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();

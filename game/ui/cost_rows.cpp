@@ -214,8 +214,14 @@ void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode cons
             }
             layout.item("as needed");
             for (std::string const& level : effect->levels) {
+                auto const whyNot = session.whyNotDetail(cost.effect, level);
+                ImGui::BeginDisabled(whyNot.has_value());
                 if (ImGui::Selectable(level.c_str(), level == effect->chosen)) {
                     attempt(toasts, [&] { session.setDetail(cost.effect, level); });
+                }
+                ImGui::EndDisabled();
+                if (whyNot && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+                    ImGui::SetTooltip("%s", words::wrapped(*whyNot, 60).c_str());
                 }
                 layout.item("level " + level);
             }

@@ -15,16 +15,16 @@ Listener listenerOf(render::Camera const& camera) {
 
 } // namespace
 
-void Ears::enter(World& world) {
+void Ears::enter(World const& world) {
     if (loudspeaker_ != nullptr) {
         loudspeaker_->enter(world);
         clock_.reset();
     }
 }
 
-void Ears::leave(World& world) {
+void Ears::leave() {
     if (loudspeaker_ != nullptr) {
-        loudspeaker_->leave(world);
+        loudspeaker_->leave();
     }
 }
 

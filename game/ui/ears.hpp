@@ -18,9 +18,9 @@ public:
     explicit Ears(Loudspeaker* loudspeaker) : loudspeaker_(loudspeaker) {}
 
     /// A run begins.
-    void enter(World& world);
-    /// The run ends: silence, at once. `world` may be any that is there.
-    void leave(World& world);
+    void enter(World const& world);
+    /// The run ends: silence, at once.
+    void leave();
     /// After every step of the world that is to be heard. They hear from where the camera looks.
     void frame(World const& world, render::Camera const& camera);
     /// For a picture in which the world stands still: what rings dies away.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace trembler::ui {
 namespace {
@@ -174,10 +175,16 @@ InspectorSection situation(World const& world, ObjectId object) {
     if (auto const* graph = world.find<ElectricityGraph>(object);
         graph != nullptr && !graph->connections.empty()) {
         std::vector<ObjectId> others;
+        std::map<std::string, std::vector<ObjectId>> byWhom;
         for (auto const& connection : graph->connections) {
             others.push_back(connection.to);
+            byWhom[connection.counts.names()].push_back(connection.to);
         }
-        say(words::connectedTo, namesOf(store, others), words::connectedMeaning);
+        std::string reasons;
+        for (auto const& [callers, connected] : byWhom) {
+            reasons += (reasons.empty() ? "" : "; ") + words::connectedBy(callers, namesOf(store, connected));
+        }
+        say(words::connectedTo, namesOf(store, others), reasons);
     }
     if (auto const* contacts = world.find<Contacts>(); contacts != nullptr) {
         auto const others = touching(*contacts, object);

@@ -114,8 +114,11 @@ int playWithoutDisplay(Workshop const& workshop, PlayOptions const& options, std
         out << fmt::format("Not solved within {:.1f} s ({} frames), simulated in {:.2f} s.\n", simulated,
                            session.world().frame(), wall);
     }
-    fs::path const picture =
-        options.picture.empty() ? fs::path("trembler-" + file.stem().string() + ".png") : options.picture;
+    fs::path const picture = options.picture.empty()
+                                 ? options.pictures / ("trembler-" + file.stem().string() + ".png")
+                                 : options.picture;
+    std::error_code ignored; // writing says what is wrong with the folder
+    fs::create_directories(options.pictures, ignored);
     writePicture(workshop, session, picture, out);
     return solved ? 0 : 1;
 }

@@ -12,7 +12,7 @@ namespace trembler::ui {
 struct PlayOptions {
     std::filesystem::path level;          ///< empty: the title screen
     std::filesystem::path pictures = "."; ///< folder for films and pictures that the player takes
-    std::filesystem::path picture;        ///< what playWithoutDisplay writes; empty: trembler-NAME.png, here
+    std::filesystem::path picture; ///< what playWithoutDisplay writes; empty: trembler-NAME.png in `pictures`
     WorldOptions world{};
     bool fullscreen = false;
 };

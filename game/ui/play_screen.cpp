@@ -29,7 +29,7 @@ PlayScreen::PlayScreen(Desk& desk, std::filesystem::path file, WorldOptions cons
 }
 
 PlayScreen::~PlayScreen() {
-    ears_.leave(session_.world());
+    ears_.leave();
 }
 
 void PlayScreen::worldChanged() {
@@ -223,7 +223,7 @@ void PlayScreen::stepOnce() {
     }
     if (session_.world().frame() == 0) {
         // All along, not only while they are shown: the overlay is right at once, in a paused world too.
-        session_.world().want<ContactPatches>();
+        patches_ = session_.world().want<ContactPatches>();
     }
     hand_.beforeStep();
     replay_.beforeStep(session_);
@@ -252,7 +252,7 @@ void PlayScreen::noteSuccess() {
 }
 
 void PlayScreen::stop() {
-    ears_.leave(session_.world());
+    ears_.leave();
     session_.stop();
     hand_.reset();
     replay_.clear();
@@ -341,6 +341,10 @@ void PlayScreen::toggleRecording() {
 void PlayScreen::saveSolution() {
     if (building() || session_.world().frame() == 0) {
         desk_.toasts.add(words::runBeforeSaving, render::ToastKind::News, 5);
+        return;
+    }
+    if (auto const whyNot = session_.whyNotRecorded()) {
+        desk_.toasts.add(*whyNot, render::ToastKind::Trouble, 6);
         return;
     }
     try {

@@ -98,6 +98,7 @@ private:
     Desk& desk_;
     std::filesystem::path file_;
     Session session_;
+    Subscription patches_; // of the running world
     PlacingTool placing_;
     HandTool hand_;
     budget::BudgetMode budget_;

@@ -1,5 +1,7 @@
 #include "game/ui/profile.hpp"
 
+#include "runtime/file/output_file.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -92,15 +94,10 @@ void Profile::write() const {
                    {"hrtf", settings_.hrtf},
                    {"solved", solved_}};
     // Whole or not at all: a crash while writing must not cost the player's progress.
-    fs::path const fresh = file_.string() + ".new";
-    {
-        std::ofstream out(fresh);
-        out << all.dump(2) << '\n';
-        if (!out) {
-            return;
-        }
+    try {
+        writeFile(file_, all.dump(2) + "\n");
+    } catch (OutputError const&) { // what was kept before is kept
     }
-    fs::rename(fresh, file_, ignored);
 }
 
 } // namespace trembler::ui

@@ -2,12 +2,12 @@
 
 #include "game/ui/words.hpp"
 #include "render/gl/error.hpp"
+#include "runtime/file/output_file.hpp"
+#include "runtime/file/visible_text.hpp"
 #include "runtime/level/write_level.hpp"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
 #include <system_error>
 
 namespace trembler::ui {
@@ -61,10 +61,10 @@ fs::path Recorder::solution(Solution const& solution, std::string const& level) 
     std::error_code ignored;
     fs::create_directories(folder_, ignored);
     fs::path path = fresh(folder_, level + "-solution", ".json");
-    std::ofstream file(path);
-    file << writeSolution(solution).dump(2) << '\n' << std::flush;
-    if (!file) {
-        throw render::RenderError(words::cannotWrite(path.string(), std::generic_category().message(errno)));
+    try {
+        writeFile(path, escapedJson(writeSolution(solution).dump(2)) + "\n");
+    } catch (OutputError const& error) {
+        throw render::RenderError(error.what());
     }
     return path;
 }

@@ -9,6 +9,8 @@
 #include "render/panels/gui.hpp"
 #include "runtime/level/read_level.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace trembler::ui {
@@ -36,7 +38,11 @@ Image pictureOf(Window& window, Workshop const&, Session const& session, Picture
     PlayState state;
     state.still = true;
     // ImGui knows the size of a card only after it has laid it out once.
-    for (int pass = 0; pass < 3; ++pass) {
+    constexpr int passes = 3;
+    for (int pass = 1; pass <= passes; ++pass) {
+        if (options.step) {
+            options.step(fmt::format("drawing, {} of {}", pass, passes));
+        }
         gui.beginFrame(input, 1.0 / 60);
         layout.beginFrame();
         if (goals) {
@@ -60,7 +66,7 @@ Image pictureOf(Window& window, Workshop const&, Session const& session, Picture
     return image;
 }
 
-void screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
+Image screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
     Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, options.level),
                     options.world);
     if (!options.solution.empty()) {
@@ -75,7 +81,7 @@ void screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
         }
     }
     Window window({.size = options.size, .mode = WindowMode::Offscreen});
-    writePng(pictureOf(window, workshop, session, options.picture), options.file);
+    return pictureOf(window, workshop, session, options.picture);
 }
 
 } // namespace trembler::ui

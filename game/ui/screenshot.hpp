@@ -18,6 +18,8 @@ struct PictureOptions {
     bool names = false;
     bool card = true; ///< title and goals
     bool shadows = true;
+    /// Called before each step that may take long, with words for it; may be empty.
+    std::function<void(std::string const&)> step{};
 };
 
 /// Draws the session's world as it is now, and everything of it, into the window and reads it back. Throws
@@ -27,7 +29,6 @@ struct PictureOptions {
 
 struct ScreenshotOptions {
     std::filesystem::path level;
-    std::filesystem::path file;   ///< PNG; replaced if it is there
     std::uint64_t frame = 0;      ///< frames done; 0: as the level begins
     render::Size size{1280, 720}; ///< pixels
     std::string solution;         ///< by name or from a file; empty: none is placed
@@ -40,6 +41,6 @@ struct ScreenshotOptions {
 
 /// Throws InputError or std::invalid_argument for bad input, render::RenderError (WindowError among them) if
 /// there is no picture.
-void screenshot(Workshop const& workshop, ScreenshotOptions const& options);
+[[nodiscard]] render::Image screenshot(Workshop const& workshop, ScreenshotOptions const& options);
 
 } // namespace trembler::ui

@@ -103,7 +103,9 @@ inline constexpr char const* electricityOn = "on";
 inline constexpr char const* electricityOff = "off";
 inline constexpr char const* electricityMeaning = "whether it is part of a working circuit";
 inline constexpr char const* connectedTo = "connected to";
-inline constexpr char const* connectedMeaning = "by wires and contacts that conduct";
+[[nodiscard]] inline std::string connectedBy(std::string const& callers, std::string const& objects) {
+    return "by " + callers + ": " + objects;
+}
 inline constexpr char const* touches = "touches";
 inline constexpr char const* touchesMeaning = "whom it touches at this moment";
 inline constexpr char const* weight = "weight";
@@ -131,6 +133,7 @@ inline constexpr char const* component = "component";
 inline constexpr char const* state = "state";
 inline constexpr char const* period = "every";
 inline constexpr char const* periodTip = "Runs in every nth frame. Drag to change, double-click to type.";
+inline constexpr char const* periodFixedTip = "It must not miss a frame: that would be other physics.";
 inline constexpr char const* timePerFrame = "time, µs";
 inline constexpr char const* active = "active";
 inline constexpr char const* asleep = "asleep";

@@ -1,5 +1,7 @@
 #include "render/gl/image.hpp"
 
+#include "render/gl/png.hpp"
+
 #include <stb_image.h>
 #include <stb_image_write.h>
 
@@ -26,14 +28,27 @@ Pixel Image::at(int x, int y) const {
     return {bytes_[first], bytes_[first + 1], bytes_[first + 2], bytes_[first + 3]};
 }
 
-void writePng(Image const& image, std::filesystem::path const& file) {
+void writePng(Image const& image, OutputFile& file) {
     auto const [width, height] = image.size();
     if (width == 0 || height == 0) {
-        throw RenderError("An empty picture cannot be written to " + file.string() + ".");
+        throw RenderError("An empty picture cannot be written to " + file.target().string() + ".");
     }
-    if (stbi_write_png(file.c_str(), width, height, 4, image.bytes().data(), width * 4) == 0) {
-        throw RenderError("The picture could not be written to " + file.string() +
-                          ": is the folder there and may it be written to?");
+    auto const put = [](void* out, void* bytes, int count) {
+        static_cast<std::ostream*>(out)->write(static_cast<char const*>(bytes), count);
+    };
+    if (stbi_write_png_to_func(put, &file.stream(), width, height, 4, image.bytes().data(), width * 4) == 0) {
+        throw RenderError("The picture for " + file.target().string() +
+                          " could not be made: there is not enough memory.");
+    }
+}
+
+void writePng(Image const& image, std::filesystem::path const& file) {
+    try {
+        OutputFile out(file, OutputFile::Content::binary);
+        writePng(image, out);
+        out.commit();
+    } catch (OutputError const& error) {
+        throw RenderError(std::string("The picture ") + error.what() + ".");
     }
 }
 

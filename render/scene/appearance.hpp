@@ -16,7 +16,7 @@ using Substance = trembler::Material;
 [[nodiscard]] bool isMetal(Substance substance);
 /// Pattern and colour.
 [[nodiscard]] Style styleOf(Substance substance);
-/// The guess for an object that does not state its look; `attracted` by magnets.
+/// The guess for an object that states neither a material nor a pattern; `attracted` by magnets.
 [[nodiscard]] Substance substanceWithoutLook(bool fixed, bool conductor, bool attracted);
 /// "#rrggbb"; nothing for anything else.
 [[nodiscard]] std::optional<Colour> colourFrom(std::string_view text);

@@ -27,8 +27,10 @@ bool has(ColumnBase const* column, ObjectId id) {
 void guessSubstance(Facts& facts) {
     bool const attracted = facts.strength != nullptr && facts.strength->susceptibility > 0;
     facts.fixed = facts.fixed || facts.liquid; // it stays where it is
-    if (facts.look != nullptr) {
-        facts.substance = facts.look->material;
+    if (facts.look != nullptr && facts.look->pattern != Pattern::own) {
+        facts.substance = materialOf(facts.look->pattern);
+    } else if (facts.madeOf != nullptr) {
+        facts.substance = facts.madeOf->material;
     } else {
         facts.substance =
             facts.liquid ? Substance::water : substanceWithoutLook(facts.fixed, facts.conductor, attracted);
@@ -54,7 +56,7 @@ FactsReader::FactsReader(World const& world)
       poles_(world.store().findColumn<MagneticPoles>()), magnets_(world.store().findColumn<Magnet>()),
       strengths_(world.store().findColumn<MagneticStrength>()),
       coils_(world.store().findColumn<Electromagnet>()), state_(world.find<ElectricalState>()),
-      looks_(world.store().findColumn<Look>()) {}
+      madeOf_(world.store().findColumn<MadeOf>()), looks_(world.store().findColumn<Look>()) {}
 
 Facts FactsReader::of(ObjectId id) const {
     Facts facts;
@@ -73,6 +75,7 @@ Facts FactsReader::of(ObjectId id) const {
     facts.magnet = in(magnets_, id);
     facts.strength = in(strengths_, id);
     facts.coil = in(coils_, id);
+    facts.madeOf = in(madeOf_, id);
     facts.look = in(looks_, id);
     guessSubstance(facts);
     return facts;
@@ -109,6 +112,7 @@ Facts factsOf(Prototype const& prototype) {
     facts.magnet = valueIn<Magnet>(prototype);
     facts.strength = valueIn<MagneticStrength>(prototype);
     facts.coil = valueIn<Electromagnet>(prototype);
+    facts.madeOf = valueIn<MadeOf>(prototype);
     facts.look = valueIn<Look>(prototype);
     guessSubstance(facts);
     return facts;

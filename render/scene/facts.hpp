@@ -31,6 +31,7 @@ struct Facts {
     Magnet const* magnet = nullptr;
     MagneticStrength const* strength = nullptr;
     Electromagnet const* coil = nullptr;
+    MadeOf const* madeOf = nullptr;
     Look const* look = nullptr;
     Substance substance = Substance::plastic; ///< as stated, else guessed
 
@@ -71,6 +72,7 @@ private:
     Column<MagneticStrength> const* strengths_;
     Column<Electromagnet> const* coils_;
     ElectricalState const* state_;
+    Column<MadeOf> const* madeOf_;
     Column<Look> const* looks_;
 };
 

@@ -15,7 +15,7 @@ Point vertexOf(Facts const& facts, Pose const& pose) {
 }
 
 void drawEdge(Canvas& canvas, Link const& link, Point a, Point b) {
-    bool const wire = link.counts.of(ConnectionCause::wire) > 0;
+    bool const wire = link.counts.of(CallerId::level()) > 0;
     Stroke stroke{.colour = link.live ? palette::live : palette::inkSoft,
                   .pixels = link.live ? 6.F : 3.F,
                   .outline = link.live ? 1.4F : 0.F,

@@ -129,7 +129,7 @@ void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> cons
     for (Link const& link : links) {
         Facts const a = reader.of(link.a);
         Facts const b = reader.of(link.b);
-        if (link.counts.of(ConnectionCause::wire) <= 0 || !a.visible() || !b.visible()) {
+        if (link.counts.of(CallerId::level()) <= 0 || !a.visible() || !b.visible()) {
             continue;
         }
         Pose const poseA = poseOf(a);
@@ -174,7 +174,7 @@ Link pickWire(World const& world, Point at, double tolerance) {
     for (Link const& link : linksOf(world)) {
         Facts const a = reader.of(link.a);
         Facts const b = reader.of(link.b);
-        if (link.counts.of(ConnectionCause::wire) <= 0 || !a.visible() || !b.visible()) {
+        if (link.counts.of(CallerId::level()) <= 0 || !a.visible() || !b.visible()) {
             continue;
         }
         Pose const poseA = poseOf(a);

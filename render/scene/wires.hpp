@@ -15,7 +15,7 @@ namespace trembler::render {
 struct Link {
     ObjectId a; ///< a < b
     ObjectId b;
-    ConnectionCounts counts;
+    CallerCounts counts; ///< by whom they are connected
     bool live = false;   ///< current flows through it
     bool forward = true; ///< the way it flows: from a to b
 };
@@ -30,11 +30,13 @@ using PoseOf = std::function<Pose(Facts const&)>;
 [[nodiscard]] std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b,
                                            Pose const& poseB);
 
-/// Draws every wire among the links; contacts are not drawn. `time` in s moves the beads of current.
+/// Draws every wire that the level has laid; what interactions connect is not drawn. `time` in s moves the
+/// beads of current.
 void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                PoseOf const& poseOf, double time);
 
-/// The wire whose cable runs within `tolerance` metres of a point; both ids are invalid if there is none.
+/// The wire, laid by the level, whose cable runs within `tolerance` metres of a point; both ids are invalid
+/// if there is none.
 [[nodiscard]] Link pickWire(World const& world, Point at, double tolerance);
 
 } // namespace trembler::render

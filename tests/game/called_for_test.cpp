@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -26,7 +27,7 @@ constexpr int seconds = 20;
 
 // Instance counters: every component of a registry is made through one of these, which counts and passes on.
 constexpr std::size_t mostComponents = 128;
-std::array<std::unique_ptr<Component> (*)(), mostComponents> realMakers{};
+std::array<std::function<std::unique_ptr<Component>()>, mostComponents> realMakers{};
 std::array<int, mostComponents> made{};
 
 template <std::size_t n>

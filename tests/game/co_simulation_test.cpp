@@ -71,6 +71,34 @@ TEST(CoSimulation, AMagnetOnASpringGainsWhatTheLagPutsIn) {
     EXPECT_GT(before, 0.08);
 }
 
+// In n parts the map of a part stands for that of a frame: the force is late by a part, and the growth falls
+// with it.
+double growthInParts(double late, double own, int substeps, int parts) {
+    double const share = static_cast<double>(parts);
+    // The same oscillator with time counted in parts: frequencies are n times lower in a frame that is n
+    // times shorter.
+    return growthOfTheMap(late / (share * share), own / (share * share), substeps / parts);
+}
+
+TEST(CoSimulation, PartsOfAFrameTakeTheLagAway) {
+    if (gameEffectsLeftOut().contains("magnetism")) {
+        GTEST_SKIP() << "this program was built without magnetism";
+    }
+    double const softened = 1 + 0.05 * 0.05;
+    double const late = 3.025 * (3 / softened - 1) / std::pow(softened, 1.5);
+    double before = 0;
+    for (int const parts : {1, 2, 4, 8}) {
+        Swing const found = magnetOnSpring(workshop(), 16, false, parts);
+        double const expected = growthInParts(late, 1, 16, parts);
+        EXPECT_NEAR(found.growth, expected, 0.03 * std::abs(expected) + 5e-4) << parts;
+        EXPECT_NEAR(found.predicted, expected, 0.03 * std::abs(expected) + 5e-4) << parts;
+        if (parts > 1) {
+            EXPECT_LT(found.growth, 0.55 * before) << "half of the lag, and the spring's own loss";
+        }
+        before = found.growth;
+    }
+}
+
 TEST(CoSimulation, AFloatOnASpringGainsItTooUnlessItLooksAhead) {
     if (gameEffectsLeftOut().contains("buoyancy") || gameEffectsLeftOut().contains("gravity")) {
         GTEST_SKIP() << "this program was built without buoyancy or gravity";

@@ -65,7 +65,7 @@ TEST(SceneGallery, everyJoint) {
     auto const plain = [](Joint&) {};
     auto const moving = [&](std::vector<ShapePiece> pieces, Vec2 at, trembler::Material material) {
         ObjectId const id = body(world, named("body "), std::move(pieces), at);
-        store.column<Look>().set(id, {material, "", ""});
+        store.column<MadeOf>().set(id, {material});
         return id;
     };
     using M = trembler::Material;
@@ -73,8 +73,8 @@ TEST(SceneGallery, everyJoint) {
     ObjectId const ceiling = body(world, "ceiling", {boxPiece(12, 0.3)}, {0, 2.9});
     store.column<Fixed>().set(floor, {});
     store.column<Fixed>().set(ceiling, {});
-    store.column<Look>().set(floor, {M::stone, "", ""});
-    store.column<Look>().set(ceiling, {M::wood, "", ""});
+    store.column<MadeOf>().set(floor, {M::stone});
+    store.column<MadeOf>().set(ceiling, {M::wood});
     ObjectId const pendulum = moving({boxPiece(1.2, 0.14)}, {-4.6, 1.6}, M::wood);
     joint(JointForm::hinge, pendulum, {-5.1, 1.6}, plain);
     ObjectId const hung = moving({circlePiece(0.22)}, {-3.3, 0.6}, M::iron);

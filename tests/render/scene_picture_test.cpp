@@ -267,9 +267,9 @@ TEST(SceneView, neverDrawsTheWayOfWhatWasPutElsewhere) {
 TEST(SceneView, givesTheWordsOnObjects) {
     World world(everything());
     ObjectId const crate = body(world, "crate", {boxPiece(1, 0.5)}, {3, 1});
-    world.store().column<Look>().set(crate, {trembler::Material::wood, "", "XII"});
+    world.store().column<Look>().set(crate, {trembler::Pattern::wood, "", "XII"});
     ObjectId const battery = body(world, "battery", {boxPiece(0.4, 0.4)}, {0, 0});
-    world.store().column<Look>().set(battery, {trembler::Material::gold, "", "+"});
+    world.store().column<Look>().set(battery, {trembler::Pattern::gold, "", "+"});
     world.store().column<ElectricalSource>().set(battery, {}); // carries the sign already
     body(world, "ball", {circlePiece(0.3)}, {0, 3});
     auto const labels = SceneView().labels(world);

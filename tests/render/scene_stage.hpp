@@ -41,6 +41,8 @@ inline ObjectId body(World& world, std::string const& name, std::vector<ShapePie
 /// Floor, ceiling, two contacts, a falling bar above them, an electromagnet under the ceiling and an iron
 /// ball.
 struct ExperimentStage {
+    Callers callers;
+    CallerId touch = callers.add("Electricity <- Dynamics");
     World world{everything()};
     std::map<std::string, ObjectId> id;
 
@@ -94,10 +96,10 @@ struct ExperimentStage {
         }
     }
 
-    void wire(std::string const& a, std::string const& b, ConnectionCause cause = ConnectionCause::wire) {
+    void wire(std::string const& a, std::string const& b, CallerId by = CallerId::level()) {
         auto& graph = world.store().column<ElectricityGraph>();
-        ConnectionCounts counts = connectionBetween(graph, id[a], id[b]);
-        ++counts.of(cause);
+        CallerCounts counts = connectionBetween(graph, id[a], id[b]);
+        counts.add(by, 1);
         setConnection(graph, id[a], id[b], counts);
     }
 
@@ -106,8 +108,8 @@ struct ExperimentStage {
         Store& store = world.store();
         store.column<Position>().set(id["switch"], {{-2.7, -0.58}});
         store.column<Rotation>().set(id["switch"], {0});
-        wire("object 1", "switch", ConnectionCause::contact);
-        wire("object 2", "switch", ConnectionCause::contact);
+        wire("object 1", "switch", touch);
+        wire("object 2", "switch", touch);
         auto& state = store.slot<ElectricalState>().value();
         for (auto const& name :
              {"source", "object 1", "switch", "object 2", "object 3", "electromagnet", "object 4", "earth"}) {

@@ -169,7 +169,7 @@ TEST(SceneContacts, patchesAreShownOnlyWhileTheyAreKeptUp) {
     Image const empty = draw(false);
     Image const marks = draw(true);
     EXPECT_NE(marks, empty);
-    world.want<ContactPatches>();
+    Subscription wantedContactPatches = world.want<ContactPatches>();
     store.column<Velocity>().set(box, {{2, 0}});
     for (int i = 0; i < 5; ++i) {
         world.step();
@@ -177,7 +177,7 @@ TEST(SceneContacts, patchesAreShownOnlyWhileTheyAreKeptUp) {
     Image const patches = draw(true);
     EXPECT_NE(patches, marks);
     EXPECT_NE(patches, empty);
-    world.release<ContactPatches>();
+    wantedContactPatches.end();
     for (int i = 0; i < 60; ++i) { // it slides on while nobody reads
         store.column<Velocity>().set(box, {{2, 0}});
         world.step();

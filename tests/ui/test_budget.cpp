@@ -19,7 +19,7 @@ std::filesystem::path starsLevel() {
     auto const path = pictureFolder() / "stars.json";
     std::ofstream file(path);
     file
-        << R"({"version": 1, "title": "Stars", "text": "They attract each other.", "world": {"gravity_law": )"
+        << R"({"version": 2, "title": "Stars", "text": "They attract each other.", "world": {"gravity_law": )"
         << R"({"constant": 0.02, "softening": 0.3}, "bounds": [-12, -8, 24, 16]}, "objects": [)";
     for (int i = 0; i < 150; ++i) {
         double const radius = 6 * std::pow((i + 0.5) / 150, 0.7);
@@ -27,7 +27,7 @@ std::filesystem::path starsLevel() {
         double const speed = 1.2 / std::sqrt(radius + 1);
         file << fmt::format(
             R"({}{{"name": "star {:03}", "at": [{}, {}], "properties": {{"shape": [{{"form": )"
-            R"("circle", "radius": 0.06}}], "look": {{"material": "glass"}}, "mass": {}, )"
+            R"("circle", "radius": 0.06}}], "material": "glass", "mass": {}, )"
             R"("velocity": [{}, {}]}}}})",
             i == 0 ? "" : ", ", i, radius * std::cos(angle), radius * std::sin(angle), 1 + i % 5,
             -speed * std::sin(angle), speed * std::cos(angle));

@@ -98,21 +98,33 @@ TEST(Keeping, detailAndPeriodAreChangedWhileItRuns) {
     player.clickItem("detail of electricity");
     player.frames(3);
     player.look("detail-720");
-    player.clickItem("level single-cable");
+    player.clickItem("level single-cable"); // other physics: the switch would need no way back
     player.frames(3);
-    EXPECT_EQ(player.session().world().options().detail.at("electricity"), "single-cable");
+    EXPECT_FALSE(player.session().world().options().detail.contains("electricity"));
+    player.clickItem("level nodal");
+    player.frames(3);
+    EXPECT_EQ(player.session().world().options().detail.at("electricity"), "nodal");
     EXPECT_EQ(statusOf(player.session().world(), "Two-wire Electricity DPS").activity, Activity::absent);
-    Point const field = player.item("period of Electricity Resolver");
+    Point const fixed = player.item("period of Electricity Resolver"); // it must not miss a frame
+    player.drag(fixed, fixed + Point{60, 0});
+    player.frames(2);
+    EXPECT_EQ(statusOf(player.session().world(), "Electricity Resolver").period, 1);
+    for (int notch = 0; notch < 30 && !player.shows("period of Magnetic Forces DPS"); ++notch) {
+        player.wheel(-1); // farther down in the list
+        player.frames(2);
+    }
+    Point const field = player.item("period of Magnetic Forces DPS");
     player.drag(field, field + Point{60, 0});
     player.frames(2);
-    int const period = statusOf(player.session().world(), "Electricity Resolver").period;
+    int const period = statusOf(player.session().world(), "Magnetic Forces DPS").period;
     EXPECT_GT(period, 1);
+    EXPECT_LE(period, 4);
     EXPECT_EQ(player.session().mode(), SessionMode::running);
     // It holds for later runs as well.
     player.clickItem("stop");
     player.key(SDLK_SPACE);
     player.frames(3);
-    EXPECT_EQ(statusOf(player.session().world(), "Electricity Resolver").period, period);
+    EXPECT_EQ(statusOf(player.session().world(), "Magnetic Forces DPS").period, period);
 }
 
 TEST(Keeping, aWindowThatLosesTheFocusLetsGo) {

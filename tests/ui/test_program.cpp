@@ -175,23 +175,22 @@ TEST(Program, aScreenshotIsWrittenAndNotBlank) {
     auto const folder = freshFolder("screenshots");
     ScreenshotOptions options;
     options.level = levelsFolder() / "experiments/1-switched-electromagnet.json";
-    options.file = folder / "experiment.png";
     options.frame = 90;
     options.size = {960, 540};
     options.picture.overlays.electricity = true;
     std::uint64_t told = 0;
     options.progress = [&](std::uint64_t frame) { told = frame; };
-    screenshot(workshop(), options);
+    auto const drawn = screenshot(workshop(), options);
     EXPECT_EQ(told, 90U);
-    auto const image = render::readPng(options.file);
+    render::writePng(drawn, folder / "experiment.png");
+    auto const image = render::readPng(folder / "experiment.png");
+    EXPECT_EQ(image, drawn);
     EXPECT_EQ(image.size(), (render::Size{960, 540}));
     EXPECT_GT(colours(image), 500U);
     options.frame = 0;
-    options.file = folder / "start.png";
-    screenshot(workshop(), options);
-    EXPECT_NE(render::readPng(options.file), image);
+    EXPECT_NE(screenshot(workshop(), options), image);
     options.level = folder / "none.json";
-    EXPECT_THROW(screenshot(workshop(), options), InputError);
+    EXPECT_THROW(static_cast<void>(screenshot(workshop(), options)), InputError);
 }
 
 TEST(Program, withoutADisplayTheRecordedSolutionIsPlayed) {
@@ -211,6 +210,13 @@ TEST(Program, withoutADisplayTheRecordedSolutionIsPlayed) {
     } else {
         EXPECT_EQ(status, level.solutions.front().solves ? 0 : 1) << out.str();
     }
+    // In the folder that the player named.
+    PlayOptions elsewhere;
+    elsewhere.level = firstContact;
+    elsewhere.pictures = folder / "new" / "pictures";
+    std::ostringstream third;
+    EXPECT_EQ(playWithoutDisplay(workshop(), elsewhere, third), status);
+    EXPECT_GT(colours(render::readPng(elsewhere.pictures / "trembler-1-first-contact.png")), 500U);
     // Where the picture cannot be written it says so and still plays.
     options.picture = folder / "not" / "there.png";
     std::ostringstream second;

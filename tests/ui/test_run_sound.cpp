@@ -114,7 +114,7 @@ TEST_F(RunSoundTest, aBellStruckHarderIsLouderAndBrighter) {
     double brightness = 0;
     for (double const speed : {0.5, 2.0, 8.0}) {
         std::string const text = fmt::format(R"({{
-            "version": 1, "title": "A bell", "text": "It is struck.",
+            "version": 2, "title": "A bell", "text": "It is struck.",
             "world": {{"gravity": [0, 0], "bounds": [-2, -1, 4, 2]}},
             "objects": [
                 {{"name": "bell", "part": "bell", "at": [0, 0]}},
@@ -153,10 +153,10 @@ TEST_F(RunSoundTest, aLevelsOwnRecordingIsHeard) {
     }
     wav.close();
     std::string const text = R"({
-        "version": 1, "title": "A recording", "text": "It is played where the ball lands.",
+        "version": 2, "title": "A recording", "text": "It is played where the ball lands.",
         "world": {"gravity": [0, -9.81], "bounds": [-2, -1, 4, 2]},
         "objects": [
-            {"name": "floor", "at": [0, -0.5], "properties": {"fixed": true, "look": {"material": "stone"},
+            {"name": "floor", "at": [0, -0.5], "properties": {"fixed": true, "material": "stone",
                 "shape": [{"form": "box", "width": 4, "height": 0.2}]}},
             {"name": "ball", "part": "rubber ball", "at": [0, 0.2],
              "properties": {"sample": {"file": "tone.wav", "cue": "struck", "full_impulse": 0.001,
@@ -190,7 +190,7 @@ TEST_F(RunSoundTest, listeningIsTheSameEveryTimeAndChangesNothing) {
 
 TEST_F(RunSoundTest, aLevelInWhichNothingMovesIsSilent) {
     LevelFile const level = readLevel(workshop().registry, JsonDocument::parse(R"({
-        "version": 1, "title": "Still", "text": "Nothing happens.",
+        "version": 2, "title": "Still", "text": "Nothing happens.",
         "world": {"gravity": [0, -9.81]},
         "objects": [{"name": "bell", "part": "bell", "at": [0, 1]}]
     })",

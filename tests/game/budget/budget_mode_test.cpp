@@ -19,7 +19,7 @@ namespace {
 /// A disc of stars that turns, small enough for a test.
 LevelFile stars(Workshop const& workshop, int count, std::string const& more = {}) {
     std::string text =
-        R"({"version": 1, "title": "stars", "world": {"gravity_law": {"constant": 1, "softening": 0.5}},
+        R"({"version": 2, "title": "stars", "world": {"gravity_law": {"constant": 1, "softening": 0.5}},
         "objects": [)";
     for (int i = 0; i < count; ++i) {
         double const radius = 30 * std::pow((i + 0.5) / count, 0.8);
@@ -174,7 +174,7 @@ TEST_F(Budget, TheErrorIsWhatBodiesAreOffByAfterASecond) {
 }
 
 TEST_F(Budget, MagnetismKnowsItsLadderInASceneOfItsOwn) {
-    std::string text = R"({"version": 1, "title": "magnets", "world": {}, "objects": [)";
+    std::string text = R"({"version": 2, "title": "magnets", "world": {}, "objects": [)";
     for (int i = 0; i < 60; ++i) {
         double const radius = 0.5 * std::sqrt(static_cast<double>(i));
         double const angle = i * pi * (3 - std::sqrt(5.0));
@@ -204,7 +204,7 @@ TEST_F(Budget, DynamicsErrsAsAFallingBodyDoes) {
     LevelFile const level = readLevel(
         workshop().registry,
         JsonDocument::parse(
-            R"({"version": 1, "title": "fall", "world": {"gravity": [0, -9.81], "solver": {"substeps": 4}}, "objects": [
+            R"({"version": 2, "title": "fall", "world": {"gravity": [0, -9.81], "solver": {"substeps": 4}}, "objects": [
         {"name": "ball", "at": [0, 0], "properties": {"shape": [{"form": "circle", "radius": 0.1}]}}]})",
             "fall.json"));
     open(level);

@@ -6,6 +6,8 @@
 namespace trembler {
 namespace {
 
+using Json = nlohmann::json;
+
 #define EXPECT_SAYS(text, part) EXPECT_PRED_FORMAT2(testing::IsSubstring, part, text)
 
 TEST(GoalJudge, SeesPlacesContactsAndCurrents) {
@@ -143,6 +145,44 @@ TEST(GoalJudge, NamesTheEventsThatMadeAGoalTrue) {
     EXPECT_EQ(stage.judge().causes(stage.world(), 2), (std::vector<EventId>{{15}}));
     EXPECT_EQ(stage.judge().causes(stage.world(), 3), (std::vector<EventId>{{14}, {16}}));
     EXPECT_EQ(stage.judge().causes(stage.world()), (std::vector<EventId>{{11}, {13}, {14}, {15}, {16}}));
+}
+
+TEST(GoalJudge, SeesWhatLastsForAPartOfAFrameOnly) {
+    GoalStage stage(R"({"all": [{"sequence": [{"on": "lamp"}, {"touching": ["crate", "floor"]}]},
+        {"touching": ["metal object", "floor"]}]})");
+    stage.stepInParts([&](std::uint32_t part) { stage.turn("lamp", part == 1); });
+    EXPECT_FALSE(stage.judge().solved());
+    stage.stepInParts([&](std::uint32_t part) {
+        if (part == 1) {
+            stage.touch("crate", "floor");
+        } else {
+            stage.part("crate", "floor");
+        }
+    });
+    EXPECT_TRUE(stage.judge().status()[0].met) << "the lamp was on, then the crate touched the floor";
+    stage.stepInParts([&](std::uint32_t part) {
+        if (part == 1) {
+            stage.hit("metal object", "floor");
+        }
+    });
+    EXPECT_EQ(stage.judge().status()[1].frame, 3U);
+    EXPECT_EQ(stage.judge().solvedFrame(), 3U);
+    EXPECT_TRUE(stage.judge().newlyMet().empty()) << "the last part brought nothing new";
+}
+
+TEST(GoalJudge, HoldsForTheStatedTimeInPartsToo) {
+    GoalStage stage(R"({"on": "lamp", "for": 0.05})"); // three frames
+    int frames = 0;
+    stage.stepInParts([&](std::uint32_t part) { stage.turn("lamp", part == 4); });
+    for (; frames < 10 && !stage.judge().solved(); ++frames) {
+        stage.stepInParts([](std::uint32_t) {});
+    }
+    EXPECT_EQ(frames, 3) << "what it was on for before they began does not make a frame";
+    GoalStage flickering(R"({"on": "lamp", "for": 0.05})");
+    for (int i = 0; i < 10; ++i) {
+        flickering.stepInParts([&](std::uint32_t part) { flickering.turn("lamp", part == 4); });
+    }
+    EXPECT_FALSE(flickering.judge().solved()) << "it was off in every frame";
 }
 
 TEST(GoalJudge, HasNothingToSayWithoutGoals) {
@@ -300,6 +340,64 @@ TEST(GoalJudge, AgreesWithTheDefinitionOnWholeHistories) {
         }
         RC_ASSERT(stage.judge().solvedFrame() == first);
     }));
+}
+
+// Whether it looks up pairs of names or goes through the contacts, it finds the same.
+TEST(GoalJudge, FindsATouchOfManyNamesAsItDoesPairByPair) {
+    std::vector<std::string> const all{"floor", "metal object", "crate", "object 1", "ball a", "ball b"};
+    EXPECT_TRUE(rc::check("many names are any two of them", [&] {
+        auto const some = [&] {
+            std::vector<std::string> names;
+            for (std::string const& name : all) {
+                if (*rc::gen::inRange(0, 2) == 0) {
+                    names.push_back(name);
+                }
+            }
+            return names.empty() ? all : names;
+        };
+        std::vector<std::string> const as = some();
+        std::vector<std::string> const bs = some();
+        Json pairs = Json::array();
+        for (std::string const& a : as) {
+            for (std::string const& b : bs) {
+                if (a != b) {
+                    pairs.push_back({{"touching", {a, b}}});
+                }
+            }
+        }
+        RC_PRE(!pairs.empty());
+        GoalStage many(Json{{"touching", Json::array({Json(as), Json(bs)})}}.dump());
+        GoalStage each(Json{{"any", pairs}}.dump());
+        for (int frame = 0; frame < 3; ++frame) {
+            for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+                std::string const a = *rc::gen::elementOf(all);
+                std::string const b = *rc::gen::elementOf(all);
+                int const how = *rc::gen::inRange(0, 3);
+                for (GoalStage* const stage : {&many, &each}) {
+                    if (a != b && how < 2) {
+                        (how == 0 ? stage->touch(a, b) : stage->hit(a, b));
+                    }
+                }
+            }
+            many.step();
+            each.step();
+            RC_ASSERT(many.judge().solvedFrame() == each.judge().solvedFrame());
+        }
+    }));
+}
+
+TEST(GoalJudge, RefusesGoalsThatASmallFileMakesTooLarge) {
+    constexpr int crowd = 40;
+    Json names = Json::array();
+    for (int i = 1; i <= crowd; ++i) {
+        names.push_back("one of many " + std::to_string(i));
+    }
+    Json many = Json::array();
+    for (int i = 0; i < 3000; ++i) {
+        many.push_back({{"touching", Json::array({"it", names})}});
+    }
+    Json const goals{{"count", {{"of", names}, {"at_least", 1}, {"that", {{"any", many}}}}}};
+    EXPECT_SAYS(refusalOf(goals.dump(), crowd), "the goals speak of too many objects");
 }
 
 } // namespace

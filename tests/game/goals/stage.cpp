@@ -2,6 +2,7 @@
 
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/shape.hpp"
+#include "runtime/frame/settings.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/population/population_resolver.hpp"
 
@@ -9,7 +10,7 @@
 
 namespace trembler {
 
-GoalStage::GoalStage(std::string const& goals) {
+GoalStage::GoalStage(std::string const& goals, int crowd) {
     // No physics runs here: nothing but the test moves anything.
     registerRuntime(registry_);
     registry_.property<Shape>();
@@ -20,7 +21,12 @@ GoalStage::GoalStage(std::string const& goals) {
         "shape": [{"form": "circle"}]}})",
                                                         "part.json")));
     std::string const shape = R"("shape": [{"form": "box"}])";
-    std::string const text = R"({"version": 1, "title": "stage", "objects": [
+    std::string more;
+    for (int i = 1; i <= crowd; ++i) {
+        more += R"({"name": "one of many )" + std::to_string(i) + R"(", "at": [0, 9], "properties": {)" +
+                shape + "}},";
+    }
+    std::string const text = R"({"version": 2, "title": "stage", "objects": [)" + more + R"(
         {"name": "floor", "at": [0, -1], "properties": {"fixed": true, )" +
                              shape + R"(}},
         {"name": "electromagnet", "at": [0, 3], "properties": {"fixed": true, "conductor": true, )" +
@@ -59,16 +65,19 @@ void GoalStage::touch(std::string const& a, std::string const& b, std::uint64_t 
     contacts_.current.push_back(pair);
     contacts_.begun.push_back(pair);
     std::sort(contacts_.current.begin(), contacts_.current.end());
+    std::sort(contacts_.begun.begin(), contacts_.begun.end());
 }
 
 void GoalStage::part(std::string const& a, std::string const& b, std::uint64_t event) {
     TouchingPair const pair{std::min(id(a), id(b)), std::max(id(a), id(b)), EventId{event}};
     std::erase(contacts_.current, pair);
     contacts_.ended.push_back(pair);
+    std::sort(contacts_.ended.begin(), contacts_.ended.end());
 }
 
 void GoalStage::hit(std::string const& a, std::string const& b, std::uint64_t event) {
     contacts_.brief.push_back({std::min(id(a), id(b)), std::max(id(a), id(b)), EventId{event}});
+    std::sort(contacts_.brief.begin(), contacts_.brief.end());
 }
 
 void GoalStage::turn(std::string const& name, bool on, std::uint64_t event) {
@@ -82,18 +91,33 @@ void GoalStage::turn(std::string const& name, bool on, std::uint64_t event) {
 void GoalStage::step(int frames) {
     for (int i = 0; i < frames; ++i) {
         world_->step();
-        world_->store().slot<Contacts>().value() = contacts_;
-        world_->store().slot<ElectricalState>().value() = state_;
-        contacts_.begun.clear();
-        contacts_.ended.clear();
-        contacts_.brief.clear();
+        write();
         judge_->update(*world_);
     }
 }
 
-std::string refusalOf(std::string const& goals) {
+void GoalStage::write() {
+    world_->store().slot<Contacts>().value() = contacts_;
+    world_->store().slot<ElectricalState>().value() = state_;
+    contacts_.begun.clear();
+    contacts_.ended.clear();
+    contacts_.brief.clear();
+}
+
+void GoalStage::stepInParts(std::function<void(std::uint32_t part)> const& set) {
+    Store& store = world_->store();
+    ObjectId const known = store.find("world");
+    store.column<FrameSettings>().set(known.valid() ? known : store.create("world"), {4});
+    world_->step([&](World const& world) {
+        set(world.moment().part);
+        write();
+        judge_->update(world);
+    });
+}
+
+std::string refusalOf(std::string const& goals, int crowd) {
     try {
-        GoalStage const stage(goals);
+        GoalStage const stage(goals, crowd);
         return "";
     } catch (InputError const& error) {
         return error.what();

@@ -8,6 +8,7 @@
 #include "runtime/level/build_world.hpp"
 #include "runtime/level/read_level.hpp"
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,7 @@ class GoalStage {
 public:
     /// The objects: floor, electromagnet (fixed, above), metal object, crate, object 1, lamp, lamp 2, ball a,
     /// ball b (these two made from the part "iron ball"). Throws what the judge throws.
-    explicit GoalStage(std::string const& goals);
+    explicit GoalStage(std::string const& goals, int crowd = 0);
 
     [[nodiscard]] GoalJudge const& judge() const { return *judge_; }
     [[nodiscard]] World& world() { return *world_; }
@@ -33,8 +34,13 @@ public:
     void turn(std::string const& name, bool on, std::uint64_t event = 0);
     /// One frame of the world, what was set with it, and the judge's look at it.
     void step(int frames = 1);
+    /// One frame in four parts, of which the world runs the first and the last, as nothing happens in it:
+    /// `set` is called in each, and the judge looks.
+    void stepInParts(std::function<void(std::uint32_t part)> const& set);
 
 private:
+    void write();
+
     Registry registry_;
     std::unique_ptr<World> world_;
     std::unique_ptr<GoalJudge> judge_;
@@ -44,6 +50,6 @@ private:
 };
 
 /// What the judge says against the goals, or "" if nothing.
-[[nodiscard]] std::string refusalOf(std::string const& goals);
+[[nodiscard]] std::string refusalOf(std::string const& goals, int crowd = 0);
 
 } // namespace trembler

@@ -1,0 +1,13 @@
+// Pictures into files that the caller completes.
+#pragma once
+
+#include "render/gl/image.hpp"
+#include "runtime/file/output_file.hpp"
+
+namespace trembler::render {
+
+/// Writes the picture as a PNG. Throws RenderError if the picture is empty; whether all of it was written the
+/// file says when it is committed.
+void writePng(Image const& image, OutputFile& file);
+
+} // namespace trembler::render
