@@ -88,7 +88,7 @@ std::vector<double> secondsOf(Workshop const& workshop, LevelFile const& level, 
     }
     std::vector<double> times;
     for (int second = 0; second < seconds; ++second) {
-        World& world = session.world();
+        World const& world = session.world();
         double const before = bench::cpuSeconds();
         for (std::uint64_t frame = 0; frame < framesPerSecond; ++frame) {
             session.step();

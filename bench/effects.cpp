@@ -13,8 +13,8 @@
 #include "physics/electricity/initial_connections.hpp"
 #include "physics/electricity/nodal_properties.hpp"
 #include "physics/electricity/properties.hpp"
-#include "physics/look.hpp"
 #include "physics/magnetism/properties.hpp"
+#include "physics/material.hpp"
 #include "physics/motor/properties.hpp"
 #include "runtime/component/interaction.hpp"
 
@@ -54,9 +54,10 @@ public:
     void apply(Access& access) {
         for (CableChanges const& change : access.read<CableChanges>().values()) {
             if (change.cut) {
-                access.call(RemoveConnection{{change.a, change.b, ConnectionCause::wire}});
+                access.call(CutWire{change.a, change.b}); // the level's, or the one that mended it
+                access.call(RemoveConnection{{change.a, change.b}});
             } else {
-                access.call(AddConnection{{change.a, change.b, ConnectionCause::wire}});
+                access.call(AddConnection{{change.a, change.b}});
             }
         }
     }
@@ -80,7 +81,7 @@ public:
             if (bouncing) {
                 store.column<Position>().set(id, {{1.0 * i, 0.3 + 0.01 * (i % 20)}});
                 store.column<Restitution>().set(id, {1});
-                store.column<Look>().set(id, {});
+                store.column<MadeOf>().set(id, {});
             } else {
                 int const row = i / columns;
                 store.column<Position>().set(id, {{1.0 * (i % columns), 1.0 * row}});
@@ -158,12 +159,12 @@ public:
         store.column<Density>().set(sea, {1000});
         store.column<Liquid>().set(sea, {1.5, 1, {drift, 0}});
     }
-    void listen() { world_.want<Sounds>(); }
+    void listen() { listening_.push_back(world_.want<Sounds>()); }
     void microphone() {
         ObjectId const ear = world_.store().create("ear");
         world_.store().column<Position>().set(ear, {{0, 2}});
         world_.store().column<Ear>().set(ear, {});
-        world_.want<Loudness>();
+        listening_.push_back(world_.want<Loudness>());
     }
 
     void start() { world_.start(); }
@@ -180,6 +181,7 @@ public:
 
 private:
     World world_;
+    std::vector<Subscription> listening_;
     int count_;
     ObjectId settings_;
     std::vector<ObjectId> bodies_;

@@ -90,9 +90,10 @@ public:
     void apply(Access& access) {
         for (Change const& change : access.read<Change>().values()) {
             if (change.add) {
-                access.call(AddConnection{{change.a, change.b, ConnectionCause::wire}});
+                access.call(AddConnection{{change.a, change.b}});
             } else {
-                access.call(RemoveConnection{{change.a, change.b, ConnectionCause::wire}});
+                access.call(CutWire{change.a, change.b}); // the level's, or the one that mended it
+                access.call(RemoveConnection{{change.a, change.b}});
             }
         }
     }

@@ -12,8 +12,8 @@
 #include "physics/electricity/initial_connections.hpp"
 #include "physics/electricity/properties.hpp"
 #include "physics/gravity/properties.hpp"
-#include "physics/look.hpp"
 #include "physics/magnetism/properties.hpp"
+#include "physics/material.hpp"
 #include "physics/motor/properties.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/store.hpp"
@@ -73,9 +73,7 @@ private:
         ObjectId const id = thing(name);
         store_.column<Shape>().set(id, {std::move(pieces)});
         store_.column<Position>().set(id, {origin_ + at});
-        Look look;
-        look.material = material;
-        store_.column<Look>().set(id, look);
+        store_.column<MadeOf>().set(id, {material});
         return id;
     }
     ObjectId fixed(std::string const& name, Material material, ShapePiece const& piece, Vec2 at) {

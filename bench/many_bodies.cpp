@@ -6,6 +6,7 @@
 // Prints Markdown. Errors are the same on every machine, times are medians of single frames on one thread.
 #include "bench/measure.hpp"
 #include "physics/dynamics/body.hpp"
+#include "physics/dynamics/standstill.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/gravity/register.hpp"
 #include "physics/inverse_square/kernels.hpp"
@@ -194,6 +195,7 @@ int main() {
     Registry magnetism;
     registerRuntime(magnetism);
     registerMagnetism(magnetism);
+    magnetism.component<Standstill>();
     kernelsTable();
     gravityTable(gravity);
     magnetismTable(magnetism, true);

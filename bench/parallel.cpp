@@ -41,14 +41,19 @@ Registry const& effects() {
     return registry;
 }
 
-std::unique_ptr<World> hall(int threads, int listeners) {
+struct Hall {
+    std::unique_ptr<World> world;
+    Subscription sounds; // as a loudspeaker's
+};
+
+Hall hall(int threads, int listeners) {
     WorldOptions options;
     options.threads = threads;
     auto world = std::make_unique<World>(effects(), options);
     bench::MachineHall(world->store()).build(machines, objects, listeners);
-    world->want<Sounds>(); // as a loudspeaker does
+    Subscription sounds = world->want<Sounds>();
     world->start();
-    return world;
+    return {std::move(world), std::move(sounds)};
 }
 
 double stepTime(World& world) {
@@ -144,8 +149,10 @@ struct Run {
 };
 
 Run measure(Plan const& plan, int listeners) {
-    auto const single = hall(1, listeners);
-    auto const twin = hall(2, listeners);
+    Hall const singleHall = hall(1, listeners);
+    Hall const twinHall = hall(2, listeners);
+    auto const& single = singleHall.world;
+    auto const& twin = twinHall.world;
     std::set<std::string_view> inside;
     for (Shortcut const& shortcut : effects().shortcuts()) {
         for (Registration const& registration : effects().components()) {

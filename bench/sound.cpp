@@ -8,7 +8,7 @@
 #include "physics/dynamics/body.hpp"
 #include "physics/dynamics/shape.hpp"
 #include "physics/gravity/properties.hpp"
-#include "physics/look.hpp"
+#include "physics/material.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
@@ -29,6 +29,7 @@ constexpr int things = 200;
 constexpr double frame = 1e6 / 60; // µs
 
 struct Crash {
+    Subscription heard;
     explicit Crash(std::string const& level) {
         registerEverything(registry);
         registerSound(registry);
@@ -46,7 +47,7 @@ struct Crash {
             add("thing " + std::to_string(i), static_cast<Material>(i % 6), boxPiece(size, height),
                 {-90 + 0.9 * i, 0.5 + height / 2});
         }
-        world->want<Sounds>();
+        heard = world->want<Sounds>();
         world->start();
     }
     void add(std::string const& name, Material material, ShapePiece piece, Vec2 at) {
@@ -54,9 +55,7 @@ struct Crash {
         ObjectId const id = store.create(name);
         store.column<Shape>().set(id, {{std::move(piece)}});
         store.column<Position>().set(id, {at});
-        Look look;
-        look.material = material;
-        store.column<Look>().set(id, look);
+        store.column<MadeOf>().set(id, {material});
     }
     /// Steps the world; returns what its sound components took, in µs.
     double step() {

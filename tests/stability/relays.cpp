@@ -37,6 +37,7 @@ public:
                                         .level = "",
                                         .work = "Closes and opens contacts at once."};
     using CalledFor = NeedsAll<Relay>;
+    void hashMemory(StateHash& hash) const { hash.members(closed_); }
     void apply(Access& access) {
         auto const& state = access.read<ElectricalState>();
         forEach(
@@ -45,7 +46,7 @@ public:
                 if (closed == std::exchange(closed_[id], closed)) {
                     return;
                 }
-                ConnectionKey const key{relay.a, relay.b, ConnectionCause::other};
+                ConnectionKey const key{relay.a, relay.b};
                 if (closed) {
                     access.call(AddConnection{key});
                 } else {
@@ -99,7 +100,7 @@ Course run(std::vector<bool> const& closedAtRest, int threads, int frames) {
     for (std::size_t i = 0; i < coils.size(); ++i) {
         store.column<Relay>().set(coils[i], {source, coils[(i + 1) % coils.size()], closedAtRest[i]});
     }
-    world.want<ElectricalState>();
+    Subscription const wantedElectricalState = world.want<ElectricalState>();
     world.start();
     Course course;
     course.switched.resize(coils.size());

@@ -1,0 +1,69 @@
+// Draws a value that a schema accepts.
+#pragma once
+
+#include "tests/worlds/random_level.hpp"
+
+#include <optional>
+#include <random>
+
+namespace trembler::worlds {
+
+/// Draws from one stream of random numbers. No distribution of the standard library, as these differ between
+/// libraries.
+class Draw {
+public:
+    Draw(nlohmann::json const& schema, std::vector<std::string> const& parts, Manner const& manner,
+         std::uint64_t seed)
+        : schema_(schema), parts_(parts), manner_(manner), random_(seed) {}
+
+    /// Objects, and joints that gears can couple, that names may refer to.
+    std::vector<std::string> objects;
+    std::vector<std::string> couplings;
+    /// Leaves every number ordinary but the n-th, from 0, which stands at the low or the high end of its
+    /// range.
+    struct Spike {
+        std::size_t number;
+        bool high;
+    };
+    std::optional<Spike> spike;
+    /// Numbers with two ends that were drawn so far.
+    [[nodiscard]] std::size_t numbers() const { return numbers_; }
+
+    /// A value for a member `key`, which says what names and places stand for.
+    [[nodiscard]] nlohmann::json value(nlohmann::json const& schema, std::string const& key);
+    [[nodiscard]] nlohmann::json object(nlohmann::json const& schema, double share);
+    [[nodiscard]] nlohmann::json shape();
+    [[nodiscard]] nlohmann::json joint(nlohmann::json const& schema);
+    /// [x, y] in the room of the level.
+    [[nodiscard]] nlohmann::json place();
+
+    [[nodiscard]] std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
+    [[nodiscard]] double unit() { return static_cast<double>(random_() >> 11U) * 0x1p-53; } ///< [0, 1)
+    [[nodiscard]] bool chance(double share) { return unit() < share; }
+    /// Between both, evenly in their logarithms.
+    [[nodiscard]] double bySize(double low, double high) {
+        return std::exp(std::log(low) + unit() * (std::log(high) - std::log(low)));
+    }
+    template <class T>
+    [[nodiscard]] T const& oneOf(std::vector<T> const& all) {
+        return all[below(all.size())];
+    }
+
+private:
+    [[nodiscard]] nlohmann::json const& resolved(nlohmann::json const& schema) const;
+    [[nodiscard]] nlohmann::json number(nlohmann::json const& schema);
+    [[nodiscard]] double ordinary(double low, double high);
+    [[nodiscard]] double wild(double low, double high);
+    [[nodiscard]] nlohmann::json list(nlohmann::json const& schema, std::string const& key);
+    [[nodiscard]] nlohmann::json text(std::string const& key);
+    [[nodiscard]] std::string name();
+
+    nlohmann::json const& schema_;
+    std::vector<std::string> const& parts_;
+    Manner const& manner_;
+    std::mt19937_64 random_;
+    std::size_t numbers_ = 0;
+    int depth_ = 0;
+};
+
+} // namespace trembler::worlds

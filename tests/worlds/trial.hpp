@@ -1,0 +1,57 @@
+// Tries a level in processes of its own, so that whatever happens there, a signal among it, is told and not
+// died of.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace trembler::worlds {
+
+/// What a child process said before it ended, and how it ended.
+struct Ended {
+    std::string said;     ///< to the parent
+    std::string murmured; ///< on standard error and standard output, the last of it
+    int signal = 0;       ///< that ended it; 0: none
+    int status = 0;       ///< its exit status
+};
+
+/// Runs `work` in a child process, which may use `seconds` of processor time and 4 GiB of memory, and waits
+/// for its end. What `work` returns is what the child says; what it throws makes the exit status 1. The
+/// process that calls must have started no thread.
+[[nodiscard]] Ended inChild(std::function<std::string()> const& work, unsigned seconds);
+
+struct TrialOptions {
+    std::vector<std::string> engines{"box2d", "chipmunk", "ode"};
+    std::vector<int> threads{1, 2, 5};
+    int frames = 30;
+    unsigned seconds = 60; ///< of processor time for one engine; beyond it the level hangs
+};
+
+struct Failure {
+    std::string engine; ///< or "reading"
+    std::string what;   ///< the signal, the difference, the value that is no number
+    std::string murmured;
+};
+
+struct Outcome {
+    nlohmann::json level; ///< as it was run: without what the reader refused
+    bool played = false;
+    std::vector<Failure> failures;
+    double slowest = 0; ///< s of processor time of the slowest frame on one thread, leaving out worlds that
+                        ///< say that their engine gave up
+    std::string slowestEngine;
+};
+
+/// Reads a level, takes away what is refused (a refusal must name a place) until it is accepted, and runs it
+/// on every engine and number of threads, with its first solution if it has one. A failure is: a signal, an
+/// exception that is no refusal of the file, a property that is not a finite number, state hashes that depend
+/// on threads, too much processor time, a file that the schema refuses but the reader accepts.
+[[nodiscard]] Outcome tryOut(nlohmann::json level, nlohmann::json const& schema, TrialOptions const& options);
+
+/// For people: one line.
+[[nodiscard]] std::string inWords(Failure const& failure);
+
+} // namespace trembler::worlds
