@@ -164,8 +164,8 @@ TEST(AutomaticParts, FollowWhatIsTooFastForAFrame) {
     for (auto const& [rate, parts] : {std::pair(60.0, 2), {130.0, 4}, {250.0, 8}}) {
         Swung const found = swing(rate, FrameSettings::automatic);
         EXPECT_EQ(found.parts, parts) << rate;
-        // What the leapfrog method keeps is E (1 - ω h sin 2φ / 2): the energy swings by that, and does not
-        // grow.
+        // By how much the energy of semi-implicit Euler swings. It was 0.15 at first, and 0.17 was measured
+        // once all effects had met; with looking ahead less is expected, and why it is more is not known.
         EXPECT_LT(found.growth, rate * frameDuration / parts / 2) << rate;
     }
     EXPECT_GT(swing(130, 1).growth, 1e3) << "explicit integration breaks down at two radians in a step";
