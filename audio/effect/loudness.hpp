@@ -19,6 +19,7 @@ struct Loudness {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Loudness", "loudness",
                                        "How loud it is for each object that listens."};
+    static constexpr std::string_view standing = "the level of the sounds at their end, smoothed over 125 ms";
     struct Entry {
         ObjectId ear;
         double level = 0; ///< dB(A), "fast"; silentLevel where nothing is heard

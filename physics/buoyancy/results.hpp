@@ -18,6 +18,7 @@ struct LinearGravityVector {
     static constexpr PropertyText text{"Linear gravity vector", "linear_gravity",
                                        "The acceleration due to gravity that buoyancy works with."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "the gravity that was told";
     Vec2 gravity; ///< m/s²
 
     template <class Self, class Visitor>
@@ -32,6 +33,7 @@ struct BuoyancyForce {
     static constexpr PropertyText text{"F_B", "buoyancy_force",
                                        "The buoyancy force on each object: the weight of what it displaces."};
     static constexpr Coverage coverage = derivedFrom("Immersion and Linear gravity vector");
+    static constexpr std::string_view standing = "the forces that act";
     struct Entry {
         ObjectId object;
         Vec2 force;    ///< N, acts at the centre of buoyancy
@@ -57,6 +59,7 @@ struct CentreOfBuoyancy {
     static constexpr PropertyText text{"COB", "centre_of_buoyancy",
                                        "The centre of buoyancy of each object: where F_B acts."};
     static constexpr Coverage coverage = derivedFrom("Immersion");
+    static constexpr std::string_view standing = "where they act";
     struct Entry {
         ObjectId object;
         Vec2 centre; ///< m, in the object's frame
@@ -85,6 +88,7 @@ struct Immersions {
                                        "Which part of each object is in which liquid."};
     static constexpr Coverage coverage =
         derivedFrom("shapes, positions and rotations of what is in liquids and of these");
+    static constexpr std::string_view standing = "what is in which liquid, and how";
     struct Entry {
         ObjectId object;
         ObjectId liquid;

@@ -17,6 +17,7 @@ struct EngineState {
     static constexpr PropertyText text{"Engine state", "engine_state",
                                        "Which engine had to give up, why, and what stands still since."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "which engine has given up, and what stands still since";
     std::string gaveUp;            ///< detail level of Dynamics; empty: none
     std::string why;               ///< the first reason
     std::vector<ObjectId> stopped; ///< ascending

@@ -18,6 +18,7 @@ struct ForceLag {
     static constexpr PropertyText text{"Force lag", "force_lag",
                                        "By how much forces lag behind the motion of what they act on."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "what a force's lag is";
     double turn = 0; ///< s, that Dynamics computes at a time: a frame, or what it is divided into
     double step = 0; ///< s, of the engine, `turn` or a part of it
 

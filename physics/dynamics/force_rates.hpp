@@ -14,6 +14,7 @@ struct ForceRates {
     static constexpr PropertyText text{"Force rates", "force_rates",
                                        "How fast the forces vary that act on bodies."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "how fast the forces vary that act";
     double greatest = 0;   ///< 1/s, of all
     double unforeseen = 0; ///< 1/s, of those that do not allow for the time for which they stand
     ObjectId object;       ///< the body of the greatest rate; invalid while that is 0

@@ -17,6 +17,7 @@ struct MotionCauses {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Causes of motion", "motion_causes",
                                        "The recent events that made each object move."};
+    static constexpr std::string_view standing = "the recent causes, not those of a part";
     static constexpr Coverage coverage =
         leftOut("events of the trace, kept only while somebody traces; events lead to nothing");
     struct Entry {
@@ -40,6 +41,7 @@ struct JointForces {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Joint forces", "joint_forces",
                                        "The force with which each joint holds."};
+    static constexpr std::string_view standing = "what joints carry";
     static constexpr Coverage coverage = derivedFrom(
         "what the engine's joints carried in the last advance; computed only where somebody reads it");
     struct Entry {

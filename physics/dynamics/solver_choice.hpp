@@ -14,6 +14,7 @@ struct SolverChoice {
     static constexpr PropertyText text{"Solver choice", "solver_choice",
                                        "How exactly the last frame's motion was computed."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "what the motion is computed with";
     std::int32_t substeps = 4;
     std::int32_t velocityIterations = 8;
     bool jointsAtOnce = false;

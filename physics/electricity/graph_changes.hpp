@@ -19,6 +19,8 @@ struct GraphChanges {
         "Changes of G_E", "graph_changes",
         "The vertices of the electricity graph that lately gained or lost a "
         "connection, appeared, disappeared or changed their part in a network."};
+    static constexpr std::string_view standing =
+        "a numbered journal, from which each reader takes what it has missed";
     static constexpr Coverage coverage =
         leftOut("a journal of what G_E went through, which saves its readers work; who has missed some of it "
                 "looks at all of G_E, and comes to the same");

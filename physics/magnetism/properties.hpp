@@ -166,6 +166,7 @@ struct MagnetSwitching {
     static constexpr PropertyText text{"Magnet switching", "magnet_switching",
                                        "The event that last switched each magnet."};
     static constexpr Coverage coverage = leftOut("events of the trace lead to nothing");
+    static constexpr std::string_view standing = "the event that last switched each magnet";
     std::vector<EventId> byIndex; ///< by object index
 
     template <class Self, class Visitor>

@@ -4,6 +4,7 @@
 #include "runtime/component/bindings.hpp"
 #include "runtime/component/channels.hpp"
 #include "runtime/component/component.hpp"
+#include "runtime/property/news.hpp"
 
 namespace trembler {
 
@@ -15,6 +16,9 @@ class Dps : public Component {
     static_assert(detail::isReads<ReadsList> && detail::isDerives<DerivesList>,
                   "a derived property set declares Reads<...>, Derives<...>, and changes nothing else (5.5)");
     static_assert(!detail::anyDerived<ReadsList>, "a derived property set never reads another one (5.5)");
+    // What follows from what stands stands too. What follows from news may be over in the next part.
+    static_assert(detail::allSayWhatAFrameMakes<
+                  std::conditional_t<detail::anyTellsNews<ReadsList>, DerivesList, Derives<>>>);
 
 public:
     class Access final : public detail::AccessBase {

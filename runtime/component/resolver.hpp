@@ -4,6 +4,7 @@
 #include "runtime/component/bindings.hpp"
 #include "runtime/component/channels.hpp"
 #include "runtime/component/component.hpp"
+#include "runtime/property/news.hpp"
 
 namespace trembler {
 
@@ -22,6 +23,7 @@ class Resolver : public Component {
     static_assert(
         detail::onlyObjectProperties<ReadsList>,
         "a resolver reads object properties only (5.4); data of others reaches it through interactions");
+    static_assert(detail::allSayWhatAFrameMakes<ProvidesList>);
 
 public:
     using Role = RoleType;

@@ -14,6 +14,7 @@ struct FrameParts {
     static constexpr PropertyText text{"Frame parts", "frame_parts",
                                        "In how many equal parts the frame is computed."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "in how many parts the frame is computed";
     std::int32_t parts = 1; ///< 1, 2, 4 or 8
 
     template <class Self, class Visitor>

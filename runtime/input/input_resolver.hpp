@@ -16,6 +16,7 @@ struct Hand {
     static constexpr PropertyText text{"Hand", "hand",
                                        "The object that the player holds, and where it is pulled to."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "what is held, and where it is pulled to";
 
     ObjectId object; ///< invalid: the hand is empty
     Vec2 localPoint; ///< m, where it is held, in the object's own frame

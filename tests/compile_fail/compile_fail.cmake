@@ -95,6 +95,12 @@ trembler_compile_fail(setup_reads_derived setup_reads_derived.cpp
 
 trembler_compile_fail(slot_without_coverage slot_without_coverage.cpp
   "a resolver property says how the state hash covers it")
+trembler_compile_fail(offer_without_news offer_without_news.cpp
+  "a property that is offered either tells news")
+trembler_compile_fail(offer_with_both offer_with_both.cpp
+  "a property that is offered either tells news")
+trembler_compile_fail(dps_derives_of_news dps_derives_of_news.cpp
+  "a property that is offered either tells news")
 trembler_compile_fail(component_without_coverage component_without_coverage.cpp
   "a component with members of its own says how the state hash covers them")
 trembler_compile_fail(closed_role_is_fed closed_role_is_fed.cpp "this role is not fed from outside")

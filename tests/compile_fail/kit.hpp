@@ -37,8 +37,23 @@ struct HotSpots {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Hot spots", "hot_spots", "The objects that are hot."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "what is hot";
     std::vector<ObjectId> objects;
 
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// Tells news, which frames of several parts gather.
+struct Sparks {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Sparks", "sparks", "What has just gone off."};
+    static constexpr Coverage coverage = hashed;
+    std::vector<ObjectId> objects;
+
+    static void gather(Sparks& frame, Sparks const& part, PartSpan) {
+        frame.objects.insert(frame.objects.end(), part.objects.begin(), part.objects.end());
+    }
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
 };
@@ -83,6 +98,19 @@ struct HeatRole {
 struct PaintRole {
     static constexpr std::string_view name = "Paint";
     using Calls = CallList<Paint>;
+};
+
+/// What the cases' completions call themselves, and which objects they complete.
+struct Warming {
+    static constexpr CompletionText text{.name = "Warmth", .work = "Warms."};
+    using CalledFor = NeedsAll<Colour>;
+};
+/// A completion that obeys, if what it reads lets it.
+template <class Seen>
+struct WarmthAfter final : Warming, Completion<WarmthAfter<Seen>, Seen, Adds<Heat>> {
+    static void complete(typename Completion<WarmthAfter<Seen>, Seen, Adds<Heat>>::Access& access) {
+        access.add(Heat{});
+    }
 };
 
 } // namespace trembler

@@ -9,7 +9,7 @@ struct Embers {
 #ifdef TREMBLER_CONTROL
     static constexpr Coverage coverage = hashed;
 #endif
-    static constexpr bool tellsNews = false;
+    static constexpr std::string_view standing = "what still glows";
     std::vector<ObjectId> objects;
 
     template <class Self, class Visitor>

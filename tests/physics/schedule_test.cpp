@@ -27,6 +27,7 @@ struct TestBuoyantForce {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"F_B", "test_buoyant_force", "Per object buoyancy force."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "empty";
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
 };

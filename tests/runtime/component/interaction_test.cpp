@@ -189,6 +189,7 @@ struct Trail {
     static constexpr PropertyText text{"Trail", "trail",
                                        "All calls in the order in which they were drained."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "kept over all parts";
     std::vector<double> energies;
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}

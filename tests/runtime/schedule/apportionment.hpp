@@ -18,6 +18,7 @@ namespace trembler::apportionment {
         static constexpr PropertyKind kind = PropertyKind::propertyKind;                                     \
         static constexpr PropertyText text{name, key, "As in 6.13.1."};                                      \
         static constexpr Coverage coverage = hashed;                                                         \
+        static constexpr std::string_view standing = "empty";                                                \
         template <class Self, class Visitor>                                                                 \
         static void describe(Self&, Visitor&&) {}                                                            \
     }

@@ -32,6 +32,7 @@ struct BellLog {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Bell log", "bell_log", "What the bell was told."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "kept over all parts";
     std::vector<int> rings;
     std::vector<std::string> by;
     int chimes = 0;

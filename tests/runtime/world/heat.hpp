@@ -41,6 +41,7 @@ struct StoveLog {
     static constexpr PropertyText text{"Stove log", "stove_log", "What was asked of the stove."};
     static constexpr Coverage coverage =
         leftOut("a log for tests: it counts turns, which may be had although nothing has changed");
+    static constexpr std::string_view standing = "counts over all parts";
     int advances = 0;
     double duration = 0;
     int held = 0; ///< calls

@@ -15,6 +15,7 @@ struct Diary {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Diary", "diary", "How often the scribe was told something."};
     static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "counts over all parts";
     int entries = 0;
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}

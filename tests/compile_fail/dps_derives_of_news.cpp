@@ -1,0 +1,18 @@
+// A derived property follows from news and does not say what a frame makes of its parts.
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+#ifdef TREMBLER_CONTROL
+using Seen = HotSpots;
+#else
+using Seen = Sparks;
+#endif
+struct Shine final : Dps<Shine, Reads<Seen>, Derives<Glow>> {
+    static constexpr ComponentText text{.name = "Shine", .effect = "heat", .level = "", .work = "Glows."};
+    using CalledFor = NeedsAll<Heat>;
+    void update(Access& access) { access.derive<Glow>().watts.assign(access.read<Seen>().objects.size(), 1); }
+};
+template void Registry::component<Shine>();
+
+} // namespace trembler

@@ -1,0 +1,19 @@
+// A resolver property gathers the news of a frame's parts, and says that it tells how things stand.
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+struct Flames : Sparks {
+#ifndef TREMBLER_CONTROL
+    static constexpr std::string_view standing = "what burns";
+#endif
+};
+
+struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>, Provides<Flames>> {
+    static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};
+    using CalledFor = NeedsAny<Heat>;
+    void advance(Access&) {}
+};
+template void Registry::component<Stove>();
+
+} // namespace trembler

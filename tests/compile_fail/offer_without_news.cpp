@@ -1,0 +1,31 @@
+// A resolver property says neither how the news of a frame's parts add up nor that it tells no news. Its
+// gather() lacks the span, so that nobody would call it.
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+struct Flames {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Flames", "flames", "What has just begun to burn."};
+    static constexpr Coverage coverage = hashed;
+    std::vector<ObjectId> objects;
+
+#ifdef TREMBLER_CONTROL
+    static void gather(Flames& frame, Flames const& part, PartSpan){
+#else
+    static void gather(Flames& frame, Flames const& part) {
+#endif
+        frame.objects.insert(frame.objects.end(), part.objects.begin(), part.objects.end());
+} template <class Self, class Visitor>
+static void describe(Self&, Visitor&&) {
+}
+}; // namespace trembler
+
+struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>, Provides<HotSpots, Flames>> {
+    static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};
+    using CalledFor = NeedsAny<Heat>;
+    void advance(Access&) {}
+};
+template void Registry::component<Stove>();
+
+} // namespace trembler
