@@ -12,33 +12,8 @@
 #include "physics/dynamics/shape_rules.hpp"
 #include "runtime/world/registry.hpp"
 
-#include <fmt/format.h>
-
 namespace trembler {
 namespace {
-
-/// A file states the measures of a piece's form and no others: a radius of a box would mean nothing. (One
-/// that is stated as it initially is cannot be told from one that is not stated.)
-std::optional<std::string> checkMeasures(Store const& store, ObjectId id) {
-    ShapePiece const initial;
-    for (ShapePiece const& piece : store.findColumn<Shape>()->find(id)->pieces) {
-        bool const isBox = piece.form == ShapeForm::box;
-        bool const isCapsule = piece.form == ShapeForm::capsule;
-        bool const isRound = isCapsule || piece.form == ShapeForm::circle;
-        std::string_view const foreign = !isRound && piece.radius != initial.radius             ? "radius"
-                                         : !isBox && !isCapsule && piece.width != initial.width ? "width"
-                                         : !isBox && piece.height != initial.height             ? "height"
-                                         : piece.form != ShapeForm::polygon && !piece.corners.empty()
-                                             ? "corners"
-                                             : "";
-        if (!foreign.empty()) {
-            return fmt::format(
-                "states '{}' of a {}, where it does not count; expected the measures of its form", foreign,
-                choiceNames<ShapeForm>[static_cast<std::size_t>(piece.form)]);
-        }
-    }
-    return {};
-}
 
 std::optional<std::string> checkShape(Store const& store, ObjectId id) {
     return faultIn(*store.findColumn<Shape>()->find(id));
@@ -72,7 +47,6 @@ std::optional<std::string> checkJoint(Store const& store, ObjectId id) {
 void registerDynamics(Registry& registry) {
     registry.property<Density>();
     registry.rule({&propertyInfo<Shape>(), checkShape});
-    registry.rule({&propertyInfo<Shape>(), checkMeasures});
     registry.rule({&propertyInfo<Joint>(), checkJoint});
     registry.completion<MatterCompletion>();
     registry.completion<BodyCompletion>();

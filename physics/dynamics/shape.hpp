@@ -13,7 +13,7 @@ template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<ShapeForm>{"circle", "box", "polygon",
                                                                         "capsule"};
 
-/// One convex piece. Which of the measures count depends on the form.
+/// One convex piece. Which of the measures count depends on the form; a file states these and no others.
 struct ShapePiece {
     ShapeForm form = ShapeForm::box;
     Vec2 at;                   ///< m, centre in the object's frame
@@ -38,26 +38,36 @@ struct ShapePiece {
                         .minimum = -1e3,
                         .maximum = 1e3},
               self.angle);
-        visit(FieldInfo{.key = "radius",
-                        .unit = "m",
-                        .meaning = "of a circle, or of a capsule's ends",
-                        .minimum = 0.005,
-                        .maximum = 1e3},
-              self.radius);
-        visit(FieldInfo{.key = "width",
-                        .unit = "m",
-                        .meaning = "of a box; the whole length of a capsule",
-                        .minimum = 0.01,
-                        .maximum = 1e4},
-              self.width);
-        visit(FieldInfo{.key = "height", .unit = "m", .meaning = "of a box", .minimum = 0.01, .maximum = 1e4},
-              self.height);
-        visit(FieldInfo{.key = "corners",
-                        .unit = "m",
-                        .meaning = "of a convex polygon, anticlockwise",
-                        .minimum = -1e3,
-                        .maximum = 1e3},
-              self.corners);
+        if (self.form == ShapeForm::circle || self.form == ShapeForm::capsule) {
+            visit(FieldInfo{.key = "radius",
+                            .unit = "m",
+                            .meaning = "of a circle, or of a capsule's ends",
+                            .minimum = 0.005,
+                            .maximum = 1e3},
+                  self.radius);
+        }
+        if (self.form == ShapeForm::box || self.form == ShapeForm::capsule) {
+            visit(FieldInfo{.key = "width",
+                            .unit = "m",
+                            .meaning = "of a box; the whole length of a capsule",
+                            .minimum = 0.01,
+                            .maximum = 1e4},
+                  self.width);
+        }
+        if (self.form == ShapeForm::box) {
+            visit(
+                FieldInfo{
+                    .key = "height", .unit = "m", .meaning = "of a box", .minimum = 0.01, .maximum = 1e4},
+                self.height);
+        }
+        if (self.form == ShapeForm::polygon) {
+            visit(FieldInfo{.key = "corners",
+                            .unit = "m",
+                            .meaning = "of a convex polygon, anticlockwise",
+                            .minimum = -1e3,
+                            .maximum = 1e3},
+                  self.corners);
+        }
     }
     friend bool operator==(ShapePiece const&, ShapePiece const&) = default;
 };

@@ -13,11 +13,6 @@ namespace trembler {
 
 class JsonDocument {
 public:
-    /// Bytes. A level of a million objects is a tenth of it; whatever is larger is no level.
-    static constexpr std::size_t largest = std::size_t{256} << 20U;
-    /// Lists and objects inside one another. Files of the project need about ten.
-    static constexpr std::size_t deepest = 64;
-
     /// Parses a text; `file` is its name for people. Throws InputError, and nothing else, for text that is
     /// not JSON (RFC 8259), for keys that stand twice in one object, for numbers too large for a double, for
     /// too deep nesting and for too much text.

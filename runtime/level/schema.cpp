@@ -88,12 +88,35 @@ public:
         put(info, {{"enum", std::move(names)}});
     }
     void list(FieldInfo const& info, ListField& field) override {
-        field.resize(1);
-        SchemaVisitor element;
-        element.listInfo_ = field.elementsHaveFields() ? nullptr : &info;
-        field.visitElement(0, element);
+        bool const hasFields = field.elementsHaveFields();
+        SchemaVisitor const element = ofAllVariants([&](SchemaVisitor& visitor) {
+            visitor.listInfo_ = hasFields ? nullptr : &info;
+            field.resize(0);
+            field.resize(1);
+            field.visitElement(0, visitor);
+        });
         field.resize(0);
-        put(info, listOf(field.elementsHaveFields() ? element.objectSchema() : element.properties["value"]));
+        put(info, listOf(hasFields ? element.objectSchema() : element.properties["value"]));
+    }
+    /// All fields that there can be, whatever the first choice; required are those that always are. visit(v)
+    /// shows an initial value to v.
+    template <class Visit>
+    [[nodiscard]] static SchemaVisitor ofAllVariants(Visit&& visit) {
+        SchemaVisitor all;
+        visit(all);
+        for (int i = 0; i < static_cast<int>(all.choices); ++i) {
+            SchemaVisitor variant;
+            variant.pretended = i;
+            visit(variant);
+            for (auto const& [key, schema] : variant.properties.items()) {
+                if (!all.properties.contains(key)) {
+                    all.properties[key] = schema;
+                }
+            }
+            std::erase_if(all.required,
+                          [&](std::string const& key) { return !variant.required.contains(key); });
+        }
+        return all;
     }
     [[nodiscard]] Json objectSchema() const {
         Json schema{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
@@ -121,24 +144,9 @@ private:
     FieldInfo const* listInfo_ = nullptr;
 };
 
-/// All fields that a property can have, whatever its first choice; required are those that always are.
+/// All fields that a property can have.
 SchemaVisitor fieldsOf(PropertyInfo const& info) {
-    SchemaVisitor all;
-    auto const plain = info.makeValue();
-    plain->visit(all);
-    for (int i = 0; i < static_cast<int>(all.choices); ++i) {
-        SchemaVisitor variant;
-        variant.pretended = i;
-        auto const value = info.makeValue();
-        value->visit(variant);
-        for (auto const& [key, schema] : variant.properties.items()) {
-            if (!all.properties.contains(key)) {
-                all.properties[key] = schema;
-            }
-        }
-        std::erase_if(all.required, [&](std::string const& key) { return !variant.required.contains(key); });
-    }
-    return all;
+    return SchemaVisitor::ofAllVariants([&](SchemaVisitor& visitor) { info.makeValue()->visit(visitor); });
 }
 
 Json withoutDescription(Json schema) {
