@@ -51,31 +51,4 @@ void BoxTree::halve(std::uint32_t first, std::uint32_t last) {
     halve(middle, last);
 }
 
-void BoxTree::find(Bounds const& where, std::vector<std::uint32_t>& found) const {
-    found.clear();
-    std::vector<std::uint32_t> open;
-    if (!nodes_.empty()) {
-        open.push_back(0);
-    }
-    while (!open.empty()) {
-        std::uint32_t const at = open.back();
-        open.pop_back();
-        Node const& node = nodes_[at];
-        if (!node.bounds.meets(where)) {
-            continue;
-        }
-        if (node.second != 0) {
-            open.push_back(node.second);
-            open.push_back(at + 1);
-            continue;
-        }
-        for (std::uint32_t i = node.first; i < node.last; ++i) {
-            if (boxes_[order_[i]].meets(where)) {
-                found.push_back(order_[i]);
-            }
-        }
-    }
-    std::sort(found.begin(), found.end());
-}
-
 } // namespace trembler

@@ -4,6 +4,7 @@
 #include "runtime/math/vec2.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -34,7 +35,13 @@ public:
     BoxTree() = default;
     explicit BoxTree(std::vector<Bounds> boxes);
     /// The numbers of all boxes that meet a box, touching included, ascending.
-    void find(Bounds const& where, std::vector<std::uint32_t>& found) const;
+    void find(Bounds const& where, std::vector<std::uint32_t>& found) const {
+        findIf([&](Bounds const& box) { return box.meets(where); }, found);
+    }
+    /// The numbers of all boxes of which `meets(box)` is true, ascending. It must be true of every box that
+    /// encloses one of which it is. `found` is emptied first.
+    template <class Meets>
+    void findIf(Meets&& meets, std::vector<std::uint32_t>& found) const;
 
 private:
     struct Node {
@@ -49,5 +56,34 @@ private:
     std::vector<std::uint32_t> order_;
     std::vector<Node> nodes_;
 };
+
+template <class Meets>
+void BoxTree::findIf(Meets&& meets, std::vector<std::uint32_t>& found) const {
+    found.clear();
+    if (nodes_.empty()) {
+        return;
+    }
+    std::array<std::uint32_t, 64> open; // halving 2³² boxes goes no deeper than 32
+    std::size_t count = 0;
+    open[count++] = 0;
+    while (count > 0) {
+        std::uint32_t const at = open[--count];
+        Node const& node = nodes_[at];
+        if (!meets(node.bounds)) {
+            continue;
+        }
+        if (node.second != 0) {
+            open[count++] = node.second;
+            open[count++] = at + 1;
+            continue;
+        }
+        for (std::uint32_t i = node.first; i < node.last; ++i) {
+            if (meets(boxes_[order_[i]])) {
+                found.push_back(order_[i]);
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+}
 
 } // namespace trembler
