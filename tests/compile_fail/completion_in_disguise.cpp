@@ -4,16 +4,12 @@
 namespace trembler {
 
 #ifdef TREMBLER_CONTROL
-struct Warmth final : Completion<Warmth, Reads<>, Adds<Heat>> {
-    static constexpr CompletionText text{.name = "Warmth", .work = "Warms."};
-    using CalledFor = NeedsAll<Colour>;
-    static void complete(Access& access) { access.add(Heat{}); }
-};
+using Warmth = WarmthAfter<Reads<>>;
 #else
 struct Warmth final {
     static CompletionInfo const& describeSelf() {
         static CompletionInfo const info{.type = typeid(Warmth),
-                                         .text = {.name = "Warmth", .work = "Warms."},
+                                         .text = Warming::text,
                                          .run = [](Store& store, std::span<ObjectId const> ids) {
                                              store.destroy({ids.begin(), ids.end()});
                                          }};

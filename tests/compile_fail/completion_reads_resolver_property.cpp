@@ -8,11 +8,6 @@ using Seen = Reads<Colour>;
 #else
 using Seen = Reads<Colour, HotSpots>;
 #endif
-struct Warmth final : Completion<Warmth, Seen, Adds<Heat>> {
-    static constexpr CompletionText text{.name = "Warmth", .work = "Warms."};
-    using CalledFor = NeedsAll<Colour>;
-    static void complete(Access& access) { access.add(Heat{}); }
-};
-template void Registry::completion<Warmth>();
+template void Registry::completion<WarmthAfter<Seen>>();
 
 } // namespace trembler

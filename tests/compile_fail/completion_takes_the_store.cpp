@@ -3,9 +3,7 @@
 
 namespace trembler {
 
-struct Warmth final : Completion<Warmth, Reads<>, Adds<Heat>> {
-    static constexpr CompletionText text{.name = "Warmth", .work = "Warms."};
-    using CalledFor = NeedsAll<Colour>;
+struct Warmth final : Warming, Completion<Warmth, Reads<>, Adds<Heat>> {
 #ifdef TREMBLER_CONTROL
     static void complete(Access& access) {
         access.add(Heat{});

@@ -3,9 +3,7 @@
 
 namespace trembler {
 
-struct Warmth final : Completion<Warmth, Reads<Colour>, Adds<Heat>> {
-    static constexpr CompletionText text{.name = "Warmth", .work = "Warms."};
-    using CalledFor = NeedsAll<Colour>;
+struct Warmth final : Warming, Completion<Warmth, Reads<Colour>, Adds<Heat>> {
     static void complete(Access& access) {
         access.add(Heat{access.find<Colour>()->hue});
 #ifndef TREMBLER_CONTROL

@@ -6,44 +6,20 @@
 #include "runtime/level/read_level.hpp"
 #include "runtime/level/schema.hpp"
 #include "tests/levels/schema_validator.hpp"
+#include "tests/runtime/level/plumbing.hpp"
 
 #include <gtest/gtest.h>
 
 namespace trembler {
 namespace {
 
-/// What a pipe can be joined to, and where its pipes lead.
-struct Vessel {
-    static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Vessel", "test_vessel", "Holds a liquid, for tests."};
-    double litres = 1;
-    std::vector<ObjectId> pipes;
-
-    template <class Self, class Visitor>
-    static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "", .meaning = "litres"}, self.litres);
-    }
-};
-
-std::optional<std::string> refusePipe(Store const& store, ObjectId a, ObjectId b) {
-    auto const* const vessels = store.findColumn<Vessel>();
-    for (ObjectId const id : {a, b}) {
-        if (vessels == nullptr || !vessels->has(id)) {
-            return "'" + store.nameOf(id) + "' holds no liquid; expected two vessels";
-        }
-    }
-    return std::nullopt;
-}
-void layPipe(Store& store, ObjectId a, ObjectId b) {
-    store.column<Vessel>()[a].pipes.push_back(b);
-}
+using plumbing::Vessel;
 
 Registry const& registry() {
     static Registry const shared = [] {
         Registry made;
         registerEverything(made);
-        made.property<Vessel>();
-        made.connector({"pipe", "plumbing", "a pipe between two vessels", refusePipe, layPipe});
+        plumbing::fill(made);
         return made;
     }();
     return shared;
@@ -68,12 +44,7 @@ std::unique_ptr<World> build(std::string const& connections) {
 }
 
 std::string problemOf(std::string const& connections) {
-    try {
-        (void)build(connections);
-        return "";
-    } catch (InputError const& error) {
-        return error.what();
-    }
+    return plumbing::problemOf([&] { (void)build(connections); });
 }
 
 bool wired(World const& world, std::string const& a, std::string const& b) {
@@ -82,7 +53,7 @@ bool wired(World const& world, std::string const& a, std::string const& b) {
 }
 bool piped(World const& world, std::string const& a, std::string const& b) {
     Vessel const* const vessel = world.find<Vessel>(world.store().find(a));
-    return vessel != nullptr && vessel->pipes == std::vector{world.store().find(b)};
+    return vessel != nullptr && vessel->to == std::vector{world.store().find(b)};
 }
 
 TEST(Connections, GoToTheEffectThatCanConnectTheTwo) {
@@ -137,8 +108,7 @@ TEST(Connections, TheSchemaKnowsBothFormsAndAllKinds) {
 TEST(Connections, OfAnEffectThatIsLeftOutAreStillItsOwn) {
     Registry without;
     registerEverything(without, {"electricity"});
-    without.property<Vessel>();
-    without.connector({"pipe", "plumbing", "a pipe between two vessels", refusePipe, layPipe});
+    plumbing::fill(without);
     PartLibrary const none;
     auto const world =
         buildWorld(without,

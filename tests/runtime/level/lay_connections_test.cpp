@@ -2,6 +2,7 @@
 #include "runtime/level/build_world.hpp"
 #include "runtime/level/write_level.hpp"
 #include "runtime/population/population_resolver.hpp"
+#include "tests/runtime/level/plumbing.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 
 #include <gtest/gtest.h>
@@ -11,43 +12,22 @@
 namespace trembler {
 namespace {
 
+using plumbing::Vessel;
 using sample::Links;
 using sample::Tag;
-using sample::Weight;
 
-/// What a pipe leaves behind.
-struct Pipes {
-    static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Pipes", "pipes", "Where its pipes lead.", PropertyPlace::hidden};
-    std::vector<ObjectId> to;
-    template <class Self, class Visitor>
-    static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "to", .unit = "", .meaning = "others"}, self.to);
-    }
-};
-
-std::optional<std::string> refusePipe(Store const& store, ObjectId a, ObjectId b) {
-    auto const* const weights = store.findColumn<Weight>();
-    bool const heavy = weights != nullptr && weights->has(a) && weights->has(b);
-    return heavy ? std::nullopt : std::optional<std::string>("expected two objects with a weight");
-}
-void layPipe(Store& store, ObjectId a, ObjectId b) {
-    store.column<Pipes>().addDefault(a);
-    store.column<Pipes>()[a].to.push_back(b);
-}
-
-/// Strings between tags, pipes between weights; "both" has both.
+/// Strings between tags, pipes between vessels; "both" has both.
 struct Site {
     Site() {
         sample::fill(registry);
-        registry.connector({"pipe", "plumbing", "a pipe between two weights", refusePipe, layPipe});
+        plumbing::fill(registry);
     }
     [[nodiscard]] static std::string levelWith(std::string const& connections) {
         return R"({"version": 1, "title": "t", "objects": [
             {"name": "tag 1", "properties": {"tag": true}}, {"name": "tag 2", "properties": {"tag": true}},
-            {"name": "stone 1", "properties": {"weight": 1}}, {"name": "stone 2", "properties": {"weight": 1}},
-            {"name": "both 1", "properties": {"tag": true, "weight": 1}},
-            {"name": "both 2", "properties": {"tag": true, "weight": 1}}, {"name": "air"}],
+            {"name": "tank 1", "properties": {"test_vessel": 1}}, {"name": "tank 2", "properties": {"test_vessel": 1}},
+            {"name": "both 1", "properties": {"tag": true, "test_vessel": 1}},
+            {"name": "both 2", "properties": {"tag": true, "test_vessel": 1}}, {"name": "air"}],
             "connections": [)" +
                connections + "]}";
     }
@@ -56,12 +36,7 @@ struct Site {
         return buildWorld(registry, sample::read(registry, levelWith(connections)), none);
     }
     std::string problemOf(std::string const& connections) {
-        try {
-            (void)build(connections);
-            return "";
-        } catch (InputError const& error) {
-            return error.what();
-        }
+        return plumbing::problemOf([&] { (void)build(connections); });
     }
     template <class P>
     static std::vector<std::string> ends(World const& world, std::string const& name) {
@@ -85,20 +60,20 @@ void expectWords(std::string const& text, std::initializer_list<char const*> wor
 
 TEST(LayConnections, APairBelongsToTheOnlyEffectThatCanConnectTheTwo) {
     Site site;
-    auto const world = site.build(
-        R"(["tag 2", "tag 1"], ["stone 1", "stone 2"], ["tag 1", "both 1"], ["both 1", "stone 2"])");
+    auto const world =
+        site.build(R"(["tag 2", "tag 1"], ["tank 1", "tank 2"], ["tag 1", "both 1"], ["both 1", "tank 2"])");
     EXPECT_EQ(Site::ends<Links>(*world, "tag 1"), Names{"tag 2"});
     EXPECT_EQ(Site::ends<Links>(*world, "both 1"), Names{"tag 1"});
-    EXPECT_EQ(Site::ends<Pipes>(*world, "stone 1"), Names{"stone 2"});
-    EXPECT_EQ(Site::ends<Pipes>(*world, "both 1"), Names{"stone 2"});
-    EXPECT_EQ(Site::ends<Pipes>(*world, "tag 1"), Names{});
+    EXPECT_EQ(Site::ends<Vessel>(*world, "tank 1"), Names{"tank 2"});
+    EXPECT_EQ(Site::ends<Vessel>(*world, "both 1"), Names{"tank 2"});
+    EXPECT_EQ(Site::ends<Vessel>(*world, "tag 1"), Names{});
 }
 
 TEST(LayConnections, AStatedKindDecides) {
     Site site;
     auto const world = site.build(R"({"between": ["both 1", "both 2"], "kind": "pipe"},
                                      {"kind": "string", "between": ["both 2", "both 1"]})");
-    EXPECT_EQ(Site::ends<Pipes>(*world, "both 1"), Names{"both 2"});
+    EXPECT_EQ(Site::ends<Vessel>(*world, "both 1"), Names{"both 2"});
     EXPECT_EQ(Site::ends<Links>(*world, "both 1"), Names{"both 2"});
 }
 
@@ -114,13 +89,13 @@ TEST(LayConnections, WhatNoEffectCanConnectIsRefusedAtItsPlace) {
     Site site;
     expectWords(site.problemOf(R"(["air", "both 1"])"),
                 {"/connections/0: nothing can connect 'air' and 'both 1'", "no string: only what has a tag",
-                 "no pipe: expected two objects with a weight"});
+                 "no pipe: 'air' holds no liquid; expected two vessels"});
     expectWords(site.problemOf(R"({"between": ["tag 1", "tag 2"], "kind": "pipe"})"),
-                {"/connections/0: expected two objects with a weight"});
+                {"/connections/0: 'tag 1' holds no liquid; expected two vessels"});
     Registry none;
     registerRuntime(none);
     none.property<Tag>();
-    none.property<Weight>();
+    none.property<Vessel>();
     PartLibrary const parts;
     try {
         (void)buildWorld(none, sample::read(none, Site::levelWith(R"(["tag 1", "tag 2"])")), parts);
