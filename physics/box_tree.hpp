@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace trembler {
@@ -42,11 +44,23 @@ public:
     /// encloses one of which it is. `found` is emptied first.
     template <class Meets>
     void findIf(Meets&& meets, std::vector<std::uint32_t>& found) const;
+    /// How many boxes meet a box, touching included. In a crowd, where boxes lie inside of each other, this
+    /// takes much less than to find them.
+    [[nodiscard]] std::size_t count(Bounds const& where) const;
+    /// The lowest number from `first` to below `end` of a box that meets another, touching included, and that
+    /// `holds` for; nothing if there is none. `holds` is asked in ascending order and no further than needed,
+    /// so that in a crowd, where all boxes meet, the first answer ends it.
+    [[nodiscard]] std::optional<std::uint32_t>
+    findFirst(Bounds const& where, std::uint32_t first, std::uint32_t end,
+              std::function<bool(std::uint32_t)> const& holds) const;
 
 private:
     struct Node {
         Bounds bounds;
-        std::uint32_t first = 0; // in order_
+        Bounds common;             // to all its boxes; its corners the wrong way round if there is nothing
+        std::uint32_t lowest = 0;  // and
+        std::uint32_t highest = 0; // number of a box in it
+        std::uint32_t first = 0;   // in order_
         std::uint32_t last = 0;
         std::uint32_t second = 0; // the other half's node; the first half's is the next one; 0: a leaf
     };

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace trembler {
 namespace {
 
@@ -48,45 +50,117 @@ double common(ShapePiece const& piece, Pose const& pose, LiquidPiece const& othe
     return polygonMoments(polygon.corners()).area;
 }
 
+/// All pieces of all liquids that have a place, numbered in order of objects.
+class Pieces {
+public:
+    explicit Pieces(Store const& store) : store_(store) {
+        std::vector<Bounds> boxes;
+        for (ObjectId const id : store.findColumn<Liquid>()->owners()) {
+            std::optional<Placed> const placed = placedLiquid(store, id);
+            if (!placed) {
+                continue;
+            }
+            liquids_.push_back({id, *placed, static_cast<std::uint32_t>(boxes.size())});
+            for (ShapePiece const& piece : placed->shape->pieces) {
+                std::vector<Vec2> corners = straightened(piece);
+                for (Vec2& corner : corners) {
+                    corner = placed->pose.toWorld(corner);
+                }
+                boxes.push_back(boundsOf(corners));
+                ofPiece_.push_back(static_cast<std::uint32_t>(liquids_.size() - 1));
+            }
+        }
+        boxes_ = boxes;
+        tree_ = BoxTree(std::move(boxes));
+    }
+
+    /// What is wrong with the liquid, or nothing.
+    [[nodiscard]] std::optional<std::string> faultOf(ObjectId id) const {
+        auto const found =
+            std::lower_bound(liquids_.begin(), liquids_.end(), id,
+                             [](PlacedLiquid const& one, ObjectId wanted) { return one.id < wanted; });
+        if (found == liquids_.end() || found->id != id) {
+            return std::nullopt; // whatever is wrong with it is said elsewhere
+        }
+        std::vector<LiquidPiece> const pieces = liquidPieces(*found->placed.shape, found->placed.pose);
+        std::optional<std::string> fault = betweenPieces(*found, pieces);
+        return fault ? fault : withOthers(*found, pieces);
+    }
+
+private:
+    struct PlacedLiquid {
+        ObjectId id;
+        Placed placed;
+        std::uint32_t first; // of its pieces
+    };
+
+    [[nodiscard]] std::optional<std::string> betweenPieces(PlacedLiquid const& liquid,
+                                                           std::vector<LiquidPiece> const& pieces) const {
+        for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+            double area = 0;
+            std::uint32_t const number = liquid.first + i;
+            auto const overlaps = [&](std::uint32_t other) {
+                area =
+                    common(liquid.placed.shape->pieces[i], liquid.placed.pose, pieces[other - liquid.first]);
+                return area > allowedOverlap;
+            };
+            if (auto const other = tree_.findFirst(boxes_[number], liquid.first, number, overlaps)) {
+                return fmt::format("its pieces {} and {} overlap by {:.3g} m²; expected pieces side by side",
+                                   *other - liquid.first + 1, i + 1, area);
+            }
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] std::optional<std::string> withOthers(PlacedLiquid const& liquid,
+                                                        std::vector<LiquidPiece> const& pieces) const {
+        std::uint32_t before = liquid.first; // of a piece that would be told of instead
+        double first = 0;                    // m², that it overlaps
+        for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+            double area = 0;
+            auto const overlaps = [&](std::uint32_t number) {
+                PlacedLiquid const& other = liquids_[ofPiece_[number]];
+                area = common(other.placed.shape->pieces[number - other.first], other.placed.pose, pieces[i]);
+                return area > allowedOverlap;
+            };
+            if (auto const found = tree_.findFirst(boxes_[liquid.first + i], 0, before, overlaps)) {
+                before = *found;
+                first = area;
+            }
+        }
+        if (before == liquid.first) {
+            return std::nullopt;
+        }
+        return fmt::format("it overlaps the liquid '{}' by {:.3g} m²; expected liquids side by side",
+                           store_.nameOf(liquids_[ofPiece_[before]].id), first);
+    }
+
+    Store const& store_;
+    std::vector<PlacedLiquid> liquids_;  // ascending
+    std::vector<std::uint32_t> ofPiece_; // the liquid that a piece belongs to
+    std::vector<Bounds> boxes_;
+    BoxTree tree_;
+};
+
 } // namespace
 
-std::optional<std::string> checkLiquid(Store const& store, ObjectId id) {
-    std::optional<Placed> const own = placedLiquid(store, id);
+std::vector<ObjectFault> checkLiquids(Store const& store) {
+    std::vector<ObjectFault> faults;
+    auto const* const liquids = store.findColumn<Liquid>();
     auto const* const shapes = store.findColumn<Shape>();
-    if (shapes == nullptr || !shapes->has(id)) {
-        return "it is a liquid without a shape; expected a shape, which is the liquid's area";
+    if (liquids == nullptr || liquids->size() == 0) {
+        return faults;
     }
-    if (!own) {
-        return std::nullopt; // whatever is wrong with it is said elsewhere
-    }
-    std::vector<LiquidPiece> const pieces = liquidPieces(*own->shape, own->pose);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            double const area = common(own->shape->pieces[i], own->pose, pieces[j]);
-            if (area > allowedOverlap) {
-                return fmt::format("its pieces {} and {} overlap by {:.3g} m²; expected pieces side by side",
-                                   j + 1, i + 1, area);
-            }
+    Pieces const pieces(store);
+    for (ObjectId const id : liquids->owners()) {
+        if (shapes == nullptr || !shapes->has(id)) {
+            faults.push_back(
+                {id, "it is a liquid without a shape; expected a shape, which is the liquid's area"});
+        } else if (auto fault = pieces.faultOf(id)) {
+            faults.push_back({id, std::move(*fault)});
         }
     }
-    auto const& liquids = *store.findColumn<Liquid>();
-    for (ObjectId const other : liquids.owners()) {
-        std::optional<Placed> const placed = other < id ? placedLiquid(store, other) : std::nullopt;
-        if (!placed) {
-            continue;
-        }
-        for (ShapePiece const& piece : placed->shape->pieces) {
-            for (LiquidPiece const& mine : pieces) {
-                double const area = common(piece, placed->pose, mine);
-                if (area > allowedOverlap) {
-                    return fmt::format(
-                        "it overlaps the liquid '{}' by {:.3g} m²; expected liquids side by side",
-                        store.nameOf(other), area);
-                }
-            }
-        }
-    }
-    return std::nullopt;
+    return faults;
 }
 
 } // namespace trembler

@@ -1,14 +1,16 @@
 // What a level must not say of liquids.
 #pragma once
 
-#include "runtime/world/store.hpp"
+#include "runtime/world/registry.hpp"
 
-#include <optional>
+#include <vector>
 
 namespace trembler {
 
 /// A liquid needs a shape, its area; its pieces, and two liquids, must not overlap, as what is in both would
-/// be lifted twice. Returns what is wrong and what was expected, in words, or nothing. See ObjectRule.
-[[nodiscard]] std::optional<std::string> checkLiquid(Store const& store, ObjectId id);
+/// be lifted twice. Returns what is wrong and what was expected, ascending by object: of each liquid the
+/// first of its own pieces that overlap, else the first of the liquids before it. In n log n of all pieces,
+/// if boxes along the axes around pieces that do not overlap meet only a few others. See ObjectRule.
+[[nodiscard]] std::vector<ObjectFault> checkLiquids(Store const& store);
 
 } // namespace trembler

@@ -11,7 +11,7 @@
 
 namespace trembler {
 void registerBuoyancy(Registry& registry) {
-    registry.rule({&propertyInfo<Liquid>(), checkLiquid});
+    registry.rule({.property = &propertyInfo<Liquid>(), .checkAll = checkLiquids});
     registry.component<ExactBuoyancy>();
     registry.component<ParticleBuoyancy>();
     registry.component<LiquidDrag>();

@@ -29,6 +29,13 @@ struct Made {
     ObjectId id;
 };
 
+std::optional<std::string> faultOf(ObjectId id, std::span<ObjectFault const> ascending) {
+    auto const found =
+        std::lower_bound(ascending.begin(), ascending.end(), id,
+                         [](ObjectFault const& fault, ObjectId wanted) { return fault.object < wanted; });
+    return found != ascending.end() && found->object == id ? std::optional(found->text) : std::nullopt;
+}
+
 class Builder {
 public:
     Builder(Registry const& registry, LevelFile const& level, PartLibrary const& library, Problems& problems)
@@ -143,17 +150,28 @@ public:
     }
 
     void checkRules(Store const& store) {
+        std::span<ObjectRule const> const rules = registry_.rules();
+        std::vector<std::vector<ObjectFault>> atOnce(rules.size());
+        for (std::size_t i = 0; i < rules.size(); ++i) {
+            if (rules[i].checkAll != nullptr && store.findColumn(*rules[i].property) != nullptr) {
+                atOnce[i] = rules[i].checkAll(store);
+            }
+        }
         for (Made const& made : made_) {
             if (!made.id.valid()) {
                 continue;
             }
-            for (ObjectRule const& rule : registry_.rules()) {
-                ColumnBase const* const column = store.findColumn(*rule.property);
+            for (std::size_t i = 0; i < rules.size(); ++i) {
+                PropertyInfo const& property = *rules[i].property;
+                ColumnBase const* const column = store.findColumn(property);
                 if (column == nullptr || !column->has(made.id)) {
                     continue;
                 }
-                if (auto const broken = rule.check(store, made.id)) {
-                    propertyProblem(made, *rule.property, "", fmt::format("{}: {}", made.name, *broken), "");
+                std::optional<std::string> const broken = rules[i].checkAll != nullptr
+                                                              ? faultOf(made.id, atOnce[i])
+                                                              : rules[i].check(store, made.id);
+                if (broken) {
+                    propertyProblem(made, property, "", fmt::format("{}: {}", made.name, *broken), "");
                 }
             }
         }

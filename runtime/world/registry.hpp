@@ -47,11 +47,23 @@ struct Shortcut {
     std::type_index dps;
 };
 
+/// What is wrong with an object, and what was expected, in words.
+struct ObjectFault {
+    ObjectId object;
+    std::string text;
+};
+
 /// A condition on an object as stated by a file, before its completion: for example that a polygon is convex.
-/// Checks an object that has the property; returns what is wrong and what was expected, in words, or nothing.
+/// It has one of the two functions.
 struct ObjectRule {
     PropertyInfo const* property; ///< whose entry in the file is at fault
-    std::optional<std::string> (*check)(Store const&, ObjectId);
+    /// Checks an object that has the property; returns what is wrong and what was expected, in words, or
+    /// nothing.
+    std::optional<std::string> (*check)(Store const&, ObjectId) = nullptr;
+    /// For a condition that compares objects with each other: checks all that have the property at once, so
+    /// that its cost need not grow with the square of their number. At most one entry of an object,
+    /// ascending by object.
+    std::vector<ObjectFault> (*checkAll)(Store const&) = nullptr;
 };
 
 /// An effect's hold on a kind of a level's "connections". A connection belongs to the effect whose kind it

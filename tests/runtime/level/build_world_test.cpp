@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <map>
+
 namespace trembler {
 namespace {
 
@@ -77,6 +79,42 @@ TEST_F(BuildWorld, PlacesProblemsWhereThePropertyIsStated) {
     EXPECT_EQ(problemOf(R"("objects": [{"name": "a", "part": "heavy", "properties": {"weight": 12}}])"), "");
     EXPECT_SAYS(problemOf(R"("objects": [{"name": "a"}, {"name": "b"}], "connections": [["a", "b"]])"),
                 "/connections/0: only what has a tag");
+}
+
+// Weights must differ; told of all but the first of equals.
+int timesCompared = 0;
+std::vector<ObjectFault> compareWeights(Store const& store) {
+    ++timesCompared;
+    std::vector<ObjectFault> faults;
+    std::map<double, ObjectId> first;
+    for (ObjectId const id : store.findColumn<Weight>()->owners()) {
+        auto const [at, isNew] = first.emplace((*store.findColumn<Weight>())[id].value, id);
+        if (!isNew) {
+            faults.push_back({id, "as heavy as '" + store.nameOf(at->second) + "'"});
+        }
+    }
+    return faults;
+}
+
+TEST_F(BuildWorld, ComparesAllObjectsOnceAndPlacesWhatItFinds) {
+    registry.rule({.property = &propertyInfo<Weight>(), .checkAll = compareWeights});
+    timesCompared = 0;
+    EXPECT_EQ(problemOf(R"("objects": [{"name": "a"}])"), "") << "there is nothing to compare";
+    EXPECT_EQ(timesCompared, 0);
+    std::string const problems = problemOf(R"("objects": [{"name": "c", "properties": {"weight": 13}},
+                                 {"name": "a", "properties": {"weight": 13}},
+                                 {"name": "d", "properties": {"weight": 2}},
+                                 {"name": "b", "properties": {"weight": 1}},
+                                 {"name": "e", "part": "thing"}, {"name": "f", "part": "thing"}])");
+    EXPECT_EQ(timesCompared, 1);
+    EXPECT_SAYS(problems, "/objects/0/properties/weight: c: as heavy as 'a'");
+    EXPECT_SAYS(problems, "/properties/weight: f: as heavy as 'e'");
+    std::size_t const single = problems.find("c: the weight is 13"); // in order of objects, then of rules
+    std::size_t const compared = problems.find("c: as heavy");
+    EXPECT_LT(problems.find("a: the weight is 13"), single);
+    EXPECT_LT(single, compared);
+    EXPECT_LT(compared, problems.find("f: as heavy"));
+    EXPECT_EQ(problems.find("b: "), std::string::npos);
 }
 
 TEST_F(BuildWorld, RefusesPlacementsThatTheLevelDoesNotAllow) {
