@@ -16,7 +16,8 @@ public:
         if (free_.empty()) {
             objects_.push_back(object);
         } else {
-            slot = free_.back();
+            slot = free_.front();
+            std::pop_heap(free_.begin(), free_.end(), std::greater<>{});
             free_.pop_back();
             objects_[slot] = object;
         }
@@ -29,7 +30,8 @@ public:
     void release(SlotIndex slot) {
         byIndex_[objects_[slot].index] = noSlot;
         objects_[slot] = {};
-        free_.insert(std::lower_bound(free_.begin(), free_.end(), slot, std::greater<>{}), slot);
+        free_.push_back(slot);
+        std::push_heap(free_.begin(), free_.end(), std::greater<>{});
     }
     /// The object's slot, or noSlot.
     [[nodiscard]] SlotIndex find(ObjectId object) const {
@@ -44,7 +46,7 @@ public:
 
 private:
     std::vector<ObjectId> objects_;
-    std::vector<SlotIndex> free_; // descending
+    std::vector<SlotIndex> free_; // a heap, the lowest in front
     std::vector<SlotIndex> byIndex_;
 };
 
