@@ -5,6 +5,7 @@
 #include "physics/dynamics/breaking.hpp"
 #include "physics/dynamics/chipmunk/chipmunk_dynamics.hpp"
 #include "physics/dynamics/completion.hpp"
+#include "physics/dynamics/crowd_rules.hpp"
 #include "physics/dynamics/frame_from_dynamics.hpp"
 #include "physics/dynamics/hand.hpp"
 #include "physics/dynamics/joint_rules.hpp"
@@ -48,6 +49,7 @@ void registerDynamics(Registry& registry) {
     registry.property<Density>();
     registry.rule({&propertyInfo<Shape>(), checkShape});
     registry.rule({&propertyInfo<Joint>(), checkJoint});
+    registry.rule({.property = &propertyInfo<Position>(), .checkAll = checkCrowds});
     registry.completion<MatterCompletion>();
     registry.completion<BodyCompletion>();
     registry.completion<JointCompletion>();
