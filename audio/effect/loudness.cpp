@@ -18,14 +18,23 @@ struct Source {
     EventId event;
 };
 
+struct Listening {
+    ObjectId object;
+    bool placed = false;
+    Vec2 at;             // m
+    double faintest = 0; // Pa²
+};
+
 /// From a source to a listener.
 struct Way {
     Source const* source;
     Vec2 to;          // m
     std::size_t ear;  // the listener's entry
-    double faintest;  // Pa²
     double heard = 0; // Pa²
 };
+
+// There are sources times ears of them, of which this many are kept in memory.
+constexpr std::size_t waysAtOnce = 1 << 18;
 
 std::vector<Source> sourcesOf(Sounds const& sounds) {
     constexpr double typical = 1000; // Hz, of a recording
@@ -41,6 +50,28 @@ std::vector<Source> sourcesOf(Sounds const& sounds) {
         }
     }
     return sources;
+}
+
+std::vector<Listening> listeningIn(LoudnessColumns const& columns) {
+    constexpr double margin = 0.01; // 20 dB
+    std::vector<ObjectId> ears;
+    std::set_union(columns.ears.owners().begin(), columns.ears.owners().end(),
+                   columns.sensors.owners().begin(), columns.sensors.owners().end(),
+                   std::back_inserter(ears));
+    std::vector<Listening> all;
+    for (ObjectId const ear : ears) {
+        Position const* const position = columns.position.find(ear);
+        SoundSensor const* const sensor = columns.sensors.find(ear);
+        bool const onlySwitches = sensor != nullptr && !columns.ears.has(ear);
+        all.push_back({ear, position != nullptr, position == nullptr ? Vec2{} : position->value,
+                       onlySwitches ? margin * meanSquareOf(sensor->threshold) : inaudible});
+    }
+    return all;
+}
+
+// Whether it would be heard if nothing were in between.
+bool reaches(Source const& source, Listening const& ear) {
+    return ear.placed && source.loudness / std::max(0.01, lengthSquared(ear.at - source.at)) >= ear.faintest;
 }
 
 std::vector<Obstacle> obstaclesOf(LoudnessColumns const& columns) {
@@ -70,6 +101,24 @@ int patienceFor(std::size_t ways, std::size_t obstacles) {
     return static_cast<int>(std::clamp(each, 20.0, static_cast<double>(mostPatience)));
 }
 
+// `ways` holds all of each ear that it has any of.
+void addUp(std::vector<Way> const& ways, std::vector<Loudness::Entry>& entries) {
+    for (auto way = ways.begin(); way != ways.end();) {
+        Loudness::Entry& entry = entries[way->ear];
+        double sum = 0;
+        double most = 0;
+        for (std::size_t const ear = way->ear; way != ways.end() && way->ear == ear; ++way) {
+            sum += way->heard;
+            if (way->heard > most) {
+                most = way->heard;
+                entry.loudest = way->source->object;
+                entry.event = way->source->event;
+            }
+        }
+        entry.level = levelOf(sum);
+    }
+}
+
 } // namespace
 
 double Loudness::at(ObjectId ear) const {
@@ -80,34 +129,31 @@ double Loudness::at(ObjectId ear) const {
 
 std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
                                         PathDetail detail, ForPaths const& forPaths) {
-    constexpr double margin = 0.01; // 20 dB
-    std::vector<ObjectId> ears;
-    std::set_union(columns.ears.owners().begin(), columns.ears.owners().end(),
-                   columns.sensors.owners().begin(), columns.sensors.owners().end(),
-                   std::back_inserter(ears));
     std::vector<Source> const sources = sourcesOf(sounds);
+    std::vector<Listening> const ears = listeningIn(columns);
     std::vector<Loudness::Entry> entries;
+    std::size_t count = 0; // of all ways
+    for (Listening const& ear : ears) {
+        entries.push_back({ear.object, silentLevel, {}, {}});
+        count += static_cast<std::size_t>(std::count_if(
+            sources.begin(), sources.end(), [&](Source const& source) { return reaches(source, ear); }));
+    }
+    if (count == 0) {
+        return entries;
+    }
+    std::vector<Obstacle> const obstacles = obstaclesOf(columns);
+    ObstacleField const field(obstacles);
+    int const patience = patienceFor(count, obstacles.size());
     std::vector<Way> ways; // by ear, and of each ear in order of sources
-    for (ObjectId const ear : ears) {
-        Position const* const position = columns.position.find(ear);
-        SoundSensor const* const sensor = columns.sensors.find(ear);
-        bool const onlySwitches = sensor != nullptr && !columns.ears.has(ear);
-        double const faintest = onlySwitches ? margin * meanSquareOf(sensor->threshold) : inaudible;
+    for (std::size_t ear = 0; ear < ears.size(); ++ear) {
         for (Source const& source : sources) {
-            if (position == nullptr) {
-                break;
-            }
-            double const free = source.loudness / std::max(0.01, lengthSquared(position->value - source.at));
-            if (free >= faintest) {
-                ways.push_back({&source, position->value, entries.size(), faintest, 0});
+            if (reaches(source, ears[ear])) {
+                ways.push_back({&source, ears[ear].at, ear, 0});
             }
         }
-        entries.push_back({ear, silentLevel, {}, {}});
-    }
-    if (!ways.empty()) {
-        std::vector<Obstacle> const obstacles = obstaclesOf(columns);
-        ObstacleField const field(obstacles);
-        int const patience = patienceFor(ways.size(), obstacles.size());
+        if (ways.empty() || (ways.size() < waysAtOnce && ear + 1 < ears.size())) {
+            continue;
+        }
         forPaths(ways.size(), [&](std::size_t begin, std::size_t end) {
             for (Way& way : std::span(ways).subspan(begin, end - begin)) {
                 way.heard = way.source->loudness * transmission(field, std::span(&entries[way.ear].ear, 1),
@@ -115,20 +161,8 @@ std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns co
                                                                 detail, 0, patience);
             }
         });
-    }
-    auto way = ways.cbegin();
-    for (std::size_t ear = 0; ear < entries.size(); ++ear) {
-        double sum = 0;
-        double most = 0;
-        for (; way != ways.cend() && way->ear == ear; ++way) {
-            sum += way->heard;
-            if (way->heard > most) {
-                most = way->heard;
-                entries[ear].loudest = way->source->object;
-                entries[ear].event = way->source->event;
-            }
-        }
-        entries[ear].level = levelOf(sum);
+        addUp(ways, entries);
+        ways.clear();
     }
     return entries;
 }

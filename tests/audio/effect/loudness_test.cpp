@@ -49,6 +49,47 @@ TEST(Loudness, RisesAndFallsAsFastAsAMeter) {
     EXPECT_EQ(room.levelAt(ear), silentLevel);
 }
 
+// So many ways from sounds to ears that they are not kept all at once: each ear hears what it hears alone.
+TEST(Loudness, OfManyAtManyEarsIsWhatEachEarHearsAlone) {
+    constexpr std::uint32_t sources = 900;
+    constexpr std::uint32_t ears = 700;
+    Sounds sounds;
+    for (std::uint32_t i = 0; i < sources; ++i) {
+        Sounds::Body body;
+        body.object = {i, 0};
+        body.at = {0.5 * i, 0};
+        body.loudness = meanSquareOf(i % 2 == 0 ? 60 : 0); // of which half do not reach all
+        body.brightness = 1000;
+        sounds.bodies.push_back(body);
+    }
+    Column<SoundSensor> const sensors;
+    Column<Shape> const shapes;
+    Column<Density> const densities;
+    Column<Rotation> const rotations;
+    auto const heardAt = [&](std::uint32_t first, std::uint32_t end) {
+        Column<Ear> listening;
+        Column<Position> positions;
+        for (std::uint32_t i = first; i < end; ++i) {
+            listening.set({sources + i, 0}, {});
+            if (i % 7 != 0) { // else it is nowhere
+                positions.set({sources + i, 0}, {{0.7 * i, 3}});
+            }
+        }
+        return loudnessOf(sounds, {listening, sensors, shapes, densities, positions, rotations},
+                          PathDetail::straight, [](std::size_t count, auto const& f) { f(0, count); });
+    };
+    auto const together = heardAt(0, ears);
+    ASSERT_EQ(together.size(), ears);
+    for (std::uint32_t i = 0; i < ears; ++i) {
+        auto const alone = heardAt(i, i + 1);
+        ASSERT_EQ(alone.size(), 1U);
+        EXPECT_EQ(together[i].ear, alone[0].ear);
+        EXPECT_EQ(together[i].level, alone[0].level);
+        EXPECT_EQ(together[i].loudest, alone[0].loudest);
+        EXPECT_EQ(together[i].level > 0, i % 7 != 0);
+    }
+}
+
 TEST(Loudness, TwoEqualSourcesAreThreeDecibelsMore) {
     ListeningRoom room;
     addSiren(room, {-2, 0}, 80);
