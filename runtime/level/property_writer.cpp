@@ -1,6 +1,7 @@
 #include "runtime/level/property_writer.hpp"
 
 #include "runtime/level/field_outline.hpp"
+#include "runtime/property/idle_visitor.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -64,16 +65,10 @@ private:
 };
 
 /// Remembers the choices and the lengths of lists, in order: what decides which fields a value has.
-class StructureRecorder final : public FieldVisitor {
+class StructureRecorder final : public IdleVisitor {
 public:
     std::vector<std::size_t> structure;
 
-    void boolean(FieldInfo const&, bool&) override {}
-    void integer(FieldInfo const&, std::int32_t&) override {}
-    void number(FieldInfo const&, double&) override {}
-    void vector(FieldInfo const&, Vec2&) override {}
-    void text(FieldInfo const&, std::string&) override {}
-    void object(FieldInfo const&, ObjectId&) override {}
     void choice(FieldInfo const&, ChoiceField field) override {
         structure.push_back(static_cast<std::size_t>(field.index));
     }
@@ -86,16 +81,10 @@ public:
 };
 
 /// Gives an initial value the remembered structure, so that it has the same fields.
-class StructureCopier final : public FieldVisitor {
+class StructureCopier final : public IdleVisitor {
 public:
     explicit StructureCopier(std::vector<std::size_t> const& structure) : structure_(structure) {}
 
-    void boolean(FieldInfo const&, bool&) override {}
-    void integer(FieldInfo const&, std::int32_t&) override {}
-    void number(FieldInfo const&, double&) override {}
-    void vector(FieldInfo const&, Vec2&) override {}
-    void text(FieldInfo const&, std::string&) override {}
-    void object(FieldInfo const&, ObjectId&) override {}
     void choice(FieldInfo const&, ChoiceField field) override {
         field.index = static_cast<int>(structure_[next_++]);
     }

@@ -1,22 +1,17 @@
 #include "runtime/level/references.hpp"
 
 #include "runtime/level/json_locator.hpp"
+#include "runtime/property/idle_visitor.hpp"
 
 namespace trembler {
 namespace {
 
-class ReferenceResolver final : public FieldVisitor {
+class ReferenceResolver final : public IdleVisitor {
 public:
     ReferenceResolver(NameTable const& names, Store const& store) : names_(names), store_(store) {}
 
     std::vector<DanglingReference> dangling;
 
-    void boolean(FieldInfo const&, bool&) override {}
-    void integer(FieldInfo const&, std::int32_t&) override {}
-    void number(FieldInfo const&, double&) override {}
-    void vector(FieldInfo const&, Vec2&) override {}
-    void text(FieldInfo const&, std::string&) override {}
-    void choice(FieldInfo const&, ChoiceField) override {}
     void object(FieldInfo const& info, ObjectId& id) override {
         if (!id.valid()) {
             return;

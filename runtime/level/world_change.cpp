@@ -1,6 +1,7 @@
 #include "runtime/level/world_change.hpp"
 
 #include "runtime/level/field_outline.hpp"
+#include "runtime/property/idle_visitor.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,23 +16,17 @@ namespace {
 using Kind = RecordedChange::Kind;
 
 /// Finds a field that is a number by its key, and sets it if it is told to.
-class NumberField final : public FieldVisitor {
+class NumberField final : public IdleVisitor {
 public:
     NumberField(std::string_view key, std::optional<double> set) : key_(key), set_(set) {}
     [[nodiscard]] std::optional<double> found() const { return found_; }
 
-    void boolean(FieldInfo const&, bool&) override {}
     void integer(FieldInfo const& info, std::int32_t& value) override {
         double number = value;
         take(info, number);
         value = static_cast<std::int32_t>(number);
     }
     void number(FieldInfo const& info, double& value) override { take(info, value); }
-    void vector(FieldInfo const&, Vec2&) override {}
-    void text(FieldInfo const&, std::string&) override {}
-    void object(FieldInfo const&, ObjectId&) override {}
-    void choice(FieldInfo const&, ChoiceField) override {}
-    void list(FieldInfo const&, ListField&) override {}
 
 private:
     void take(FieldInfo const& info, double& value) {

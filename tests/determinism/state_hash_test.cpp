@@ -28,6 +28,7 @@
 #include "runtime/input/input_resolver.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/population/population_resolver.hpp"
+#include "runtime/property/idle_visitor.hpp"
 #include "runtime/world/world.hpp"
 #include "tests/determinism/level_runs.hpp"
 
@@ -114,15 +115,8 @@ private:
 };
 
 // Puts one element into every list, so that there is one to be changed.
-class FillLists final : public FieldVisitor {
+class FillLists final : public IdleVisitor {
 public:
-    void boolean(FieldInfo const&, bool&) override {}
-    void integer(FieldInfo const&, std::int32_t&) override {}
-    void number(FieldInfo const&, double&) override {}
-    void vector(FieldInfo const&, Vec2&) override {}
-    void text(FieldInfo const&, std::string&) override {}
-    void object(FieldInfo const&, ObjectId&) override {}
-    void choice(FieldInfo const&, ChoiceField) override {}
     void list(FieldInfo const&, ListField& v) override {
         if (v.size() == 0) {
             v.resize(1);

@@ -3,6 +3,7 @@
 #include "game/session/session.hpp"
 #include "physics/dynamics/engine_state.hpp"
 #include "runtime/level/read_level.hpp"
+#include "runtime/property/idle_visitor.hpp"
 #include "tests/levels/schema_validator.hpp"
 #include "tests/levels/shelf.hpp"
 #include "tests/worlds/random_level.hpp"
@@ -27,12 +28,10 @@ double processorTime() {
 }
 
 /// Finds the first number of a property that is none.
-class FiniteCheck final : public FieldVisitor {
+class FiniteCheck final : public IdleVisitor {
 public:
     std::string wrong;
 
-    void boolean(FieldInfo const&, bool&) override {}
-    void integer(FieldInfo const&, std::int32_t&) override {}
     void number(FieldInfo const& info, double& value) override {
         if (!std::isfinite(value) && wrong.empty()) {
             wrong = fmt::format("{} is {}", info.key, value);
@@ -42,9 +41,6 @@ public:
         number(info, value.x);
         number(info, value.y);
     }
-    void text(FieldInfo const&, std::string&) override {}
-    void object(FieldInfo const&, ObjectId&) override {}
-    void choice(FieldInfo const&, ChoiceField) override {}
     void list(FieldInfo const&, ListField& field) override {
         for (std::size_t i = 0; i < field.size(); ++i) {
             field.visitElement(i, *this);
