@@ -40,8 +40,10 @@ public:
     Condition read(JsonNode const& node) {
         Condition condition;
         condition.path = node.path();
-        if (++conditions_ > limits::conditions) {
-            node.complain("is one condition too many", fmt::format("at most {}", limits::conditions));
+        if (++conditions_ > limits::conditions) { // finding a place takes a while, and one will do
+            if (conditions_ == limits::conditions + 1) {
+                node.complain("is one condition too many", fmt::format("at most {}", limits::conditions));
+            }
             return condition;
         }
         MemberReader reader(node, "a condition: an object with one of the keys " + listed(kinds()));
@@ -119,7 +121,7 @@ private:
             if (body.size() == 0) {
                 body.complain("is empty", "at least one condition");
             }
-            for (std::size_t i = 0; i < body.size(); ++i) {
+            for (std::size_t i = 0; i < body.size() && conditions_ <= limits::conditions; ++i) {
                 condition.children.push_back(read(body.element(i)));
             }
         }
