@@ -134,7 +134,18 @@ void World::step(PartLook const& look) {
         }
         // Where nobody had anything to do, nothing is going to change in the parts to come, but in the last
         // one, in which those with a period have their turn.
-        now_.part = anybodyRan() ? now_.part + 1 : now_.parts;
+        if (anybodyRan()) {
+            ++now_.part;
+        } else {
+            // Whoever slept in this part sleeps through them too: woken in the last one, it has had a turn in
+            // the one before.
+            std::uint64_t const skipped =
+                (now_.parts - now_.part - 1) * std::uint64_t{ticksPerFrame / now_.parts};
+            for (Entry& entry : entries_) {
+                entry.lastTick += entry.component && entry.lastTick == ticks_ ? skipped : 0;
+            }
+            now_.part = now_.parts;
+        }
         ++now_.step;
     }
 }

@@ -69,6 +69,28 @@ private:
     bool told_ = false;
 };
 
+struct Turns {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Turns", "turns", "How long the listener's turns were."};
+    static constexpr std::string_view standing = "kept over all parts";
+    static constexpr Coverage coverage = hashed;
+    std::vector<double> durations; ///< s
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+struct ListenerRole {
+    static constexpr std::string_view name = "Listener";
+    using Calls = CallList<>;
+};
+
+/// Remembers the length of each turn. It has one where heat has changed.
+struct Listener final : Resolver<Listener, ListenerRole, Reads<Heat>, Writes<>, Provides<Turns>> {
+    static constexpr ComponentText text{
+        .name = "Listener", .effect = "listener", .level = "", .work = "Listens."};
+    using CalledFor = NeedsAll<Heat>;
+    void advance(Access& access) { access.provide<Turns>().durations.push_back(access.duration()); }
+};
+
 /// Asks for parts as long as there is fuel, none longer than 1/rate.
 struct FrameFromFuel final : Interaction<FrameFromFuel, FrameRole, Reads<Fuel>> {
     static constexpr ComponentText text{
@@ -198,6 +220,27 @@ TEST(FrameParts, APeriodCountsFrames) {
         EXPECT_DOUBLE_EQ(durations[0], frameDuration);
         EXPECT_DOUBLE_EQ(durations[1], 3 * frameDuration);
         EXPECT_DOUBLE_EQ(durations[2], 3 * frameDuration);
+    }
+}
+
+// Parts in which everybody sleeps are skipped. Whoever is woken in the last one has slept through them.
+TEST(FrameParts, WhoeverIsWokenAfterSkippedPartsHasATurnOfOne) {
+    for (bool const somebodyIsBusy : {false, true}) {
+        Registry made;
+        registerRuntime(made);
+        made.component<Furnace>();
+        made.component<Metronome>();
+        made.component<Listener>();
+        World world(made);
+        thing(world, "coal", somebodyIsBusy ? 1000 : 0, 0); // turns of the metronome, in all parts
+        state(world, 8);
+        world.setPeriod("Furnace Resolver", 2);
+        world.start();
+        frames(world, 5);
+        // At first, and when the furnace has had its turns, in the last parts of frames 1, 3 and 5.
+        EXPECT_EQ(world.find<Turns>()->durations, std::vector<double>(4, frameDuration / 8))
+            << somebodyIsBusy;
+        EXPECT_EQ(statusOf(world, "Metronome").updates > 8, somebodyIsBusy);
     }
 }
 
