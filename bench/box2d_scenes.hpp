@@ -3,10 +3,10 @@
 // iterations and reach, bit for bit, the same motion.
 #pragma once
 
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/joint.hpp"
-#include "physics/dynamics/settings.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/dynamics/properties/settings.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"

@@ -5,8 +5,8 @@
 //
 // Prints Markdown. Errors are the same on every machine; times, medians interleaved, are not.
 #include "bench/measure.hpp"
-#include "physics/buoyancy/exact_hull.hpp"
-#include "physics/buoyancy/particle_hull.hpp"
+#include "physics/buoyancy/hulls/exact_hull.hpp"
+#include "physics/buoyancy/hulls/particle_hull.hpp"
 
 #include <fmt/format.h>
 

@@ -6,10 +6,10 @@
 // Prints Markdown. The simulation is deterministic, so every machine prints the same numbers; only the times
 // do not belong to it. Of each run: the greatest deviation of the raft's height from the run with period 1,
 // when the raft has come to rest, and how far it still swings after that long.
-#include "game/core/workshop.hpp"
-#include "physics/buoyancy/settings.hpp"
-#include "runtime/level/build_world.hpp"
-#include "runtime/level/read_level.hpp"
+#include "physics/buoyancy/properties/settings.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>

@@ -2,14 +2,14 @@
 // calls for none, beside one that knows dynamics alone and beside bare Box2D, turn by turn in blocks of
 // frames. Second: every level that comes to rest, its frames at rest against its frames in motion. CPU time
 // of this thread, medians.
-#include "game/called_for/called_for.hpp"
+#include "measure/called_for/called_for.hpp"
 
 #include "bench/box2d_scenes.hpp"
 #include "bench/measure.hpp"
-#include "game/core/effects.hpp"
-#include "game/core/workshop.hpp"
-#include "game/session/session.hpp"
-#include "runtime/level/read_level.hpp"
+#include "puzzle/data/effects.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "puzzle/session/session.hpp"
+#include "runtime/level/read/read_level.hpp"
 
 #include <array>
 #include <cstdlib>

@@ -1,18 +1,18 @@
 // What an effect costs where it is called for: two worlds of the same bodies that move on for ever, one of
 // which has the effect's properties besides, turn by turn in blocks of frames. Once in a world of two bodies,
 // and in one of a thousand. CPU time of this thread, medians of the differences.
-#include "game/core/effects.hpp"
+#include "puzzle/data/effects.hpp"
 
-#include "audio/effect/loudness.hpp"
-#include "audio/effect/properties.hpp"
-#include "audio/effect/sounds.hpp"
+#include "audio/effect/hearing/loudness.hpp"
+#include "audio/effect/properties/acoustics.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "bench/box2d_scenes.hpp"
 #include "bench/measure.hpp"
-#include "physics/buoyancy/liquid.hpp"
+#include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/electricity/calls.hpp"
-#include "physics/electricity/initial_connections.hpp"
-#include "physics/electricity/nodal_properties.hpp"
-#include "physics/electricity/properties.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/ratings.hpp"
+#include "physics/electricity/rules/initial_connections.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/material.hpp"
 #include "physics/motor/properties.hpp"

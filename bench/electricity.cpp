@@ -2,9 +2,9 @@
 // only, against the Boost Graph Library over the whole graph. In a city of 1e5 electrical objects in 2,000
 // separate buildings, and, where there is no locality to gain from, on one chain of 1e6 objects.
 #include "physics/electricity/calls.hpp"
-#include "physics/electricity/initial_connections.hpp"
-#include "physics/electricity/properties.hpp"
+#include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/register.hpp"
+#include "physics/electricity/rules/initial_connections.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/world.hpp"

@@ -2,12 +2,12 @@
 // Wall time per frame of 1/60 s with the world's four substeps and sleeping off, one thread, medians over
 // frames; interleaved, so that all engines meet the same machine.
 #include "bench/measure.hpp"
-#include "game/core/effects.hpp"
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/joint.hpp"
-#include "physics/dynamics/settings.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/dynamics/properties/settings.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/gravity/properties.hpp"
+#include "puzzle/data/effects.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
 

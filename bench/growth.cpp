@@ -9,9 +9,9 @@
 // frame is the mean of five, so that what happens in one of them counts. A size is left out where those
 // before it let expect more than half a minute.
 #include "bench/growth_levels.hpp"
-#include "game/core/workshop.hpp"
-#include "game/session/session.hpp"
-#include "runtime/level/read_level.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "puzzle/session/session.hpp"
+#include "runtime/level/read/read_level.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // number.
 #pragma once
 
-#include "runtime/level/limits.hpp"
+#include "runtime/level/json/limits.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -4,13 +4,13 @@
 // scripted. Where there are listeners, the noise switches lamps.
 #pragma once
 
-#include "audio/effect/properties.hpp"
-#include "physics/buoyancy/liquid.hpp"
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/joint.hpp"
-#include "physics/dynamics/shape.hpp"
-#include "physics/electricity/initial_connections.hpp"
-#include "physics/electricity/properties.hpp"
+#include "audio/effect/properties/acoustics.hpp"
+#include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/rules/initial_connections.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/material.hpp"

@@ -5,8 +5,8 @@
 //
 // Prints Markdown. Errors are the same on every machine, times are medians of single frames on one thread.
 #include "bench/measure.hpp"
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/standstill.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/standstill.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/gravity/register.hpp"
 #include "physics/inverse_square/kernels.hpp"

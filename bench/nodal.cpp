@@ -2,9 +2,9 @@
 // EMF new; and what of that the refinement and the bookkeeping around Eigen's factorisation are. Beside it
 // two-wire and flow on the same circuits.
 #include "bench/measure.hpp"
-#include "physics/electricity/max_flow.hpp"
-#include "physics/electricity/nodal_analysis.hpp"
-#include "physics/electricity/two_wire.hpp"
+#include "physics/electricity/analyses/max_flow.hpp"
+#include "physics/electricity/analyses/nodal_analysis.hpp"
+#include "physics/electricity/analyses/two_wire.hpp"
 
 #include <algorithm>
 #include <cmath>

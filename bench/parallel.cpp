@@ -3,10 +3,10 @@
 // frame by frame, so what disturbs the machine disturbs both. Beside the speed-up stands what the schedule
 // allows: the time of every component on one thread, and the longest chain of them that must run one after
 // the other.
-#include "audio/effect/sounds.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "bench/machine_hall.hpp"
 #include "bench/measure.hpp"
-#include "game/core/effects.hpp"
+#include "puzzle/data/effects.hpp"
 #include "runtime/schedule/schedule.hpp"
 #include "runtime/world/world.hpp"
 

@@ -1,12 +1,12 @@
 // What sound costs: 200 bodies that hit the floor in one frame, worked out in the world, synthesised and
 // played into memory, against a tenth of a frame; and what fewer modes, or masking, save and lose.
-#include "audio/effect/decibel.hpp"
+#include "audio/effect/properties/decibel.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "audio/effect/register.hpp"
-#include "audio/effect/sounds.hpp"
 #include "audio/synth/synthesiser.hpp"
 #include "bench/measure.hpp"
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/material.hpp"
 #include "physics/register_physics.hpp"

@@ -1,11 +1,11 @@
-// The hard cases of tests/stability/ over many jittered seeds: what is reached with the automatic settings,
+// The hard cases of measure/stability/ over many jittered seeds: what is reached with the automatic settings,
 // and the cheapest fixed setting that holds. It makes the tables of docs/stability.md:
 //
 //   bench_stability --markdown > table.md
 //
 // --case TEXT picks the cases whose name contains it. With --substeps only these are tried, and all figures
 // shown. Progress goes to the standard error.
-#include "tests/stability/hard_case.hpp"
+#include "measure/stability/hard_case.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -63,3 +63,11 @@ function(trembler_precompile target)
       <set> <span> <string> <unordered_map> <vector> <fmt/format.h> ${ARGN})
   endif()
 endfunction()
+
+# trembler_precompiled_as(TARGET OTHER): with TREMBLER_PCH, uses what was precompiled for OTHER.
+function(trembler_precompiled_as target other)
+  if(TREMBLER_PCH)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    target_precompile_headers(${target} REUSE_FROM ${other})
+  endif()
+endfunction()

@@ -1,11 +1,11 @@
 #include "audio/effect/register.hpp"
 
-#include "audio/effect/electricity_from_sound.hpp"
-#include "audio/effect/from_buoyancy.hpp"
-#include "audio/effect/from_dynamics.hpp"
-#include "audio/effect/from_electricity.hpp"
-#include "audio/effect/loudness.hpp"
-#include "audio/effect/sound_resolver.hpp"
+#include "audio/effect/core/sound_resolver.hpp"
+#include "audio/effect/hearing/loudness.hpp"
+#include "audio/effect/interactions/electricity_from_sound.hpp"
+#include "audio/effect/interactions/from_buoyancy.hpp"
+#include "audio/effect/interactions/from_dynamics.hpp"
+#include "audio/effect/interactions/from_electricity.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <fmt/format.h>

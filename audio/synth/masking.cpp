@@ -1,6 +1,6 @@
 #include "audio/synth/masking.hpp"
 
-#include "audio/effect/decibel.hpp"
+#include "audio/effect/properties/decibel.hpp"
 
 #include <algorithm>
 #include <cmath>

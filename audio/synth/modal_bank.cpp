@@ -1,6 +1,6 @@
 #include "audio/synth/modal_bank.hpp"
 
-#include "audio/effect/decibel.hpp"
+#include "audio/effect/properties/decibel.hpp"
 #include "audio/synth/masking.hpp"
 #include "runtime/math/vec2.hpp"
 

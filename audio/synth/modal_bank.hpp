@@ -1,7 +1,7 @@
 // The modes of one body as damped oscillators that make samples.
 #pragma once
 
-#include "audio/effect/sounds.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "audio/synth/lanes.hpp"
 
 #include <complex>

@@ -1,7 +1,7 @@
 #include "audio/synth/room.hpp"
 
-#include "audio/effect/acoustic_material.hpp"
-#include "physics/dynamics/body.hpp"
+#include "audio/effect/properties/acoustic_material.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/store.hpp"
 

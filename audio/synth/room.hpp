@@ -1,7 +1,7 @@
 // How a level echoes: estimated from its geometry and what its walls are made of.
 #pragma once
 
-#include "audio/effect/obstacles.hpp"
+#include "audio/effect/hearing/obstacles.hpp"
 #include "physics/material.hpp"
 
 #include <map>

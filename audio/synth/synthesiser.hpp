@@ -1,7 +1,7 @@
 // From what sounds in the world to samples: one mono stream per sounding object.
 #pragma once
 
-#include "audio/effect/sounds.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "audio/synth/masking.hpp"
 #include "audio/synth/modal_bank.hpp"
 #include "audio/synth/recording.hpp"

@@ -1,12 +1,12 @@
 // trembler accuracy: what accuracy costs.
-#include "game/accuracy/ladder.hpp"
-#include "game/accuracy/plot.hpp"
-#include "game/accuracy/report.hpp"
 #include "game/app/commands.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/outputs.hpp"
 #include "game/app/progress.hpp"
-#include "game/core/workshop.hpp"
+#include "measure/accuracy/ladder.hpp"
+#include "measure/accuracy/plot.hpp"
+#include "measure/accuracy/report.hpp"
+#include "puzzle/data/workshop.hpp"
 #include "runtime/file/visible_text.hpp"
 
 #include <fmt/format.h>

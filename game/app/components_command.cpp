@@ -1,10 +1,10 @@
 // trembler components and trembler schema: what there is, described by itself, and what levels call for.
 #include "game/app/commands.hpp"
 #include "game/app/outputs.hpp"
-#include "game/called_for/report.hpp"
-#include "game/core/effects.hpp"
-#include "game/core/workshop.hpp"
-#include "game/goals/level_schema.hpp"
+#include "measure/called_for/report.hpp"
+#include "puzzle/data/effects.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "puzzle/goals/level_schema.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/notation/notation.hpp"
 

@@ -1,6 +1,6 @@
 #include "game/app/commands.hpp"
 #include "runtime/file/visible_text.hpp"
-#include "runtime/level/diagnostic.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 
 #include <iostream>
 #include <new>

@@ -2,7 +2,7 @@
 #include "game/app/commands.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/run_arguments.hpp"
-#include "runtime/level/limits.hpp"
+#include "runtime/level/json/limits.hpp"
 
 #include <memory>
 

@@ -1,11 +1,11 @@
 // `trembler run --sound`, in programs with sound and in those without.
 #pragma once
 
-#include "game/core/effects.hpp"
-#include "game/core/workshop.hpp"
-#include "game/session/runner.hpp"
+#include "puzzle/data/effects.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "puzzle/run/runner.hpp"
 #ifndef TREMBLER_HEADLESS
-#include "game/ui/run_sound.hpp"
+#include "game/ui/headless/run_sound.hpp"
 #endif
 
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // trembler verify: is every level valid?
 #include "game/app/commands.hpp"
-#include "game/core/workshop.hpp"
-#include "game/session/verify.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "puzzle/solutions/verify.hpp"
 #include "runtime/file/visible_text.hpp"
 
 #include <fmt/format.h>

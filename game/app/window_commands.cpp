@@ -3,11 +3,11 @@
 #include "game/app/number_options.hpp"
 #include "game/app/outputs.hpp"
 #include "game/app/progress.hpp"
-#include "runtime/level/limits.hpp"
+#include "runtime/level/json/limits.hpp"
 
 #ifndef TREMBLER_HEADLESS
-#include "game/ui/play.hpp"
-#include "game/ui/screenshot.hpp"
+#include "game/ui/app/play.hpp"
+#include "game/ui/headless/screenshot.hpp"
 #include "render/gl/png.hpp"
 #endif
 

@@ -3,7 +3,7 @@
 
 #include "game/budget/controller.hpp"
 #include "game/budget/knobs.hpp"
-#include "game/session/session.hpp"
+#include "puzzle/session/session.hpp"
 
 #include <functional>
 #include <map>

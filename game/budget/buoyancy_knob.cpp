@@ -2,12 +2,12 @@
 #include "game/budget/force_sample.hpp"
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
-#include "physics/buoyancy/exact_hull.hpp"
-#include "physics/buoyancy/particle_hull.hpp"
-#include "physics/buoyancy/results.hpp"
-#include "physics/buoyancy/settings.hpp"
+#include "physics/buoyancy/hulls/exact_hull.hpp"
+#include "physics/buoyancy/hulls/particle_hull.hpp"
+#include "physics/buoyancy/properties/results.hpp"
+#include "physics/buoyancy/properties/settings.hpp"
 #include "physics/depth.hpp"
-#include "physics/dynamics/shape_rules.hpp"
+#include "physics/dynamics/properties/shape_rules.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Dynamics: steps of the engine in a frame.
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
-#include "physics/dynamics/joint.hpp"
-#include "physics/dynamics/settings.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/dynamics/properties/settings.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "game/budget/force_sample.hpp"
 
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/inverse_square/grid.hpp"
 #include "physics/inverse_square/kernels.hpp"
 #include "runtime/placement.hpp"

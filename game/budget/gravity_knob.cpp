@@ -3,7 +3,7 @@
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
 #include "game/budget/tree_sample.hpp"
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/property/for_each.hpp"

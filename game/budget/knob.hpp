@@ -2,7 +2,7 @@
 // far off it is.
 #pragma once
 
-#include "runtime/level/recorded_change.hpp"
+#include "runtime/level/model/recorded_change.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "game/budget/motion_log.hpp"
 
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/settings.hpp"
-#include "physics/dynamics/solver_choice.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/settings.hpp"
+#include "physics/dynamics/properties/solver_choice.hpp"
 #include "runtime/placement.hpp"
 
 #include <algorithm>

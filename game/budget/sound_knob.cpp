@@ -1,5 +1,5 @@
 // Sound: how many modes of each body are followed.
-#include "audio/effect/sounds.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
 

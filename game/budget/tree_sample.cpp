@@ -1,6 +1,6 @@
 #include "game/budget/tree_sample.hpp"
 
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 
 #include <cmath>
 #include <set>

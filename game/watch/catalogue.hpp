@@ -1,7 +1,7 @@
 // Which numbers of a running world can be asked for by name: found out from the descriptions of properties.
 #pragma once
 
-#include "runtime/level/field_outline.hpp"
+#include "runtime/level/property/field_outline.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "game/watch/watch.hpp"
 
-#include "runtime/level/suggestion.hpp"
+#include "runtime/level/json/suggestion.hpp"
 
 #include <fmt/format.h>
 

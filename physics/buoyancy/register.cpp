@@ -1,12 +1,12 @@
 #include "physics/buoyancy/register.hpp"
 
-#include "physics/buoyancy/exact_buoyancy.hpp"
-#include "physics/buoyancy/from_gravity.hpp"
-#include "physics/buoyancy/liquid_drag.hpp"
-#include "physics/buoyancy/liquid_rules.hpp"
-#include "physics/buoyancy/particle_buoyancy.hpp"
-#include "physics/dynamics/from_buoyancy.hpp"
-#include "physics/dynamics/from_liquid_drag.hpp"
+#include "physics/buoyancy/core/exact_buoyancy.hpp"
+#include "physics/buoyancy/core/liquid_drag.hpp"
+#include "physics/buoyancy/core/particle_buoyancy.hpp"
+#include "physics/buoyancy/interactions/from_gravity.hpp"
+#include "physics/buoyancy/rules/liquid_rules.hpp"
+#include "physics/dynamics/interactions/from_buoyancy.hpp"
+#include "physics/dynamics/interactions/from_liquid_drag.hpp"
 #include "runtime/world/registry.hpp"
 
 namespace trembler {

@@ -1,7 +1,7 @@
 // Gravity as a constant acceleration, detail level "linear".
 #pragma once
 
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/component/dps.hpp"
 

@@ -1,7 +1,7 @@
 // What both levels of gravity between masses start from.
 #pragma once
 
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/inverse_square/points.hpp"
 #include "runtime/placement.hpp"

@@ -1,7 +1,7 @@
 // Gravity between every two masses, detail level "real".
 #pragma once
 
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/masses.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/inverse_square/points.hpp"

@@ -1,6 +1,6 @@
 #include "physics/gravity/register.hpp"
 
-#include "physics/dynamics/from_gravity.hpp"
+#include "physics/dynamics/interactions/from_gravity.hpp"
 #include "physics/gravity/linear_gravity.hpp"
 #include "physics/gravity/real_gravity.hpp"
 #include "physics/gravity/tree_gravity.hpp"

@@ -1,7 +1,7 @@
 // Gravity between very many masses, detail level "tree".
 #pragma once
 
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/masses.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/inverse_square/tree.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "physics/depth.hpp"
-#include "physics/dynamics/shape.hpp"
-#include "physics/dynamics/shape_rules.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/dynamics/properties/shape_rules.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/material.hpp"
 #include "runtime/component/completion.hpp"

@@ -1,9 +1,9 @@
 // (Frame <- Magnetic Forces): magnets that are strong for their mass ask for parts of a frame.
 #pragma once
 
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/force_rates.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/force_rates.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/frame/calls.hpp"

@@ -1,7 +1,7 @@
 // (Magnetics <- Electricity): an electromagnet is a magnet while it has electricity.
 #pragma once
 
-#include "physics/electricity/properties.hpp"
+#include "physics/electricity/properties/electrical.hpp"
 #include "physics/magnetism/calls.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/component/interaction.hpp"

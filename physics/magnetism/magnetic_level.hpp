@@ -1,7 +1,7 @@
 // What the detail levels of the magnetic forces have in common: everything but the way of adding up.
 #pragma once
 
-#include "physics/dynamics/force_lag.hpp"
+#include "physics/dynamics/properties/force_lag.hpp"
 #include "physics/magnetism/magnetic_points.hpp"
 #include "runtime/component/dps.hpp"
 

@@ -2,9 +2,9 @@
 // levels of magnetism start and end here.
 #pragma once
 
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/mass_properties.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/inverse_square/points.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/placement.hpp"

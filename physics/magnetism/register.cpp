@@ -1,6 +1,6 @@
 #include "physics/magnetism/register.hpp"
 
-#include "physics/dynamics/from_magnetism.hpp"
+#include "physics/dynamics/interactions/from_magnetism.hpp"
 #include "physics/magnetism/completion.hpp"
 #include "physics/magnetism/frame_from_magnetism.hpp"
 #include "physics/magnetism/from_electricity.hpp"

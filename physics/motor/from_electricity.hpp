@@ -1,10 +1,10 @@
 // (Dynamics <- Electricity): what has electricity turns, and what gives it is hard to turn.
 #pragma once
 
-#include "physics/dynamics/body.hpp"
 #include "physics/dynamics/calls.hpp"
-#include "physics/dynamics/shape.hpp"
-#include "physics/electricity/properties.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/electricity/properties/electrical.hpp"
 #include "physics/motor/properties.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/placement.hpp"

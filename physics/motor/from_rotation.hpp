@@ -1,9 +1,9 @@
 // (Electricity <- Rotation): what turns fast enough gives electricity.
 #pragma once
 
-#include "physics/dynamics/motion_causes.hpp"
+#include "physics/dynamics/properties/motion_causes.hpp"
 #include "physics/electricity/calls.hpp"
-#include "physics/electricity/graph.hpp"
+#include "physics/electricity/properties/graph.hpp"
 #include "physics/motor/properties.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/placement.hpp"

@@ -1,8 +1,8 @@
 // How hard something is to turn.
 #pragma once
 
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "runtime/property/column.hpp"
 
 namespace trembler {

@@ -1,7 +1,7 @@
 #include "render/scene/areas.hpp"
 
-#include "render/scene/dashes.hpp"
-#include "render/scene/hatch.hpp"
+#include "render/scene/marks/dashes.hpp"
+#include "render/scene/marks/hatch.hpp"
 
 #include <numbers>
 

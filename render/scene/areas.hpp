@@ -2,8 +2,8 @@
 #pragma once
 
 #include "render/draw/canvas.hpp"
-#include "render/scene/shape_geometry.hpp"
-#include "runtime/level/level.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
+#include "runtime/level/model/level.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "render/scene/labels.hpp"
 
-#include "render/scene/body.hpp"
-#include "render/scene/shape_geometry.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
+#include "render/scene/objects/body.hpp"
 
 #include <algorithm>
 

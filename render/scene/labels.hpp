@@ -1,7 +1,7 @@
 // The words that objects carry ("look": {"label": ...}); whoever has letters writes them.
 #pragma once
 
-#include "render/scene/poses.hpp"
+#include "render/scene/facts/poses.hpp"
 
 #include <string_view>
 #include <vector>

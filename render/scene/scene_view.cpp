@@ -1,13 +1,13 @@
 #include "render/scene/scene_view.hpp"
 
-#include "render/scene/body.hpp"
-#include "render/scene/device.hpp"
-#include "render/scene/joints.hpp"
-#include "render/scene/overlay_buoyancy.hpp"
-#include "render/scene/overlay_contacts.hpp"
-#include "render/scene/overlay_electricity.hpp"
-#include "render/scene/overlay_magnetism.hpp"
-#include "render/scene/overlay_motion.hpp"
+#include "render/scene/objects/body.hpp"
+#include "render/scene/objects/device.hpp"
+#include "render/scene/objects/joints.hpp"
+#include "render/scene/overlays/overlay_buoyancy.hpp"
+#include "render/scene/overlays/overlay_contacts.hpp"
+#include "render/scene/overlays/overlay_electricity.hpp"
+#include "render/scene/overlays/overlay_magnetism.hpp"
+#include "render/scene/overlays/overlay_motion.hpp"
 
 namespace trembler::render {
 namespace {

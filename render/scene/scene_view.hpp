@@ -3,9 +3,9 @@
 
 #include "render/draw/canvas.hpp"
 #include "render/scene/areas.hpp"
+#include "render/scene/facts/pick.hpp"
 #include "render/scene/labels.hpp"
-#include "render/scene/pick.hpp"
-#include "render/scene/wires.hpp"
+#include "render/scene/objects/wires.hpp"
 
 #include <span>
 

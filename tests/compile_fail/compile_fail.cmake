@@ -33,40 +33,40 @@ endfunction()
 
 trembler_compile_fail(sample sample.cpp "a sample refuses by design")
 
-trembler_compile_fail(resolver_undeclared_read resolver_undeclared_read.cpp
+trembler_compile_fail(resolver_undeclared_read resolver/undeclared_read.cpp
   "undeclared read: the property is in neither Reads<> nor Writes<> of this resolver")
-trembler_compile_fail(resolver_undeclared_write resolver_undeclared_write.cpp
+trembler_compile_fail(resolver_undeclared_write resolver/undeclared_write.cpp
   "undeclared write: the property is not in Writes<> of this resolver")
-trembler_compile_fail(resolver_undeclared_provide resolver_undeclared_provide.cpp
+trembler_compile_fail(resolver_undeclared_provide resolver/undeclared_provide.cpp
   "undeclared: the resolver property is not in Provides<> of this resolver")
-trembler_compile_fail(resolver_reads_derived resolver_reads_derived.cpp
+trembler_compile_fail(resolver_reads_derived resolver/reads_derived.cpp
   "a resolver reads object properties only")
-trembler_compile_fail(resolver_reads_resolver resolver_reads_resolver.cpp
+trembler_compile_fail(resolver_reads_resolver resolver/reads_resolver.cpp
   "a resolver reads object properties only")
-trembler_compile_fail(resolver_offers_derived resolver_offers_derived.cpp
+trembler_compile_fail(resolver_offers_derived resolver/offers_derived.cpp
   "a resolver declares Reads<...>, Writes<...>, Provides<...>")
-trembler_compile_fail(resolver_takes_the_store resolver_takes_the_store.cpp
+trembler_compile_fail(resolver_takes_the_store resolver/takes_the_store.cpp
   "only what declares to write everything is given the whole store")
 
-trembler_compile_fail(dps_undeclared_read dps_undeclared_read.cpp
+trembler_compile_fail(dps_undeclared_read dps/undeclared_read.cpp
   "undeclared read: the property is not in Reads<> of this derived property set")
-trembler_compile_fail(dps_writes dps_writes.cpp "a derived property set changes no property")
-trembler_compile_fail(dps_derives_undeclared dps_derives_undeclared.cpp
+trembler_compile_fail(dps_writes dps/writes.cpp "a derived property set changes no property")
+trembler_compile_fail(dps_derives_undeclared dps/derives_undeclared.cpp
   "undeclared: the derived property is not in Derives<> of this derived property set")
-trembler_compile_fail(dps_reads_dps dps_reads_dps.cpp "a derived property set never reads another one")
-trembler_compile_fail(dps_reads_dps_in_disguise dps_reads_dps_in_disguise.cpp
+trembler_compile_fail(dps_reads_dps dps/reads_dps.cpp "a derived property set never reads another one")
+trembler_compile_fail(dps_reads_dps_in_disguise dps/reads_dps_in_disguise.cpp
   "a derived property set declares Reads<...>, Derives<...>, and changes nothing else")
-trembler_compile_fail(dps_changes_resolver_property dps_changes_resolver_property.cpp
+trembler_compile_fail(dps_changes_resolver_property dps/changes_resolver_property.cpp
   "a derived property set declares Reads<...>, Derives<...>, and changes nothing else")
 # The compilers' own words: a function cannot carry a message of ours.
-trembler_compile_fail(dps_overrides_bind dps_overrides_bind.cpp
+trembler_compile_fail(dps_overrides_bind dps/overrides_bind.cpp
   "overriding final function|overrides a 'final' function")
 
-trembler_compile_fail(interaction_undeclared_read interaction_undeclared_read.cpp
+trembler_compile_fail(interaction_undeclared_read interaction/undeclared_read.cpp
   "undeclared read: the property is not in Reads<> of this interaction")
-trembler_compile_fail(interaction_writes interaction_writes.cpp
+trembler_compile_fail(interaction_writes interaction/writes.cpp
   "an interaction changes no property. it calls its resolver")
-trembler_compile_fail(interaction_calls_second_resolver interaction_calls_second_resolver.cpp
+trembler_compile_fail(interaction_calls_second_resolver interaction/calls_second_resolver.cpp
   "an interaction calls functions of its own resolver only")
 
 trembler_compile_fail(call_without_algebra call_without_algebra.cpp
@@ -76,19 +76,19 @@ trembler_compile_fail(counted_set_without_delta counted_set_without_delta.cpp
 trembler_compile_fail(any_of_without_key any_of_without_key.cpp
   "a call whose algebra is not a sum says what it is about: key")
 
-trembler_compile_fail(completion_undeclared_read completion_undeclared_read.cpp
+trembler_compile_fail(completion_undeclared_read completion/undeclared_read.cpp
   "undeclared read: the property is not in Reads<> of this completion")
-trembler_compile_fail(completion_undeclared_add completion_undeclared_add.cpp
+trembler_compile_fail(completion_undeclared_add completion/undeclared_add.cpp
   "undeclared addition: the property is not in Adds<> of this completion")
-trembler_compile_fail(completion_adds_resolver_property completion_adds_resolver_property.cpp
+trembler_compile_fail(completion_adds_resolver_property completion/adds_resolver_property.cpp
   "a completion adds object properties only")
-trembler_compile_fail(completion_reads_resolver_property completion_reads_resolver_property.cpp
+trembler_compile_fail(completion_reads_resolver_property completion/reads_resolver_property.cpp
   "a completion reads object properties only")
-trembler_compile_fail(completion_reads_what_it_adds completion_reads_what_it_adds.cpp
+trembler_compile_fail(completion_reads_what_it_adds completion/reads_what_it_adds.cpp
   "a completion does not read what it adds")
-trembler_compile_fail(completion_takes_the_store completion_takes_the_store.cpp
+trembler_compile_fail(completion_takes_the_store completion/takes_the_store.cpp
   "a completion has .static void complete")
-trembler_compile_fail(completion_in_disguise completion_in_disguise.cpp
+trembler_compile_fail(completion_in_disguise completion/in_disguise.cpp
   "a completion is derived from Completion<Self, Reads<...>, Adds<...>>")
 trembler_compile_fail(setup_reads_derived setup_reads_derived.cpp
   "in the setup there are object properties only")
@@ -99,12 +99,12 @@ trembler_compile_fail(offer_without_news offer_without_news.cpp
   "a property that is offered either tells news")
 trembler_compile_fail(offer_with_both offer_with_both.cpp
   "a property that is offered either tells news")
-trembler_compile_fail(dps_derives_of_news dps_derives_of_news.cpp
+trembler_compile_fail(dps_derives_of_news dps/derives_of_news.cpp
   "a property that is offered either tells news")
 trembler_compile_fail(component_without_coverage component_without_coverage.cpp
   "a component with members of its own says how the state hash covers them")
 trembler_compile_fail(closed_role_is_fed closed_role_is_fed.cpp "this role is not fed from outside")
-trembler_compile_fail(interaction_calls_in_sequence interaction_calls_in_sequence.cpp
+trembler_compile_fail(interaction_calls_in_sequence interaction/calls_in_sequence.cpp
   "calls in sequence come from outside the world, not from an interaction")
 trembler_compile_fail(sequence_without_feeder sequence_without_feeder.cpp
   "a role with such calls says who feeds it, fedBy")

@@ -1,5 +1,5 @@
 // Who only looks at a session's world changes it.
-#include "game/session/session.hpp"
+#include "puzzle/session/session.hpp"
 #include "runtime/input/input_resolver.hpp"
 
 namespace trembler {

@@ -2,7 +2,7 @@
 // After a change that is meant to change the simulation, or what the state hash covers:
 // TREMBLER_UPDATE_GOLDEN=1 test_determinism, and say why in the commit. Where only the state hash covers
 // more, the hashes of the motion stay.
-#include "runtime/level/read_level.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "tests/determinism/level_runs.hpp"
 
 #include <gtest/gtest.h>

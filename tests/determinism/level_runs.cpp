@@ -1,6 +1,6 @@
 #include "tests/determinism/level_runs.hpp"
 
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "runtime/placement.hpp"
 
 namespace trembler::determinism {

@@ -1,8 +1,8 @@
 // Running the project's levels and collecting their hashes, for all determinism tests.
 #pragma once
 
-#include "game/core/workshop.hpp"
-#include "game/session/runner.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "puzzle/run/runner.hpp"
 
 #include <filesystem>
 #include <map>

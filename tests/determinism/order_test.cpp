@@ -1,5 +1,5 @@
 // The order of entries in a level file, and the order in which a player places parts, never matter.
-#include "runtime/level/read_level.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "tests/determinism/level_runs.hpp"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // Threads never show: the same hash at every 60th frame on 1, 2, 3, 8 and 32 of them.
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/shape.hpp"
-#include "physics/electricity/initial_connections.hpp"
-#include "physics/electricity/properties.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/rules/initial_connections.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
-#include "runtime/level/read_level.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
 #include "tests/determinism/level_runs.hpp"
 

@@ -1,10 +1,10 @@
 // Wires of electricity beside another effect's pipes in one level: each connection goes to whom it belongs.
-#include "physics/electricity/graph.hpp"
-#include "physics/electricity/properties.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/graph.hpp"
 #include "physics/register_physics.hpp"
-#include "runtime/level/build_world.hpp"
-#include "runtime/level/read_level.hpp"
-#include "runtime/level/schema.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "runtime/level/write/schema.hpp"
 #include "tests/levels/schema_validator.hpp"
 #include "tests/runtime/level/plumbing.hpp"
 

@@ -1,6 +1,6 @@
 // Whatever happens to a level file, the program says what is wrong with it and where, or plays it.
-#include "game/goals/goal_judge.hpp"
-#include "game/goals/level_schema.hpp"
+#include "puzzle/goals/goal_judge.hpp"
+#include "puzzle/goals/level_schema.hpp"
 #include "tests/levels/schema_validator.hpp"
 #include "tests/levels/shelf.hpp"
 

@@ -1,8 +1,8 @@
 // How deep and how many a level's goals may be: at the limits they are read, beyond them they are refused at
 // their place, and no size makes the reader descend into them.
-#include "game/goals/level_schema.hpp"
-#include "game/goals/read_goals.hpp"
-#include "runtime/level/limits.hpp"
+#include "puzzle/goals/level_schema.hpp"
+#include "puzzle/goals/read_goals.hpp"
+#include "runtime/level/json/limits.hpp"
 #include "tests/levels/schema_validator.hpp"
 #include "tests/levels/shelf.hpp"
 

@@ -1,4 +1,4 @@
-#include "runtime/level/placing.hpp"
+#include "runtime/level/build/placing.hpp"
 #include "tests/levels/shelf.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "game/goals/level_schema.hpp"
-#include "runtime/level/schema.hpp"
+#include "puzzle/goals/level_schema.hpp"
+#include "runtime/level/write/schema.hpp"
 #include "tests/levels/schema_validator.hpp"
 #include "tests/levels/shelf.hpp"
 

@@ -1,7 +1,7 @@
 // A piece of a shape states the measures of its form and no others.
-#include "physics/dynamics/shape.hpp"
-#include "runtime/level/build_world.hpp"
-#include "runtime/level/read_level.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "tests/levels/shelf.hpp"
 
 #include <fmt/format.h>

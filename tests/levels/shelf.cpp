@@ -1,6 +1,6 @@
 #include "tests/levels/shelf.hpp"
 
-#include "game/core/effects.hpp"
+#include "puzzle/data/effects.hpp"
 
 #include <algorithm>
 

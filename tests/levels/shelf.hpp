@@ -1,8 +1,8 @@
 // What every test of real levels needs: everything that the program knows, the parts, and a small level.
 #pragma once
 
-#include "runtime/level/build_world.hpp"
-#include "runtime/level/read_level.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/read/read_level.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-#include "runtime/level/write_level.hpp"
+#include "runtime/level/write/write_level.hpp"
 #include "tests/levels/shelf.hpp"
 
 #include <gtest/gtest.h>

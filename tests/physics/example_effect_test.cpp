@@ -1,9 +1,9 @@
 // The effect that docs/contributors.md builds step by step, so that what the page says is known to work. The
 // pieces between the markers are the ones that the page shows.
-#include "physics/dynamics/body.hpp"
 #include "physics/dynamics/calls.hpp"
-#include "physics/dynamics/force_rates.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/force_rates.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/notation/notation.hpp"
 #include "runtime/placement.hpp"

@@ -1,7 +1,7 @@
 // The schedule of 6.13.5 on the effects as they are: Electricity and Magnetics beside each other and beside
 // Dynamics, and a buoyancy like the thesis's after Dynamics.
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/notation/notation.hpp"
 #include "runtime/placement.hpp"

@@ -1,6 +1,6 @@
 // No level that the schema allows breaks the program, on any engine: random ones, and every number of every
 // property at the ends of its range. sweep_worlds tries as many more as one likes.
-#include "game/goals/level_schema.hpp"
+#include "puzzle/goals/level_schema.hpp"
 #include "tests/levels/schema_validator.hpp"
 #include "tests/levels/shelf.hpp"
 #include "tests/worlds/random_level.hpp"

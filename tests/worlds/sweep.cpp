@@ -2,7 +2,7 @@
 // of threads. Prints a line for each level that fails and keeps it as a file; exit status 1 if any did.
 //
 //   sweep_worlds --minutes 60 --jobs 8 --seed 1 --keep failing
-#include "game/goals/level_schema.hpp"
+#include "puzzle/goals/level_schema.hpp"
 #include "tests/levels/shelf.hpp"
 #include "tests/worlds/random_level.hpp"
 #include "tests/worlds/trial.hpp"

@@ -1,8 +1,8 @@
 #include "tests/worlds/trial.hpp"
 
-#include "game/session/session.hpp"
-#include "physics/dynamics/engine_state.hpp"
-#include "runtime/level/read_level.hpp"
+#include "physics/dynamics/properties/engine_state.hpp"
+#include "puzzle/session/session.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "runtime/property/idle_visitor.hpp"
 #include "tests/levels/schema_validator.hpp"
 #include "tests/levels/shelf.hpp"

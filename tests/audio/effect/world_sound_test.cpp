@@ -1,5 +1,5 @@
 // Sound in a running world: who makes it, who does not, and that listening changes nothing.
-#include "audio/effect/acoustic_material.hpp"
+#include "audio/effect/properties/acoustic_material.hpp"
 #include "tests/audio/effect/listening_room.hpp"
 
 #include <gtest/gtest.h>

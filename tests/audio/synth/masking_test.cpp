@@ -1,5 +1,5 @@
 // What is left out must be inaudible.
-#include "audio/effect/decibel.hpp"
+#include "audio/effect/properties/decibel.hpp"
 #include "audio/synth/masking.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Oscillators against the closed form of a damped sine.
-#include "audio/effect/decibel.hpp"
+#include "audio/effect/properties/decibel.hpp"
 #include "audio/synth/modal_bank.hpp"
 #include "tests/audio/synth/spectrum.hpp"
 

@@ -1,5 +1,5 @@
 // Worlds rendered to samples: pitch, loudness, brightness, decay, Doppler, masking, recordings.
-#include "audio/effect/acoustic_material.hpp"
+#include "audio/effect/properties/acoustic_material.hpp"
 #include "audio/synth/synthesiser.hpp"
 #include "tests/audio/effect/listening_room.hpp"
 #include "tests/audio/synth/spectrum.hpp"

@@ -1,13 +1,13 @@
 // The estimates against sums over everything; the mode with a clock that the test winds, and its recordings.
 #include "game/budget/budget_mode.hpp"
 #include "game/budget/force_sample.hpp"
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/settings.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/settings.hpp"
 #include "physics/gravity/properties.hpp"
-#include "runtime/level/read_solutions.hpp"
-#include "runtime/level/write_level.hpp"
+#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/write/write_level.hpp"
 #include "runtime/placement.hpp"
-#include "tests/game/experiment.hpp"
+#include "tests/support/experiment.hpp"
 
 #include <fmt/format.h>
 

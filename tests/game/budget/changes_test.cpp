@@ -1,11 +1,11 @@
 // What is changed while a world runs is recorded, written, read and repeated.
-#include "game/session/solution_file.hpp"
-#include "physics/dynamics/settings.hpp"
-#include "runtime/level/read_changes.hpp"
-#include "runtime/level/read_solutions.hpp"
-#include "runtime/level/world_change.hpp"
-#include "runtime/level/write_level.hpp"
-#include "tests/game/experiment.hpp"
+#include "physics/dynamics/properties/settings.hpp"
+#include "puzzle/solutions/solution_file.hpp"
+#include "runtime/level/model/world_change.hpp"
+#include "runtime/level/read/read_changes.hpp"
+#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/write/write_level.hpp"
+#include "tests/support/experiment.hpp"
 
 namespace trembler {
 namespace {

@@ -1,6 +1,6 @@
 // Numbers out of a run against what formulas say of it, and what is told of words that mean nothing.
 #include "game/watch/watch_table.hpp"
-#include "tests/game/experiment.hpp"
+#include "tests/support/experiment.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Random shapes for tests of buoyancy.
 #pragma once
 
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 
 #include <rapidcheck.h>
 

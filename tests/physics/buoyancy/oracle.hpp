@@ -2,7 +2,7 @@
 // with the code under test but the description of shapes.
 #pragma once
 
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 
 #include <optional>
 #include <vector>

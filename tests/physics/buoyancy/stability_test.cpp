@@ -1,5 +1,5 @@
 // Heel, stability and the small oscillations of floating boxes, against the naval architect's formulas.
-#include "physics/dynamics/solver_choice.hpp"
+#include "physics/dynamics/properties/solver_choice.hpp"
 #include "tests/physics/buoyancy/pool.hpp"
 
 #include <gtest/gtest.h>

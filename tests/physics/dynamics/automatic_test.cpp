@@ -1,7 +1,7 @@
 // Automatic settings: what a scene is computed with follows from the scene, and changes when it does.
-#include "physics/dynamics/joint.hpp"
-#include "physics/dynamics/motion_causes.hpp"
-#include "physics/dynamics/solver_choice.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/dynamics/properties/motion_causes.hpp"
+#include "physics/dynamics/properties/solver_choice.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // What holds between engines: one that is not there is refused by name, and gears turn on every one.
-#include "physics/dynamics/dynamics_resolver.hpp"
+#include "physics/dynamics/core/dynamics_resolver.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 namespace trembler::test {

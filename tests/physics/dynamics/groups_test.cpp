@@ -1,5 +1,5 @@
 // Who can hit whom, against Box2D's own filter.
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>

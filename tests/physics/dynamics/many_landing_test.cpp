@@ -1,5 +1,5 @@
 // Thousands of things that land, or rest, at once: each costs as much as one alone, and none falls through.
-#include "physics/dynamics/solver_choice.hpp"
+#include "physics/dynamics/properties/solver_choice.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>

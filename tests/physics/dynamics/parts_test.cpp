@@ -1,6 +1,6 @@
 // Dynamics in frames of several parts: the same laws, and nothing that touches for a part only is lost.
-#include "physics/dynamics/force_lag.hpp"
-#include "physics/dynamics/solver_choice.hpp"
+#include "physics/dynamics/properties/force_lag.hpp"
+#include "physics/dynamics/properties/solver_choice.hpp"
 #include "runtime/frame/frame_resolver.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 

@@ -1,13 +1,13 @@
 // Small worlds of rigid bodies for tests, with a constant gravity of their own.
 #pragma once
 
-#include "physics/dynamics/body.hpp"
 #include "physics/dynamics/calls.hpp"
-#include "physics/dynamics/contacts.hpp"
-#include "physics/dynamics/joint.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/contacts.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/dynamics/properties/settings.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/dynamics/register.hpp"
-#include "physics/dynamics/settings.hpp"
-#include "physics/dynamics/shape.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/world.hpp"

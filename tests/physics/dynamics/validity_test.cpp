@@ -1,6 +1,6 @@
 // Nothing that Box2D would abort on gets that far.
-#include "physics/dynamics/joint_rules.hpp"
-#include "physics/dynamics/shape_rules.hpp"
+#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/rules/joint_rules.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "tests/physics/electricity/circuit_world.hpp"
 
-#include "physics/electricity/initial_connections.hpp"
+#include "physics/electricity/rules/initial_connections.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 // frame.
 #pragma once
 
-#include "physics/dynamics/contacts.hpp"
+#include "physics/dynamics/properties/contacts.hpp"
 #include "physics/electricity/calls.hpp"
-#include "physics/electricity/graph.hpp"
-#include "physics/electricity/properties.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/graph.hpp"
 #include "physics/electricity/register.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/world.hpp"

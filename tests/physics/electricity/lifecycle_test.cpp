@@ -1,6 +1,6 @@
 // Sleeping, swapping, threads, objects that come and go, and size.
-#include "physics/electricity/graph_changes.hpp"
-#include "physics/electricity/initial_connections.hpp"
+#include "physics/electricity/core/graph_changes.hpp"
+#include "physics/electricity/rules/initial_connections.hpp"
 #include "tests/physics/electricity/circuit_world.hpp"
 
 #include <gtest/gtest.h>

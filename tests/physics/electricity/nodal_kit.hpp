@@ -1,8 +1,8 @@
 // Circuits in volts and ohms for tests, and a reference that solves netlists in another way.
 #pragma once
 
-#include "physics/electricity/netlist.hpp"
-#include "physics/electricity/quantities.hpp"
+#include "physics/electricity/core/netlist.hpp"
+#include "physics/electricity/properties/quantities.hpp"
 #include "tests/physics/electricity/circuit_world.hpp"
 
 #include <optional>

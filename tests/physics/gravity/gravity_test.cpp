@@ -1,5 +1,5 @@
 // Both models of gravity against formulas, and against one another where they must agree.
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/gravity/register.hpp"
 #include "runtime/placement.hpp"

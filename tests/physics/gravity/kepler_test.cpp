@@ -1,9 +1,9 @@
 // Kepler's third law through the whole frame: Real Gravity's forces, passed on by the interaction, integrated
 // by Dynamics. T = 2 pi sqrt(a³ / (G (M + m))).
 #include "physics/depth.hpp"
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/settings.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/settings.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/placement.hpp"

@@ -1,5 +1,5 @@
 // The gravity level "tree" in a world, against the level "real", which sums over all pairs.
-#include "physics/dynamics/body.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/gravity/register.hpp"
 #include "physics/gravity/tree_gravity.hpp"

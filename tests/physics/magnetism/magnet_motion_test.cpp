@@ -1,7 +1,7 @@
 // Magnets that are free to move, through the whole frame: they neither push off nor turn themselves as a
 // whole.
-#include "physics/dynamics/body.hpp"
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/placement.hpp"

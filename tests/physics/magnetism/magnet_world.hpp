@@ -1,7 +1,7 @@
 // Worlds of magnets for tests, without any dynamics: what is placed stays where it is.
 #pragma once
 
-#include "physics/dynamics/standstill.hpp"
+#include "physics/dynamics/properties/standstill.hpp"
 #include "physics/magnetism/calls.hpp"
 #include "physics/magnetism/magnetic_forces.hpp"
 #include "physics/magnetism/properties.hpp"

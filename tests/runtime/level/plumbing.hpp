@@ -1,7 +1,7 @@
 // A second effect that owns connections, for tests: pipes between vessels.
 #pragma once
 
-#include "runtime/level/build_world.hpp"
+#include "runtime/level/build/build_world.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "tests/runtime/level/sample_properties.hpp"
 
-#include "runtime/level/read_level.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "runtime/population/population_resolver.hpp"
 
 namespace trembler::sample {

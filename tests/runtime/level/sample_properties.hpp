@@ -1,9 +1,9 @@
 // Made-up properties, one for every kind of field: the level reader must not care what they mean.
 #pragma once
 
-#include "runtime/level/json_document.hpp"
-#include "runtime/level/level.hpp"
-#include "runtime/level/part_library.hpp"
+#include "runtime/level/json/json_document.hpp"
+#include "runtime/level/model/level.hpp"
+#include "runtime/level/model/part_library.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <array>

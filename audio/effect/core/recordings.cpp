@@ -1,0 +1,90 @@
+#include "audio/effect/core/recordings.hpp"
+
+#include "audio/effect/hearing/smoothing.hpp"
+#include "audio/effect/properties/decibel.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace trembler {
+namespace {
+
+constexpr std::ptrdiff_t mostGoes = 4; // of one object at a time; the oldest gives way
+
+void begin(Sounds& sounds, Sample const& sample, ObjectId object, double share, bool held, EventId event) {
+    Sounds::Recording fresh;
+    fresh.object = object;
+    fresh.file = sample.file;
+    fresh.meanSquare = meanSquareOf(sample.level) * share;
+    fresh.duration = sample.duration;
+    fresh.held = held;
+    fresh.serial = ++sounds.recordingsEver;
+    fresh.event = event;
+    auto const from = std::find_if(sounds.recordings.begin(), sounds.recordings.end(),
+                                   [&](Sounds::Recording const& r) { return !(r.object < object); });
+    auto const to = std::find_if(from, sounds.recordings.end(),
+                                 [&](Sounds::Recording const& r) { return object < r.object; });
+    bool const full = to - from >= mostGoes;
+    sounds.recordings.insert(to, std::move(fresh));
+    if (full) {
+        auto const oldest =
+            std::find_if(sounds.recordings.begin(), sounds.recordings.end(),
+                         [&](Sounds::Recording const& r) { return r.object == object && !r.held; });
+        sounds.recordings.erase(oldest);
+    }
+}
+
+void beginAsked(SoundColumns const& columns, SoundCalls const& calls, Sounds& sounds) {
+    std::map<ObjectId, Told<PlaySample>> plays;
+    for (Told<PlaySample> const& told : calls.plays) {
+        if (told.call.share > 0) {
+            auto const [at, isNew] = plays.emplace(told.call.object, told);
+            at->second.call.share += isNew ? 0 : told.call.share;
+        }
+    }
+    for (auto const& [object, told] : plays) {
+        if (Sample const* const sample = columns.sample.find(object)) {
+            begin(sounds, *sample, object, std::min(told.call.share, 1.0), false, told.cause);
+        }
+    }
+    std::map<ObjectId, EventId> holds;
+    for (Told<HoldSample> const& told : calls.holds) {
+        holds.emplace(told.call.object, told.cause);
+    }
+    for (Sounds::Recording& recording : sounds.recordings) {
+        if (recording.held && holds.erase(recording.object) == 0) {
+            recording.held = false; // let go: it ends here and now
+            recording.elapsed = recording.duration;
+        }
+    }
+    for (auto const& [object, cause] : holds) {
+        if (Sample const* const sample = columns.sample.find(object)) {
+            begin(sounds, *sample, object, 1, true, cause);
+        }
+    }
+}
+
+} // namespace
+
+void advanceRecordings(SoundColumns const& columns, SoundCalls const& calls, double duration,
+                       Sounds& sounds) {
+    std::erase_if(sounds.recordings, [&](Sounds::Recording const& recording) {
+        return !columns.sample.has(recording.object) || !columns.position.has(recording.object);
+    });
+    beginAsked(columns, calls, sounds);
+    for (Sounds::Recording& recording : sounds.recordings) {
+        double const playing =
+            recording.held ? duration : std::clamp(recording.duration - recording.elapsed, 0.0, duration);
+        recording.elapsed += duration;
+        smooth(recording.loudness, recording.meanSquare * playing / duration, duration);
+        recording.at = columns.position[recording.object].value;
+        Velocity const* const velocity = columns.velocity.find(recording.object);
+        recording.velocity = velocity == nullptr ? Vec2{} : velocity->value;
+    }
+    std::erase_if(sounds.recordings, [](Sounds::Recording const& recording) {
+        return !recording.held && recording.elapsed >= recording.duration && recording.loudness < inaudible;
+    });
+}
+
+} // namespace trembler

@@ -1,0 +1,72 @@
+// What the Sound resolver reads of objects, and the acoustic models that follow from it.
+#pragma once
+
+#include "audio/effect/core/sounding_body.hpp"
+#include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/property/column.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+
+namespace trembler {
+
+/// The columns that the resolver reads.
+struct SoundColumns {
+    Column<Shape> const& shape;
+    Column<MadeOf> const& madeOf;
+    Column<Acoustics> const& acoustics;
+    Column<Sample> const& sample;
+    Column<Mass> const& mass;
+    Column<Fixed> const& fixed;
+    Column<Liquid> const& liquid;
+    Column<Position> const& position;
+    Column<Rotation> const& rotation;
+    Column<Velocity> const& velocity;
+
+    /// What is known of an object that can sound; no shape in it if it cannot.
+    [[nodiscard]] BodyFacts factsOf(ObjectId id) const;
+    /// Changes when any object may have got another voice.
+    [[nodiscard]] std::array<std::uint64_t, 7> voiceVersions() const;
+};
+
+/// The acoustic models of objects, made when they are first asked for and kept for as long as they hold.
+class SoundingBodies {
+public:
+    explicit SoundingBodies(int modes) : modes_(modes) {}
+
+    /// To be called before models are asked for, once a frame. At the very first time it makes those of the
+    /// world's objects, unless they are very many, so that a crash finds them made.
+    void follow(SoundColumns const& columns);
+    /// The model of an object, or nullptr if it cannot sound. Valid until the next follow().
+    [[nodiscard]] SoundingBody const* find(SoundColumns const& columns, ObjectId id);
+
+private:
+    /// What a model was made from.
+    struct Facts {
+        Shape shape;
+        Material material = Material::plastic;
+        std::optional<Acoustics> acoustics;
+        double mass = 0;
+        bool fixed = false;
+
+        Facts() = default;
+        explicit Facts(BodyFacts const& facts);
+        [[nodiscard]] bool hold(BodyFacts const& facts) const;
+    };
+    struct Known {
+        std::uint64_t epoch = 0; // in which it was last found to hold
+        bool sounds = false;
+        Facts facts;
+        SoundingBody model;
+    };
+
+    int modes_;
+    std::array<std::uint64_t, 7> seen_{};
+    std::uint64_t epoch_ = 0; // counts changes of anything that a model can follow from
+    std::map<ObjectId, Known> known_;
+};
+
+} // namespace trembler

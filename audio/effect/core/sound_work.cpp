@@ -1,0 +1,269 @@
+#include "audio/effect/core/sound_work.hpp"
+
+#include "audio/effect/core/blow.hpp"
+#include "audio/effect/core/recordings.hpp"
+#include "audio/effect/hearing/smoothing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler {
+namespace {
+
+/// What dies away like e^(-rate t) over a stretch of `time` s, from 1.
+struct Decay {
+    Decay(double rate, double time) {
+        double const x = rate * time;
+        rest = std::exp(-x);
+        mean = x > 1e-3 ? (1 - rest) / x : 1 - x / 2 + x * x / 6;
+    }
+    double rest; ///< at the end
+    double mean;
+};
+
+bool isSane(Strike const& call) {
+    return isFinite(call.point) && isFinite(call.normal) && std::isfinite(call.impulse) && call.impulse > 0 &&
+           std::isfinite(call.contact) && call.contact > 0 && std::isfinite(call.since);
+}
+bool isSane(Rub const& call) {
+    return isFinite(call.point) && isFinite(call.normal) && std::isfinite(call.force) && call.force > 0 &&
+           std::isfinite(call.bandwidth) && call.bandwidth > 0;
+}
+
+Vec2 inWorld(SoundColumns const& columns, ObjectId id, Vec2 local) {
+    Position const* const position = columns.position.find(id);
+    Rotation const* const rotation = columns.rotation.find(id);
+    return (position == nullptr ? Vec2{} : position->value) +
+           rotated(local, rotation == nullptr ? 0 : rotation->angle);
+}
+
+} // namespace
+
+void SoundCalls::clear() {
+    strikes.clear();
+    rubs.clear();
+    plays.clear();
+    holds.clear();
+}
+
+bool SoundWork::goesOn(Sounds const& sounds) {
+    return !sounds.silent() || !sounds.blows.empty() || !sounds.scrapes.empty();
+}
+
+void SoundWork::advance(SoundColumns const& columns, SoundCalls const& calls, double duration,
+                        Sounds& sounds) {
+    fit(columns, sounds);
+    sounds.blows.clear();
+    sounds.scrapes.clear();
+    sounds.amplitudes.clear();
+    findExcited(columns, calls, sounds);
+    for (Told<Strike> const& told : calls.strikes) {
+        strike(columns, told, duration, sounds);
+    }
+    for (Told<Rub> const& told : calls.rubs) {
+        rub(columns, told, duration, sounds);
+    }
+    dieAway(duration, sounds);
+    place(columns, sounds);
+    advanceRecordings(columns, calls, duration, sounds);
+}
+
+// Bodies that are gone fall silent. Those that ring with another number of modes than here, or have become
+// something else, go on with the modes that they have now.
+void SoundWork::fit(SoundColumns const& columns, Sounds& sounds) {
+    std::erase_if(sounds.bodies,
+                  [&](Sounds::Body const& body) { return models_.find(columns, body.object) == nullptr; });
+    for (Sounds::Body& body : sounds.bodies) {
+        std::vector<Mode> const& modes = models_.find(columns, body.object)->modes();
+        body.rings.resize(modes.size());
+        for (std::size_t i = 0; i < modes.size(); ++i) {
+            Sounds::Ring& ring = body.rings[i];
+            ring = {modes[i].frequency, modes[i].decay, ring.meanSquare, modes[i].audibility};
+        }
+    }
+}
+
+// Makes room in `sounds` for whoever begins to sound: all in one go, as they can be many.
+void SoundWork::findExcited(SoundColumns const& columns, SoundCalls const& calls, Sounds& sounds) {
+    std::vector<ObjectId> objects;
+    for (Told<Strike> const& told : calls.strikes) {
+        if (isSane(told.call)) {
+            objects.push_back(told.call.object);
+        }
+    }
+    for (Told<Rub> const& told : calls.rubs) {
+        if (isSane(told.call)) {
+            objects.push_back(told.call.object);
+        }
+    }
+    std::sort(objects.begin(), objects.end());
+    objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+    excited_.clear();
+    left_.clear();
+    std::vector<Sounds::Body> merged;
+    merged.reserve(sounds.bodies.size() + objects.size());
+    auto known = sounds.bodies.begin();
+    for (ObjectId const object : objects) {
+        Excited entry;
+        entry.object = object;
+        entry.model = models_.find(columns, object);
+        if (entry.model == nullptr) {
+            continue;
+        }
+        entry.first = left_.size();
+        left_.resize(left_.size() + entry.model->modes().size(), 0);
+        excited_.push_back(entry);
+        for (; known != sounds.bodies.end() && known->object < object; ++known) {
+            merged.push_back(std::move(*known));
+        }
+        if (known != sounds.bodies.end() && known->object == object) {
+            merged.push_back(std::move(*known++));
+            continue;
+        }
+        Sounds::Body& fresh = merged.emplace_back();
+        fresh.object = object;
+        fresh.rings.reserve(entry.model->modes().size());
+        for (Mode const& mode : entry.model->modes()) {
+            fresh.rings.push_back({mode.frequency, mode.decay, 0, mode.audibility});
+        }
+    }
+    if (excited_.empty()) {
+        return;
+    }
+    std::move(known, sounds.bodies.end(), std::back_inserter(merged));
+    sounds.bodies = std::move(merged);
+    auto body = sounds.bodies.begin();
+    for (Excited& entry : excited_) {
+        while (body->object != entry.object) {
+            ++body;
+        }
+        entry.body = &*body;
+    }
+}
+
+SoundWork::Excited* SoundWork::excited(ObjectId object) {
+    auto const at = std::lower_bound(excited_.begin(), excited_.end(), object,
+                                     [](Excited const& entry, ObjectId id) { return entry.object < id; });
+    return at != excited_.end() && at->object == object ? &*at : nullptr;
+}
+
+void SoundWork::strike(SoundColumns const& columns, Told<Strike> const& told, double duration,
+                       Sounds& sounds) {
+    Strike const& call = told.call;
+    Excited* const excitation = isSane(call) ? excited(call.object) : nullptr;
+    if (excitation == nullptr) {
+        return;
+    }
+    SoundingBody const& model = *excitation->model;
+    Sounds::Body& body = *excitation->body;
+    body.local = model.sourceOf(call.point, call.normal);
+    body.event = told.cause;
+    Sounds::Blow blow;
+    blow.object = call.object;
+    blow.other = call.other;
+    blow.at = inWorld(columns, call.object, call.point);
+    blow.since = std::clamp(call.since, 0.0, duration);
+    blow.first = static_cast<std::uint32_t>(sounds.amplitudes.size());
+    blow.count = static_cast<std::uint32_t>(body.rings.size());
+    double const rest = duration - blow.since;
+    for (std::size_t i = 0; i < body.rings.size(); ++i) {
+        Mode const& mode = model.modes()[i];
+        double const amplitude = call.impulse * model.mobility(mode, call.point, call.normal) *
+                                 spectrumOf(call.contact, mode.frequency) * mode.radiation;
+        sounds.amplitudes.push_back(amplitude);
+        double const meanSquare = amplitude * amplitude / 2;
+        Decay const decay(2 * mode.decay, rest);
+        double const heard = mode.audibility * meanSquare * rest * decay.mean;
+        excitation->energy += heard;
+        excitation->moment += heard * mode.frequency;
+        left_[excitation->first + i] += meanSquare * decay.rest;
+        blow.meanSquare += mode.audibility * meanSquare;
+    }
+    if (model.movedAir() > 0) {
+        double const frequency = 1 / call.contact;
+        blow.clickTime = call.contact;
+        blow.clickPressure = clickPressure(model.movedAir(), model.mass(), call.impulse, call.contact);
+        double const meanSquare = aWeighting(frequency) * blow.clickPressure * blow.clickPressure / 2;
+        excitation->energy += meanSquare * call.contact;
+        excitation->moment += meanSquare * call.contact * frequency;
+        blow.meanSquare += meanSquare;
+    }
+    sounds.blows.push_back(blow);
+}
+
+void SoundWork::rub(SoundColumns const& columns, Told<Rub> const& told, double duration, Sounds& sounds) {
+    Rub const& call = told.call;
+    Excited* const excitation = isSane(call) ? excited(call.object) : nullptr;
+    if (excitation == nullptr) {
+        return;
+    }
+    SoundingBody const& model = *excitation->model;
+    Sounds::Body& body = *excitation->body;
+    body.local = model.sourceOf(call.point, call.normal);
+    if (told.cause) {
+        body.event = told.cause;
+    }
+    Sounds::Scrape scrape;
+    scrape.object = call.object;
+    scrape.other = call.other;
+    scrape.at = inWorld(columns, call.object, call.point);
+    scrape.first = static_cast<std::uint32_t>(sounds.amplitudes.size());
+    scrape.count = static_cast<std::uint32_t>(body.rings.size());
+    // The power spectrum of a noise of that force, white up to its bandwidth, in N²/Hz, two-sided.
+    double const power = call.force * call.force / (2 * call.bandwidth);
+    for (std::size_t i = 0; i < body.rings.size(); ++i) {
+        Mode const& mode = model.modes()[i];
+        double const relative = mode.frequency / call.bandwidth;
+        double const amplitude = std::sqrt(power / (1 + relative * relative)) *
+                                 model.mobility(mode, call.point, call.normal) * mode.radiation;
+        sounds.amplitudes.push_back(amplitude);
+        double const settled = amplitude * amplitude / (4 * mode.decay); // driven = damped
+        Decay const decay(2 * mode.decay, duration);
+        double const heard = mode.audibility * settled * duration * (1 - decay.mean);
+        excitation->energy += heard;
+        excitation->moment += heard * mode.frequency;
+        left_[excitation->first + i] += settled * (1 - decay.rest);
+    }
+    sounds.scrapes.push_back(scrape);
+}
+
+void SoundWork::dieAway(double duration, Sounds& sounds) {
+    auto next = excited_.cbegin();
+    std::erase_if(sounds.bodies, [&](Sounds::Body& body) {
+        Excited const* const excitation =
+            next != excited_.cend() && next->object == body.object ? &*next++ : nullptr;
+        double energy = excitation == nullptr ? 0 : excitation->energy;
+        double moment = excitation == nullptr ? 0 : excitation->moment;
+        bool audible = excitation != nullptr;
+        for (std::size_t i = 0; i < body.rings.size(); ++i) {
+            Sounds::Ring& ring = body.rings[i];
+            if (ring.meanSquare > 0) {
+                Decay const decay(2 * ring.decay, duration);
+                double const heard = ring.weight * ring.meanSquare * duration * decay.mean;
+                energy += heard;
+                moment += heard * ring.frequency;
+                ring.meanSquare *= decay.rest;
+                if (ring.meanSquare < 1e-3 * inaudible) {
+                    ring.meanSquare = 0;
+                }
+            }
+            ring.meanSquare += excitation == nullptr ? 0 : left_[excitation->first + i];
+            audible = audible || ring.meanSquare >= inaudible;
+        }
+        double weighted = body.brightness * body.loudness;
+        smooth(weighted, moment / duration, duration);
+        smooth(body.loudness, energy / duration, duration);
+        body.brightness = body.loudness > 0 ? weighted / body.loudness : 0;
+        return !audible && body.loudness < inaudible;
+    });
+}
+
+void SoundWork::place(SoundColumns const& columns, Sounds& sounds) {
+    for (Sounds::Body& body : sounds.bodies) {
+        body.at = inWorld(columns, body.object, body.local);
+        Velocity const* const velocity = columns.velocity.find(body.object);
+        body.velocity = velocity == nullptr ? Vec2{} : velocity->value;
+    }
+}
+
+} // namespace trembler

@@ -1,0 +1,66 @@
+// The work of the Sound resolver, whatever its number of modes.
+#pragma once
+
+#include "audio/effect/calls.hpp"
+#include "audio/effect/core/sound_columns.hpp"
+#include "audio/effect/properties/sounds.hpp"
+
+namespace trembler {
+
+/// A call and what made it.
+template <class C>
+struct Told {
+    C call;
+    EventId cause;
+};
+/// What has been asked of sound in a frame, in the order in which it is drained.
+struct SoundCalls {
+    std::vector<Told<Strike>> strikes;
+    std::vector<Told<Rub>> rubs;
+    std::vector<Told<PlaySample>> plays;
+    std::vector<Told<HoldSample>> holds;
+
+    [[nodiscard]] bool empty() const {
+        return strikes.empty() && rubs.empty() && plays.empty() && holds.empty();
+    }
+    void clear();
+};
+
+/// Moves Sounds on by a frame. Each mode's energy dies away by itself and is added to by blows and scrapes;
+/// phases are the loudspeaker's business.
+class SoundWork {
+public:
+    explicit SoundWork(int modes) : models_(modes) {}
+
+    /// To be called in every frame, also where nothing sounds.
+    void follow(SoundColumns const& columns) { models_.follow(columns); }
+    /// `duration` in s. Works from any `sounds`, also from those that another number of modes has left.
+    void advance(SoundColumns const& columns, SoundCalls const& calls, double duration, Sounds& sounds);
+    /// Whether there will be something to do in the next frame though nobody calls: something dies away.
+    [[nodiscard]] static bool goesOn(Sounds const& sounds);
+
+private:
+    /// What is excited in this frame, and what of that is not in the body's rings yet.
+    struct Excited {
+        ObjectId object;
+        SoundingBody const* model = nullptr;
+        Sounds::Body* body = nullptr;
+        double energy = 0;     ///< Pa² s, A-weighted, heard in this frame
+        double moment = 0;     ///< the same times frequency
+        std::size_t first = 0; ///< in left_, one per mode
+    };
+
+    void fit(SoundColumns const& columns, Sounds& sounds);
+    void findExcited(SoundColumns const& columns, SoundCalls const& calls, Sounds& sounds);
+    [[nodiscard]] Excited* excited(ObjectId object);
+    void strike(SoundColumns const& columns, Told<Strike> const& told, double duration, Sounds& sounds);
+    void rub(SoundColumns const& columns, Told<Rub> const& told, double duration, Sounds& sounds);
+    void dieAway(double duration, Sounds& sounds);
+    static void place(SoundColumns const& columns, Sounds& sounds);
+
+    SoundingBodies models_;
+    std::vector<Excited> excited_; // ascending
+    std::vector<double> left_;     // Pa², of this frame's excitations at the frame's end
+};
+
+} // namespace trembler

@@ -1,0 +1,84 @@
+// What a body's sound is made of: its modes, and how a blow excites them (van den Doel and Pai, The sounds of
+// physical shapes, Presence 7, 1998).
+#pragma once
+
+#include "audio/effect/properties/acoustic_material.hpp"
+#include "audio/effect/properties/acoustics.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+
+#include <vector>
+
+namespace trembler {
+
+inline constexpr int mostModes = 32;
+
+/// What is known of an object whose sound is asked for.
+struct BodyFacts {
+    Shape const* shape = nullptr; ///< valid, see faultIn()
+    Material material = Material::plastic;
+    Acoustics const* acoustics = nullptr; ///< or none
+    double mass = 1;                      ///< kg
+    bool fixed = false;
+};
+
+/// One way in which a body vibrates.
+struct Mode {
+    double frequency = 0;  ///< Hz, within the audible range
+    double decay = 0;      ///< 1/s, of the amplitude
+    double radiation = 0;  ///< Pa at a distance of 1 m, in free air, for a modal velocity of 1 m/s
+    double audibility = 1; ///< what the ear makes of it, on the mean square (A-weighting)
+    double weight = 1;     ///< on its shape
+    int m = 0;             ///< which mode of its form: nodal lines, or number
+    int n = 0;
+};
+
+/// The acoustic model of an object. Immutable once made; about a kilobyte.
+class SoundingBody {
+public:
+    SoundingBody() = default;
+    /// The `count` lowest audible modes, 1 to mostModes. A body that is too small, or too limp, for any
+    /// audible mode has none: it only clicks.
+    SoundingBody(BodyFacts const& facts, int count);
+
+    /// Ascending by frequency; a model with fewer modes has the first of these.
+    [[nodiscard]] std::vector<Mode> const& modes() const { return modes_; }
+    [[nodiscard]] double mass() const { return mass_; }
+    /// The modal velocity, in m/s, that an impulse of 1 N s gives a mode: shape over mass. `point` (m) and
+    /// the unit vector `normal` are in the object's frame. Its sign counts.
+    [[nodiscard]] double mobility(Mode const& mode, Vec2 point, Vec2 normal) const;
+    /// Where the sound of a blow at `point` along `normal` comes from, all in the object's frame: from the
+    /// middle of the body, of a long one from its spine nearest to the blow, of what is built in from just
+    /// outside of the surface, as its depths are silent.
+    [[nodiscard]] Vec2 sourceOf(Vec2 point, Vec2 normal) const;
+    /// The volume of air, in m³, that moves when the body does: its own and half as much that it drags along.
+    /// 0 for what is built in.
+    [[nodiscard]] double movedAir() const { return movedAir_; }
+
+private:
+    enum class Form { bar, plate, ball, bell, drops };
+
+    void place(ShapePiece const& piece);
+    void keepNear();
+    void addBarModes(AcousticMaterial const& material);
+    void addPlateModes(AcousticMaterial const& material);
+    void addBallModes(AcousticMaterial const& material);
+    void addBellModes();
+    void addDrops();
+    void tune(Acoustics const& acoustics);
+    void damp(AcousticMaterial const& material, BodyFacts const& facts);
+    void keepAudible(int count);
+
+    Form form_ = Form::plate;
+    Vec2 centre_;          // m, of the frame around the main piece, in the object's frame
+    double angle_ = 0;     // rad, of the frame's long side
+    double length_ = 1;    // m, long side
+    double height_ = 1;    // m, short side
+    Vec2 answering_{1, 1}; // the shares of the two that answer to a blow
+    double mass_ = 1;      // kg
+    double surface_ = 1;   // m², that radiates
+    double movedAir_ = 0;  // m³
+    bool builtIn_ = false;
+    std::vector<Mode> modes_;
+};
+
+} // namespace trembler

@@ -1,0 +1,177 @@
+#include "audio/effect/hearing/loudness.hpp"
+
+#include "audio/effect/hearing/smoothing.hpp"
+#include "audio/effect/properties/decibel.hpp"
+#include "physics/material.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace trembler {
+namespace {
+
+struct Source {
+    ObjectId object;
+    Vec2 at;              // m
+    double loudness = 0;  // Pa² at 1 m
+    double frequency = 0; // Hz
+    EventId event;
+};
+
+struct Listening {
+    ObjectId object;
+    bool placed = false;
+    Vec2 at;             // m
+    double faintest = 0; // Pa²
+};
+
+/// From a source to a listener.
+struct Way {
+    Source const* source;
+    Vec2 to;          // m
+    std::size_t ear;  // the listener's entry
+    double heard = 0; // Pa²
+};
+
+// There are sources times ears of them, of which this many are kept in memory.
+constexpr std::size_t waysAtOnce = 1 << 18;
+
+std::vector<Source> sourcesOf(Sounds const& sounds) {
+    constexpr double typical = 1000; // Hz, of a recording
+    std::vector<Source> sources;
+    for (Sounds::Body const& body : sounds.bodies) {
+        if (body.loudness > inaudible) {
+            sources.push_back({body.object, body.at, body.loudness, body.brightness, body.event});
+        }
+    }
+    for (Sounds::Recording const& recording : sounds.recordings) {
+        if (recording.loudness > inaudible) {
+            sources.push_back({recording.object, recording.at, recording.loudness, typical, recording.event});
+        }
+    }
+    return sources;
+}
+
+std::vector<Listening> listeningIn(LoudnessColumns const& columns) {
+    constexpr double margin = 0.01; // 20 dB
+    std::vector<ObjectId> ears;
+    std::set_union(columns.ears.owners().begin(), columns.ears.owners().end(),
+                   columns.sensors.owners().begin(), columns.sensors.owners().end(),
+                   std::back_inserter(ears));
+    std::vector<Listening> all;
+    for (ObjectId const ear : ears) {
+        Position const* const position = columns.position.find(ear);
+        SoundSensor const* const sensor = columns.sensors.find(ear);
+        bool const onlySwitches = sensor != nullptr && !columns.ears.has(ear);
+        all.push_back({ear, position != nullptr, position == nullptr ? Vec2{} : position->value,
+                       onlySwitches ? margin * meanSquareOf(sensor->threshold) : inaudible});
+    }
+    return all;
+}
+
+// Whether it would be heard if nothing were in between.
+bool reaches(Source const& source, Listening const& ear) {
+    return ear.placed && source.loudness / std::max(0.01, lengthSquared(ear.at - source.at)) >= ear.faintest;
+}
+
+std::vector<Obstacle> obstaclesOf(LoudnessColumns const& columns) {
+    std::vector<Obstacle> obstacles;
+    for (std::size_t row = 0; row < columns.shape.size(); ++row) {
+        ObjectId const id = columns.shape.owners()[row];
+        Position const* const position = columns.position.find(id);
+        if (position == nullptr) {
+            continue;
+        }
+        Rotation const* const rotation = columns.rotation.find(id);
+        Density const* const density = columns.density.find(id);
+        addObstacles(obstacles, id, columns.shape.values()[row], position->value,
+                     rotation == nullptr ? 0 : rotation->angle,
+                     density == nullptr ? materialFacts(Material::plastic).density : density->value);
+    }
+    return obstacles;
+}
+
+// Ways around grow in number with the sources times the ears, and each one's cost with the obstacles. What a
+// frame spends on all of them is bounded: in a crowd only the simpler ways are found, and for the others what
+// comes straight through the walls counts. It follows from numbers of objects alone, so it is the same in
+// every run.
+int patienceFor(std::size_t ways, std::size_t obstacles) {
+    constexpr double chords = 5e6; // of obstacles, tested in one frame
+    double const each = chords / (static_cast<double>(ways) * std::max(1.0, static_cast<double>(obstacles)));
+    return static_cast<int>(std::clamp(each, 20.0, static_cast<double>(mostPatience)));
+}
+
+// `ways` holds all of each ear that it has any of.
+void addUp(std::vector<Way> const& ways, std::vector<Loudness::Entry>& entries) {
+    for (auto way = ways.begin(); way != ways.end();) {
+        Loudness::Entry& entry = entries[way->ear];
+        double sum = 0;
+        double most = 0;
+        for (std::size_t const ear = way->ear; way != ways.end() && way->ear == ear; ++way) {
+            sum += way->heard;
+            if (way->heard > most) {
+                most = way->heard;
+                entry.loudest = way->source->object;
+                entry.event = way->source->event;
+            }
+        }
+        entry.level = levelOf(sum);
+    }
+}
+
+} // namespace
+
+double Loudness::at(ObjectId ear) const {
+    auto const found = std::lower_bound(entries.begin(), entries.end(), ear,
+                                        [](Entry const& entry, ObjectId id) { return entry.ear < id; });
+    return found != entries.end() && found->ear == ear ? found->level : silentLevel;
+}
+
+std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
+                                        PathDetail detail, ForPaths const& forPaths) {
+    std::vector<Source> const sources = sourcesOf(sounds);
+    std::vector<Listening> const ears = listeningIn(columns);
+    std::vector<Loudness::Entry> entries;
+    std::size_t count = 0; // of all ways
+    for (Listening const& ear : ears) {
+        entries.push_back({ear.object, silentLevel, {}, {}});
+        count += static_cast<std::size_t>(std::count_if(
+            sources.begin(), sources.end(), [&](Source const& source) { return reaches(source, ear); }));
+    }
+    if (count == 0) {
+        return entries;
+    }
+    std::vector<Obstacle> const obstacles = obstaclesOf(columns);
+    ObstacleField const field(obstacles);
+    int const patience = patienceFor(count, obstacles.size());
+    std::vector<Way> ways; // by ear, and of each ear in order of sources
+    for (std::size_t ear = 0; ear < ears.size(); ++ear) {
+        for (Source const& source : sources) {
+            if (reaches(source, ears[ear])) {
+                ways.push_back({&source, ears[ear].at, ear, 0});
+            }
+        }
+        if (ways.empty() || (ways.size() < waysAtOnce && ear + 1 < ears.size())) {
+            continue;
+        }
+        forPaths(ways.size(), [&](std::size_t begin, std::size_t end) {
+            for (Way& way : std::span(ways).subspan(begin, end - begin)) {
+                way.heard = way.source->loudness * transmission(field, std::span(&entries[way.ear].ear, 1),
+                                                                way.source->at, way.to, way.source->frequency,
+                                                                detail, 0, patience);
+            }
+        });
+        addUp(ways, entries);
+        ways.clear();
+    }
+    return entries;
+}
+
+bool StraightLoudness::suits(Store const& store) {
+    constexpr std::size_t many = 400;
+    auto const size = [](auto const* column) { return column == nullptr ? 0 : column->size(); };
+    std::size_t const ears = size(store.findColumn<Ear>()) + size(store.findColumn<SoundSensor>());
+    return size(store.findColumn<Shape>()) * ears > many;
+}
+
+} // namespace trembler

@@ -1,0 +1,125 @@
+// How loud it is for those who listen.
+#pragma once
+
+#include "audio/effect/hearing/sound_path.hpp"
+#include "audio/effect/properties/acoustics.hpp"
+#include "audio/effect/properties/sounds.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "runtime/component/dps.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/world/store.hpp"
+
+#include <cstdint>
+#include <functional>
+
+namespace trembler {
+
+/// Derived by whichever detail level of loudness is at work.
+struct Loudness {
+    static constexpr PropertyKind kind = PropertyKind::derived;
+    static constexpr PropertyText text{"Loudness", "loudness",
+                                       "How loud it is for each object that listens."};
+    static constexpr std::string_view standing = "the level of the sounds at their end, smoothed over 125 ms";
+    struct Entry {
+        ObjectId ear;
+        double level = 0; ///< dB(A), "fast"; silentLevel where nothing is heard
+        ObjectId loudest; ///< the object that contributes most; invalid in silence
+        EventId event;    ///< what made that one sound; none while nobody traces
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "that listens"}, self.ear);
+            visit(FieldInfo{.key = "level", .unit = "dB(A)", .meaning = "how loud it is"}, self.level);
+            visit(FieldInfo{.key = "loudest", .unit = "", .meaning = "that contributes most"}, self.loudest);
+        }
+    };
+    std::vector<Entry> entries; ///< ascending by ear
+
+    /// The level at an object that listens; silentLevel for others.
+    [[nodiscard]] double at(ObjectId ear) const;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by object"}, self.entries);
+    }
+};
+
+/// The columns that loudness is worked out from.
+struct LoudnessColumns {
+    Column<Ear> const& ears;
+    Column<SoundSensor> const& sensors;
+    Column<Shape> const& shape;
+    Column<Density> const& density;
+    Column<Position> const& position;
+    Column<Rotation> const& rotation;
+};
+
+/// Calls f(begin, end) for ranges that cover [0, count), perhaps at the same time.
+using ForPaths =
+    std::function<void(std::size_t count, std::function<void(std::size_t, std::size_t)> const& f)>;
+
+/// Every source counts by its A-weighted energy, with what air and walls leave of it. Sources that arrive
+/// more than 20 dB below the faintest level that matters to a listener are left out. `forPaths` runs
+/// over the ways from sources to listeners; it shows in no result.
+[[nodiscard]] std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
+                                                      PathDetail detail, ForPaths const& forPaths);
+
+/// `Self` adds `text` and `static constexpr PathDetail detail`.
+template <class Self>
+class LoudnessDps : public Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Density, Position, Rotation>,
+                               Derives<Loudness>> {
+    using Base =
+        Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Density, Position, Rotation>, Derives<Loudness>>;
+
+public:
+    using CalledFor = NeedsAny<Ear, SoundSensor>;
+    using Access = typename Base::Access;
+    static constexpr std::size_t waysToARange = 8;
+
+    void update(Access& access) {
+        std::vector<Loudness::Entry> entries =
+            loudnessOf(access.template read<Sounds>(),
+                       {access.template read<Ear>(), access.template read<SoundSensor>(),
+                        access.template read<Shape>(), access.template read<Density>(),
+                        access.template read<Position>(), access.template read<Rotation>()},
+                       Self::detail,
+                       [&](std::size_t count, auto const& f) { access.forRanges(count, f, waysToARange); });
+        auto const& before = access.template derived<Loudness>().entries;
+        bool const same =
+            std::equal(entries.begin(), entries.end(), before.begin(), before.end(),
+                       [](Loudness::Entry const& a, Loudness::Entry const& b) {
+                           return a.ear == b.ear && a.level == b.level && a.loudest == b.loudest;
+                       });
+        if (!same) {
+            access.template derive<Loudness>().entries = std::move(entries);
+        }
+    }
+};
+
+class StraightLoudness final : public LoudnessDps<StraightLoudness> {
+public:
+    static constexpr PathDetail detail = PathDetail::straight;
+    static constexpr ComponentText text{.name = "Straight Loudness",
+                                        .effect = "loudness",
+                                        .level = "straight",
+                                        .work =
+                                            "Adds up, for every listening object, what reaches it of each "
+                                            "sound along a straight line: less with "
+                                            "distance, through walls by their mass, and around each of them.",
+                                        .cost = 1};
+    /// Where very much stands in the way, or very many listen, ways around it all are too dear.
+    static bool suits(Store const& store);
+};
+
+class AroundLoudness final : public LoudnessDps<AroundLoudness> {
+public:
+    static constexpr PathDetail detail = PathDetail::around;
+    static constexpr ComponentText text{.name = "Loudness around Corners",
+                                        .effect = "loudness",
+                                        .level = "around",
+                                        .work = "Adds up, for every listening object, what reaches it of "
+                                                "each sound: less with distance, through walls "
+                                                "by their mass, and by the shortest way around all of them.",
+                                        .cost = 2};
+};
+
+} // namespace trembler

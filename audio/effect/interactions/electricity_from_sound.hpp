@@ -1,0 +1,43 @@
+// (Electricity <- Sound): a sound sensor conducts while it hears enough.
+#pragma once
+
+#include "audio/effect/hearing/loudness.hpp"
+#include "physics/dynamics/properties/contacts.hpp"
+#include "physics/electricity/calls.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/graph.hpp"
+#include "runtime/component/interaction.hpp"
+
+namespace trembler {
+
+/// It compares the connections that there should be with those that it has told of, as the interaction from
+/// dynamics does. It lives with sound, and not with electricity, as physics must build and run without sound.
+class ElectricityFromSound final
+    : public Interaction<ElectricityFromSound, ElectricityRole,
+                         Reads<Loudness, SoundSensor, Contacts, Conductor, ElectricityGraph>> {
+public:
+    static constexpr ComponentText text{.name = "Electricity <- Sound",
+                                        .effect = "sound",
+                                        .level = "",
+                                        .work = "Connects, while a sensor hears enough, the two conductors "
+                                                "that it names, or all that touch it, and "
+                                                "disconnects them when it no longer does."};
+    using CalledFor = NeedsAll<SoundSensor>;
+    /// What it has told, and will take back.
+    void hashMemory(StateHash& hash) const { hash.members(told_); }
+    void apply(Access& access);
+
+private:
+    struct Link {
+        ObjectId sensor;
+        ObjectId a; ///< a < b
+        ObjectId b;
+        friend auto operator<=>(Link const&, Link const&) = default;
+    };
+    [[nodiscard]] static std::vector<Link> possible(Access& access);
+    static void recall(Access& access, std::vector<Link> const& possible, std::vector<Link>& told);
+
+    std::vector<Link> told_; // ascending
+};
+
+} // namespace trembler

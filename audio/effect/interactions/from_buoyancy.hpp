@@ -1,0 +1,39 @@
+// (Sound <- Buoyancy): what falls into a liquid splashes.
+#pragma once
+
+#include "audio/effect/calls.hpp"
+#include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/buoyancy/properties/results.hpp"
+#include "physics/material.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/placement.hpp"
+
+#include <map>
+
+namespace trembler {
+
+/// What a body newly displaces in a frame gets the body's speed into the liquid: that momentum is the blow
+/// which makes bubbles. A body that floats, or is drawn out, is silent.
+class SoundFromBuoyancy final
+    : public Interaction<SoundFromBuoyancy, SoundRole, Reads<Immersions, Position, Rotation, Velocity>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Sound <- Buoyancy",
+        .effect = "sound",
+        .level = "",
+        .work = "Strikes a liquid with the momentum that an object gives to what it newly displaces."};
+    using CalledFor = NeedsAll<Liquid>;
+    /// What was wet is no splash.
+    void hashMemory(StateHash& hash) const { hash.members(wet_); }
+
+    static constexpr double slowest = 0.1;  ///< m/s into the liquid; below, it closes without a splash
+    static constexpr double contact = 1e-4; ///< s: bubbles close at once
+
+    void apply(Access& access);
+
+private:
+    std::map<std::pair<ObjectId, ObjectId>, double> wet_; // m², by object and liquid, of the last apply
+    std::map<std::pair<ObjectId, ObjectId>, double> wetNow_;
+};
+
+} // namespace trembler

@@ -1,0 +1,166 @@
+#include "audio/effect/interactions/from_dynamics.hpp"
+
+#include "audio/effect/core/blow.hpp"
+#include "audio/effect/properties/acoustic_material.hpp"
+#include "physics/dynamics/properties/mass_properties.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler {
+namespace {
+
+template <class Access>
+class Scene {
+public:
+    explicit Scene(Access const& access) : access_(access) {}
+
+    template <class P>
+    [[nodiscard]] P const* find(ObjectId id) const {
+        return access_.template read<P>().find(id);
+    }
+    [[nodiscard]] bool sounds(ObjectId id) const {
+        return find<MadeOf>(id) != nullptr || find<Acoustics>(id) != nullptr;
+    }
+    [[nodiscard]] Material material(ObjectId id) const {
+        MadeOf const* const of = find<MadeOf>(id);
+        return of == nullptr ? Material::plastic : of->material;
+    }
+    /// 1/kg; 0 for what does not move.
+    [[nodiscard]] double inverseMass(ObjectId id) const {
+        Mass const* const mass = find<Mass>(id);
+        return mass == nullptr || access_.template read<Fixed>().has(id) ? 0 : 1 / mass->value;
+    }
+    [[nodiscard]] double roundness(ObjectId id) const {
+        Shape const* const shape = find<Shape>(id);
+        return shape == nullptr ? 0 : roundnessOf(*shape);
+    }
+    [[nodiscard]] double angle(ObjectId id) const {
+        Rotation const* const rotation = find<Rotation>(id);
+        return rotation == nullptr ? 0 : rotation->angle;
+    }
+    [[nodiscard]] Vec2 position(ObjectId id) const {
+        Position const* const position = find<Position>(id);
+        return position == nullptr ? Vec2{} : position->value;
+    }
+    [[nodiscard]] double spin(ObjectId id) const {
+        AngularVelocity const* const spin = find<AngularVelocity>(id);
+        return spin == nullptr ? 0 : spin->value;
+    }
+    /// Of the object's matter at a point of the world, in m/s.
+    [[nodiscard]] Vec2 velocityAt(ObjectId id, Vec2 point) const {
+        Velocity const* const velocity = find<Velocity>(id);
+        Shape const* const shape = find<Shape>(id);
+        if (velocity == nullptr || shape == nullptr) {
+            return {};
+        }
+        Vec2 const centre = position(id) + rotated(centreOfMass(*shape), angle(id));
+        return velocity->value + spin(id) * perpendicular(point - centre);
+    }
+    [[nodiscard]] Vec2 toLocal(ObjectId id, Vec2 point) const {
+        return rotated(point - position(id), -angle(id));
+    }
+    [[nodiscard]] Vec2 directionToLocal(ObjectId id, Vec2 direction) const {
+        return rotated(direction, -angle(id));
+    }
+
+private:
+    Access const& access_;
+};
+
+// The event with which the two began to touch.
+EventId touchOf(Contacts const& contacts, ObjectId a, ObjectId b) {
+    TouchingPair const pair{a, b, {}};
+    for (auto const* list : {&contacts.begun, &contacts.current, &contacts.brief}) {
+        auto const at = std::lower_bound(list->begin(), list->end(), pair);
+        if (at != list->end() && *at == pair) {
+            return at->event;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+void SoundFromDynamics::apply(Access& access) {
+    tellImpacts(access);
+    tellRubbing(access);
+}
+
+void SoundFromDynamics::tellImpacts(Access& access) {
+    Scene const scene(access);
+    Contacts const& contacts = access.read<Contacts>();
+    for (Impact const& impact : access.read<Impacts>().impacts) {
+        double const inverse = scene.inverseMass(impact.a) + scene.inverseMass(impact.b);
+        if (!(inverse > 0) || !(impact.impulse > 0)) {
+            continue;
+        }
+        EventId const cause = access.tracing() ? touchOf(contacts, impact.a, impact.b) : EventId{};
+        double const contact =
+            contactTime(scene.material(impact.a), scene.material(impact.b), scene.roundness(impact.a),
+                        scene.roundness(impact.b), 1 / inverse, impact.impulse * inverse);
+        auto const tell = [&](ObjectId object, ObjectId other, Vec2 direction) {
+            if (scene.sounds(object)) {
+                access.call(Strike{object, other, scene.toLocal(object, impact.point),
+                                   scene.directionToLocal(object, direction), impact.impulse, contact,
+                                   impact.since},
+                            cause);
+            }
+            Sample const* const sample = scene.template find<Sample>(object);
+            if (sample != nullptr && sample->cue == SampleCue::struck) {
+                double const share = std::min(1.0, impact.impulse / sample->fullImpulse);
+                access.call(PlaySample{object, share * share}, cause);
+            }
+        };
+        tell(impact.a, impact.b, -impact.normal);
+        tell(impact.b, impact.a, impact.normal);
+    }
+}
+
+void SoundFromDynamics::tellRubbing(Access& access) {
+    Scene const scene(access);
+    double const step = access.read<ContactPatches>().step;
+    if (!(step > 0)) {
+        return; // nothing has ever moved
+    }
+    auto const friction = [&](ObjectId id) {
+        Friction const* const stated = scene.template find<Friction>(id);
+        return stated == nullptr ? Friction{}.coefficient : stated->coefficient;
+    };
+    for (ContactPatch const& patch : access.read<ContactPatches>().patches) {
+        double const load = (patch.normalImpulse[0] + (patch.count > 1 ? patch.normalImpulse[1] : 0)) / step;
+        if (!(load > faintest)) {
+            continue;
+        }
+        Vec2 const point = patch.count > 1 ? 0.5 * (patch.points[0] + patch.points[1]) : patch.points[0];
+        Vec2 const relative = scene.velocityAt(patch.b, point) - scene.velocityAt(patch.a, point);
+        double const slip = std::abs(dot(relative, perpendicular(patch.normal)));
+        double const turning = std::abs(scene.spin(patch.b) - scene.spin(patch.a));
+        double const rolling = turning * std::max(scene.roundness(patch.a), scene.roundness(patch.b));
+        double const speed = slip > slowest ? slip : rolling;
+        if (!(speed > slowest)) {
+            continue;
+        }
+        double const force = slip > slowest
+                                 ? slidingShare * std::sqrt(friction(patch.a) * friction(patch.b)) * load
+                                 : rollingShare * load;
+        double const bump = std::max(acousticMaterial(scene.material(patch.a)).roughness,
+                                     acousticMaterial(scene.material(patch.b)).roughness);
+        if (!(force > faintest)) {
+            continue;
+        }
+        EventId const cause =
+            access.tracing() ? touchOf(access.read<Contacts>(), patch.a, patch.b) : EventId{};
+        auto const tell = [&](ObjectId object, ObjectId other, Vec2 direction) {
+            if (scene.sounds(object)) {
+                access.call(Rub{object, other, scene.toLocal(object, point),
+                                scene.directionToLocal(object, direction), force, speed / bump},
+                            cause);
+            }
+        };
+        tell(patch.a, patch.b, -patch.normal);
+        tell(patch.b, patch.a, patch.normal);
+    }
+}
+
+} // namespace trembler

@@ -1,0 +1,46 @@
+// (Sound <- Dynamics): what hits, rubs or rolls is heard.
+#pragma once
+
+#include "audio/effect/calls.hpp"
+#include "audio/effect/properties/acoustics.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/contacts.hpp"
+#include "physics/dynamics/properties/impacts.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/material.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/placement.hpp"
+
+namespace trembler {
+
+/// Every blow excites both bodies, for as long as Hertz says that they touch. Where surfaces slide or roll on
+/// each other, their bumps are a noise of small blows: a share of the friction, or of the load that rolls,
+/// with as many bumps per second as the rougher of the two has in the way that it covers.
+class SoundFromDynamics final
+    : public Interaction<SoundFromDynamics, SoundRole,
+                         Reads<Impacts, ContactPatches, Contacts, Shape, MadeOf, Acoustics, Sample, Mass,
+                               Fixed, Friction, Position, Rotation, Velocity, AngularVelocity>> {
+public:
+    static constexpr ComponentText text{.name = "Sound <- Dynamics",
+                                        .effect = "sound",
+                                        .level = "",
+                                        .work = "Strikes both objects of every impact, with its impulse and "
+                                                "for the time that their hardness keeps "
+                                                "them in touch; rubs those that slide or roll on each other; "
+                                                "plays the recordings of struck objects."};
+    using CalledFor = NeedsAny<MadeOf, Acoustics, Sample>;
+
+    static constexpr double slidingShare = 0.1; ///< of the friction that is noise, an estimate
+    static constexpr double rollingShare =
+        0.03;                                ///< of the load that is noise where something rolls, an estimate
+    static constexpr double slowest = 0.02;  ///< m/s, of sliding and rolling that is heard
+    static constexpr double faintest = 1e-4; ///< N, of noise that is told
+
+    void apply(Access& access);
+
+private:
+    void tellImpacts(Access& access);
+    void tellRubbing(Access& access);
+};
+
+} // namespace trembler

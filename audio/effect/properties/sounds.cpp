@@ -1,0 +1,49 @@
+#include "audio/effect/properties/sounds.hpp"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace trembler {
+
+void Sounds::gather(Sounds& frame, Sounds const& part, PartSpan span) {
+    std::vector<Blow> blows = std::move(frame.blows);
+    std::vector<Scrape> scrapes = std::move(frame.scrapes);
+    std::vector<double> amplitudes = std::move(frame.amplitudes);
+    frame = part;
+    auto const shift = static_cast<std::uint32_t>(amplitudes.size());
+    for (Blow blow : part.blows) {
+        blow.since += span.begin;
+        blow.first += shift;
+        blows.push_back(blow);
+    }
+    amplitudes.insert(amplitudes.end(), part.amplitudes.begin(), part.amplitudes.end());
+    // The noises of different parts are independent, so their powers add up. One that lasts for a share of
+    // the frame brings as much as one throughout it with that share of the power.
+    double const weaker = std::sqrt(span.share);
+    std::map<std::pair<ObjectId, ObjectId>, Scrape> known; // of earlier parts
+    for (Scrape const& scrape : scrapes) {
+        known.emplace(std::pair(scrape.object, scrape.other), scrape);
+    }
+    for (Scrape scrape : part.scrapes) {
+        scrape.first += shift;
+        auto const same = known.find({scrape.object, scrape.other});
+        bool const goesOn = same != known.end() && same->second.count == scrape.count;
+        for (std::uint32_t i = 0; i < scrape.count; ++i) {
+            double& amplitude = amplitudes[scrape.first + i];
+            amplitude *= weaker;
+            if (goesOn) {
+                double& sum = amplitudes[same->second.first + i];
+                sum = std::hypot(sum, amplitude);
+            }
+        }
+        if (!goesOn) {
+            scrapes.push_back(scrape);
+        }
+    }
+    frame.blows = std::move(blows);
+    frame.scrapes = std::move(scrapes);
+    frame.amplitudes = std::move(amplitudes);
+}
+
+} // namespace trembler

@@ -1,0 +1,62 @@
+// The game in its window: title screen, levels, menu.
+#pragma once
+
+#include "game/ui/app/menu.hpp"
+#include "game/ui/app/title_screen.hpp"
+#include "game/ui/play/play_screen.hpp"
+#include "game/ui/shared/desk.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace trembler::ui {
+
+struct GameOptions {
+    std::filesystem::path levels;         ///< folder of the levels to choose from
+    std::filesystem::path pictures = "."; ///< films and pictures go below
+    std::filesystem::path profile;        ///< settings and progress; empty: nothing is kept
+    WorldOptions world;
+    Loudspeaker* loudspeaker = nullptr; ///< must outlive the game; nullptr: it is silent
+    bool steady = false;                ///< nothing blinks: for tests
+};
+
+/// Driven picture by picture, so that tests can play it with pushed events. Thread of the window only; the
+/// window, the registry and the parts must outlive it.
+class GameApp {
+public:
+    /// Throws render::RenderError if the graphics card cannot draw the game.
+    GameApp(render::Window& window, Registry const& registry, PartLibrary const& parts,
+            GameOptions const& options);
+    ~GameApp();
+    GameApp(GameApp const&) = delete;
+    GameApp& operator=(GameApp const&) = delete;
+
+    /// Opens a level. Throws InputError if it cannot be read or built; what was on the screen then stays.
+    void open(std::filesystem::path const& level);
+    void showTitle() { play_.reset(); }
+
+    /// One picture: takes SDL's events, lets `seconds` pass, draws and presents. False once the player wants
+    /// to go.
+    bool frame(double seconds);
+
+    /// The level on the screen, or nullptr on the title screen.
+    [[nodiscard]] PlayScreen* play() { return play_.get(); }
+    [[nodiscard]] Desk& desk() { return desk_; }
+    [[nodiscard]] Menu const& menu() const { return menu_; }
+
+private:
+    void update(double seconds);
+    void updateMenu();
+    void follow(PlayWish wish);
+    void tryOpen(ShelfEntry const& entry);
+    void toggleFullscreen();
+
+    GameOptions options_;
+    Desk desk_;
+    TitleScreen title_;
+    Menu menu_;
+    std::unique_ptr<PlayScreen> play_;
+    bool going_ = true;
+};
+
+} // namespace trembler::ui

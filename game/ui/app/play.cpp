@@ -1,0 +1,168 @@
+#include "game/ui/app/play.hpp"
+
+#include "audio/device/loudspeaker.hpp"
+#include "game/ui/app/app.hpp"
+#include "game/ui/headless/run_sound.hpp"
+#include "game/ui/headless/screenshot.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <SDL.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+namespace trembler::ui {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t usualFrames = 600;
+/// Frames after success, so that the picture shows it and not the moment before.
+constexpr std::uint64_t encore = 45;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The level to show to somebody who named none: the first with a recorded solution.
+fs::path firstLevel(Workshop const& workshop) {
+    LevelShelf const shelf(workshop.registry, workshop.home / "levels");
+    fs::path first;
+    for (ShelfGroup const& group : shelf.groups()) {
+        for (ShelfEntry const& entry : group.levels) {
+            if (!entry.trouble.empty()) {
+                continue;
+            }
+            if (!loadLevel(workshop.registry, entry.file).solutions.empty()) {
+                return entry.file;
+            }
+            first = first.empty() ? entry.file : first;
+        }
+    }
+    if (first.empty()) {
+        throw std::invalid_argument("There is no level to play in " + (workshop.home / "levels").string() +
+                                    ".");
+    }
+    return first;
+}
+
+/// Steps the session to its end, with a line every second. Returns the frame in which it was solved.
+std::optional<std::uint64_t> playOut(Session& session, std::uint64_t frames, std::ostream& out) {
+    std::optional<std::uint64_t> solved;
+    auto told = Clock::now();
+    for (std::uint64_t frame = 1; frame <= frames; ++frame) {
+        session.step();
+        if (session.solved() && !solved) {
+            solved = frame;
+        }
+        if (solved && frame >= *solved + encore) {
+            break;
+        }
+        if (secondsSince(told) > 1) {
+            told = Clock::now();
+            out << fmt::format("  {} of {} frames\n", frame, frames) << std::flush;
+        }
+    }
+    return solved;
+}
+
+void writePicture(Workshop const& workshop, Session const& session, fs::path const& file, std::ostream& out) {
+    try {
+        render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
+        writePng(pictureOf(window, workshop, session), file);
+        std::error_code ignored;
+        fs::path const where = fs::absolute(file, ignored);
+        out << "A picture of how it ended is in " << where.string() << ".\n";
+    } catch (render::WindowError const& error) {
+        out << "There is no picture, because nothing can be drawn here. " << error.what() << "\n";
+    } catch (render::RenderError const& error) {
+        out << "There is no picture. " << error.what() << "\n";
+    }
+}
+
+} // namespace
+
+int playWithoutDisplay(Workshop const& workshop, PlayOptions const& options, std::ostream& out) {
+    fs::path const file = options.level.empty() ? firstLevel(workshop) : options.level;
+    WorldOptions world = options.world;
+    Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, file), world);
+    LevelFile const& level = session.level();
+    out << fmt::format("Playing \"{}\" ({})", level.title, workshop.shortName(file));
+    std::uint64_t frames = usualFrames;
+    if (level.solutions.empty()) {
+        out << ", which has no recorded solution, with an empty toolbox.\n";
+    } else {
+        Solution const solution = level.solutions.front();
+        session.load(solution);
+        frames = solution.frames ? static_cast<std::uint64_t>(*solution.frames) : usualFrames;
+        out << fmt::format(" with its recorded solution \"{}\".\n", solution.name);
+    }
+    auto const start = Clock::now();
+    auto const solved = playOut(session, frames, out);
+    double const wall = secondsSince(start);
+    for (GoalStatus const& goal : session.judge().status()) {
+        out << fmt::format("  [{}] {}\n", goal.met ? "x" : " ", goal.text);
+    }
+    double const simulated = session.world().time();
+    if (solved) {
+        out << fmt::format("Solved after {:.1f} s ({} frames), simulated in {:.2f} s.\n",
+                           static_cast<double>(*solved) * frameDuration, *solved, wall);
+    } else {
+        out << fmt::format("Not solved within {:.1f} s ({} frames), simulated in {:.2f} s.\n", simulated,
+                           session.world().frame(), wall);
+    }
+    fs::path const picture = options.picture.empty()
+                                 ? options.pictures / ("trembler-" + file.stem().string() + ".png")
+                                 : options.picture;
+    std::error_code ignored; // writing says what is wrong with the folder
+    fs::create_directories(options.pictures, ignored);
+    writePicture(workshop, session, picture, out);
+    return solved ? 0 : 1;
+}
+
+int playInWindow(Workshop const& workshop, PlayOptions const& options) {
+    render::Window window({.title = "Trembler", .size = {1280, 720}});
+    Loudspeaker loudspeaker(
+        {.synthesiser = {}, .output = {}, .sampleFolders = sampleFolders(workshop, options.level)},
+        [](std::string const& text) { std::cout << text << std::endl; });
+    GameApp app(window, workshop.registry, workshop.parts,
+                {.levels = workshop.home / "levels",
+                 .pictures = options.pictures,
+                 .profile = Profile::usualFile(),
+                 .world = options.world,
+                 .loudspeaker = &loudspeaker});
+    if (options.fullscreen) {
+        window.setFullscreen(true);
+    }
+    if (!options.level.empty()) {
+        app.open(options.level);
+    }
+    auto before = Clock::now();
+    double passed = 1.0 / 60;
+    while (app.frame(passed)) {
+        // A hidden window is not held back by its screen.
+        if ((SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(15));
+        }
+        passed = secondsSince(before);
+        before = Clock::now();
+    }
+    return 0;
+}
+
+int play(Workshop const& workshop, PlayOptions const& options) {
+    try {
+        return playInWindow(workshop, options);
+    } catch (render::WindowError const& error) {
+        if (error.kind() == render::WindowError::Kind::Other) {
+            throw;
+        }
+        std::cout << error.what() << "\n\n";
+    }
+    return playWithoutDisplay(workshop, options, std::cout);
+}
+
+} // namespace trembler::ui

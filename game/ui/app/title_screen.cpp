@@ -1,0 +1,73 @@
+#include "game/ui/app/title_screen.hpp"
+
+#include "game/ui/app/level_list.hpp"
+#include "game/ui/app/title_picture.hpp"
+#include "game/ui/shared/words.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/buttons.hpp"
+#include "render/panels/theme.hpp"
+
+#include <algorithm>
+
+namespace trembler::ui {
+
+using namespace render;
+
+TitleChoice TitleScreen::update(double seconds, bool hidden) {
+    time_ += std::clamp(seconds, 0.0, 0.1);
+    TitleChoice choice;
+    if (hidden) {
+        return choice;
+    }
+    Layout& layout = desk_.layout;
+    layout.beginCard("title", "",
+                     {.anchor = Anchor::TopLeft, .offset = {64, 56}, .width = 520, .bare = true});
+    ImGui::PushFont(theme().fonts.title);
+    ImGui::TextUnformatted(words::programName);
+    ImGui::PopFont();
+    ImVec2 const low = ImGui::GetItemRectMin();
+    float const y = ImGui::GetItemRectMax().y + scaled(2);
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x + scaled(2), y}, {low.x + scaled(74), y + scaled(5)},
+                                              imColour(palette::accent), scaled(2.5F));
+    ImGui::Dummy({0, scaled(10)});
+    caption(words::tagline);
+    layout.endCard();
+
+    float const screen = ImGui::GetIO().DisplaySize.y / theme().scale;
+    layout.beginCard("title levels", words::levels,
+                     {.anchor = Anchor::Right, .offset = {56, 0}, .width = 430});
+    choice.level = drawLevelList(desk_, {}, screen - 190);
+    layout.endCard();
+
+    layout.beginCard("title buttons", "", {.anchor = Anchor::BottomLeft, .offset = {64, 48}, .bare = true});
+    choice.settings = bigButton(words::settings, {.icon = Icon::Settings});
+    layout.item("settings");
+    ImGui::SameLine(0, scaled(10));
+    choice.quit = bigButton(words::quit, {.icon = Icon::Cross});
+    layout.item("quit");
+    layout.endCard();
+    return choice;
+}
+
+void TitleScreen::draw() const {
+    Canvas& canvas = desk_.canvas;
+    Size const size = desk_.window.size();
+    auto const scale = static_cast<double>(desk_.window.uiScale());
+    Camera camera;
+    camera.viewport = size;
+    // The picture fills what the title, the buttons and the list of levels leave free.
+    double const left = 40 * scale;
+    double const right = size.width - 530 * scale;
+    double const top = 210 * scale;
+    double const bottom = size.height - 120 * scale;
+    camera.pixelsPerMetre =
+        std::max(std::min((right - left) / titleWidth, (bottom - top) / titleHeight), 1.0);
+    camera.centre = {(0.5 * size.width - 0.5 * (left + right)) / camera.pixelsPerMetre,
+                     (0.5 * (top + bottom) - 0.5 * size.height) / camera.pixelsPerMetre};
+    canvas.begin(camera, {.uiScale = desk_.window.uiScale(), .time = time_, .shadows = desk_.shadows});
+    canvas.paper();
+    drawTrembler(canvas, time_);
+    canvas.end();
+}
+
+} // namespace trembler::ui

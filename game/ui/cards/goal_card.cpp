@@ -1,0 +1,93 @@
+#include "game/ui/cards/play_cards.hpp"
+#include "game/ui/shared/words.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/buttons.hpp"
+#include "render/panels/theme.hpp"
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+
+void rule() {
+    ImGui::Dummy({0, scaled(1)});
+    ImVec2 const at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y},
+                                        imColour(palette::paperShade), scaled(1.4F));
+    ImGui::Dummy({0, scaled(3)});
+}
+
+void smallHeading(std::string const& text) {
+    ImGui::PushFont(theme().fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::accent));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+std::vector<GoalLine> linesOf(Session const& session) {
+    std::vector<GoalLine> lines;
+    for (GoalStatus const& goal : session.judge().status()) {
+        bool const underWay = !goal.met && goal.progress > 0 && goal.progress < 1;
+        lines.push_back({words::capital(goal.text), goal.met ? GoalLine::State::Met : GoalLine::State::Open,
+                         underWay ? static_cast<float>(goal.progress) : -1.F});
+    }
+    return lines;
+}
+
+std::optional<Command> drawHints(Layout& layout, Session const& session, PlayState const& state) {
+    auto const& hints = session.level().hints;
+    std::optional<Command> asked;
+    std::size_t const shown = std::min(state.hintsShown, hints.size());
+    for (std::size_t i = 0; i < shown; ++i) {
+        smallHeading(words::hintOf(i + 1, hints.size()));
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - scaled(5)); // it belongs to what follows
+        ImGui::TextWrapped("%s", hints[i].c_str());
+        ImGui::Dummy({0, scaled(2)});
+    }
+    if (shown < hints.size()) {
+        char const* const label = shown == 0 ? words::hint : words::nextHint;
+        if (bigButton(label, {.icon = Icon::Hint, .tip = words::hintTip})) {
+            asked = Command::hint;
+        }
+        layout.item("hint");
+    }
+    return asked;
+}
+
+} // namespace
+
+std::optional<Command> drawGoalCard(Layout& layout, Session const& session, PlayState const& state) {
+    LevelFile const& level = session.level();
+    std::optional<Command> asked;
+    layout.beginCard("goal", "", {.anchor = Anchor::TopLeft, .width = goalCardWidth});
+    ImGui::PushFont(theme().fonts.heading);
+    ImGui::TextWrapped("%s", level.title.c_str());
+    ImGui::PopFont();
+    ImVec2 const low = ImGui::GetItemRectMin();
+    float const y = ImGui::GetItemRectMax().y + scaled(2);
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x, y}, {low.x + scaled(36), y + scaled(3)},
+                                              imColour(palette::accent), scaled(1.5F));
+    ImGui::Dummy({0, scaled(3)});
+    if (!state.goalsShort && !level.text.empty()) {
+        caption(level.text.c_str());
+        rule();
+    }
+    std::vector<GoalLine> const lines = linesOf(session);
+    if (lines.empty()) {
+        caption(words::noGoal);
+    } else {
+        if (!state.goalsShort) {
+            smallHeading(words::goal);
+        }
+        goalLines(lines);
+    }
+    if (!state.goalsShort && !state.still && !level.hints.empty()) {
+        rule();
+        asked = drawHints(layout, session, state);
+    }
+    layout.endCard();
+    return asked;
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,116 @@
+#include "game/ui/cards/play_cards.hpp"
+#include "game/ui/shared/words.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/buttons.hpp"
+#include "render/panels/theme.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+
+/// Even numbers from 0 to 1 that look random and are always the same.
+float scatter(int index, int which) {
+    auto mixed = static_cast<unsigned>(index) * 2654435761U + static_cast<unsigned>(which) * 40503U;
+    mixed ^= mixed >> 15U;
+    mixed *= 2246822519U;
+    mixed ^= mixed >> 13U;
+    return static_cast<float>(mixed & 0xffffU) / 65535.F;
+}
+
+/// Snippets of coloured paper that fall behind the card for a few seconds.
+void drawConfetti(double age) {
+    constexpr int pieces = 90;
+    constexpr double life = 4.5;
+    if (age > life) {
+        return;
+    }
+    static constexpr std::array colours{palette::accent, palette::goal, palette::live, palette::northPole,
+                                        palette::force};
+    ImVec2 const screen = ImGui::GetIO().DisplaySize;
+    auto& list = *ImGui::GetBackgroundDrawList();
+    auto const t = static_cast<float>(age);
+    for (int i = 0; i < pieces; ++i) {
+        float const start = 0.7F * scatter(i, 0);
+        float const own = t - start;
+        if (own < 0) {
+            continue;
+        }
+        float const drift =
+            scaled(60) * (scatter(i, 1) - 0.5F) + scaled(16) * std::sin(3 * own + 6 * scatter(i, 2));
+        ImVec2 const at{screen.x * scatter(i, 3) + drift,
+                        -scaled(20) + own * scaled(150 + 160 * scatter(i, 4)) + own * own * scaled(22)};
+        float const turn = 5 * own * (scatter(i, 5) - 0.5F) + 6.28F * scatter(i, 6);
+        float const flat = std::abs(std::cos(4 * own + 6 * scatter(i, 7)));
+        float const half = scaled(4 + 4 * scatter(i, 8));
+        ImVec2 const x{half * std::cos(turn), half * std::sin(turn)};
+        ImVec2 const y{-0.6F * flat * x.y, 0.6F * flat * x.x};
+        auto const fade = static_cast<float>(std::clamp((life - age) / 1.2, 0.0, 1.0));
+        list.AddQuadFilled(
+            {at.x - x.x - y.x, at.y - x.y - y.y}, {at.x + x.x - y.x, at.y + x.y - y.y},
+            {at.x + x.x + y.x, at.y + x.y + y.y}, {at.x - x.x + y.x, at.y - x.y + y.y},
+            imColour(faded(colours[static_cast<std::size_t>(i) % colours.size()], 0.85F * fade)));
+    }
+}
+
+/// A round stamp with a tick, pressed on with a small bounce.
+void drawSeal(ImVec2 centre, float radius, double age) {
+    auto const t = static_cast<float>(std::min(age / 0.35, 1.0));
+    float const grown = radius * (1 + 0.9F * (1 - t) * (1 - t));
+    auto& list = *ImGui::GetForegroundDrawList(); // while it comes down it is larger than the card
+    float const seen = std::min(1.F, 2 * t);
+    list.AddCircleFilled(centre, grown, imColour(faded(palette::goal, seen)));
+    list.AddCircle(centre, grown * 0.84F, imColour(faded(palette::paperLight, 0.7F * seen)), 0, scaled(1.6F));
+    drawIcon(list, Icon::Tick, centre, grown * 0.95F, imColour(faded(palette::paperLight, seen)));
+}
+
+} // namespace
+
+std::optional<Command> drawSuccess(Layout& layout, Session const& session, PlayState const& state) {
+    std::optional<Command> asked;
+    if (!state.celebrating) {
+        return asked;
+    }
+    drawConfetti(state.celebratedFor);
+    layout.beginCard("success", "", {.anchor = Anchor::Top, .width = 404});
+    float const seal = scaled(30);
+    ImVec2 const at = ImGui::GetCursorScreenPos();
+    drawSeal({at.x + seal, at.y + seal}, seal, state.celebratedFor);
+    ImGui::SetCursorScreenPos({at.x + 2 * seal + scaled(16), at.y - scaled(2)});
+    ImGui::BeginGroup();
+    ImGui::PushFont(theme().fonts.heading);
+    ImGui::TextUnformatted(words::solved);
+    ImGui::PopFont();
+    std::string const line =
+        words::solvedWith(state.solvedAt.value_or(0), static_cast<int>(session.placed().size()));
+    caption(line.c_str());
+    if (!state.nextLevel) {
+        caption(words::lastLevel);
+    }
+    ImGui::EndGroup();
+    ImGui::SetCursorScreenPos({at.x, std::max(ImGui::GetItemRectMax().y, at.y + 2 * seal) + scaled(12)});
+    if (state.nextLevel) {
+        if (bigButton(words::nextLevel, {.icon = Icon::Next, .look = ButtonLook::Primary, .width = -1})) {
+            asked = Command::nextLevel;
+        }
+        layout.item("next level");
+    }
+    float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
+    if (bigButton(words::watchAgain, {.icon = Icon::Play, .width = half})) {
+        asked = Command::watchAgain;
+    }
+    layout.item("watch again");
+    ImGui::SameLine(0, scaled(8));
+    if (bigButton(words::keepPlaying, {.width = half})) {
+        asked = Command::keepPlaying;
+    }
+    layout.item("keep playing");
+    layout.endCard();
+    return asked;
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,101 @@
+#include "game/ui/cards/play_cards.hpp"
+#include "game/ui/shared/words.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/theme.hpp"
+#include "render/panels/toolbox_tile.hpp"
+
+#include <cmath>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+
+constexpr float tileSide = 92;
+
+/// What it does, in words, once the mouse rests on its tile.
+void tipFor(PartShelf const& shelf, std::string const& part) {
+    ImGui::BeginTooltip();
+    ImGui::PushFont(theme().fonts.strong);
+    ImGui::TextUnformatted(shelf.titleOf(part).c_str());
+    ImGui::PopFont();
+    if (std::string const text = shelf.textOf(part); !text.empty()) {
+        ImGui::TextUnformatted(words::wrapped(text, 44).c_str());
+    }
+    ImGui::EndTooltip();
+}
+
+void drawWhereToDrop() {
+    ImVec2 const low = ImGui::GetWindowPos();
+    ImVec2 const size = ImGui::GetWindowSize();
+    auto& list = *ImGui::GetForegroundDrawList();
+    ImVec2 const high{low.x + size.x, low.y + size.y};
+    list.AddRect(low, high, imColour(palette::accent), scaled(12), 0, scaled(3));
+}
+
+} // namespace
+
+std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartShelf& shelf,
+                                       PlayState const& state) {
+    std::optional<std::string> taken;
+    auto const slots = session.toolbox();
+    if (slots.empty()) {
+        return taken;
+    }
+    layout.beginCard("toolbox", words::toolbox,
+                     {.anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = toolboxWidth});
+    float const screen = ImGui::GetIO().DisplaySize.y;
+    float const gap = scaled(8);
+    float const tile = scaled(tileSide + 24);
+    auto const rows = static_cast<float>((slots.size() + 1) / 2);
+    float const wanted = rows * (tile + gap);
+    float const room = screen - scaled(cornerRow + bottomRow + 150);
+    bool const scrolls = wanted > room;
+    if (scrolls) {
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
+        ImGui::BeginChild("tiles", {0, room});
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+    // Two columns, in the middle of the card.
+    float const left =
+        ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - (2 * scaled(tileSide) + gap));
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        if (i % 2 == 1) {
+            ImGui::SameLine();
+        } else {
+            ImGui::SetCursorPosX(left);
+        }
+        ToolboxSlot const& slot = slots[i];
+        bool const inHand = state.carrying && state.carriedPart == slot.part;
+        std::string const title = shelf.titleOf(slot.part);
+        auto const pixels = static_cast<int>(std::lround(scaled(tileSide - 12)));
+        TileUse const use = toolboxTile({.id = slot.part.c_str(),
+                                         .name = title.c_str(),
+                                         .count = slot.left,
+                                         .picture = shelf.picture(slot.part, pixels),
+                                         .selected = inHand,
+                                         .side = tileSide});
+        layout.item("part " + slot.part);
+        if (use.taken) {
+            taken = slot.part;
+        }
+        if (use.hovered && !state.carrying) {
+            tipFor(shelf, slot.part);
+        }
+    }
+    ImGui::PopStyleVar();
+    if (scrolls) {
+        ImGui::EndChild();
+        ImGui::PopStyleColor();
+    }
+    ImGui::PushFont(theme().fonts.small);
+    caption(state.carrying ? words::dropHere : words::toolboxHint);
+    ImGui::PopFont();
+    if (state.carrying) {
+        drawWhereToDrop();
+    }
+    layout.endCard();
+    return taken;
+}
+
+} // namespace trembler::ui

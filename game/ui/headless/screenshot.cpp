@@ -1,0 +1,87 @@
+#include "game/ui/headless/screenshot.hpp"
+
+#include "game/ui/cards/play_cards.hpp"
+#include "game/ui/play/goal_areas.hpp"
+#include "game/ui/shared/scene_words.hpp"
+#include "game/ui/tools/camera_control.hpp"
+#include "puzzle/solutions/solution_file.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/gui.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace trembler::ui {
+
+using namespace render;
+
+Image pictureOf(Window& window, Workshop const&, Session const& session, PictureOptions const& options) {
+    Gui gui(window, {.steady = true});
+    InputEvents const input(window); // nobody is there
+    Canvas canvas;
+    Layout layout;
+    World const& world = session.world();
+    auto const scale = static_cast<double>(window.uiScale());
+    bool const goals = options.card && !session.level().title.empty();
+    CameraControl view;
+    GoalAreas areas(session.level());
+    Extent subject = sceneFocus(world);
+    subject.add(areas.extent());
+    view.setSubject(subject.empty() ? subject : subject.widened(0.05 * length(subject.half())));
+    double const left = goals ? scale * (goalCardWidth + 2 * static_cast<double>(cardGap)) : scale * cardGap;
+    double const rest = scale * static_cast<double>(cardGap);
+    view.setView(window.size(), {left, rest, rest, rest});
+    Image image;
+    SceneView const scene;
+    PlayState state;
+    state.still = true;
+    // ImGui knows the size of a card only after it has laid it out once.
+    constexpr int passes = 3;
+    for (int pass = 1; pass <= passes; ++pass) {
+        if (options.step) {
+            options.step(fmt::format("drawing, {} of {}", pass, passes));
+        }
+        gui.beginFrame(input, 1.0 / 60);
+        layout.beginFrame();
+        if (goals) {
+            drawGoalCard(layout, session, state);
+        }
+        window.beginFrame(palette::paper);
+        canvas.begin(view.camera(),
+                     {.uiScale = window.uiScale(), .time = world.time(), .shadows = options.shadows});
+        canvas.paper();
+        scene.draw(canvas, world,
+                   {.time = world.time(),
+                    .overlays = options.overlays,
+                    .goals = areas.regions(session.judge().status())});
+        canvas.end();
+        drawSceneWords(view.camera(), world, scene, 1, options.names);
+        areas.drawWords(view.camera());
+        gui.endFrame();
+        image = window.readPixels();
+        window.present();
+    }
+    return image;
+}
+
+Image screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
+    Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, options.level),
+                    options.world);
+    if (!options.solution.empty()) {
+        session.load(findOrLoadSolution(workshop.registry, session.level(), options.solution));
+    } else if (options.firstSolution && !session.level().solutions.empty()) {
+        session.load(session.level().solutions.front());
+    }
+    for (std::uint64_t done = 0; done < options.frame; ++done) {
+        session.step();
+        if (options.progress) {
+            options.progress(done + 1);
+        }
+    }
+    Window window({.size = options.size, .mode = WindowMode::Offscreen});
+    return pictureOf(window, workshop, session, options.picture);
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,33 @@
+// The engineers' panel: every component of the world, what it costs, and the knobs.
+#pragma once
+
+#include "game/ui/panels/cost_rows.hpp"
+#include "render/panels/toasts.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace trembler::ui {
+
+class ComponentsPanel {
+public:
+    void toggle() { open_ = !open_; }
+    [[nodiscard]] bool open() const { return open_; }
+    /// Between Gui::beginFrame and endFrame, in pixels at UI scale 1: where its top is and how high it may
+    /// be.
+    void draw(Layout& layout, Session& session, budget::BudgetMode& mode, render::Toasts& toasts, float top,
+              float height);
+
+private:
+    void drawTable(Layout& layout, Session& session, render::Toasts& toasts);
+    void drawRow(Layout& layout, ComponentStatus const& status, double slowest, Session& session,
+                 render::Toasts& toasts);
+
+    CostRows costs_;
+    bool open_ = false;
+    bool all_ = false;                     // absent ones too
+    std::map<std::string, double> smooth_; // µs by title, so that the bars can be read
+};
+
+} // namespace trembler::ui

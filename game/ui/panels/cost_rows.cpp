@@ -1,0 +1,306 @@
+#include "game/ui/panels/cost_rows.hpp"
+
+#include "game/ui/shared/words.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/cards.hpp"
+#include "render/panels/theme.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace trembler::ui {
+
+using namespace render;
+
+namespace {
+
+/// Runs a change that may object, and tells the player why.
+template <class F>
+void attempt(Toasts& toasts, F&& change) {
+    try {
+        change();
+    } catch (std::invalid_argument const& error) {
+        toasts.add(error.what(), ToastKind::Trouble);
+    } catch (std::runtime_error const& error) {
+        toasts.add(error.what(), ToastKind::Trouble);
+    }
+}
+
+void tip(std::string const& text) {
+    if (!text.empty() && ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", words::wrapped(text, 60).c_str());
+    }
+}
+
+/// A bar of a time against a scale, with the number at its right end; `limit` draws the line of the budget.
+void timeBar(double microseconds, double scale, double limit, bool grey) {
+    ImVec2 const at = ImGui::GetCursorScreenPos();
+    float const width = ImGui::GetContentRegionAvail().x;
+    float const height = ImGui::GetFrameHeight();
+    float const numbers = scaled(62);
+    float const room = std::max(width - numbers, scaled(10));
+    float const middle = at.y + 0.5F * height;
+    float const half = scaled(5);
+    auto& list = *ImGui::GetWindowDrawList();
+    auto const share = [&](double time) {
+        return scale > 0 ? std::clamp(static_cast<float>(time / scale), 0.F, 1.F) : 0.F;
+    };
+    list.AddRectFilled({at.x, middle - half}, {at.x + room, middle + half}, imColour(palette::paperShade),
+                       half);
+    bool const over = limit > 0 && microseconds > limit;
+    if (microseconds > 0) {
+        Colour const colour = over ? palette::warning : palette::accent;
+        list.AddRectFilled({at.x, middle - half},
+                           {at.x + std::max(room * share(microseconds), 2 * half), middle + half},
+                           imColour(colour), half);
+    }
+    if (limit > 0) {
+        float const x = at.x + room * share(limit);
+        list.AddLine({x, middle - 1.7F * half}, {x, middle + 1.7F * half}, imColour(palette::ink), scaled(2));
+    }
+    std::string const text = grey ? words::nothingStated : words::duration(microseconds);
+    ImVec2 const size = ImGui::CalcTextSize(text.c_str());
+    list.AddText({at.x + width - size.x, middle - 0.5F * size.y},
+                 imColour(grey ? palette::inkSoft : palette::ink), text.c_str());
+    ImGui::Dummy({width, height});
+}
+
+/// What else an effect could be computed like, in its unfolded knob.
+void drawOptions(Layout& layout, Session& session, Toasts& toasts, budget::Knob const& knob) {
+    if (session.mode() == SessionMode::building || knob.options.size() < 2) {
+        return; // settings and estimates belong to a world that runs
+    }
+    ImGui::Separator();
+    ImGui::PushFont(theme().fonts.small);
+    for (std::size_t i = 0; i < knob.options.size(); ++i) {
+        budget::Option const& option = knob.options[i];
+        if (option.name.find(", every ") != std::string::npos && i != knob.current) {
+            continue; // how often a component runs has a knob of its own
+        }
+        std::string const label = option.name + "  ·  " + words::howFarOff(option.error.metres);
+        ImGui::BeginDisabled(!option.cannot.empty() && i != knob.current);
+        if (ImGui::Selectable(label.c_str(), i == knob.current)) {
+            attempt(toasts, [&] {
+                for (RecordedChange const& change : option.makes) {
+                    session.change(change);
+                }
+            });
+        }
+        ImGui::EndDisabled();
+        layout.item("option " + option.name);
+    }
+    ImGui::PopFont();
+}
+
+} // namespace
+
+std::string switchBudget(budget::BudgetMode& mode) {
+    if (mode.budget()) {
+        mode.setBudget(std::nullopt);
+        return words::budgetOff;
+    }
+    constexpr double usual = 2000; // µs: leaves a display at 60 Hz all the room that it needs for the picture
+    mode.setBudget(usual);
+    return words::budgetIs(usual);
+}
+
+std::string changeBudget(budget::BudgetMode& mode, double factor) {
+    double const now = mode.budget().value_or(2000);
+    mode.setBudget(std::clamp(now * factor, 1000.0 * static_cast<double>(leastBudget),
+                              1000.0 * static_cast<double>(mostBudget)));
+    return words::budgetIs(*mode.budget());
+}
+
+void CostRows::drawBudget(Layout& layout, budget::BudgetMode& mode) {
+    bool on = mode.budget().has_value();
+    if (on) {
+        wanted_ = static_cast<float>(*mode.budget() / 1000);
+    }
+    ImGui::AlignTextToFramePadding();
+    if (ImGui::Checkbox(words::keepToBudget, &on)) {
+        mode.setBudget(on ? std::optional(1000.0 * static_cast<double>(wanted_)) : std::nullopt);
+    }
+    layout.item("budget");
+    tip(words::budgetTip);
+    ImGui::SameLine(0, scaled(16));
+    ImGui::BeginDisabled(!on);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - scaled(92));
+    if (ImGui::SliderFloat("##budget", &wanted_, leastBudget, mostBudget, "",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp |
+                               ImGuiSliderFlags_NoRoundToFormat) &&
+        on) {
+        mode.setBudget(1000.0 * static_cast<double>(wanted_));
+    }
+    ImGui::EndDisabled();
+    layout.item("budget of a frame");
+    tip(words::budgetSliderTip);
+    ImGui::SameLine(0, scaled(10));
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, imColour4(on ? palette::ink : palette::inkSoft));
+    ImGui::Text(words::budgetFormat, static_cast<double>(wanted_));
+    ImGui::PopStyleColor();
+    drawStatus(mode);
+}
+
+void CostRows::drawStatus(budget::BudgetMode const& mode) const {
+    if (!mode.budget()) {
+        return;
+    }
+    ImGui::PushFont(theme().fonts.small);
+    bool const known = mode.figures().frame > 0;
+    if (known && !mode.kept()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::warning));
+        ImGui::TextWrapped("%s", mode.hopeless() ? words::budgetHopeless : words::budgetMissed);
+        ImGui::PopStyleColor();
+    }
+    if (mode.decisions().empty()) {
+        caption(known ? words::nothingToChange : words::budgetMeasuring);
+    }
+    // All that was decided last, at one time.
+    for (budget::Decision const& decision : mode.decisions()) {
+        if (decision.frame == mode.decisions().back().frame) {
+            caption(inWords(decision).c_str());
+        }
+    }
+    ImGui::PopFont();
+}
+
+void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode const& mode, Toasts& toasts,
+                       EffectCost const& cost, double scale) {
+    bool const absent = cost.activity == Activity::absent;
+    bool const idle = cost.activity != Activity::active;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, imColour4(idle ? palette::inkSoft : palette::ink));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(words::capital(cost.effect).c_str());
+    ImGui::PopStyleColor();
+    tip(session.world().why(cost.effect).empty() ? std::string()
+                                                 : words::calledForBy(session.world().why(cost.effect)));
+
+    ImGui::TableNextColumn();
+    auto const effect = std::find_if(levels_.begin(), levels_.end(),
+                                     [&](EffectLevels const& l) { return l.effect == cost.effect; });
+    budget::Knob const* const knob = mode.knob(cost.effect);
+    if (effect == levels_.end()) {
+        ImGui::AlignTextToFramePadding();
+        caption(absent ? cost.reason.c_str() : words::oneWayOnly);
+    } else if (absent && effect->chosen.empty()) {
+        ImGui::AlignTextToFramePadding();
+        caption(cost.reason.c_str());
+    } else {
+        std::string const automatic =
+            effect->working.empty() ? std::string(words::automatic) : words::automaticNow(effect->working);
+        // A level that the scene gives nothing to do leaves the work to another one.
+        bool const elsewhere =
+            !effect->chosen.empty() && !effect->working.empty() && effect->working != effect->chosen;
+        std::string const asked =
+            elsewhere ? words::idleNow(effect->chosen, effect->working) : effect->chosen;
+        std::string shown = effect->chosen.empty() ? automatic : asked;
+        if (knob != nullptr && !elsewhere && (cost.effect == "dynamics" || !effect->chosen.empty())) {
+            shown = knob->options[knob->current].name;
+            if (cost.effect == "dynamics") {
+                shown = (effect->working.empty() ? effect->chosen : effect->working) + ", " + shown;
+            }
+        }
+        ImGui::SetNextItemWidth(-1);
+        if (!ImGui::BeginCombo(("##" + cost.effect).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+            layout.item("detail of " + cost.effect);
+            std::string const why = session.world().why(cost.effect);
+            tip(shown + (why.empty() ? "" : ". " + words::calledForBy(why)));
+        } else {
+            if (ImGui::Selectable(automatic.c_str(), effect->chosen.empty())) {
+                attempt(toasts, [&] { session.setDetail(cost.effect, ""); });
+            }
+            layout.item("as needed");
+            for (std::string const& level : effect->levels) {
+                auto const whyNot = session.whyNotDetail(cost.effect, level);
+                ImGui::BeginDisabled(whyNot.has_value());
+                if (ImGui::Selectable(level.c_str(), level == effect->chosen)) {
+                    attempt(toasts, [&] { session.setDetail(cost.effect, level); });
+                }
+                ImGui::EndDisabled();
+                if (whyNot && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+                    ImGui::SetTooltip("%s", words::wrapped(*whyNot, 60).c_str());
+                }
+                layout.item("level " + level);
+            }
+            if (knob != nullptr) {
+                drawOptions(layout, session, toasts, *knob);
+            }
+            ImGui::EndCombo();
+        }
+    }
+
+    ImGui::TableNextColumn();
+    timeBar(idle ? 0 : cost.microseconds, scale, 0, idle);
+    layout.item("time of " + cost.effect);
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, imColour4(idle ? palette::inkSoft : palette::ink));
+    if (idle) {
+        ImGui::TextUnformatted(absent ? words::absent : words::asleep);
+    } else if (knob != nullptr) {
+        budget::Error const& error = knob->options[knob->current].error;
+        ImGui::TextUnformatted(words::howFarOff(error.metres).c_str());
+        tip(words::errorTip(error.metres, error.share, knob->of, knob->source));
+        layout.item("error of " + cost.effect);
+    }
+    ImGui::PopStyleColor();
+}
+
+void CostRows::drawRows(Layout& layout, Session& session, budget::BudgetMode const& mode, Toasts& toasts,
+                        bool all) {
+    levels_ = effectLevels(session.world());
+    auto const costs = effectCosts(session.world(), mode);
+    double total = 0;
+    for (EffectCost const& cost : costs) {
+        total += cost.activity == Activity::active ? cost.microseconds : 0;
+    }
+    double const limit = mode.budget().value_or(0);
+    double const scale = std::max(total, limit);
+    ImGui::PushFont(theme().fonts.small);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(scaled(4), scaled(1)));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(scaled(6), scaled(2)));
+    if (ImGui::BeginTable("costs", 4, ImGuiTableFlags_SizingStretchProp)) {
+        ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch, 0.17F);
+        ImGui::TableSetupColumn("level", ImGuiTableColumnFlags_WidthStretch, 0.38F);
+        ImGui::TableSetupColumn("time", ImGuiTableColumnFlags_WidthStretch, 0.29F);
+        ImGui::TableSetupColumn("error", ImGuiTableColumnFlags_WidthStretch, 0.16F);
+        ImGui::TableNextRow();
+        for (char const* heading :
+             {words::effect, words::howExactly, words::timePerFrameOf, words::errorAfterASecond}) {
+            ImGui::TableNextColumn();
+            caption(heading);
+        }
+        for (EffectCost const& cost : costs) {
+            bool const hidden = cost.activity == Activity::absent && !all;
+            bool const stated = std::any_of(levels_.begin(), levels_.end(), [&](EffectLevels const& l) {
+                return l.effect == cost.effect && !l.chosen.empty();
+            });
+            if (!hidden || stated) {
+                drawRow(layout, session, mode, toasts, cost, scale);
+            }
+        }
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushFont(theme().fonts.strong);
+        ImGui::TextUnformatted(words::wholeFrame);
+        ImGui::PopFont();
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        caption(limit > 0 ? words::ofBudget(limit).c_str() : words::withoutBudget);
+        ImGui::TableNextColumn();
+        timeBar(total, scale, limit, !(total > 0));
+        layout.item("time of the frame");
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(total > 0 ? words::howFarOff(mode.error()).c_str() : "");
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar(2);
+    ImGui::PopFont();
+}
+
+} // namespace trembler::ui

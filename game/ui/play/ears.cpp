@@ -1,0 +1,45 @@
+#include "game/ui/play/ears.hpp"
+
+#include "audio/device/loudspeaker.hpp"
+
+#include <algorithm>
+
+namespace trembler::ui {
+namespace {
+
+// As far above the drawing board as the board is high on the screen: what is seen large is near.
+Listener listenerOf(render::Camera const& camera) {
+    double const seen = camera.viewport.height / camera.pixelsPerMetre;
+    return {.at = {camera.centre.x, camera.centre.y}, .height = std::clamp(seen, 0.5, 50.0), .velocity = {}};
+}
+
+} // namespace
+
+void Ears::enter(World const& world) {
+    if (loudspeaker_ != nullptr) {
+        loudspeaker_->enter(world);
+        clock_.reset();
+    }
+}
+
+void Ears::leave() {
+    if (loudspeaker_ != nullptr) {
+        loudspeaker_->leave();
+    }
+}
+
+void Ears::frame(World const& world, render::Camera const& camera) {
+    if (loudspeaker_ != nullptr) {
+        loudspeaker_->frame(world, listenerOf(camera));
+    }
+}
+
+void Ears::pause(double seconds, render::Camera const& camera) {
+    if (loudspeaker_ != nullptr) {
+        for (int due = clock_.due(seconds); due > 0; --due) {
+            loudspeaker_->pause(listenerOf(camera));
+        }
+    }
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,34 @@
+// The player's ears: what the level on the screen sounds like.
+#pragma once
+
+#include "game/ui/shared/frame_clock.hpp"
+#include "render/draw/camera.hpp"
+
+namespace trembler {
+class Loudspeaker;
+class World;
+} // namespace trembler
+
+namespace trembler::ui {
+
+/// Follows one level. Without a loudspeaker it does nothing, and what it does never reaches the world. Window
+/// thread only; the loudspeaker must outlive it.
+class Ears {
+public:
+    explicit Ears(Loudspeaker* loudspeaker) : loudspeaker_(loudspeaker) {}
+
+    /// A run begins.
+    void enter(World const& world);
+    /// The run ends: silence, at once.
+    void leave();
+    /// After every step of the world that is to be heard. They hear from where the camera looks.
+    void frame(World const& world, render::Camera const& camera);
+    /// For a picture in which the world stands still: what rings dies away.
+    void pause(double seconds, render::Camera const& camera);
+
+private:
+    Loudspeaker* loudspeaker_;
+    FrameClock clock_; // of the pauses
+};
+
+} // namespace trembler::ui

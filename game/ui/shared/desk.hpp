@@ -1,0 +1,41 @@
+// What every screen of the program works with.
+#pragma once
+
+#include "game/ui/shared/layout.hpp"
+#include "game/ui/shared/level_shelf.hpp"
+#include "game/ui/shared/part_shelf.hpp"
+#include "game/ui/shared/profile.hpp"
+#include "game/ui/shared/recorder.hpp"
+#include "render/panels/gui.hpp"
+#include "render/panels/toasts.hpp"
+#include "render/window/input_events.hpp"
+
+namespace trembler {
+class Loudspeaker;
+}
+
+namespace trembler::ui {
+
+/// Everything that lives as long as the program; GameApp owns it. Window thread only.
+struct Desk {
+    render::Window& window;
+    Registry const& registry;
+    PartLibrary const& parts;
+    render::Gui gui;
+    render::InputEvents input;
+    render::Canvas canvas;
+    render::Toasts toasts;
+    Layout layout;
+    PartShelf shelf;
+    LevelShelf levels;
+    Profile profile;
+    Recorder recorder;
+    Loudspeaker* loudspeaker = nullptr; ///< nullptr: nobody listens
+    bool shadows = true;                ///< soft shadows, as the settings or the graphics card have it
+
+    [[nodiscard]] bool shiftHeld() const { return (input.modifiers() & KMOD_SHIFT) != 0; }
+    [[nodiscard]] bool controlHeld() const { return (input.modifiers() & KMOD_CTRL) != 0; }
+    [[nodiscard]] bool altHeld() const { return (input.modifiers() & KMOD_ALT) != 0; }
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,167 @@
+#include "game/ui/shared/level_shelf.hpp"
+
+#include "game/ui/shared/words.hpp"
+#include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <system_error>
+
+namespace trembler::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isDigit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// "2-first-contact" becomes "First contact".
+std::string titleFrom(std::string name) {
+    std::size_t start = 0;
+    while (start < name.size() && (isDigit(name[start]) || name[start] == '-')) {
+        ++start;
+    }
+    name = start < name.size() ? name.substr(start) : name;
+    std::replace(name.begin(), name.end(), '-', ' ');
+    std::replace(name.begin(), name.end(), '_', ' ');
+    if (!name.empty()) {
+        name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    }
+    return name;
+}
+
+ShelfEntry entryFor(Registry const& registry, fs::path const& file, fs::path const& folder) {
+    ShelfEntry entry{
+        file, file.lexically_relative(folder).generic_string(), titleFrom(file.stem().string()), {}};
+    try {
+        LevelFile const level = loadLevel(registry, file);
+        if (!level.title.empty()) {
+            entry.title = level.title;
+        }
+    } catch (InputError const& error) {
+        entry.trouble =
+            error.diagnostics().empty() ? std::string(error.what()) : error.diagnostics().front().print();
+    } catch (std::exception const& error) {
+        entry.trouble = error.what();
+    }
+    return entry;
+}
+
+std::vector<fs::path> jsonBelow(fs::path const& folder) {
+    std::vector<fs::path> files;
+    std::error_code failed;
+    fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied, failed);
+    for (; !failed && walk != fs::recursive_directory_iterator(); walk.increment(failed)) {
+        auto const& path = walk->path();
+        bool const schema = path.stem().extension() == ".schema" || path.stem() == "schema";
+        if (path.extension() == ".json" && !schema && walk->is_regular_file(failed)) {
+            files.push_back(path);
+        }
+    }
+    return files;
+}
+
+} // namespace
+
+bool naturallyBefore(std::string_view a, std::string_view b) {
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < a.size() && j < b.size()) {
+        if (isDigit(a[i]) && isDigit(b[j])) {
+            auto const number = [](std::string_view text, std::size_t& at) {
+                while (at < text.size() && text[at] == '0') {
+                    ++at;
+                }
+                std::size_t const start = at;
+                while (at < text.size() && isDigit(text[at])) {
+                    ++at;
+                }
+                return text.substr(start, at - start);
+            };
+            std::string_view const x = number(a, i);
+            std::string_view const y = number(b, j);
+            if (x.size() != y.size()) {
+                return x.size() < y.size();
+            }
+            if (x != y) {
+                return x < y;
+            }
+        } else if (a[i] != b[j]) {
+            return a[i] < b[j];
+        } else {
+            ++i;
+            ++j;
+        }
+    }
+    return a.size() - i < b.size() - j;
+}
+
+LevelShelf::LevelShelf(Registry const& registry, fs::path const& folder) {
+    std::map<std::string, std::vector<fs::path>> byFolder;
+    for (fs::path const& file : jsonBelow(folder)) {
+        byFolder[file.parent_path().lexically_relative(folder).generic_string()].push_back(file);
+    }
+    std::vector<std::string> names;
+    for (auto& [name, files] : byFolder) {
+        names.push_back(name);
+        std::sort(files.begin(), files.end(), [](fs::path const& a, fs::path const& b) {
+            return naturallyBefore(a.string(), b.string());
+        });
+    }
+    std::stable_sort(names.begin(), names.end(), [](std::string const& a, std::string const& b) {
+        bool const firstA = a == "first";
+        bool const firstB = b == "first";
+        return firstA != firstB ? firstA : naturallyBefore(a, b);
+    });
+    for (std::string const& name : names) {
+        ShelfGroup group{name == "." ? std::string(words::looseLevels)
+                                     : titleFrom(fs::path(name).filename().string()),
+                         {}};
+        if (name == "first") {
+            group.title = words::firstSteps;
+        }
+        for (fs::path const& file : byFolder[name]) {
+            group.levels.push_back(entryFor(registry, file, folder));
+        }
+        groups_.push_back(std::move(group));
+    }
+}
+
+std::size_t LevelShelf::size() const {
+    std::size_t count = 0;
+    for (ShelfGroup const& group : groups_) {
+        count += group.levels.size();
+    }
+    return count;
+}
+
+ShelfEntry const* LevelShelf::find(fs::path const& file) const {
+    std::error_code ignored;
+    for (ShelfGroup const& group : groups_) {
+        for (ShelfEntry const& entry : group.levels) {
+            if (fs::equivalent(entry.file, file, ignored)) {
+                return &entry;
+            }
+        }
+    }
+    return nullptr;
+}
+
+ShelfEntry const* LevelShelf::after(fs::path const& file) const {
+    ShelfEntry const* const here = find(file);
+    bool passed = false;
+    for (ShelfGroup const& group : groups_) {
+        for (ShelfEntry const& entry : group.levels) {
+            if (passed && entry.trouble.empty()) {
+                return &entry;
+            }
+            passed = passed || &entry == here;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,67 @@
+#include "game/ui/shared/part_shelf.hpp"
+
+#include "render/panels/toolbox_tile.hpp"
+#include "render/scene/objects/body.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace trembler::ui {
+
+std::string PartShelf::titleOf(std::string const& part) const {
+    PartDefinition const* const found = parts_.find(part);
+    std::string title = found == nullptr || found->title.empty() ? part : found->title;
+    if (!title.empty()) {
+        title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    }
+    return title;
+}
+
+std::string PartShelf::textOf(std::string const& part) const {
+    PartDefinition const* const found = parts_.find(part);
+    return found == nullptr ? std::string() : found->text;
+}
+
+Prototype const* PartShelf::prototype(std::string const& part) {
+    if (auto const known = prototypes_.find(part); known != prototypes_.end()) {
+        return &known->second;
+    }
+    PartDefinition const* const found = parts_.find(part);
+    return found == nullptr ? nullptr : &prototypes_.emplace(part, found->prototype()).first->second;
+}
+
+unsigned PartShelf::picture(std::string const& part, int pixels) {
+    Prototype const* const known = prototype(part);
+    if (known == nullptr || pixels <= 0) {
+        return 0;
+    }
+    Picture& made = pictures_[part];
+    if (made.pixels != pixels) {
+        made.target = std::make_unique<render::Framebuffer>(render::Size{pixels, pixels});
+        made.pixels = pixels;
+        made.target->bind();
+        render::clearBound(render::tileGround());
+        // Long parts lie aslant: so they fill a square best.
+        render::Extent const flat = render::extentOf(*known, {});
+        bool const slim = !flat.empty() && std::max(flat.half().x, flat.half().y) >
+                                               2.2 * std::min(flat.half().x, flat.half().y);
+        render::Pose const pose{{}, slim ? 0.52 : 0.0};
+        render::Extent const extent = render::extentOf(*known, pose);
+        render::Camera camera{{}, 100, {pixels, pixels}};
+        if (!extent.empty()) {
+            camera.fit(extent.lower, extent.upper, 0.10 * pixels);
+        }
+        canvas_.begin(camera, {.uiScale = static_cast<float>(pixels) / 80.F});
+        render::drawObject(canvas_, render::factsOf(*known), pose);
+        canvas_.end();
+    }
+    return made.target->texture();
+}
+
+double PartShelf::radius(std::string const& part) {
+    Prototype const* const known = prototype(part);
+    render::Extent const extent = known == nullptr ? render::Extent{} : render::extentOf(*known, {});
+    return extent.empty() ? 0.0 : std::max(length(extent.lower), length(extent.upper));
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,103 @@
+#include "game/ui/shared/profile.hpp"
+
+#include "runtime/file/output_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+
+namespace trembler::ui {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+} // namespace
+
+Profile::Profile(fs::path file) : file_(std::move(file)) {
+    read();
+}
+
+void Profile::setSettings(Settings const& settings) {
+    settings_ = settings;
+    settings_.uiScale = std::clamp(settings.uiScale, 0.5F, 3.F);
+    settings_.volume = std::clamp(settings.volume, 0, 100);
+    write();
+}
+
+bool Profile::markSolved(std::string const& levelId) {
+    bool const fresh = solved_.insert(levelId).second;
+    if (fresh) {
+        write();
+    }
+    return fresh;
+}
+
+fs::path Profile::usualFile() {
+    if (char const* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
+        return fs::path(data) / "trembler" / "profile.json";
+    }
+    if (char const* const home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+        return fs::path(home) / ".local" / "share" / "trembler" / "profile.json";
+    }
+    return {};
+}
+
+void Profile::read() {
+    std::ifstream in(file_);
+    if (file_.empty() || !in) {
+        return;
+    }
+    Json const all = Json::parse(in, nullptr, false);
+    if (!all.is_object()) {
+        return;
+    }
+    // Each value by itself: one that is damaged must not cost the others.
+    auto const flag = [&](char const* key, bool usual) {
+        auto const found = all.find(key);
+        return found != all.end() && found->is_boolean() ? found->get<bool>() : usual;
+    };
+    if (auto const scale = all.find("ui_scale"); scale != all.end() && scale->is_number()) {
+        settings_.uiScale = std::clamp(scale->get<float>(), 0.5F, 3.F);
+    }
+    settings_.shadows = flag("shadows", settings_.shadows);
+    settings_.fullscreen = flag("fullscreen", settings_.fullscreen);
+    settings_.names = flag("names", settings_.names);
+    settings_.hrtf = flag("hrtf", settings_.hrtf);
+    if (auto const volume = all.find("volume"); volume != all.end() && volume->is_number_integer()) {
+        settings_.volume = std::clamp(volume->get<int>(), 0, 100);
+    }
+    if (auto const solved = all.find("solved"); solved != all.end() && solved->is_array()) {
+        for (Json const& id : *solved) {
+            if (id.is_string()) {
+                solved_.insert(id.get<std::string>());
+            }
+        }
+    }
+    stated_ = true;
+}
+
+void Profile::write() const {
+    if (file_.empty()) {
+        return;
+    }
+    std::error_code ignored;
+    fs::create_directories(file_.parent_path(), ignored);
+    Json const all{{"ui_scale", settings_.uiScale},
+                   {"shadows", settings_.shadows},
+                   {"fullscreen", settings_.fullscreen},
+                   {"names", settings_.names},
+                   {"volume", settings_.volume},
+                   {"hrtf", settings_.hrtf},
+                   {"solved", solved_}};
+    // Whole or not at all: a crash while writing must not cost the player's progress.
+    try {
+        writeFile(file_, all.dump(2) + "\n");
+    } catch (OutputError const&) { // what was kept before is kept
+    }
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,128 @@
+#include "game/ui/shared/words.hpp"
+
+#include "runtime/math/vec2.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace trembler::ui::words {
+
+std::string cannotWrite(std::string const& path, std::string const& why) {
+    return fmt::format("Nothing can be written to {}: {}.", path, why);
+}
+std::string pictureTaken(std::string const& path) {
+    return "Picture written to " + path;
+}
+std::string solutionSaved(std::string const& path) {
+    return "Saved as " + path + ". \"trembler run\" plays it with --solution.";
+}
+
+std::string recordingTo(std::string const& folder) {
+    return "Recording every frame into " + folder;
+}
+std::string recorded(int frames, std::string const& folder) {
+    return fmt::format("{} in {}", count(frames, "frame", "frames"), folder);
+}
+std::string andMore(std::size_t count) {
+    return fmt::format("and {} more", count);
+}
+std::string calledForBy(std::string const& why) {
+    return "The scene calls for " + why + ".";
+}
+
+std::string nothingHas(std::string_view property) {
+    return fmt::format("nothing has \"{}\"", property);
+}
+std::string duration(double microseconds) {
+    return microseconds < 9.95    ? fmt::format("{:.1f} µs", microseconds)
+           : microseconds < 999.5 ? fmt::format("{:.0f} µs", microseconds)
+                                  : fmt::format("{:.3g} ms", microseconds / 1000);
+}
+std::string howFarOff(double metres) {
+    if (!(metres > 0)) {
+        return "not at all";
+    }
+    return metres < 1e-4      ? "< 0.1 mm"
+           : metres < 9.95e-3 ? fmt::format("{:.1f} mm", 1000 * metres)
+           : metres < 0.995   ? fmt::format("{:.2g} cm", 100 * metres)
+           : metres < 9.95    ? fmt::format("{:.1f} m", metres)
+                              : fmt::format("{:.0f} m", std::min(metres, 1e6));
+}
+std::string errorTip(double metres, double share, std::string const& of, std::string const& source) {
+    return fmt::format("{:.2g} % {}: what nothing holds would be off by {} after a second. {}", 100 * share,
+                       of, metres > 0 ? howFarOff(metres) : "nothing", source);
+}
+std::string budgetIs(double microseconds) {
+    return fmt::format("Time budget: {:.2f} ms per frame", microseconds / 1000);
+}
+std::string ofBudget(double microseconds) {
+    return fmt::format("of a budget of {:.2f} ms", microseconds / 1000);
+}
+
+std::string ofRated(double share) {
+    return fmt::format(" ({:.0f} % of its rating)", 100 * share);
+}
+
+std::string idleNow(std::string const& chosen, std::string const& working) {
+    return chosen + " (at work: " + working + ")";
+}
+
+std::string automaticNow(std::string const& level) {
+    return fmt::format("{}: {}", automatic, level);
+}
+std::string hintOf(std::size_t shown, std::size_t total) {
+    return total > 1 ? fmt::format("{} {} of {}", hint, shown, total) : std::string(hint);
+}
+std::string seconds(double time) {
+    return fmt::format("{:.1f} s", time);
+}
+std::string solvedWith(double time, int parts) {
+    return parts == 0 ? fmt::format("Solved after {}", seconds(time))
+                      : fmt::format("Solved after {} with {}", seconds(time), count(parts, "part", "parts"));
+}
+std::string count(int number, char const* one, char const* many) {
+    return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+std::string cutThis(std::string const& a, std::string const& b) {
+    return fmt::format("cut {} – {}", a, b);
+}
+
+std::string direction(double angle) {
+    static constexpr std::array arrows{"→", "↗", "↑", "↖", "←", "↙", "↓", "↘"};
+    auto const eighth = static_cast<int>(std::lround(angle / (pi / 4)));
+    return arrows[static_cast<std::size_t>(((eighth % 8) + 8) % 8)];
+}
+
+std::string capital(std::string text) {
+    if (!text.empty()) {
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    }
+    return text;
+}
+
+std::string wrapped(std::string const& text, std::size_t width) {
+    std::string lines;
+    std::size_t column = 0;
+    std::size_t start = 0;
+    while (start < text.size()) {
+        std::size_t const end = std::min(text.find(' ', start), text.size());
+        std::size_t const length = end - start;
+        if (column > 0 && column + 1 + length > width) {
+            lines += '\n';
+            column = 0;
+        } else if (column > 0) {
+            lines += ' ';
+            ++column;
+        }
+        lines += text.substr(start, length);
+        column += length;
+        start = end + 1;
+    }
+    return lines;
+}
+
+} // namespace trembler::ui::words

@@ -1,0 +1,61 @@
+#include "game/ui/tools/camera_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler::ui {
+namespace {
+
+/// How much nearer, and how much farther, than "everything" one may look.
+constexpr double nearest = 30;
+constexpr double farthest = 0.15;
+constexpr double zoomPerNotch = 1.15;
+
+} // namespace
+
+void CameraControl::setView(render::Size viewport, Margins const& margins) {
+    bool const same = viewport == camera_.viewport;
+    double const before = camera_.viewport.width;
+    camera_.viewport = viewport;
+    margins_ = margins;
+    if (!moved_) {
+        fit();
+    } else if (!same && before > 0) {
+        camera_.pixelsPerMetre *= viewport.width / before; // the same part of the world on a larger window
+    }
+}
+
+double CameraControl::fittingScale() const {
+    double const width = std::max(camera_.viewport.width - margins_.left - margins_.right, 50.0);
+    double const height = std::max(camera_.viewport.height - margins_.top - margins_.bottom, 50.0);
+    render::Point const half = subject_.half();
+    double const scale = std::min(width / std::max(2 * half.x, 1e-3), height / std::max(2 * half.y, 1e-3));
+    return std::clamp(scale, render::Camera::smallestScale, render::Camera::largestScale);
+}
+
+void CameraControl::fit() {
+    moved_ = false;
+    if (subject_.empty()) {
+        return;
+    }
+    camera_.pixelsPerMetre = fittingScale();
+    double const shiftX = 0.5 * (margins_.left - margins_.right) / camera_.pixelsPerMetre;
+    double const shiftY = 0.5 * (margins_.bottom - margins_.top) / camera_.pixelsPerMetre;
+    camera_.centre = subject_.centre() - render::Point{shiftX, shiftY};
+}
+
+void CameraControl::zoom(render::Point at, double notches) {
+    double const all = subject_.empty() ? camera_.pixelsPerMetre : fittingScale();
+    double const wanted = camera_.pixelsPerMetre * std::pow(zoomPerNotch, notches);
+    camera_.zoomAt(at, std::clamp(wanted, all * farthest, all * nearest) / camera_.pixelsPerMetre);
+    moved_ = true;
+}
+
+void CameraControl::drag(render::Point pixels) {
+    if (panning_ && (pixels.x != 0 || pixels.y != 0)) {
+        camera_.pan(pixels);
+        moved_ = true;
+    }
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,46 @@
+// How the player looks around: zoom at the mouse, drag the paper, show everything.
+#pragma once
+
+#include "game/ui/shared/pointer.hpp"
+#include "render/draw/camera.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
+
+namespace trembler::ui {
+
+/// Pixels of the window that cards cover at each side.
+struct Margins {
+    double left = 0;
+    double top = 0;
+    double right = 0;
+    double bottom = 0;
+};
+
+/// Plain data and arithmetic; any thread.
+class CameraControl {
+public:
+    /// What is to be seen when everything is shown.
+    void setSubject(render::Extent const& subject) { subject_ = subject; }
+    /// Follows the window's size; as long as the player has not moved the view it keeps showing everything.
+    void setView(render::Size viewport, Margins const& margins);
+    /// Shows the whole subject between the margins.
+    void fit();
+    void zoom(render::Point at, double notches);
+    void startPan() { panning_ = true; }
+    void stopPan() { panning_ = false; }
+    [[nodiscard]] bool panning() const { return panning_; }
+    /// Moves the paper along with the mouse, if it is held.
+    void drag(render::Point pixels);
+
+    [[nodiscard]] render::Camera const& camera() const { return camera_; }
+
+private:
+    [[nodiscard]] double fittingScale() const;
+
+    render::Camera camera_;
+    render::Extent subject_;
+    Margins margins_;
+    bool panning_ = false;
+    bool moved_ = false;
+};
+
+} // namespace trembler::ui

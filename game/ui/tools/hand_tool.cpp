@@ -1,0 +1,95 @@
+#include "game/ui/tools/hand_tool.hpp"
+
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+
+namespace trembler::ui {
+namespace {
+
+/// Pressing this long without a move takes hold too, s.
+constexpr double holdTime = 0.25;
+/// A wire is hit within this many pixels at UI scale 1.
+constexpr double wireReach = 10;
+
+} // namespace
+
+void HandTool::reset() {
+    press_.reset();
+    waiting_.clear();
+    held_ = {};
+    wire_ = {};
+    cutting_ = false;
+}
+
+bool HandTool::movable(ObjectId object) const {
+    World const& world = session_.world();
+    return world.find<Shape>(object) != nullptr && world.find<Fixed>(object) == nullptr;
+}
+
+void HandTool::grab(Press const& press) {
+    held_ = press.object;
+    target_ = told_ = press.at;
+    waiting_.push_back({PlayerInput::Kind::grab, press.object, {}, press.at});
+}
+
+void HandTool::cut(Pointer const& pointer) {
+    wire_ = pointer.overCard ? render::Link{}
+                             : render::pickWire(session_.world(), {pointer.world.x, pointer.world.y},
+                                                wireReach * pointer.pixel);
+    if (pointer.pressed && wire_.a.valid()) {
+        waiting_.push_back({PlayerInput::Kind::cut, wire_.a, wire_.b, pointer.world});
+    }
+}
+
+std::optional<ObjectId> HandTool::update(Pointer const& pointer, ObjectId hovered, double seconds) {
+    if (held_.valid() && !session_.world().store().alive(held_)) {
+        held_ = {}; // it was taken out of the world while in the hand
+    }
+    if (cutting_) {
+        cut(pointer);
+        return {};
+    }
+    wire_ = {};
+    if (pointer.pressed && !pointer.overCard) {
+        press_ = Press{hovered, pointer.world, pointer.screen};
+    }
+    if (held_.valid()) {
+        target_ = pointer.world;
+        if (!pointer.held) {
+            waiting_.push_back({PlayerInput::Kind::release, held_, {}, target_});
+            held_ = {};
+        }
+        return {};
+    }
+    if (!press_) {
+        return {};
+    }
+    press_->seconds += seconds;
+    bool const strayed = pointer.strayed(press_->screen) > dragThreshold;
+    bool const lifted = !pointer.held;
+    if (!lifted && movable(press_->object) && (strayed || press_->seconds > holdTime)) {
+        grab(*press_);
+        target_ = pointer.world;
+        press_.reset();
+        return {};
+    }
+    if (!lifted) {
+        return {};
+    }
+    ObjectId const clicked = press_->object;
+    press_.reset();
+    return strayed ? std::nullopt : std::optional(clicked);
+}
+
+void HandTool::beforeStep() {
+    for (PlayerInput const& input : waiting_) {
+        session_.feed(input);
+    }
+    waiting_.clear();
+    if (held_.valid() && !(target_ == told_)) {
+        session_.feed({PlayerInput::Kind::move, held_, {}, target_});
+        told_ = target_;
+    }
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,60 @@
+// The hand while the world runs: drags objects, points at them, cuts wires.
+#pragma once
+
+#include "game/ui/shared/pointer.hpp"
+#include "puzzle/session/session.hpp"
+#include "render/scene/objects/wires.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace trembler::ui {
+
+/// Everything that it does to the world goes through Session::feed, so that a run can be watched again.
+/// Window thread only.
+class HandTool {
+public:
+    explicit HandTool(Session& session) : session_(session) {}
+
+    /// One picture's worth of mouse; `hovered` is the object under it. Returns the object that was clicked
+    /// without being dragged: an invalid id for a click beside everything, nothing if there was no click.
+    std::optional<ObjectId> update(Pointer const& pointer, ObjectId hovered, double seconds);
+    /// Passes on what the hand did since the last frame; call it directly before each Session::step.
+    void beforeStep();
+    /// The run is over: nothing is held any more.
+    void reset();
+
+    void setCutting(bool on) { cutting_ = on; }
+    [[nodiscard]] bool cutting() const { return cutting_; }
+    /// The wire that a click would cut; both ids invalid if there is none.
+    [[nodiscard]] render::Link const& wireUnderBlades() const { return wire_; }
+    /// What is held, or an invalid id.
+    [[nodiscard]] ObjectId held() const { return held_; }
+    /// Where the hand pulls it to, m.
+    [[nodiscard]] Vec2 target() const { return target_; }
+    /// Something is pressed, though perhaps not yet held.
+    [[nodiscard]] bool busy() const { return press_.has_value() || held_.valid(); }
+
+private:
+    struct Press {
+        ObjectId object;
+        Vec2 at;
+        render::Point screen;
+        double seconds = 0;
+    };
+
+    void cut(Pointer const& pointer);
+    void grab(Press const& press);
+    [[nodiscard]] bool movable(ObjectId object) const;
+
+    Session& session_;
+    std::optional<Press> press_;
+    std::vector<PlayerInput> waiting_; // for the next frame
+    ObjectId held_;
+    Vec2 target_;
+    Vec2 told_; // the target that the world knows
+    bool cutting_ = false;
+    render::Link wire_;
+};
+
+} // namespace trembler::ui

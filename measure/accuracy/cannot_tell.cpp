@@ -1,0 +1,62 @@
+// What detail levels cannot tell at all, in one table: it is a part of what they are, not of any scene.
+#include "measure/accuracy/ladder.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace trembler::accuracy {
+namespace {
+
+struct Limit {
+    std::string_view effect;
+    std::string_view level; ///< of a setting, the part that all its levels have in common
+    std::string_view cannotTell;
+};
+
+constexpr std::array<Limit, 24> limits{{
+    {"dynamics", "substep", "bending and breaking within a body: bodies are rigid"},
+    {"dynamics", "velocity iteration", "bending and breaking within a body: bodies are rigid"},
+    {"dynamics", "position iteration", "bending and breaking within a body: bodies are rigid"},
+    {"gravity", "linear", "that anything but the world attracts, and that weight falls with height"},
+    {"gravity", "tree", "the last digits of the momentum: actions equal reactions only nearly"},
+    {"gravity", "real", "that attraction takes time and that clocks run slower: it is Newton's"},
+    {"electricity", "single-cable", "that current needs a way back, and how strong it is"},
+    {"electricity", "two-wire",
+     "how strong a current is: the lamp in a balanced bridge and a shorted one are "
+     "on, eleven in series burn like one"},
+    {"electricity", "flow", "which way current takes where several are open, and so who glows how brightly"},
+    {"electricity", "nodal", "what happens before the current is steady: there are no coils or capacitors"},
+    {"magnetism", "grid", "the far field: the sum of many weak pulls from afar"},
+    {"magnetism", "tree", "the last digits of the momentum: actions equal reactions only nearly"},
+    {"magnetism", "pairwise", "that iron is magnetised by iron, and how magnets shape the field of others"},
+    {"magnetism", "one pole", "that magnets turn, and that cutting them in two gives two magnets"},
+    {"magnetism", "two poles", "how strength is spread over a real magnet's faces"},
+    {"buoyancy", "exact", "waves, currents and the level that rises when something dives in"},
+    {"buoyancy", "particles",
+     "waves, currents and the level that rises; and exactly when the last corner dips in"},
+    {"buoyancy", "every", "what a body meets between two computations, beyond the first order"},
+    {"sound", "1-mode", "material and form: one sine is one sine, high or low"},
+    {"sound", "4-modes", "the higher half of what a bell or a bar rings with"},
+    {"sound", "modes", "the bending of sound by the air, and how bodies in touch damp one another"},
+    {"co-simulation", "substep", "what the other simulation would have said within the frame"},
+    {"loudness", "straight", "what comes round a corner"},
+    {"loudness", "around", "echoes"},
+}};
+
+} // namespace
+
+std::string whatCannotTell(std::string const& effect, std::string const& level) {
+    for (Limit const& limit : limits) { // exact names first: "4-modes" is not just any number of modes
+        if (limit.effect == effect && limit.level == level) {
+            return std::string(limit.cannotTell);
+        }
+    }
+    for (Limit const& limit : limits) {
+        if (limit.effect == effect && level.find(limit.level) != std::string::npos) {
+            return std::string(limit.cannotTell);
+        }
+    }
+    return "";
+}
+
+} // namespace trembler::accuracy

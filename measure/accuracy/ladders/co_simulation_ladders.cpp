@@ -1,0 +1,113 @@
+// Co-simulation: the energy that one frame of lag between simulations puts in or takes out.
+#include "measure/accuracy/ladder.hpp"
+#include "measure/accuracy/ladders/co_simulation.hpp"
+#include "puzzle/data/workshop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace trembler::accuracy {
+namespace {
+
+[[maybe_unused]] constexpr std::array<int, 5> substepCounts{1, 2, 4, 8, 16};
+[[maybe_unused]] constexpr std::array<int, 4> partCounts{1, 2, 4, 8};
+
+// A ladder whose remark says how far the measured growth is from the predicted one, at worst.
+class Growth {
+public:
+    explicit Growth(std::string scene) {
+        ladder_.scene = std::move(scene);
+        ladder_.unit = "of the energy";
+        ladder_.error = "what the energy gains or loses in an oscillation, over five of them";
+        ladder_.reference = "conserved (closed form)";
+        ladder_.rivals = false;
+    }
+    void add(std::string level, Swing const& swing) {
+        ladder_.rungs.push_back(
+            {std::move(level), swing.microseconds, std::abs(swing.growth), {}, false, {}});
+        worst_ = std::max(worst_, std::abs(swing.growth - swing.predicted));
+    }
+    [[nodiscard]] Ladder finish(std::string const& remark) {
+        ladder_.remark =
+            fmt::format("{} Theory and measurement differ by {:.1g} of the energy at most.", remark, worst_);
+        return std::move(ladder_);
+    }
+
+private:
+    Ladder ladder_;
+    double worst_ = 0;
+};
+
+#ifndef TREMBLER_WITHOUT_MAGNETISM
+
+Ladder climbMagnet(Workshop const& workshop, Effort) {
+    Growth growth("a magnet on a spring, pushed by another");
+    for (int const substeps : substepCounts) {
+        growth.add(substepsName(substeps) + ", late", magnetOnSpring(workshop, substeps, false));
+    }
+    for (int const substeps : substepCounts) {
+        growth.add(substepsName(substeps) + ", ahead", magnetOnSpring(workshop, substeps, true));
+    }
+    for (int const parts : partCounts) {
+        growth.add(fmt::format("16 substeps, late, in {} part{}", parts, parts == 1 ? "" : "s"),
+                   magnetOnSpring(workshop, 16, false, parts));
+    }
+    return growth.finish(
+        "A force that is computed once in a frame of the length t, and stands for it, is late by t/2 on "
+        "average. Where it is late by τ, amplitudes grow at the rate ½ τ F'/m, F' being its stiffness, and "
+        "energies twice as fast (Åström and Wittenmark, Computer-Controlled Systems, 1997, on sample and "
+        "hold). N substeps of semi-implicit Euler leave τ = t/2 (1 - 1/N): one is late by nothing, and more "
+        "of them do not help, they take away what makes up for the lag. The spring, which belongs to "
+        "dynamics, has no such lag; Box2D's implicit steps take energy out of it, the less the shorter they "
+        "are. With one substep that is all there is, and the swing loses; with more it "
+        "gains. Looking ahead, the default, takes the force of where the magnet will be by τ. *In parts* a "
+        "frame is "
+        "computed in several equal parts (`\"frame\": {\"parts\": 4}`), in each of which the force is "
+        "computed "
+        "anew: t is a part, and so is the lag.");
+}
+
+#endif
+#if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
+
+Ladder climbFloat(Workshop const& workshop, Effort) {
+    Growth growth("a float on a spring");
+    for (int const substeps : substepCounts) {
+        growth.add(substepsName(substeps) + ", late", floatOnSpring(workshop, substeps, 1, false));
+    }
+    for (int const period : {2, 4}) {
+        growth.add(fmt::format("4 substeps, late, every {} frames", period),
+                   floatOnSpring(workshop, 4, period, false));
+    }
+    for (int const substeps : substepCounts) {
+        growth.add(substepsName(substeps) + ", ahead", floatOnSpring(workshop, substeps, 1, true));
+    }
+    for (int const period : {2, 4}) {
+        growth.add(fmt::format("4 substeps, ahead, every {} frames", period),
+                   floatOnSpring(workshop, 4, period, true));
+    }
+    return growth.finish(
+        "*Late* are forces as in the thesis, with the same lag as the magnet's: one substep loses and "
+        "everything else gains. *Ahead* is the default, looking ahead ([buoyancy.md](buoyancy.md)), which "
+        "resists the float's motion with just what the force will have lost on average by the time when it "
+        "is computed again. What is left is what the spring loses in the engine.");
+}
+
+#endif
+
+} // namespace
+
+void addCoSimulationPlans(std::vector<Plan>& plans) {
+    static_cast<void>(plans); // in a program that has neither
+#ifndef TREMBLER_WITHOUT_MAGNETISM
+    plans.push_back({"co-simulation", climbMagnet});
+#endif
+#if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
+    plans.push_back({"co-simulation", climbFloat});
+#endif
+}
+
+} // namespace trembler::accuracy

@@ -1,0 +1,197 @@
+// Dynamics: substeps and iterations, against closed forms, against what must not move, and against 64
+// substeps.
+#include "measure/accuracy/ladder.hpp"
+#include "measure/accuracy/ladders/dynamics_scenes.hpp"
+#include "measure/accuracy/ladders/effect_clock.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "runtime/world/world.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trembler::accuracy {
+namespace {
+
+Rung measure(std::string level, DynamicsScene scene, int frames) {
+    scene.world->start();
+    EffectClock clock("dynamics");
+    double worst = 0;
+    for (int frame = 1; frame <= frames; ++frame) {
+        scene.world->step();
+        clock.frame(*scene.world);
+        double const now = scene.error(*scene.world, frame);
+        worst = std::isfinite(now) ? std::max(worst, now) : std::numeric_limits<double>::infinity();
+    }
+    return {std::move(level), clock.median(), worst, {}, false, {}};
+}
+
+struct Words {
+    std::string scene;
+    std::string error; ///< "over ... s" is added
+    std::string reference;
+    std::string remark;
+};
+
+/// Frames, and those of a brief run.
+struct Length {
+    int frames;
+    int brief;
+    [[nodiscard]] int of(Effort effort) const { return effort.brief ? brief : frames; }
+};
+
+Ladder begin(Words const& words, int frames, bool rivals = true) {
+    return {"",
+            words.scene,
+            "m",
+            fmt::format("{}, over {:g} s", words.error, frames * frameDuration),
+            words.reference,
+            rivals,
+            {},
+            words.remark};
+}
+
+Plan substepsPlan(Words words, DynamicsSceneMaker make, Length length) {
+    return {"dynamics", [=](Workshop const& workshop, Effort effort) {
+                Ladder ladder = begin(words, length.of(effort));
+                for (int const substeps : {1, 2, 4, 8, 16, 64, DynamicsSettings::automatic}) {
+                    if (effort.brief && substeps > 8) {
+                        continue;
+                    }
+                    Solver solver;
+                    solver.settings.substeps = substeps;
+                    ladder.rungs.push_back(
+                        measure(substepsName(substeps), make(workshop, solver), length.of(effort)));
+                }
+                return ladder;
+            }};
+}
+
+/// What iterations are of, and how many of them are tried.
+struct Iterations {
+    char const* of; ///< "velocity" or "position"
+    std::int32_t DynamicsSettings::*count;
+    std::vector<int> tried;
+};
+
+Iterations const velocityIterations{"velocity", &DynamicsSettings::velocityIterations, {4, 8, 16, 32, 64}};
+Iterations const positionIterations{"position", &DynamicsSettings::positionIterations, {1, 2, 3, 6, 12}};
+
+Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Iterations const& iterations,
+                    Length length) {
+    return {"dynamics", [=](Workshop const& workshop, Effort effort) {
+                bool const holds = substeps >= 4; // torn chains are no rivals in anything
+                Ladder ladder = begin(words, length.of(effort), holds);
+                for (int const count : iterations.tried) {
+                    Solver solver;
+                    solver.settings.substeps = substeps;
+                    solver.settings.*iterations.count = count;
+                    ladder.rungs.push_back(
+                        measure(fmt::format("{} {} iteration{}", count, iterations.of, count == 1 ? "" : "s"),
+                                make(workshop, solver), length.of(effort)));
+                }
+                return ladder;
+            }};
+}
+
+// Every registered engine, at two numbers of substeps.
+Plan enginesPlan(Words words, DynamicsSceneMaker make, Length length) {
+    return {"dynamics", [=](Workshop const& workshop, Effort effort) {
+                Ladder ladder = begin(words, length.of(effort));
+                for (Registration const& one : workshop.registry.components()) {
+                    if (one.info->kind != ComponentKind::resolver || one.info->roleName != "Dynamics") {
+                        continue;
+                    }
+                    for (int const substeps : {4, 8}) {
+                        Solver solver;
+                        solver.engine = one.info->text.level;
+                        solver.settings.substeps = substeps;
+                        ladder.rungs.push_back(
+                            measure(fmt::format("{}, {}", solver.engine, substepsName(substeps)),
+                                    make(workshop, solver), length.of(effort)));
+                    }
+                }
+                return ladder;
+            }};
+}
+
+Ladder climbFallingChain(Workshop const& workshop, Effort effort) {
+    constexpr int links = 10;
+    int const frames = effort.brief ? 30 : 60;
+    Ladder ladder = begin({"a chain of 10 links swings down",
+                           "greatest distance of a link from where it should be", "64 substeps", ""},
+                          frames);
+    auto const path = std::make_shared<ChainPath>();
+    Solver solver;
+    solver.settings.substeps = 64;
+    static_cast<void>(measure("", fallingChain(workshop, solver, links, path, true), frames));
+    for (int const substeps : {1, 2, 4, 8, 16, DynamicsSettings::automatic}) {
+        solver.settings.substeps = substeps;
+        ladder.rungs.push_back(
+            measure(substepsName(substeps), fallingChain(workshop, solver, links, path, false), frames));
+    }
+    return ladder;
+}
+
+} // namespace
+
+void addDynamicsPlans(std::vector<Plan>& plans) {
+    plans.push_back(
+        substepsPlan({"a thrown ball", "greatest distance from its path", "the parabola (closed form)",
+                      "The engine's steps are of the first order: half the step, half the error, "
+                      "down to the rounding of its single precision."},
+                     thrownBall, {120, 30}));
+    plans.push_back(substepsPlan({"a pendulum of 1.5 rad", "greatest distance from its place",
+                                  "its equation of motion, integrated until it converged", ""},
+                                 pendulum, {300, 60}));
+    plans.push_back({"dynamics", climbFallingChain});
+    auto const chain = [](Workshop const& workshop, Solver const& solver) {
+        return loadedChain(workshop, solver, 30, 100 * 1.0);
+    };
+    std::string const gap = "widest gap of a joint";
+    std::string const whole = "a chain without gaps";
+    plans.push_back(
+        substepsPlan({"a chain of 30 links under a hundred times a link's mass", gap, whole,
+                      "Below four substeps the chain's zig-zag mode is faster than the step can "
+                      "follow, and it bursts. Two are beaten by four for that reason alone: a chain "
+                      "that is torn has contacts, which cost more than the substeps that keep it whole. "
+                      "Automatic settings solve so long a chain's joints at once and so beat eight."},
+                     chain, {300, 60}));
+    plans.push_back(
+        iterationsPlan({"the same chain at 1 substep, by velocity iterations", gap, whole,
+                        "Torn, all of them: no number of iterations makes up for steps that are too "
+                        "long. By how much is a matter of chance."},
+                       chain, 1, velocityIterations, {300, 40}));
+    plans.push_back(iterationsPlan({"the same chain at 4 substeps, by velocity iterations", gap, whole,
+                                    "Where the step is short enough, more iterations help; eight substeps of "
+                                    "eight iterations cost what four of 32 cost. Fewer than four tear it."},
+                                   chain, 4, velocityIterations, {300, 40}));
+    plans.push_back(
+        iterationsPlan({"the same chain at 4 substeps, by position iterations", gap, whole,
+                        "Under a load they do not help: it opens in the next substep what they close in this "
+                        "one, and a dozen of them, each of which looks at one joint only, throw the chain "
+                        "about. They are for what gapes or overlaps without one; three is the default."},
+                       chain, 4, positionIterations, {300, 40}));
+    plans.push_back(substepsPlan(
+        {"a stack of 20 boxes", "farthest that a box has moved sideways", "a stack that stands still",
+         "From eight on nothing is gained."},
+        [](Workshop const& workshop, Solver const& solver) { return stack(workshop, solver, 20); },
+        {1200, 60}));
+    plans.push_back(enginesPlan(
+        {"engines: a chain of 30 links under a hundred times a link's mass", gap, whole,
+         "A scene gets Box2D; the others are there to be compared with it. Chipmunk tears the chain with 4 "
+         "substeps and holds it with 8; ODE, made for three dimensions, is the dearest by far. See "
+         "[engines.md](engines.md) for what else is different about them."},
+        chain, {300, 30}));
+    plans.push_back(enginesPlan(
+        {"engines: a stack of 10 boxes", "farthest that a box has moved sideways",
+         "a stack that stands still",
+         "Chipmunk's boxes creep by millimetres, so that even with more substeps it is beaten by fewer of "
+         "Box2D."},
+        [](Workshop const& workshop, Solver const& solver) { return stack(workshop, solver, 10); },
+        {600, 30}));
+}
+
+} // namespace trembler::accuracy

@@ -1,0 +1,101 @@
+// Sound: how many modes of each body are followed, against all of them.
+#include "audio/effect/properties/sounds.hpp"
+#include "measure/accuracy/ladder.hpp"
+#include "measure/accuracy/ladders/effect_clock.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/gravity/properties.hpp"
+#include "physics/material.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/world/world.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace trembler::accuracy {
+namespace {
+
+struct Hearing {
+    double microseconds = 0;
+    std::map<std::pair<int, ObjectId>, double> brightness; ///< Hz, by frame and body
+};
+
+// Bars, plates and balls of five materials fall on a floor of stone.
+Hearing listen(Workshop const& workshop, std::string const& level, int bodies, int frames) {
+    World world(workshop.registry, {.threads = 1, .detail = {{"sound", level}}, .periods = {}});
+    Store& store = world.store();
+    store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
+    auto const put = [&](std::string const& name, ShapePiece piece, Vec2 at, double angle,
+                         Material material) {
+        ObjectId const id = store.create(name);
+        store.column<Shape>().set(id, {{std::move(piece)}});
+        store.column<Position>().set(id, {at});
+        store.column<Rotation>().set(id, {angle});
+        store.column<MadeOf>().set(id, {material});
+        return id;
+    };
+    ObjectId const floor = put("floor", boxPiece(100, 1), {0, -0.5}, 0, Material::stone);
+    store.column<Fixed>().set(floor, {});
+    constexpr std::array<Material, 5> materials{Material::steel, Material::wood, Material::glass,
+                                                Material::copper, Material::stone};
+    for (int i = 0; i < bodies; ++i) {
+        ShapePiece const piece = i % 3 == 0   ? boxPiece(0.4, 0.06)
+                                 : i % 3 == 1 ? boxPiece(0.25, 0.2)
+                                              : circlePiece(0.1);
+        put(fmt::format("body {:02}", i), piece, {1.0 * i - bodies / 2.0, 0.4 + 0.1 * (i % 4)}, 0.3 * i,
+            materials[static_cast<std::size_t>(i) % materials.size()]);
+    }
+    Subscription const wantedSounds = world.want<Sounds>();
+    world.start();
+    EffectClock clock("sound");
+    Hearing found;
+    for (int frame = 0; frame < frames; ++frame) {
+        world.step();
+        clock.frame(world);
+        Sounds const* const sounds = world.find<Sounds>();
+        for (Sounds::Body const& body : sounds->bodies) {
+            if (!body.rings.empty() && body.loudness > 0) {
+                found.brightness[{frame, body.object}] = body.brightness;
+            }
+        }
+    }
+    found.microseconds = clock.mean();
+    return found;
+}
+
+Ladder climbModes(Workshop const& workshop, Effort effort) {
+    int const bodies = effort.brief ? 3 : 60; // enough for the modes to show beside what tells of blows
+    int const frames = effort.brief ? 40 : 180;
+    Ladder ladder{"",         fmt::format("{} bodies fall on stone", bodies),
+                  "Hz",       "mean difference of the mean frequency that is heard of a body",
+                  "32 modes", true,
+                  {},         {}};
+    Hearing const right = listen(workshop, "32-modes", bodies, frames);
+    for (std::string const level : {"1-mode", "4-modes", "8-modes", "16-modes", "32-modes"}) {
+        Hearing const found = level == "32-modes" ? right : listen(workshop, level, bodies, frames);
+        double error = 0;
+        double heard = 0;
+        for (auto const& [when, brightness] : right.brightness) {
+            auto const here = found.brightness.find(when);
+            error += std::abs(brightness - (here == found.brightness.end() ? 0 : here->second));
+            ++heard;
+        }
+        ladder.rungs.push_back({level, found.microseconds, heard > 0 ? error / heard : 0, {}, false, {}});
+    }
+    ladder.remark = "Times are means over the frames, not medians, as it is blows that cost, and what the "
+                    "world pays. The loudspeakers' synthesis, beside it, renders only the modes that "
+                    "can be heard beside the others, so that more of them cost little more (bench_sound).";
+    return ladder;
+}
+
+} // namespace
+
+void addSoundPlans(std::vector<Plan>& plans) {
+    plans.push_back({"sound", climbModes});
+}
+
+} // namespace trembler::accuracy

@@ -1,0 +1,64 @@
+// A hard case: a scene, how long it must last, and the figures that must not exceed their limits.
+#pragma once
+
+#include "measure/stability/rig.hpp"
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace trembler::stability {
+
+/// What a run reached, and what it may reach at most.
+struct Figure {
+    std::string what; ///< for example "joint gap"
+    std::string unit;
+    double limit = 0;
+    double value = 0;
+
+    /// No number counts as infinitely bad.
+    [[nodiscard]] bool holds() const { return value <= limit; }
+};
+
+struct HardCase {
+    std::string row;  ///< of the table, for example "suspended chain"
+    std::string name; ///< within it, for example "30 links, 1:100"
+    std::function<std::vector<Figure>(Setting const&, std::uint64_t seed)> run;
+    /// Whether the engine's settings have anything to do with it.
+    bool tunable = true;
+    /// Whether one run takes so little that every test run can afford it.
+    bool quick = true;
+    /// Whether the seed makes any difference.
+    bool jittered = true;
+};
+
+[[nodiscard]] std::vector<HardCase> chainCases();
+[[nodiscard]] std::vector<HardCase> stackCases();
+[[nodiscard]] std::vector<HardCase> smallCases();
+[[nodiscard]] std::vector<HardCase> impactCases();
+[[nodiscard]] std::vector<HardCase> magnetCases();
+[[nodiscard]] std::vector<HardCase> relayCases();
+[[nodiscard]] std::vector<HardCase> liquidCases();
+[[nodiscard]] std::vector<HardCase> networkCases();
+[[nodiscard]] std::vector<HardCase> orbitCases();
+[[nodiscard]] std::vector<HardCase> machineCases();
+/// Everything, in the order of the table.
+[[nodiscard]] std::vector<HardCase> allCases();
+
+[[nodiscard]] inline bool holds(std::span<Figure const> figures) {
+    for (Figure const& figure : figures) {
+        if (!figure.holds()) {
+            return false;
+        }
+    }
+    return !figures.empty();
+}
+
+/// `value` if it is a number, or one that no limit allows.
+[[nodiscard]] inline double orWorst(double value) {
+    return value == value ? value : std::numeric_limits<double>::infinity();
+}
+
+} // namespace trembler::stability

@@ -1,0 +1,150 @@
+// Nodal analysis where it is hardest: twelve orders of magnitude, islands, shorts, ten thousand nodes.
+#include "measure/stability/hard_case.hpp"
+#include "physics/electricity/analyses/nodal_analysis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler::stability {
+namespace {
+
+using Kind = Netlist::Kind;
+constexpr double residualLimit = 1e-9;
+
+struct Draft {
+    Netlist netlist;
+    explicit Draft(std::uint32_t nodes) {
+        for (std::uint32_t v = 0; v < nodes; ++v) {
+            netlist.objects.push_back({v, 0});
+            netlist.vertex.push_back(v);
+        }
+        netlist.resistances.assign(nodes, 0);
+    }
+    void join(std::uint32_t a, std::uint32_t b, double ohm) {
+        netlist.branches.push_back({a, b, Kind::connection, ohm, 0});
+    }
+    void source(std::uint32_t node, double volt, double ohm) {
+        netlist.branches.push_back({netlist.earth(), node, Kind::source, ohm, volt});
+    }
+    void earth(std::uint32_t node, double ohm) {
+        netlist.branches.push_back({node, netlist.earth(), Kind::returning, ohm, 0});
+    }
+};
+
+// What a node misses of Kirchhoff's first law, of what passes it: worst of all nodes that more passes than
+// rounding. Reckoned anew from the currents.
+double residualOf(Netlist const& netlist, NodalSolution const& solution) {
+    std::vector<long double> balance(netlist.objects.size() + 1, 0);
+    std::vector<long double> passing(netlist.objects.size() + 1, 0);
+    for (std::size_t b = 0; b < netlist.branches.size(); ++b) {
+        long double const i = solution.currents[b];
+        balance[netlist.branches[b].from] -= i;
+        balance[netlist.branches[b].to] += i;
+        passing[netlist.branches[b].from] += std::abs(i);
+        passing[netlist.branches[b].to] += std::abs(i);
+    }
+    long double worst = 0;
+    for (std::size_t v = 0; v < netlist.objects.size(); ++v) {
+        if (passing[v] > 1e-13L * solution.largest) {
+            worst = std::max(worst, std::abs(balance[v]) / passing[v]);
+        }
+    }
+    return orWorst(std::max(static_cast<double>(worst), solution.residual));
+}
+
+// From 1 mΩ to 1 GΩ, any mesh.
+std::vector<Figure> ratios(Setting const& /*setting*/, std::uint64_t seed) {
+    Jitter jitter(seed);
+    auto const below = [&](std::uint32_t n) {
+        return std::min(n - 1, static_cast<std::uint32_t>((jitter() + 1) / 2 * n));
+    };
+    auto const ohm = [&] { return std::pow(10.0, 3 + 6 * jitter()); };
+    constexpr std::uint32_t nodes = 300;
+    Draft draft(nodes);
+    draft.source(0, 9, ohm());
+    for (std::uint32_t v = 1; v < nodes; ++v) {
+        draft.join(below(v), v, ohm());
+    }
+    for (std::uint32_t extra = 0; extra < 2 * nodes; ++extra) {
+        std::uint32_t const b = 1 + below(nodes - 1);
+        draft.join(below(b), b, ohm());
+    }
+    draft.earth(nodes - 1, ohm());
+    NodalAnalysis analysis;
+    NodalSolution const& solution = analysis.solve(draft.netlist);
+    return {{"residual", "", residualLimit, residualOf(draft.netlist, solution)}};
+}
+
+// A hundred by a hundred.
+std::vector<Figure> sheet(Setting const& /*setting*/, std::uint64_t seed) {
+    constexpr std::uint32_t side = 100;
+    Jitter jitter(seed);
+    Draft draft(side * side);
+    draft.source(0, 12, 0.1);
+    for (std::uint32_t y = 0; y < side; ++y) {
+        for (std::uint32_t x = 0; x < side; ++x) {
+            if (x + 1 < side) {
+                draft.join(y * side + x, y * side + x + 1, 5.5 + 5 * jitter());
+            }
+            if (y + 1 < side) {
+                draft.join(y * side + x, (y + 1) * side + x, 5.5 + 5 * jitter());
+            }
+        }
+    }
+    draft.earth(side * side - 1, 0);
+    NodalAnalysis analysis;
+    NodalSolution const& solution = analysis.solve(draft.netlist);
+    return {{"residual", "", residualLimit, residualOf(draft.netlist, solution)}};
+}
+
+// A ring of ten that feeds a lamp, an island of five that touches nothing, and a battery whose poles a bar of
+// a milliohm joins. Three things have to be told of: the island, its every object; the shorted source; and
+// that the rest is well.
+std::vector<Figure> islandsAndShorts(Setting const& /*setting*/, std::uint64_t seed) {
+    Jitter jitter(seed);
+    auto const ohm = [&] { return 10 + 9 * jitter(); };
+    Draft well(16);
+    well.source(0, 9, 1);
+    for (std::uint32_t v = 0; v < 10; ++v) {
+        well.join(v, (v + 1) % 10, ohm());
+    }
+    well.earth(5, 0);
+    for (std::uint32_t v = 10; v < 15; ++v) {
+        well.join(v, v == 14 ? 10 : v + 1, ohm());
+    }
+    NodalAnalysis analysis;
+    NodalSolution const solution = analysis.solve(well.netlist);
+    double wrong = 0;
+    for (std::uint32_t v = 0; v < 16; ++v) {
+        wrong += solution.objects[v].floating == (v >= 10) ? 0 : 1;
+        wrong += solution.objects[v].shorted ? 1 : 0;
+    }
+    Draft shorted(3);
+    shorted.source(0, 9, 1);
+    shorted.join(0, 1, leastResistance);
+    shorted.join(0, 2, ohm());
+    shorted.join(2, 1, ohm());
+    shorted.earth(1, 0);
+    NodalSolution const through = analysis.solve(shorted.netlist);
+    wrong += through.objects[0].shorted ? 0 : 1;
+    Draft ideal(2); // what no current could answer to
+    ideal.source(0, 9, 0);
+    ideal.join(0, 1, 0);
+    ideal.earth(1, 0);
+    NodalSolution const without = analysis.solve(ideal.netlist);
+    wrong += without.objects[0].shorted && std::isfinite(without.largest) ? 0 : 1;
+    return {{"residual", "", residualLimit,
+             std::max({residualOf(well.netlist, solution), residualOf(shorted.netlist, through),
+                       residualOf(ideal.netlist, without)})},
+            {"not reported", "", 0, wrong}};
+}
+
+} // namespace
+
+std::vector<HardCase> networkCases() {
+    return {{"nodal", "resistance ratios 1e12", ratios, false},
+            {"nodal", "floating islands and shorted sources", islandsAndShorts, false},
+            {"nodal", "1e4 nodes", sheet, false}};
+}
+
+} // namespace trembler::stability

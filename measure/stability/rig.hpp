@@ -1,0 +1,88 @@
+// Worlds for the hard cases: bodies and hinges by hand, and what is measured of them. Every world is jittered
+// by a seed, so that nothing stands merely because it is perfectly symmetrical.
+#pragma once
+
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/dynamics/properties/settings.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "runtime/world/world.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace trembler::stability {
+
+/// How a case is to be run.
+struct Setting {
+    DynamicsSettings solver = {}; ///< `sleeping` is up to the case
+    std::string engine = "box2d";
+    int threads = 1;
+};
+
+/// Numbers between -1 and 1 that follow from a seed alone, on every machine (SplitMix64).
+class Jitter {
+public:
+    explicit Jitter(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15U) {}
+    double operator()();
+
+private:
+    std::uint64_t state_;
+};
+
+class Rig {
+public:
+    /// With gravity of 9.81 m/s² downwards unless told otherwise, and sleeping off.
+    Rig(Setting const& setting, std::uint64_t seed, Vec2 gravity = {0, -9.81});
+
+    ObjectId body(ShapePiece piece, Vec2 at, double mass, double angle = 0);
+    ObjectId fixed(ShapePiece piece, Vec2 at, double angle = 0);
+    /// Without `b` to the world. Its gap counts in worstGap().
+    ObjectId tie(JointForm form, ObjectId a, ObjectId b, Vec2 at);
+    template <class P>
+    void give(ObjectId id, P property) {
+        world->store().column<P>().set(id, std::move(property));
+    }
+    /// Starts the world if it has not been; one frame.
+    void step();
+    void start();
+
+    [[nodiscard]] Vec2 at(ObjectId id) const;
+    [[nodiscard]] Vec2 velocity(ObjectId id) const;
+    [[nodiscard]] double angle(ObjectId id) const;
+    /// All that body() made.
+    [[nodiscard]] std::vector<ObjectId> const& bodies() const { return bodies_; }
+    /// How far the farthest of them is from where it was made, in m.
+    [[nodiscard]] double drift() const;
+    /// The same, along x only.
+    [[nodiscard]] double sidewaysDrift() const;
+    /// m/s.
+    [[nodiscard]] double fastest() const;
+    /// How far the widest joint stands open, in m.
+    [[nodiscard]] double worstGap() const;
+    /// Whether every number that moves is one.
+    [[nodiscard]] bool finite() const;
+
+    Jitter jitter;
+    std::unique_ptr<World> world;
+
+private:
+    struct Tie {
+        ObjectId a;
+        ObjectId b;
+        Vec2 onA;
+        Vec2 onB;
+    };
+    [[nodiscard]] Vec2 toBody(ObjectId id, Vec2 point) const;
+    [[nodiscard]] Vec2 toWorld(ObjectId id, Vec2 point) const;
+
+    std::vector<ObjectId> bodies_;
+    std::vector<Vec2> places_;
+    std::vector<Tie> ties_;
+    int count_ = 0;
+    bool started_ = false;
+};
+
+} // namespace trembler::stability

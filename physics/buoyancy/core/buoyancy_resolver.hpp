@@ -1,0 +1,89 @@
+// The Buoyancy resolver of 6.13.2, for any detail level.
+#pragma once
+
+#include "physics/buoyancy/calls.hpp"
+#include "physics/buoyancy/core/flotation.hpp"
+#include "runtime/component/resolver.hpp"
+
+#include <array>
+
+namespace trembler {
+
+/// `Self` adds `text` and `prepare(access)`, which returns a Flotation::HullMaker. It reads what 6.13.2 says,
+/// and Fixed, as there is no need to know how the world would float; and what its detail level needs, `More`.
+///
+/// It knows nothing of collisions and has no frame of lag against them: where bodies are in this frame is
+/// where they displace liquid in this frame (6.12.4). Floating takes gravity as it is told and liquids as
+/// they stand: the pressure in a liquid grows in the direction of gravity, whichever way its surface is
+/// tilted.
+template <class Self, ObjectProperty... More>
+class BuoyancyResolver
+    : public Resolver<Self, BuoyancyRole, Reads<Position, Rotation, Shape, Density, Liquid, Fixed, More...>,
+                      Writes<>, Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>> {
+    using Base =
+        Resolver<Self, BuoyancyRole, Reads<Position, Rotation, Shape, Density, Liquid, Fixed, More...>,
+                 Writes<>, Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>>;
+
+public:
+    using CalledFor = NeedsAll<Liquid, Shape, Position>;
+    static constexpr int longestPeriod = 12; // docs/buoyancy.md: up to there nothing looks wrong
+    static constexpr Coverage memory =
+        leftOut("what hulls are made of, from their shapes, and which of them moved");
+    using Access = typename Base::Access;
+
+    void advance(Access& access) {
+        Vec2 const gravity = gravityNow(access);
+        bool const otherGravity = !(gravity == access.template provided<LinearGravityVector>().gravity);
+        if (otherGravity) {
+            access.template provide<LinearGravityVector>().gravity = gravity;
+        }
+        FlotationColumns const columns{access.template read<Position>(), access.template read<Rotation>(),
+                                       access.template read<Shape>(),    access.template read<Density>(),
+                                       access.template read<Liquid>(),   access.template read<Fixed>()};
+        Flotation::HullMaker const makeHull = static_cast<Self&>(*this).prepare(access, flotation_);
+        bool const moved = flotation_.follow(
+            columns, makeHull, [&](std::size_t count, auto const& f) { access.forRanges(count, f, hulls); });
+        if (moved || otherGravity) {
+            publish(access, columns, gravity);
+        }
+    }
+
+private:
+    static constexpr std::size_t hulls = 32; // to a range: each is a polygon to be cut, or many particles
+
+    static Vec2 gravityNow(Access const& access) {
+        Vec2 sum;
+        access.template forCalls<SetLinearGravity>([&](SetLinearGravity const& call, CallOrigin const&) {
+            sum += isFinite(call.gravity) ? call.gravity : Vec2{};
+        });
+        return sum;
+    }
+    void publish(Access& access, FlotationColumns const& columns, Vec2 gravity) {
+        flotation_.gather(next_);
+        Immersions& immersions = access.template provide<Immersions>();
+        if (access.tracing()) {
+            matchEvents(
+                immersions.entries, next_,
+                [&](Immersions::Entry const& entry) {
+                    return access.event("enters the liquid", {entry.object, entry.liquid}, {});
+                },
+                [&](Immersions::Entry const& entry) {
+                    access.event("leaves the liquid", {entry.object, entry.liquid}, {entry.event});
+                });
+        }
+        std::swap(immersions.entries, next_);
+        immersions.interval = access.duration();
+        sumForces(
+            immersions.entries, gravity,
+            [&](ObjectId id) {
+                Rotation const* const rotation = columns.rotation.find(id);
+                return Pose(columns.position[id].value, rotation == nullptr ? 0 : rotation->angle);
+            },
+            access.template provide<BuoyancyForce>(), access.template provide<CentreOfBuoyancy>());
+    }
+
+    Flotation flotation_;
+    std::vector<Immersions::Entry> next_; // kept for its memory
+};
+
+} // namespace trembler

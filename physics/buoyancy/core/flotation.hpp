@@ -1,0 +1,83 @@
+// All of Buoyancy that depends neither on the detail level nor on how a resolver gets at its properties.
+#pragma once
+
+#include "physics/box_tree.hpp"
+#include "physics/buoyancy/hulls/hull.hpp"
+#include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/buoyancy/properties/results.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/property/column.hpp"
+
+#include <functional>
+
+namespace trembler {
+
+struct FlotationColumns {
+    Column<Position> const& position;
+    Column<Rotation> const& rotation;
+    Column<Shape> const& shape;
+    Column<Density> const& density;
+    Column<Liquid> const& liquid;
+    Column<Fixed> const& fixed;
+};
+
+/// Keeps for every body what it displaces of every liquid, and computes only what has moved.
+class Flotation {
+public:
+    using HullMaker = std::function<std::unique_ptr<Hull>(Shape const&)>;
+    /// Calls f(begin, end) for ranges that cover [0, count), perhaps at the same time.
+    using ForRanges = std::function<void(std::size_t, std::function<void(std::size_t, std::size_t)> const&)>;
+
+    /// Forgets all hulls, as they would be made differently now.
+    void forgetHulls() {
+        floaters_.clear();
+        known_ = false;
+    }
+    /// Takes over bodies and liquids as they stand. Returns whether anything may be different from last time.
+    bool follow(FlotationColumns const& columns, HullMaker const& makeHull, ForRanges const& forRanges);
+    /// What bodies displace, in order; without events.
+    void gather(std::vector<Immersions::Entry>& entries) const;
+
+private:
+    struct LiquidBody {
+        ObjectId object;
+        double density = 0;
+        Vec2 position;
+        double angle = 0;
+        Vec2 up; // out of its surface
+        std::vector<LiquidPiece> pieces;
+    };
+    struct Floater {
+        ObjectId object;
+        Shape shape; // of which the hull was made
+        std::unique_ptr<Hull> hull;
+        Vec2 position;
+        double angle = 0;
+        bool fresh = true; // has not been measured yet
+        std::vector<Immersions::Entry> entries;
+    };
+    bool followLiquids(FlotationColumns const& columns, bool all);
+    void followBodies(FlotationColumns const& columns, HullMaker const& makeHull);
+    void measure(Floater& floater) const;
+
+    std::vector<LiquidBody> liquids_; // ascending
+    BoxTree areas_;                   // of the liquids
+    std::vector<Floater> floaters_;   // ascending
+    bool known_ = false;
+    std::uint64_t shapes_ = 0;
+    std::uint64_t others_ = 0;
+    std::uint64_t places_ = 0;
+};
+
+/// Carries events over from what was known before, and records what is new: `enter(entry)` and `leave(entry)`
+/// for each object and liquid that came together or parted. Both lists are ascending.
+void matchEvents(std::vector<Immersions::Entry> const& before, std::vector<Immersions::Entry>& now,
+                 std::function<EventId(Immersions::Entry const&)> const& enter,
+                 std::function<void(Immersions::Entry const&)> const& leave);
+
+/// Forces and their centres from what is displaced. `pose` gives an object's pose.
+void sumForces(std::vector<Immersions::Entry> const& entries, Vec2 gravity,
+               std::function<Pose(ObjectId)> const& pose, BuoyancyForce& forces, CentreOfBuoyancy& centres);
+
+} // namespace trembler

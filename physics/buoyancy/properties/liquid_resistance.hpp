@@ -1,0 +1,56 @@
+// What in a liquid resists motion: what Liquid Drag derives, and Dynamics is told.
+#pragma once
+
+#include "runtime/math/vec2.hpp"
+#include "runtime/object/object_id.hpp"
+#include "runtime/property/description.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <vector>
+
+namespace trembler {
+
+/// What resists the motion of each immersed object, as coefficients of velocities and not as forces: so
+/// whoever moves the objects can integrate it without ever overshooting, however light they are. Ascending by
+/// object.
+struct LiquidResistance {
+    static constexpr PropertyKind kind = PropertyKind::derived;
+    static constexpr PropertyText text{"Liquid resistance", "liquid_resistance",
+                                       "What resists the motion of each object in a liquid."};
+    struct Entry {
+        ObjectId object;
+        Vec2 point;         ///< m, in the world, where it acts
+        double xx = 0;      ///< kg/s: force against the point's velocity,
+        double xy = 0;      ///< kg/s  a symmetric matrix
+        double yy = 0;      ///< kg/s
+        double angular = 0; ///< kg m²/s: torque against the angular velocity
+        Vec2 push;          ///< N: what a current adds at the point
+        double rate = 0;    ///< 1/s, at which F_B varies as the object moves; see TellRate
+        EventId event;      ///< "enters the liquid"; none while nobody traces
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whose motion it resists"}, self.object);
+            visit(FieldInfo{.key = "point", .unit = "m", .meaning = "where it acts"}, self.point);
+            visit(FieldInfo{.key = "xx",
+                            .unit = "kg/s",
+                            .meaning = "force against the velocity of the point, along x"},
+                  self.xx);
+            visit(FieldInfo{.key = "xy", .unit = "kg/s", .meaning = "across"}, self.xy);
+            visit(FieldInfo{.key = "yy", .unit = "kg/s", .meaning = "along y"}, self.yy);
+            visit(FieldInfo{.key = "angular",
+                            .unit = "kg m²/s",
+                            .meaning = "torque against the angular velocity"},
+                  self.angular);
+            visit(FieldInfo{.key = "push", .unit = "N", .meaning = "what a current adds"}, self.push);
+        }
+    };
+    std::vector<Entry> entries;
+    bool foreseen = false; ///< whether the entries resist what F_B will have changed by before it is new
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by object"}, self.entries);
+    }
+};
+
+} // namespace trembler

@@ -1,0 +1,113 @@
+// What the Buoyancy resolver offers: its resolver properties (6.13.2).
+#pragma once
+
+#include "physics/buoyancy/properties/moments.hpp"
+#include "physics/buoyancy/properties/waterline.hpp"
+#include "runtime/property/coverage.hpp"
+#include "runtime/property/description.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace trembler {
+
+/// The linear gravity vector, as (Buoyancy <- Gravity) has set it.
+struct LinearGravityVector {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Linear gravity vector", "linear_gravity",
+                                       "The acceleration due to gravity that buoyancy works with."};
+    static constexpr Coverage coverage = hashed;
+    static constexpr std::string_view standing = "the gravity that was told";
+    Vec2 gravity; ///< m/s²
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "value", .unit = "m/s²", .meaning = "acceleration"}, self.gravity);
+    }
+};
+
+/// F_B: one entry per object that displaces any liquid, ascending.
+struct BuoyancyForce {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"F_B", "buoyancy_force",
+                                       "The buoyancy force on each object: the weight of what it displaces."};
+    static constexpr Coverage coverage = derivedFrom("Immersion and Linear gravity vector");
+    static constexpr std::string_view standing = "the forces that act";
+    struct Entry {
+        ObjectId object;
+        Vec2 force;    ///< N, acts at the centre of buoyancy
+        EventId event; ///< "enters the liquid"; none while nobody traces
+        friend bool operator==(Entry const&, Entry const&) = default;
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);
+            visit(FieldInfo{.key = "force", .unit = "N", .meaning = "at the centre of buoyancy"}, self.force);
+        }
+    };
+    std::vector<Entry> forces;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "forces", .unit = "", .meaning = "ascending by object"}, self.forces);
+    }
+};
+
+/// The centres of buoyancy: of the displaced liquid's mass. Entries as in BuoyancyForce.
+struct CentreOfBuoyancy {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"COB", "centre_of_buoyancy",
+                                       "The centre of buoyancy of each object: where F_B acts."};
+    static constexpr Coverage coverage = derivedFrom("Immersion");
+    static constexpr std::string_view standing = "where they act";
+    struct Entry {
+        ObjectId object;
+        Vec2 centre; ///< m, in the object's frame
+        Vec2 world;  ///< m, in the world when it was computed
+        friend bool operator==(Entry const&, Entry const&) = default;
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whose it is"}, self.object);
+            visit(FieldInfo{.key = "centre", .unit = "m", .meaning = "in the frame of the object"},
+                  self.centre);
+            visit(FieldInfo{.key = "world", .unit = "m", .meaning = "in the world"}, self.world);
+        }
+    };
+    std::vector<Entry> centres;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "centres", .unit = "", .meaning = "ascending by object"}, self.centres);
+    }
+};
+
+/// What each object displaces of each liquid; ascending by object, then by liquid.
+struct Immersions {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Immersion", "immersion",
+                                       "Which part of each object is in which liquid."};
+    static constexpr Coverage coverage =
+        derivedFrom("shapes, positions and rotations of what is in liquids and of these");
+    static constexpr std::string_view standing = "what is in which liquid, and how";
+    struct Entry {
+        ObjectId object;
+        ObjectId liquid;
+        double density = 0;  ///< kg/m³, of the liquid
+        Vec2 up;             ///< unit, in the world, out of the liquid's surface
+        AreaMoments wet;     ///< of what is immersed, in the object's frame
+        Waterline waterline; ///< in the object's frame
+        EventId event;       ///< "enters the liquid"; none while nobody traces
+    };
+    std::vector<Entry> entries;
+    double interval = 0; ///< s, for which these results stand: the resolver's period
+
+    /// By how much the pressure in the liquid grows per depth and density: m/s².
+    [[nodiscard]] static double pull(Entry const& entry, Vec2 gravity) {
+        return std::max(0.0, -dot(gravity, entry.up));
+    }
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+} // namespace trembler

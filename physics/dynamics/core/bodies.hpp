@@ -1,0 +1,67 @@
+// The rigid bodies that an engine holds, kept in step with the columns.
+#pragma once
+
+#include "physics/dynamics/core/columns.hpp"
+#include "physics/dynamics/core/slots.hpp"
+
+namespace trembler {
+
+/// Rows of a body in the columns that Dynamics writes.
+struct MotionRows {
+    std::uint32_t position = ColumnBase::absent;
+    std::uint32_t rotation = ColumnBase::absent;
+    std::uint32_t velocity = ColumnBase::absent;
+    std::uint32_t spin = ColumnBase::absent;
+};
+
+struct Body {
+    ObjectId object; ///< invalid: the slot is free
+    bool fixed = false;
+    double mass = 0;    ///< kg
+    double inertia = 0; ///< kg m², about the centre of mass
+    Vec2 centre;        ///< m, centre of mass in the object's frame
+    bool offCentre = false;
+    MotionRows rows;
+    Shape shape; // what the engine was told, to notice changes
+    BodySpec spec;
+};
+
+/// New bodies are added in ascending order of objects, whatever the order in which they came into being.
+class BodyTable {
+public:
+    /// Finds out which bodies must go: their object is gone, or what makes them has changed. Ascending slots.
+    [[nodiscard]] std::vector<SlotIndex> outdated(DynamicsColumns const& columns) const;
+    void remove(SlotIndex slot, Engine& engine);
+    /// Adds every object that has a shape and is not there yet. What is not sound goes to `refusals`.
+    void addMissing(DynamicsColumns const& columns, Engine& engine, std::vector<Refusal>& refusals);
+    /// Follows changes of the columns that this simulation has not made itself.
+    void followMotion(DynamicsColumns const& columns, Engine& engine);
+    /// Finds the rows again after any of the written columns has gained or lost some.
+    void findRows(DynamicsColumns const& columns);
+
+    /// These stand still, whatever they state, from when they are next added. Ascending.
+    void standStill(std::vector<ObjectId> objects) { still_ = std::move(objects); }
+
+    /// noSlot if the object is no body.
+    [[nodiscard]] SlotIndex slotOf(ObjectId object) const { return slots_.find(object); }
+    [[nodiscard]] std::span<Body const> bodies() const { return bodies_; }
+    [[nodiscard]] Body const& operator[](SlotIndex slot) const { return bodies_[slot]; }
+    /// Whether there is a body that moves in the slot, which may be noSlot.
+    [[nodiscard]] bool moves(SlotIndex slot) const {
+        return slot != noSlot && bodies_[slot].object.valid() && !bodies_[slot].fixed;
+    }
+
+private:
+    SlotBook slots_;
+    [[nodiscard]] BodySpec traitsOf(DynamicsColumns const& columns, ObjectId id) const;
+
+    std::vector<Body> bodies_; // by slot
+    std::vector<ObjectId> still_;
+};
+
+/// The centre of mass in the world, in m, of an object whose frame is at `position`, turned by `angle`.
+[[nodiscard]] inline Vec2 worldCentre(Body const& body, Vec2 position, double angle) {
+    return body.offCentre ? position + rotated(body.centre, angle) : position;
+}
+
+} // namespace trembler

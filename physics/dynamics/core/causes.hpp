@@ -1,0 +1,48 @@
+// The recent causes of each body's motion, kept while somebody traces.
+#pragma once
+
+#include "physics/dynamics/core/joints.hpp"
+#include "physics/dynamics/properties/motion_causes.hpp"
+
+#include <array>
+#include <span>
+
+namespace trembler {
+
+/// Whatever happens to a body happens to all that is tied to it or touches it at that time, too: the plank
+/// that a magnet pulls takes the ball that lies on it along. What is fixed passes nothing on.
+class CauseBook {
+public:
+    static constexpr std::size_t most = 16;  ///< causes per body; the oldest that acts no longer goes first
+    static constexpr std::size_t reach = 64; ///< bodies that one event is passed on to
+
+    /// Before held calls are drained: none is acting until it is named again.
+    void startActing(std::size_t slots);
+    /// A held call acts on a body.
+    void act(SlotIndex slot, EventId cause);
+    /// Something happened to a body once.
+    void note(SlotIndex slot, EventId cause);
+    /// Passes on what is new to bodies that touch or are tied together.
+    void spread(BodyTable const& bodies, JointTable const& joints, std::span<TouchingPair const> touching);
+    void forget(SlotIndex slot);
+
+    /// The causes of two bodies' motion (or of one), ascending, without repeats. noSlot has none.
+    [[nodiscard]] std::vector<EventId> of(SlotIndex a, SlotIndex b = noSlot) const;
+
+private:
+    struct Cause {
+        EventId event;
+        bool acting = false;
+    };
+    struct News {
+        SlotIndex slot;
+        EventId event;
+    };
+    /// Returns whether it was new.
+    bool insert(SlotIndex slot, EventId event, bool acting);
+
+    std::vector<std::vector<Cause>> causes_; // by slot
+    std::vector<News> news_;
+};
+
+} // namespace trembler

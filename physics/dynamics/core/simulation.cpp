@@ -1,0 +1,306 @@
+#include "physics/dynamics/core/simulation.hpp"
+
+#include "physics/dynamics/core/demand/load_ratio.hpp"
+#include "physics/dynamics/core/demand/solver_demand.hpp"
+#include "runtime/component/component.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler {
+namespace {
+
+// Semi-implicit Euler needs ω dt < 2. Twice as fine also keeps a zig-zag from swinging visibly; welds that an
+// engine solves one by one, and turns back by the hold of one point, need more. Measured: docs/stability.md.
+constexpr double tautMargin = 2;
+constexpr double weldMargin = 6;
+// What rests on a body, as a multiple r of its mass: 0.9 √r substeps hold stacks of equals.
+// Something heavy on something light takes more rounds as well, half of r, between these two.
+constexpr double stackFactor = 0.9;
+constexpr double heaviest = 32;
+constexpr int mostRounds = 64;
+// Joints in one piece that an engine can still solve one by one, in the iterations of a few substeps.
+constexpr std::size_t largestOneByOne = 24;
+// Joints that are new carry nothing yet, and where they are solved one by one, what hangs on them would fall,
+// stretch them and swing for ever after. So, where much pulls at them, the frame in which they are made and
+// the next, in which forces first act on what has just been made, look for what they carry with many more
+// iterations.
+constexpr int settlingFrames = 2;
+constexpr int settlingSubsteps = 64;
+constexpr int settlingIterations = 256;
+// Box2D lets nothing move by more than 2 of its units, or turn by more than a quarter, in one step.
+constexpr double farthestPerStep = 1.9;
+constexpr double widestPerStep = 1.5;
+constexpr int leastSubsteps = 4;
+// But where everything flies freely, under forces that vary and do not allow for the time for which they
+// stand, a step is a frame, as long as they do. Split up, it would let these lag behind, and the energy of an
+// orbit grow without end.
+// What swings by a force that looks ahead has an energy that ripples by about half of the angle, in rad, by
+// which it swings in a step, as the semi-implicit Euler method has velocities half a step ahead of places.
+constexpr double swingPerStep = 0.18;
+// Where many bodies fall together under such forces, what each impact adds to the energy adds up, and six
+// substeps instead of four keep it small; more would not help.
+constexpr std::size_t manyBodies = 20;
+constexpr double swingPerStepOfMany = 0.06;
+constexpr double substepsOfMany = 6;
+// After so many failures in one frame nothing moves any more.
+constexpr int mostFailures = 4;
+
+// Substeps, as they are stated and as they are found, are those of a frame: a part of one has its share of
+// them. Where Dynamics has a period, the frames that it then computes at once have as many as one.
+double shareOf(double duration) {
+    return std::min(1.0, duration / frameDuration);
+}
+
+} // namespace
+
+// The unit of an automatic scale is chosen for the first bodies that move, and kept as long as any do: a new
+// unit is a new engine, which knows nothing of the old one's contacts.
+double Simulation::scaleNow(DynamicsSettings const& settings, DynamicsColumns const& columns) const {
+    if (settings.scale != DynamicsSettings::automatic) {
+        return settings.scale;
+    }
+    auto const moves = [](Body const& body) { return body.object.valid() && !body.fixed; };
+    bool const keep = engine_ && settings_.scale == DynamicsSettings::automatic &&
+                      (columns.bodiesVersion() == bodiesVersion_ ||
+                       std::any_of(bodies_.bodies().begin(), bodies_.bodies().end(), moves));
+    return keep ? engineScale_ : scaleFor(columns);
+}
+
+void Simulation::makeEngine(DynamicsSettings const& settings, DynamicsColumns const& columns) {
+    double const scale = scaleNow(settings, columns);
+    if (engine_ && scale == engineScale_) {
+        return;
+    }
+    engineScale_ = scale;
+    engine_ = maker_(scale);
+    bodies_ = {};
+    bodies_.standStill(state_.stopped);
+    joints_ = {};
+    touching_ = {};
+    bodiesVersion_ = 0;
+    contactSubsteps_ = 0;
+    contactRounds_ = 0;
+    jointsNew_ = contactsNew_ = true;
+}
+
+void Simulation::noteRate(TellRate const& call) {
+    if (!bodies_.moves(bodies_.slotOf(call.object)) || !std::isfinite(call.rate)) {
+        return;
+    }
+    if (call.rate > rates_.greatest) {
+        rates_.greatest = call.rate;
+        rates_.object = call.object;
+    }
+    if (!call.foreseen) {
+        rates_.unforeseen = std::max(rates_.unforeseen, call.rate);
+    }
+    if (call.swings) {
+        rates_.swinging = std::max(rates_.swinging, call.rate);
+    }
+    if (call.swings && call.foreseen) {
+        rates_.ahead = std::max(rates_.ahead, call.rate);
+    }
+}
+
+void Simulation::findJointDemand(double duration, DynamicsColumns const& columns) {
+    double const before = jointSubsteps_;
+    double const half = duration / 2;
+    JointDemand const demand = jointDemand(columns, bodies_, joints_, loads_.sums());
+    double const taut = tautMargin * demand.zigZag * half;
+    double const bending = weldMargin * demand.bending * half;
+    double const few = leastSubsteps * shareOf(duration);
+    bool const atOnce = std::max(taut, bending) > few || demand.network > largestOneByOne;
+    choice_.jointsAtOnce = engine_->solveJointsAtOnce(atOnce);
+    jointSubsteps_ = choice_.jointsAtOnce ? taut : std::max(taut, bending);
+    bool const more = settles_ || jointSubsteps_ > before;
+    settles_ = more && !choice_.jointsAtOnce && jointSubsteps_ > few;
+    jointsNew_ = false;
+    demandFor_ = duration;
+}
+
+void Simulation::findContactDemand(DynamicsColumns const& columns, std::span<TouchingPair const> touching) {
+    double const ratio = loadRatio(columns, bodies_, touching, loads_.sums());
+    contactSubsteps_ = stackFactor * std::sqrt(ratio);
+    contactRounds_ = ratio > heaviest ? static_cast<int>(std::min<double>(mostRounds, ratio / 2)) : 0;
+    contactsNew_ = false;
+}
+
+void Simulation::forgetDemand() {
+    jointSubsteps_ = contactSubsteps_ = 0;
+    contactRounds_ = settling_ = 0;
+    settles_ = false;
+    jointsNew_ = contactsNew_ = true;
+    choice_.jointsAtOnce = engine_->solveJointsAtOnce(false);
+}
+
+std::vector<Refusal> Simulation::follow(DynamicsColumns const& columns) {
+    DynamicsSettings const settings = columns.worldSettings();
+    makeEngine(settings, columns);
+    settings_ = settings;
+    std::vector<Refusal> refusals;
+    bool const bodiesChanged =
+        columns.bodiesVersion() != bodiesVersion_ || columns.motionStructure() != motionStructure_;
+    bool const jointsChanged = bodiesChanged || columns.jointsVersion() != jointsVersion_;
+    if (jointsChanged) {
+        std::vector<SlotIndex> const going =
+            bodiesChanged ? bodies_.outdated(columns) : std::vector<SlotIndex>{};
+        joints_.removeOutdated(columns, going, *engine_);
+        for (SlotIndex const slot : going) {
+            bodies_.remove(slot, *engine_);
+            causes_.forget(slot);
+        }
+        if (bodiesChanged) {
+            bodies_.addMissing(columns, *engine_, refusals);
+            bodies_.findRows(columns);
+            loadsStale_ = true;
+        }
+        joints_.addMissing(columns, bodies_, *engine_, refusals);
+        bodiesVersion_ = columns.bodiesVersion();
+        jointsVersion_ = columns.jointsVersion();
+        motionStructure_ = columns.motionStructure();
+        jointsNew_ = true;
+        settling_ = settlingFrames;
+        settles_ = false;
+    }
+    if (settings.substeps != DynamicsSettings::automatic) {
+        forgetDemand();
+    }
+    if (columns.motionVersion() != motionVersion_) {
+        bodies_.followMotion(columns, *engine_);
+        motionVersion_ = columns.motionVersion();
+    }
+    return refusals;
+}
+
+void Simulation::endLoads() {
+    loads_.apply(bodies_.bodies(), *engine_);
+    loadsStale_ = false;
+    loadsNew_ = true;
+}
+
+DynamicsSettings Simulation::chosen(double duration, DynamicsColumns const& columns,
+                                    std::span<TouchingPair const> touching) {
+    DynamicsSettings chosen = settings_;
+    chosen.scale = engineScale_;
+    double const share = shareOf(duration);
+    chosen.substeps = static_cast<int>(std::ceil(share * chosen.substeps));
+    if (settings_.substeps == DynamicsSettings::automatic) {
+        bool const otherLoads = loadsNew_ && loads_.changedMuch();
+        loadsNew_ = false;
+        if (otherLoads || jointsNew_ || duration != demandFor_) {
+            findJointDemand(duration, columns);
+        }
+        if (otherLoads || contactsNew_) {
+            findContactDemand(columns, touching);
+        }
+        double fastest = 0;
+        double spin = 0;
+        std::size_t moving = 0;
+        for (Body const& body : bodies_.bodies()) { // what is no body may be as fast as it likes
+            if (body.object.valid() && !body.fixed) {
+                ++moving;
+                Vec2 const velocity = columns.velocity.values()[body.rows.velocity].value;
+                fastest = std::max(fastest, std::abs(velocity.x) + std::abs(velocity.y));
+                spin = std::max(spin, std::abs(columns.spin.values()[body.rows.spin].value));
+            }
+        }
+        double const motion =
+            duration * std::max(fastest * engineScale_ / farthestPerStep, spin / widestPerStep);
+        bool const flies = !touching_.any() && joints_.joints().empty() && rates_.unforeseen > 0;
+        double const least = flies ? 1 : leastSubsteps;
+        double const swings = duration * rates_.ahead / swingPerStep;
+        double const heaped =
+            moving >= manyBodies && touching_.any()
+                ? std::min(substepsOfMany, frameDuration * rates_.ahead / swingPerStepOfMany)
+                : 0;
+        chosen.substeps = roundedSubsteps(
+            std::max({share * std::max({least, contactSubsteps_, heaped}), jointSubsteps_, motion, swings}));
+        chosen.velocityIterations = std::max(chosen.velocityIterations, contactRounds_);
+        if (settling_ > 0) {
+            --settling_;
+            if (settles_) {
+                chosen.substeps = static_cast<int>(std::ceil(share * settlingSubsteps));
+                chosen.velocityIterations = std::max(chosen.velocityIterations, settlingIterations);
+            }
+        }
+    }
+    choice_.substeps = static_cast<int>(std::lround(chosen.substeps / share));
+    choice_.velocityIterations = chosen.velocityIterations;
+    choice_.scale = chosen.scale;
+    return chosen;
+}
+
+bool Simulation::step(double duration, DynamicsColumns const& columns,
+                      std::span<TouchingPair const> touching) {
+    if (!engine_->anyAwake()) {
+        failures_ = 0;
+        return false;
+    }
+    DynamicsSettings const with = chosen(duration, columns, touching);
+    engine_->step(duration, with);
+    checkMotion();
+    failures_ = 0;
+    lag_ = {duration, duration / with.substeps};
+    loads_.noteSleepers(*engine_);
+    return true;
+}
+
+void Simulation::checkMotion() const {
+    for (MovedBody const& moved : engine_->moved()) {
+        Motion const& motion = moved.motion;
+        if (!isFinite(motion.centre) || !isFinite(motion.velocity) || !std::isfinite(motion.angle) ||
+            !std::isfinite(motion.spin)) {
+            throw EngineFailure("a body's place or speed is no finite number");
+        }
+    }
+}
+
+void Simulation::takeOver(EngineState const& state) {
+    state_ = state;
+    if (state_.gaveUp == level_) {
+        maker_ = standIn_;
+        stoodIn_ = true;
+    }
+}
+
+void Simulation::giveUp(EngineFailure const& failure) {
+    if (!state_.troubled()) {
+        state_.why = failure.what();
+    }
+    if (!stoodIn_ && maker_ != standIn_) {
+        state_.gaveUp = level_;
+        maker_ = standIn_;
+        stoodIn_ = true;
+    } else {
+        // What has lost its numbers stands still from now on; everything, where it cannot be told or does not
+        // help.
+        std::vector<ObjectId> stopping;
+        if (engine_ && ++failures_ < mostFailures) {
+            for (SlotIndex const slot : engine_->lost()) {
+                if (!bodies_[slot].fixed) { // what is fixed may be drawn in, and is put back
+                    stopping.push_back(bodies_[slot].object);
+                }
+            }
+        }
+        if (stopping.empty()) {
+            for (Body const& body : bodies_.bodies()) {
+                if (body.object.valid() && !body.fixed) {
+                    stopping.push_back(body.object);
+                }
+            }
+        }
+        if (stopping.empty()) {
+            throw std::runtime_error(std::string("dynamics cannot go on: ") + failure.what());
+        }
+        state_.stopped.insert(state_.stopped.end(), stopping.begin(), stopping.end());
+        std::sort(state_.stopped.begin(), state_.stopped.end());
+    }
+    if (!failure.intact()) {
+        abandon(std::move(engine_));
+    }
+    engine_ = nullptr;
+    loadsStale_ = true;
+}
+
+} // namespace trembler

@@ -1,0 +1,111 @@
+// Bodies, joints, loads and contacts around an engine: all of Dynamics that depends neither on which engine
+// it is nor on how a resolver gets at its properties.
+#pragma once
+
+#include "physics/dynamics/calls.hpp"
+#include "physics/dynamics/core/causes.hpp"
+#include "physics/dynamics/core/loads.hpp"
+#include "physics/dynamics/core/touching.hpp"
+#include "physics/dynamics/properties/engine_state.hpp"
+#include "physics/dynamics/properties/force_lag.hpp"
+#include "physics/dynamics/properties/force_rates.hpp"
+#include "physics/dynamics/properties/solver_choice.hpp"
+
+#include <memory>
+
+namespace trembler {
+
+class Simulation {
+public:
+    /// `standIn` makes the engine that takes over where the first cannot go on; they may be the same. `level`
+    /// names the first.
+    Simulation(EngineMaker maker, std::string_view level, EngineMaker standIn)
+        : maker_(maker), level_(level), standIn_(standIn) {}
+
+    /// Takes the world over as an earlier simulation left it. To be called before anything else.
+    void takeOver(EngineState const& state);
+    /// To be told when any function of this class, or of its engine, has thrown: from here on another engine
+    /// computes, or the same with some bodies standing still. follow() and what comes after it must then be
+    /// done again.
+    void giveUp(EngineFailure const& failure);
+    /// What has been given up so far.
+    [[nodiscard]] EngineState const& state() const { return state_; }
+
+    /// Brings bodies and joints into line with the columns. Cheap while these have not changed. Objects that
+    /// are not sound are left out and returned, each time it has had to look at them.
+    [[nodiscard]] std::vector<Refusal> follow(DynamicsColumns const& columns);
+    /// True if loads must be summed anew, because bodies came or went.
+    [[nodiscard]] bool loadsStale() const { return loadsStale_; }
+    void startLoads() {
+        loads_.clear(bodies_.bodies().size());
+        rates_ = {};
+    }
+    void endLoads();
+    void noteRate(TellRate const& call);
+    /// Of all that has been told since startLoads().
+    [[nodiscard]] ForceRates const& rates() const { return rates_; }
+    /// Moves everything on by `duration` (s), given what touches; returns false if all is at rest and nothing
+    /// was done.
+    bool step(double duration, DynamicsColumns const& columns, std::span<TouchingPair const> touching);
+    /// To be told whenever the pairs that touch have changed.
+    void noteContacts() { contactsNew_ = true; }
+    /// What the last step was computed with.
+    [[nodiscard]] SolverChoice const& choice() const { return choice_; }
+    [[nodiscard]] ForceLag const& lag() const { return lag_; }
+    /// To be told after the moved bodies have been written into the columns: these versions are its own
+    /// doing.
+    void noteWritten(DynamicsColumns const& columns) { motionVersion_ = columns.motionVersion(); }
+
+    [[nodiscard]] Engine& engine() { return *engine_; }
+    [[nodiscard]] bool anyAwake() const { return engine_ && engine_->anyAwake(); }
+    [[nodiscard]] BodyTable const& bodies() const { return bodies_; }
+    [[nodiscard]] JointTable const& joints() const { return joints_; }
+    [[nodiscard]] LoadTable& loads() { return loads_; }
+    [[nodiscard]] TouchBook& touching() { return touching_; }
+    [[nodiscard]] CauseBook& causes() { return causes_; }
+
+private:
+    void makeEngine(DynamicsSettings const& settings, DynamicsColumns const& columns);
+    [[nodiscard]] double scaleNow(DynamicsSettings const& settings, DynamicsColumns const& columns) const;
+    void findJointDemand(double duration, DynamicsColumns const& columns);
+    void findContactDemand(DynamicsColumns const& columns, std::span<TouchingPair const> touching);
+    void forgetDemand();
+    [[nodiscard]] DynamicsSettings chosen(double duration, DynamicsColumns const& columns,
+                                          std::span<TouchingPair const> touching);
+
+    void checkMotion() const;
+
+    EngineMaker maker_;
+    std::string_view level_;
+    EngineMaker standIn_;
+    bool stoodIn_ = false; // maker_ is standIn_
+    EngineState state_;
+    int failures_ = 0; // in this frame
+    std::unique_ptr<Engine> engine_;
+    DynamicsSettings settings_; // as stated
+    SolverChoice choice_;
+    ForceLag lag_;
+    double engineScale_ = 0;     // that the engine was made with
+    double jointSubsteps_ = 0;   // that the joints ask for
+    double contactSubsteps_ = 0; // that the contacts ask for
+    int contactRounds_ = 0;      // of the solver, that they ask for
+    double demandFor_ = 0;       // s, of the turn that the joints' demand was found for
+    bool jointsNew_ = true;      // since their demand was found
+    bool contactsNew_ = true;    // likewise
+    bool loadsNew_ = false;      // likewise
+    int settling_ = 0;           // frames in which new joints still look for their loads
+    bool settles_ = false;       // and those are such that it takes more than usual
+    BodyTable bodies_;
+    JointTable joints_;
+    LoadTable loads_;
+    ForceRates rates_;
+    TouchBook touching_;
+    CauseBook causes_;
+    bool loadsStale_ = true;
+    std::uint64_t bodiesVersion_ = 0;
+    std::uint64_t jointsVersion_ = 0;
+    std::uint64_t motionVersion_ = 0;
+    std::uint64_t motionStructure_ = 0;
+};
+
+} // namespace trembler

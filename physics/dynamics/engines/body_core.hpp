@@ -1,0 +1,22 @@
+// A circle inside a body that stands for it where it is so fast that it could jump through others.
+#pragma once
+
+#include "physics/dynamics/core/engine.hpp"
+
+namespace trembler {
+
+struct BodyCore {
+    Vec2 at; ///< m, from the centre of mass, in the body's frame
+    double radius = 0;
+
+    /// How far a body can move in a substep before it could jump through another, in m.
+    [[nodiscard]] double reach() const { return radius / 2; }
+};
+
+/// Of the piece that holds the largest circle.
+[[nodiscard]] BodyCore coreOf(BodySpec const& spec);
+
+/// The distance of its farthest point from the centre of mass, in m, or a little more.
+[[nodiscard]] double extentOf(BodySpec const& spec);
+
+} // namespace trembler

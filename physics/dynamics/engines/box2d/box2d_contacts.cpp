@@ -1,0 +1,145 @@
+// What touches, how it presses and what hits what, as Box2D tells it.
+#include "physics/dynamics/engines/box2d/box2d_engine.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace trembler {
+namespace {
+
+ImpactBook::Key keyOf(b2Contact const* contact) {
+    return reinterpret_cast<std::uintptr_t>(contact);
+}
+
+} // namespace
+
+void Box2dEngine::BeginContact(b2Contact* contact) {
+    noteTouch(contact, 1);
+    if (impactsWanted_) {
+        pressures_.begin(keyOf(contact));
+    }
+}
+
+bool Box2dEngine::onTheWay(b2Contact* contact) const {
+    for (b2Fixture* const fixture : {contact->GetFixtureA(), contact->GetFixtureB()}) {
+        b2Body const& body = *fixture->GetBody();
+        if (body.GetType() == b2_dynamicBody) {
+            Place const& start = start_[slotOf(&body)];
+            if (!(body.GetPosition() == start.centre) || body.GetAngle() != start.angle) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void Box2dEngine::EndContact(b2Contact* contact) {
+    if (watching_ && !contact->IsTouching() &&
+        onTheWay(contact)) { // a contact that goes away still touches here
+        endedOnTheWay_ = true;
+    }
+    noteTouch(contact, -1);
+    pressures_.end(keyOf(contact));
+}
+
+float Box2dEngine::speedGain(b2Body const* body) const {
+    SlotIndex const slot = slotOf(body);
+    float const mass = body->GetMass();
+    return slot == noSlot || !(mass > 0) ? 0 : bodies_[slot].force.Length() * substep_ / mass;
+}
+
+// What a strong pull presses on something gains, in every substep, a speed that looks like an impact;
+// bouncing that back would go on for ever. Only speed that the pull cannot explain bounces.
+void Box2dEngine::PreSolve(b2Contact* contact, b2Manifold const*) {
+    if (contact->GetRestitution() > 0) {
+        float const explained =
+            2 * (speedGain(contact->GetFixtureA()->GetBody()) + speedGain(contact->GetFixtureB()->GetBody()));
+        contact->SetRestitutionThreshold(std::max(b2FixtureDef().restitutionThreshold, explained));
+    }
+}
+
+void Box2dEngine::noteImpacts(bool wanted) {
+    if (impactsWanted_ && !wanted) {
+        pressures_.clear();
+        impacts_.clear();
+    }
+    impactsWanted_ = wanted;
+}
+
+void Box2dEngine::PostSolve(b2Contact* contact, b2ContactImpulse const* impulse) {
+    if (!impactsWanted_) {
+        return;
+    }
+    float sum = 0;
+    for (int i = 0; i < impulse->count; ++i) {
+        sum += impulse->normalImpulses[i];
+    }
+    double const blow = pressures_.press(keyOf(contact), static_cast<double>(sum));
+    b2Body const* const a = contact->GetFixtureA()->GetBody();
+    b2Body const* const b = contact->GetFixtureB()->GetBody();
+    auto const inverse = [](b2Body const* body) {
+        return body->GetMass() > 0 ? 1 / static_cast<double>(body->GetMass()) : 0;
+    };
+    if (!(blow * (inverse(a) + inverse(b)) > faintestImpact * scale_)) {
+        return;
+    }
+    b2WorldManifold world;
+    contact->GetWorldManifold(&world);
+    Impact impact;
+    impact.a = bodies_[slotOf(a)].object;
+    impact.b = bodies_[slotOf(b)].object;
+    impact.normal = {static_cast<double>(world.normal.x), static_cast<double>(world.normal.y)};
+    if (impact.b < impact.a) {
+        std::swap(impact.a, impact.b);
+        impact.normal = -impact.normal;
+    }
+    for (int i = 0; i < impulse->count; ++i) {
+        double const share = static_cast<double>(impulse->normalImpulses[i]) / static_cast<double>(sum);
+        impact.point += share * fromEngine(world.points[i]);
+    }
+    impact.impulse = blow / scale_;
+    impact.since = since_;
+    impacts_.push_back(impact);
+}
+
+void Box2dEngine::noteTouch(b2Contact* contact, int delta) {
+    b2Body* const bodies[2] = {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()};
+    ObjectId const a = bodies_[slotOf(bodies[0])].object;
+    ObjectId const b = bodies_[slotOf(bodies[1])].object;
+    touches_.push_back(a < b ? TouchChange{a, b, delta} : TouchChange{b, a, delta});
+    for (b2Body* const body : bodies) {
+        if (body->IsAwake()) {
+            wakeAll(body); // Box2D has just woken it: a touch has begun or ended
+        }
+    }
+}
+
+void Box2dEngine::addContactPatches(std::vector<ContactPatch>& patches) const {
+    for (b2Contact const* contact = world_.GetContactList(); contact != nullptr;
+         contact = contact->GetNext()) {
+        b2Manifold const& manifold = *contact->GetManifold();
+        if (!contact->IsTouching() || manifold.pointCount == 0) {
+            continue;
+        }
+        b2WorldManifold world;
+        contact->GetWorldManifold(&world);
+        ContactPatch patch;
+        patch.a = bodies_[slotOf(contact->GetFixtureA()->GetBody())].object;
+        patch.b = bodies_[slotOf(contact->GetFixtureB()->GetBody())].object;
+        double const sign = patch.a < patch.b ? 1 : -1;
+        if (sign < 0) {
+            std::swap(patch.a, patch.b);
+        }
+        patch.normal = sign * Vec2{static_cast<double>(world.normal.x), static_cast<double>(world.normal.y)};
+        patch.count = manifold.pointCount;
+        for (int i = 0; i < manifold.pointCount; ++i) {
+            auto const n = static_cast<std::size_t>(i);
+            patch.points[n] = fromEngine(world.points[i]);
+            patch.normalImpulse[n] = static_cast<double>(manifold.points[i].normalImpulse) / scale_;
+            patch.tangentImpulse[n] = static_cast<double>(manifold.points[i].tangentImpulse) / scale_;
+        }
+        patches.push_back(patch);
+    }
+}
+
+} // namespace trembler

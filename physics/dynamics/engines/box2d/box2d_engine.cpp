@@ -1,0 +1,234 @@
+#include "physics/dynamics/engines/box2d/box2d_engine.hpp"
+
+#include "physics/dynamics/engines/box2d/box2d_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace trembler {
+namespace {
+
+constexpr std::uintptr_t groundData = ~std::uintptr_t{0};
+
+} // namespace
+
+Box2dEngine::Box2dEngine(double scale) : scale_(scale), world_(b2Vec2_zero) {
+    world_.SetAutoClearForces(false); // loads stand for all substeps
+    world_.SetContactListener(this);
+    world_.SetContactFilter(&crowds_);
+    b2BodyDef def;
+    def.userData.pointer = groundData;
+    ground_ = world_.CreateBody(&def);
+}
+
+Box2dEngine::~Box2dEngine() {
+    world_.SetContactListener(nullptr);
+}
+
+SlotIndex Box2dEngine::slotOf(b2Body const* body) const {
+    // GetUserData() is const only from 2.4.2 on.
+    std::uintptr_t const data = const_cast<b2Body*>(body)->GetUserData().pointer;
+    return data == groundData ? noSlot : static_cast<SlotIndex>(data);
+}
+
+void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
+    if (bodies_.size() <= slot) {
+        bodies_.resize(slot + std::size_t{1});
+        awake_.resize(slot + std::size_t{1}, 0);
+        movedMarks_.resize(slot + std::size_t{1}, 0);
+    }
+    b2BodyDef def;
+    def.type = spec.fixed ? b2_staticBody : b2_dynamicBody;
+    def.position = toEngine(spec.motion.centre);
+    def.angle = static_cast<float>(spec.motion.angle);
+    if (!spec.fixed) {
+        def.linearVelocity = toEngine(spec.motion.velocity);
+        def.angularVelocity = static_cast<float>(spec.motion.spin);
+        def.linearDamping = static_cast<float>(spec.damping.linear);
+        def.angularDamping = static_cast<float>(spec.damping.angular);
+        def.bullet = spec.bullet;
+    }
+    def.userData.pointer = slot;
+    b2Body* const body = world_.CreateBody(&def);
+    ++added_;
+    bodies_[slot] = {.body = body,
+                     .object = spec.object,
+                     .force = b2Vec2_zero,
+                     .torque = 0,
+                     .restlessJoints = 0,
+                     .core = coreOf(spec)};
+    b2FixtureDef fixture; // whose density stays 0: mass and moment are set for the body as a whole
+    fixture.friction = static_cast<float>(spec.friction);
+    fixture.restitution = static_cast<float>(spec.restitution);
+    fixture.filter.categoryBits = static_cast<std::uint16_t>(spec.groups.category);
+    fixture.filter.maskBits = static_cast<std::uint16_t>(spec.groups.mask);
+    fixture.filter.groupIndex = static_cast<std::int16_t>(spec.groups.group);
+    makeShapes(spec, scale_, [&](b2Shape const& shape) {
+        fixture.shape = &shape;
+        body->CreateFixture(&fixture);
+    });
+    if (!spec.fixed) {
+        b2MassData mass;
+        mass.mass = static_cast<float>(spec.mass);
+        mass.center = b2Vec2_zero;
+        mass.I = static_cast<float>(spec.mass * spec.spread.inertiaPerMass * scale_ * scale_);
+        body->SetMassData(&mass);
+        awake_[slot] = 1;
+        anyAwake_ = true;
+    }
+}
+
+void Box2dEngine::removeBody(SlotIndex slot) {
+    world_.DestroyBody(bodies_[slot].body);
+    bodies_[slot] = {};
+    awake_[slot] = 0;
+    disturbed_ = true; // Box2D has woken those that touched it
+    if (slot < dragged_.size()) {
+        dragged_[slot] = {};
+    }
+}
+
+void Box2dEngine::place(SlotIndex slot, Motion const& motion) {
+    b2Body& body = *bodies_[slot].body;
+    body.SetTransform(toEngine(motion.centre), static_cast<float>(motion.angle));
+    body.SetLinearVelocity(toEngine(motion.velocity));
+    body.SetAngularVelocity(static_cast<float>(motion.spin));
+    for (b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+        wakeAll(edge->other);
+    }
+    wakeAll(&body);
+}
+
+bool Box2dEngine::isAt(SlotIndex slot, Motion const& motion) const {
+    b2Body const& body = *bodies_[slot].body;
+    if (!(body.GetPosition() == toEngine(motion.centre)) ||
+        body.GetAngle() != static_cast<float>(motion.angle)) {
+        return false;
+    }
+    return body.GetType() == b2_staticBody || (body.GetLinearVelocity() == toEngine(motion.velocity) &&
+                                               body.GetAngularVelocity() == static_cast<float>(motion.spin));
+}
+
+void Box2dEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
+    wake(slot);
+    b2Body& body = *bodies_[slot].body;
+    double const limit = maximumSpeed * static_cast<double>(body.GetMass());
+    double const size = std::hypot(impulse.x, impulse.y);
+    if (size > limit) {
+        impulse *= limit / size;
+    }
+    // Far from the body's centre only its turning counts, and that is limited below.
+    double const reach = maximumDistance;
+    point = {std::clamp(point.x, -reach, reach), std::clamp(point.y, -reach, reach)};
+    body.ApplyLinearImpulse(toEngine(impulse), toEngine(point), true);
+    float const spin = static_cast<float>(maximumSpeed);
+    body.SetAngularVelocity(b2Clamp(body.GetAngularVelocity(), -spin, spin));
+}
+
+bool Box2dEngine::solveJointsAtOnce(bool wanted) {
+    if (wanted != (atOnce_ != nullptr)) {
+        atOnce_ = wanted ? std::make_unique<JointsAtOnce>() : nullptr;
+        tiesStale_ = wanted;
+        coldStart_ = wanted;
+    }
+    return wanted;
+}
+
+void Box2dEngine::applyJoints(float substep) {
+    if (!atOnce_) {
+        return;
+    }
+    if (std::exchange(tiesStale_, false)) {
+        std::vector<b2Joint*> joints;
+        for (JointEntry const& entry : joints_) {
+            joints.push_back(entry.joint);
+        }
+        atOnce_->setJoints(joints);
+    }
+    atOnce_->solve(substep, [this](b2Body const& body) {
+        BodyEntry const& entry = bodies_[slotOf(&body)];
+        return JointsAtOnce::Pull{entry.force, entry.torque};
+    });
+    // Box2D starts from the impulses of its last step, which would carry what is carried already.
+    world_.SetWarmStarting(!std::exchange(coldStart_, false));
+}
+
+void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
+    if (world_.GetAllowSleeping() != settings.sleeping) {
+        world_.SetAllowSleeping(settings.sleeping);
+        disturbed_ = true;
+    }
+    loadWoken();
+    moved_.clear();
+    std::fill(movedMarks_.begin(), movedMarks_.end(), std::uint8_t{0});
+    for (JointEntry& entry : joints_) {
+        entry.force = {};
+    }
+    impacts_.clear();
+    float const h = static_cast<float>(duration / settings.substeps);
+    substep_ = h;
+    for (int substep = 0; substep < settings.substeps; ++substep) {
+        since_ = duration * substep / settings.substeps;
+        applyDrags(static_cast<double>(h));
+        applyJoints(h);
+        takeStep(h, settings, substep + 1 == settings.substeps);
+        noteDragged();
+        bool const last = substep + 1 == settings.substeps;
+        anyAwake_ = false;
+        for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
+            BodyEntry& entry = bodies_[slot];
+            if (awake_[slot] == 0) {
+                continue;
+            }
+            movedMarks_[slot] = 1;
+            if (!entry.body->IsAwake()) {
+                awake_[slot] = 0;
+            } else {
+                anyAwake_ = true;
+                if (last && settings.sleeping && drifts(entry)) {
+                    entry.body->SetAwake(true); // starts its time to fall asleep anew
+                }
+            }
+        }
+        for (SlotIndex slot = 0; slot < joints_.size(); ++slot) {
+            JointEntry& entry = joints_[slot];
+            if (entry.joint != nullptr) {
+                b2Vec2 const before = atOnce_ ? (1 / h) * atOnce_->impulse(slot) : b2Vec2_zero;
+                entry.force += fromEngine(entry.joint->GetReactionForce(1 / h) + before) / settings.substeps;
+            }
+        }
+    }
+    noteMoved();
+}
+
+void Box2dEngine::noteMoved() {
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        if (movedMarks_[slot] != 0) {
+            b2Body const& body = *bodies_[slot].body;
+            moved_.push_back(
+                {slot,
+                 {fromEngine(body.GetPosition()), static_cast<double>(body.GetAngle()),
+                  fromEngine(body.GetLinearVelocity()), static_cast<double>(body.GetAngularVelocity())}});
+        }
+    }
+}
+
+std::vector<SlotIndex> Box2dEngine::lost() const {
+    std::vector<SlotIndex> found;
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        b2Body const* const body = bodies_[slot].body;
+        if (body != nullptr &&
+            !(body->GetPosition().IsValid() && b2IsValid(body->GetAngle()) &&
+              body->GetLinearVelocity().IsValid() && b2IsValid(body->GetAngularVelocity()))) {
+            found.push_back(slot);
+        }
+    }
+    return found;
+}
+
+std::unique_ptr<Engine> makeBox2dEngine(double scale) {
+    return std::make_unique<Box2dEngine>(scale);
+}
+
+} // namespace trembler

@@ -1,0 +1,133 @@
+// Box2D 2.4 behind the engine interface.
+//
+// Box2D's own gravity is off: gravity is a force like any other. Its body's origin is the centre of mass, so
+// that its reckoning of moments about another origin, in single precision, never loses them.
+#pragma once
+
+#include "physics/dynamics/engines/body_core.hpp"
+#include "physics/dynamics/engines/box2d/box2d_crowd.hpp"
+#include "physics/dynamics/engines/box2d/joints_at_once.hpp"
+
+#include <box2d/box2d.h>
+
+namespace trembler {
+
+class Box2dEngine final : public Engine, private b2ContactListener {
+public:
+    explicit Box2dEngine(double scale);
+    ~Box2dEngine() override;
+
+    void addBody(SlotIndex slot, BodySpec const& spec) override;
+    void removeBody(SlotIndex slot) override;
+    void addJoint(SlotIndex slot, JointSpec const& spec) override;
+    void removeJoint(SlotIndex slot) override;
+    void place(SlotIndex slot, Motion const& motion) override;
+    [[nodiscard]] bool isAt(SlotIndex slot, Motion const& motion) const override;
+    void setLoads(std::span<Load const> loads) override;
+    void setDrags(std::span<Drag const> drags) override;
+    void wake(SlotIndex slot) override;
+    void applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) override;
+    [[nodiscard]] std::span<std::uint8_t const> awake() const override { return awake_; }
+    [[nodiscard]] bool anyAwake() const override { return anyAwake_ || disturbed_; }
+    bool solveJointsAtOnce(bool wanted) override;
+    void step(double duration, DynamicsSettings const& settings) override;
+    [[nodiscard]] std::span<MovedBody const> moved() const override { return moved_; }
+    [[nodiscard]] std::vector<TouchChange>& touchChanges() override { return touches_; }
+    void addContactPatches(std::vector<ContactPatch>& patches) const override;
+    void noteImpacts(bool wanted) override;
+    [[nodiscard]] std::span<Impact const> impacts() const override { return impacts_; }
+    [[nodiscard]] Vec2 jointForce(SlotIndex slot) const override { return joints_[slot].force; }
+    [[nodiscard]] std::vector<SlotIndex> lost() const override;
+
+private:
+    struct BodyEntry {
+        b2Body* body = nullptr;
+        ObjectId object;
+        b2Vec2 force = b2Vec2_zero; // in engine units
+        float torque = 0;
+        int restlessJoints = 0; // motors that must not fall asleep
+        BodyCore core;
+    };
+    struct Place { // in engine units
+        b2Vec2 centre = b2Vec2_zero;
+        float angle = 0;
+    };
+    struct JointEntry {
+        b2Joint* joint = nullptr;
+        SlotIndex a = noSlot;
+        SlotIndex b = noSlot;
+        bool restless = false;
+        Vec2 force; // N, mean over the last step()
+    };
+
+    void takeStep(float h, DynamicsSettings const& settings, bool last);
+    /// Whether Box2D would spend too much on looking for impacts within the coming substep.
+    [[nodiscard]] bool tooManyImpacts() const;
+    void noteStart();
+    /// Puts what was too fast back to where its path was first blocked, after a substep without impacts.
+    void holdBack();
+    /// The share of its way that a body's core can go before it meets something.
+    [[nodiscard]] float freeShare(BodyEntry const& entry, Place const& start, b2Vec2 way) const;
+    /// Whether Box2D has gone back on a body's way within the substep, and is looking at contacts there.
+    [[nodiscard]] bool onTheWay(b2Contact* contact) const;
+
+    void BeginContact(b2Contact* contact) override;
+    void EndContact(b2Contact* contact) override;
+    void PreSolve(b2Contact* contact, b2Manifold const* before) override;
+    void PostSolve(b2Contact* contact, b2ContactImpulse const* impulse) override;
+    void noteTouch(b2Contact* contact, int delta);
+    /// Wakes the body and all that it rests on or is tied to, as Box2D itself does within its step, but with
+    /// their loads, which Box2D drops when a body falls asleep.
+    void wakeAll(b2Body* body);
+    void loadWoken();
+    void keepAwake(SlotIndex slot, int change);
+    /// Slows down what is dragged, by what drag does in the coming substep.
+    void applyDrags(double substep);
+    void noteDragged();
+    void applyJoints(float substep);
+    [[nodiscard]] Twist momentumOf(b2Body const& body) const;
+    void noteMoved();
+    [[nodiscard]] bool drifts(BodyEntry const& entry) const;
+    /// The speed that its load gives a body within one substep, in engine units.
+    [[nodiscard]] float speedGain(b2Body const* body) const;
+    [[nodiscard]] b2Vec2 toEngine(Vec2 v) const {
+        return {static_cast<float>(v.x * scale_), static_cast<float>(v.y * scale_)};
+    }
+    [[nodiscard]] Vec2 fromEngine(b2Vec2 v) const {
+        return {static_cast<double>(v.x) / scale_, static_cast<double>(v.y) / scale_};
+    }
+    [[nodiscard]] SlotIndex slotOf(b2Body const* body) const;
+    [[nodiscard]] b2Joint* makeJoint(JointSpec const& spec);
+
+    double scale_;
+    CrowdFilter crowds_;
+    b2World world_;
+    b2Body* ground_ = nullptr; // what joints to the world hold on to
+    std::vector<BodyEntry> bodies_;
+    std::vector<JointEntry> joints_;
+    std::vector<DraggedBody> dragged_;     // by slot
+    std::vector<SlotIndex> draggedSlots_;  // of those that any drag acts on
+    std::vector<std::uint8_t> awake_;      // by slot: awake, and its load is with Box2D
+    std::unique_ptr<JointsAtOnce> atOnce_; // while joints are to be solved so
+    bool tiesStale_ = false;               // it does not know of all joints
+    bool coldStart_ = false;               // what Box2D's joints have carried so far is to be forgotten
+    float substep_ = 0;                    // s
+    bool anyAwake_ = false;
+    bool disturbed_ = false; // Box2D may have woken bodies that awake_ does not know of
+    std::vector<MovedBody> moved_;
+    std::vector<std::uint8_t> movedMarks_;
+    std::vector<TouchChange> touches_;
+    std::vector<b2Body*> wakeStack_;
+    int added_ = 0;              // bodies since the last step
+    std::vector<Place> start_;   // by slot: where what is awake began the substep
+    bool watching_ = false;      // start_ is to be compared with
+    bool endedOnTheWay_ = false; // a touch ended where its bodies were on their way only
+    bool impactsWanted_ = false;
+    ImpactBook pressures_;
+    std::vector<Impact> impacts_;
+    double since_ = 0; // s, from the beginning of the frame to that of the substep
+};
+
+[[nodiscard]] std::unique_ptr<Engine> makeBox2dEngine(double scale);
+
+} // namespace trembler

@@ -1,0 +1,151 @@
+// One substep of Box2D, and what Box2D does about things that are so fast that they could jump through
+// others.
+//
+// Box2D finds the first impact within a substep, goes back to it, and looks through all contacts for the
+// next: impacts times contacts, which is too much where thousands of things land at once. There each fast
+// body's path is tested by itself instead, as the other engines do.
+#include "physics/dynamics/engines/box2d/box2d_engine.hpp"
+
+#include <box2d/b2_distance.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace trembler {
+namespace {
+
+// Impacts times contacts that a substep may look at: some hundredths of a second.
+constexpr double mostLooks = 4e6;
+
+bool tiedApart(b2Body* a, b2Body const* b) {
+    for (b2JointEdge* edge = a->GetJointList(); edge != nullptr; edge = edge->next) {
+        if (edge->other == b && !edge->joint->GetCollideConnected()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Visits the fixtures near a box.
+template <class Visitor>
+class NearFixtures final : public b2QueryCallback {
+public:
+    explicit NearFixtures(Visitor visit) : visit_(std::move(visit)) {}
+    bool ReportFixture(b2Fixture* fixture) override {
+        visit_(*fixture);
+        return true;
+    }
+
+private:
+    Visitor visit_;
+};
+
+} // namespace
+
+bool Box2dEngine::tooManyImpacts() const {
+    double const contacts = world_.GetContactCount();
+    if (contacts * contacts <= mostLooks) {
+        return false;
+    }
+    double impacts = 0; // that there may be
+    for (b2Contact const* contact = world_.GetContactList(); contact != nullptr;
+         contact = contact->GetNext()) {
+        b2Body const* const a = contact->GetFixtureA()->GetBody();
+        b2Body const* const b = contact->GetFixtureB()->GetBody();
+        bool const stops = a->GetType() != b2_dynamicBody || b->GetType() != b2_dynamicBody ||
+                           a->IsBullet() || b->IsBullet();
+        bool const moves = (a->GetType() == b2_dynamicBody && a->IsAwake()) ||
+                           (b->GetType() == b2_dynamicBody && b->IsAwake());
+        impacts += stops && moves ? 1 : 0;
+    }
+    return contacts * impacts > mostLooks;
+}
+
+void Box2dEngine::noteStart() {
+    start_.resize(bodies_.size());
+    for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
+        if (bodies_[slot].body != nullptr) { // one that sleeps may be woken within the substep
+            start_[slot] = {bodies_[slot].body->GetPosition(), bodies_[slot].body->GetAngle()};
+        }
+    }
+}
+
+void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last) {
+    if (double const added = std::exchange(added_, 0); added * added > mostLooks) {
+        // Box2D finds out what touches what is new in a step only. One without time does nothing else.
+        guardBox2d([&] { world_.Step(0, settings.velocityIterations, settings.positionIterations); });
+    }
+    bool const many = tooManyImpacts();
+    if (many || last) {
+        noteStart();
+    }
+    world_.SetContinuousPhysics(!many);
+    watching_ = last;
+    endedOnTheWay_ = false;
+    guardBox2d([&] { world_.Step(h, settings.velocityIterations, settings.positionIterations); });
+    watching_ = false;
+    if (many) {
+        holdBack();
+    }
+    if (std::exchange(endedOnTheWay_, false)) {
+        // Box2D has looked at some contacts where bodies were on the way, not where they are now. A step
+        // without time only looks at all of them again, as the next step would begin with.
+        guardBox2d([&] { world_.Step(0, settings.velocityIterations, settings.positionIterations); });
+    }
+}
+
+void Box2dEngine::holdBack() {
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        if (awake_[slot] == 0 || bodies_[slot].body == nullptr) {
+            continue;
+        }
+        b2Body& body = *bodies_[slot].body;
+        b2Vec2 const way = body.GetPosition() - start_[slot].centre;
+        if (length(fromEngine(way)) > bodies_[slot].core.reach()) {
+            float const share = freeShare(bodies_[slot], start_[slot], way);
+            if (share < 1) {
+                body.SetTransform(start_[slot].centre + share * way, body.GetAngle());
+            }
+        }
+    }
+}
+
+float Box2dEngine::freeShare(BodyEntry const& entry, Place const& start, b2Vec2 way) const {
+    b2CircleShape disc;
+    disc.m_p = b2Vec2_zero;
+    disc.m_radius = static_cast<float>(entry.core.radius * scale_);
+    b2Transform at;
+    at.Set(start.centre, start.angle);
+    at.p = b2Mul(at, toEngine(entry.core.at));
+    b2Transform end = at;
+    end.p += way;
+    b2AABB box;
+    b2AABB boxAtEnd;
+    disc.ComputeAABB(&box, at, 0);
+    disc.ComputeAABB(&boxAtEnd, end, 0);
+    box.Combine(boxAtEnd);
+    b2Fixture* const own = entry.body->GetFixtureList();
+    float share = 1;
+    NearFixtures near([&](b2Fixture& fixture) {
+        b2Body* const other = fixture.GetBody();
+        bool const stops = other->GetType() != b2_dynamicBody || entry.body->IsBullet();
+        if (other == entry.body || !stops || !b2ContactFilter{}.ShouldCollide(own, &fixture) ||
+            tiedApart(entry.body, other)) {
+            return;
+        }
+        b2ShapeCastInput input;
+        input.proxyA.Set(fixture.GetShape(), 0);
+        input.proxyB.Set(&disc, 0);
+        input.transformA = other->GetTransform();
+        input.transformB = at;
+        input.translationB = way;
+        b2ShapeCastOutput output;
+        if (b2ShapeCast(&output, &input)) {
+            share = std::min(share, output.lambda);
+        }
+    });
+    world_.QueryAABB(&near, box);
+    return share;
+}
+
+} // namespace trembler

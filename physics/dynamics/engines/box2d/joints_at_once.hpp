@@ -1,0 +1,92 @@
+// The joints of a Box2D world solved all at once, as one system of equations, before each of its steps.
+#pragma once
+
+#include "physics/dynamics/core/engine.hpp"
+
+#include <box2d/box2d.h>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace trembler {
+
+/// Box2D solves one joint after the other, again and again. A pull needs about as many rounds to get through
+/// a chain as the square of its links, and more the heavier what hangs on it: what is missing makes the chain
+/// swing. Here the impulses that keep all hinges, welds and rigid distances together in the coming step are
+/// found exactly, from J M⁻¹ Jᵀ λ = -J (v + h M⁻¹ f) (Baraff 1996), by a sparse LDLᵀ factorisation whose
+/// symbolic part is kept. They are given to the bodies before the step; Box2D's own joints then have nothing
+/// to do but to share with contacts, limits and motors, and to keep positions together.
+///
+/// Redundant joints share their load by a regularisation of 1e-12. Deterministic. Where joints form a net
+/// rather than chains, trees and rings, factorising would cost more than it gains, and nothing is done.
+class JointsAtOnce {
+public:
+    struct Pull {
+        b2Vec2 force;
+        float torque;
+    };
+
+    JointsAtOnce();
+    ~JointsAtOnce();
+    JointsAtOnce(JointsAtOnce const&) = delete;
+    JointsAtOnce& operator=(JointsAtOnce const&) = delete;
+
+    /// The joints of the world, by slot; nullptr where there is none. To be told before the next solve()
+    /// whenever any has come or gone.
+    void setJoints(std::span<b2Joint* const> joints);
+    /// Gives the bodies the impulses for a step of `h` (s); `pullOn` says what acts on a body in it.
+    void solve(float h, std::function<Pull(b2Body const&)> const& pullOn);
+    /// What a joint did in the last solve(), in units of the engine: the impulse on its Box2D body B.
+    [[nodiscard]] b2Vec2 impulse(SlotIndex slot) const {
+        return slot < impulses_.size() ? impulses_[slot] : b2Vec2_zero;
+    }
+
+private:
+    struct Factor;
+    struct Mover {
+        b2Body* body = nullptr;
+        double inverseMass = 0; // of what damping leaves of an impulse
+        double inverseInertia = 0;
+        double vx = 0; // velocity that it would have after the step without any joint
+        double vy = 0;
+        double spin = 0;
+        double px = 0; // impulses
+        double py = 0;
+        double turn = 0;
+        std::vector<std::pair<std::size_t, double>> rows; // that it takes part in, and with which sign
+    };
+    // n (v_B - v_A) + tb ω_B - ta ω_A = 0
+    struct Row {
+        double nx = 0;
+        double ny = 0;
+        double ta = 0;
+        double tb = 0;
+    };
+    struct Tie {
+        b2Joint* joint = nullptr;
+        SlotIndex slot = noSlot;
+        std::size_t a = 0; // movers; none: fixed
+        std::size_t b = 0;
+        std::size_t firstRow = 0;
+        std::size_t rows = 0;
+    };
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    void findStructure();
+    [[nodiscard]] bool pairsExceed(std::size_t most) const;
+    void look(float h, std::function<Pull(b2Body const&)> const& pullOn);
+    void setRows(Tie const& tie);
+    [[nodiscard]] bool factorise();
+    void give();
+
+    std::unique_ptr<Factor> factor_;
+    std::vector<Mover> movers_;
+    std::vector<Tie> ties_;
+    std::vector<Row> rows_;
+    std::vector<b2Vec2> impulses_; // by slot
+    bool tooDense_ = false;
+};
+
+} // namespace trembler

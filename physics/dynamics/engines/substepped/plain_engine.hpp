@@ -1,0 +1,134 @@
+// What rigid-body libraries other than Box2D lack, or do in ways of their own: loads that stand, drag, rest
+// in islands, contacts that begin and end, blows, a limit of speed.
+#pragma once
+
+#include "physics/dynamics/engines/body_core.hpp"
+#include "physics/dynamics/engines/substepped/touch_record.hpp"
+
+namespace trembler {
+
+/// An engine around a library that can move bodies on by one substep.
+class PlainEngine : public Engine {
+public:
+    void addBody(SlotIndex slot, BodySpec const& spec) final;
+    void removeBody(SlotIndex slot) final;
+    void addJoint(SlotIndex slot, JointSpec const& spec) final;
+    void removeJoint(SlotIndex slot) final;
+    void place(SlotIndex slot, Motion const& motion) final;
+    [[nodiscard]] bool isAt(SlotIndex slot, Motion const& motion) const final;
+    void setLoads(std::span<Load const> loads) final;
+    void setDrags(std::span<Drag const> drags) final;
+    void wake(SlotIndex slot) final;
+    void applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) final;
+    [[nodiscard]] std::span<std::uint8_t const> awake() const final { return awake_; }
+    [[nodiscard]] bool anyAwake() const final { return anyAwake_; }
+    void step(double duration, DynamicsSettings const& settings) final;
+    [[nodiscard]] std::span<MovedBody const> moved() const final { return moved_; }
+    [[nodiscard]] std::vector<TouchChange>& touchChanges() final { return touches_.changes(); }
+    void addContactPatches(std::vector<ContactPatch>& patches) const final;
+    void noteImpacts(bool wanted) final { touches_.noteImpacts(wanted); }
+    [[nodiscard]] std::span<Impact const> impacts() const final { return touches_.impacts(); }
+    [[nodiscard]] Vec2 jointForce(SlotIndex slot) const final { return joints_[slot].force; }
+
+protected:
+    struct BodyEntry {
+        ObjectId object; ///< invalid: the slot is free
+        bool fixed = false;
+        bool bullet = false;
+        double mass = 0;    ///< kg; of one that moves
+        double inertia = 0; ///< kg m²
+        double friction = 0;
+        double restitution = 0;
+        CollisionGroups groups;
+        Damping damping;
+        Load load;
+        BodyCore core;
+        double extent = 0;      ///< m, of its farthest point from the centre of mass
+        int restlessJoints = 0; ///< motors that must not fall asleep
+        int joints = 0;
+        double idle = 0; ///< s
+    };
+    struct JointEntry {
+        bool used = false;
+        bool restless = false;
+        SlotIndex a = noSlot;
+        SlotIndex b = noSlot;
+        Vec2 force; ///< N, mean over the last step()
+    };
+
+    // What a library does.
+    virtual void makeBody(SlotIndex slot, BodySpec const& spec) = 0;
+    virtual void dropBody(SlotIndex slot) = 0;
+    virtual void makeJoint(SlotIndex slot, JointSpec const& spec) = 0;
+    virtual void dropJoint(SlotIndex slot) = 0;
+    [[nodiscard]] virtual Motion motionOf(SlotIndex slot) const = 0;
+    virtual void setMotion(SlotIndex slot, Motion const& motion) = 0;
+    /// From now on the library moves the body again.
+    virtual void rouse(SlotIndex slot) = 0;
+    /// From now on the library leaves these alone, which rest on each other.
+    virtual void layToRest(std::span<SlotIndex const> island) = 0;
+    /// Moves all that is awake on by `h` (s) and says what touches, at least one of each two being awake.
+    virtual void move(double h, DynamicsSettings const& settings, std::vector<PieceContact>& found) = 0;
+    /// Says what touches the bodies in `fast`, with impulses of 0, where all are now. A library that only
+    /// knows what touched when the substep began returns false.
+    virtual bool lookAgain(std::span<SlotIndex const> /*fast*/, std::vector<PieceContact>& /*found*/) {
+        return false;
+    }
+    /// The impulse (N s) on a joint's a in the last substep.
+    [[nodiscard]] virtual Vec2 jointImpulse(SlotIndex slot) const = 0;
+
+    // What a library may use.
+    [[nodiscard]] std::span<BodyEntry const> bodies() const { return bodies_; }
+    [[nodiscard]] std::span<JointEntry const> joints() const { return joints_; }
+    [[nodiscard]] bool moves(SlotIndex slot) const {
+        return slot != noSlot && bodies_[slot].object.valid() && !bodies_[slot].fixed;
+    }
+    [[nodiscard]] bool isAwake(SlotIndex slot) const { return awake_[slot] != 0; }
+    /// Wakes a body that something touches; one that is awake may go on growing tired.
+    void rouseSleeper(SlotIndex slot) {
+        if (!isAwake(slot)) {
+            wake(slot);
+        }
+    }
+    /// To be called where a library has woken a body by itself.
+    void noteAwake(SlotIndex slot);
+    /// What load, drag and damping make of a body's velocity within `h` (s), for every body once a substep.
+    void accelerate(SlotIndex slot, Motion& motion, double h);
+    /// The speed of approach (m/s) up to which two bodies do not bounce: what a strong pull presses on
+    /// something gains speed in every substep; bouncing that back would go on for ever.
+    [[nodiscard]] double bounceThreshold(SlotIndex a, SlotIndex b, double h) const;
+    /// Coulomb's coefficient of a pair, and Newton's.
+    [[nodiscard]] double frictionOf(SlotIndex a, SlotIndex b) const;
+    [[nodiscard]] double restitutionOf(SlotIndex a, SlotIndex b) const;
+
+private:
+    void checkMotion() const;
+    void substep(double h, DynamicsSettings const& settings);
+    void lookAtFast(double h);
+    void findRest(double duration);
+    [[nodiscard]] bool idles(SlotIndex slot, Motion const& motion) const;
+    /// By slot: the lowest slot of its island.
+    [[nodiscard]] std::vector<SlotIndex> const& islands();
+    void noteMoved();
+    [[nodiscard]] Twist momentumOf(SlotIndex slot) const;
+
+    std::vector<BodyEntry> bodies_;
+    std::vector<JointEntry> joints_;
+    std::vector<DraggedBody> dragged_; // by slot; empty while nothing is dragged
+    std::vector<std::uint8_t> awake_;
+    std::vector<std::uint8_t> touching_; // by slot, as of findRest()
+    bool anyAwake_ = false;
+    TouchRecord touches_;
+    std::vector<PieceContact> found_;
+    std::vector<MovedBody> moved_;
+    std::vector<std::uint8_t> movedMarks_;
+    std::vector<SlotIndex> roots_;
+};
+
+/// What a polygon is larger than it is drawn all around, as in Box2D: things rest on this skin, so that
+/// levels are as tight on every engine.
+inline constexpr double skin = 0.0025; // m
+/// How deep skins sink into each other where they rest.
+inline constexpr double skinDepth = 0.00125; // m
+
+} // namespace trembler

@@ -1,0 +1,105 @@
+// A frame of an engine around a library: its substeps, and what has come of them.
+#include "physics/dynamics/engines/substepped/plain_engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler {
+
+void PlainEngine::step(double duration, DynamicsSettings const& settings) {
+    FailureGuard const guard;
+    if (!settings.sleeping) {
+        for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+            wake(slot);
+        }
+    }
+    std::fill(movedMarks_.begin(), movedMarks_.end(), std::uint8_t{0});
+    for (JointEntry& entry : joints_) {
+        entry.force = {};
+    }
+    touches_.startStep();
+    double const h = duration / settings.substeps;
+    for (int i = 0; i < settings.substeps; ++i) {
+        substep(h, settings);
+        touches_.findImpacts(h * i,
+                             [this](SlotIndex slot) { return moves(slot) ? 1 / bodies_[slot].mass : 0; });
+    }
+    lookAtFast(h);
+    if (settings.sleeping) {
+        findRest(duration);
+    }
+    noteMoved();
+}
+
+void PlainEngine::substep(double h, DynamicsSettings const& settings) {
+    move(h, settings, found_);
+    checkMotion();
+    // A touch wakes; what is left is asleep on both sides.
+    for (PieceContact const& contact : found_) {
+        rouseSleeper(contact.slotA);
+        rouseSleeper(contact.slotB);
+    }
+    touches_.take(found_, [this](PieceContact const& contact) {
+        return awake_[contact.slotA] == 0 && awake_[contact.slotB] == 0;
+    });
+    for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
+        movedMarks_[slot] |= awake_[slot];
+        if (awake_[slot] != 0 && slot < dragged_.size() && dragged_[slot].drag.any()) {
+            dragged_[slot].after(momentumOf(static_cast<SlotIndex>(slot)));
+        }
+    }
+    for (SlotIndex slot = 0; slot < joints_.size(); ++slot) {
+        JointEntry& entry = joints_[slot];
+        if (entry.used && ((moves(entry.a) && isAwake(entry.a)) || (moves(entry.b) && isAwake(entry.b)))) {
+            entry.force += jointImpulse(slot) / (h * settings.substeps);
+        }
+    }
+}
+
+// What a substep has found to touch are the places at its beginning. Those of fast bodies are others by now:
+// what has met may have parted, and may lie deep in something else, and the frame's end is what the world
+// sees.
+void PlainEngine::lookAtFast(double h) {
+    constexpr double far = 0.01; // m in a substep
+    std::vector<SlotIndex> fast;
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        if (awake_[slot] != 0) {
+            Motion const motion = motionOf(slot);
+            if (h * (length(motion.velocity) + std::abs(motion.spin) * bodies_[slot].extent) > far) {
+                fast.push_back(slot);
+            }
+        }
+    }
+    if (fast.empty() || !lookAgain(fast, found_)) {
+        return;
+    }
+    std::span<PieceContact const> const known = touches_.contacts();
+    for (PieceContact& contact : found_) { // what presses has pressed where it was found before
+        auto const at =
+            std::lower_bound(known.begin(), known.end(), contact.key,
+                             [](PieceContact const& x, std::uint64_t key) { return x.key < key; });
+        if (at != known.end() && at->key == contact.key && at->patch.count == contact.patch.count) {
+            contact.patch.normalImpulse = at->patch.normalImpulse;
+            contact.patch.tangentImpulse = at->patch.tangentImpulse;
+        }
+    }
+    auto const isFast = [&](SlotIndex slot) { return std::binary_search(fast.begin(), fast.end(), slot); };
+    touches_.take(found_, [&](PieceContact const& contact) {
+        return !isFast(contact.slotA) && !isFast(contact.slotB);
+    });
+}
+
+// The library has not looked at what it made of them yet.
+void PlainEngine::checkMotion() const {
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        if (awake_[slot] != 0) {
+            Motion const motion = motionOf(slot);
+            if (!isFinite(motion.centre) || !isFinite(motion.velocity) || !std::isfinite(motion.angle) ||
+                !std::isfinite(motion.spin)) {
+                throw EngineFailure("a body's place or speed is no finite number");
+            }
+        }
+    }
+}
+
+} // namespace trembler

@@ -1,0 +1,24 @@
+// Joints break, and go when what they tied is gone.
+#pragma once
+
+#include "physics/dynamics/properties/motion_causes.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/population/calls.hpp"
+
+namespace trembler {
+
+class PopulationFromDynamics final
+    : public Interaction<PopulationFromDynamics, PopulationRole, Reads<Joint, Shape, OverloadedJoints>> {
+public:
+    static constexpr ComponentText text{.name = "Population <- Dynamics",
+                                        .effect = "dynamics",
+                                        .level = "",
+                                        .work =
+                                            "Destroys every joint that was overloaded, and every one whose "
+                                            "object, or whose joint to couple, no longer exists."};
+    using CalledFor = NeedsAll<Joint>;
+    void apply(Access& access);
+};
+
+} // namespace trembler

@@ -1,0 +1,26 @@
+// (Frame <- Dynamics): forces that vary much within a frame ask for parts of one.
+#pragma once
+
+#include "physics/dynamics/properties/force_rates.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/frame/calls.hpp"
+
+namespace trembler {
+
+class FrameFromDynamics final : public Interaction<FrameFromDynamics, FrameRole, Reads<ForceRates>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Frame <- Dynamics",
+        .effect = "dynamics",
+        .level = "",
+        .work = "Asks for parts of a frame so short that the fastest force is followed."};
+    using CalledFor = NeedsAll<>;
+    void apply(Access& access) {
+        double const rate = access.read<ForceRates>().swinging;
+        if (rate > 0 && longestPart(rate) < frameDuration) { // a whole frame need not be asked for
+            access.call(SplitFrame{longestPart(rate)});
+        }
+    }
+};
+
+} // namespace trembler

@@ -1,0 +1,40 @@
+// (Dynamics <- Liquid Drag): what resists motion in a liquid, and what a current adds.
+#pragma once
+
+#include "physics/buoyancy/properties/liquid_resistance.hpp"
+#include "physics/dynamics/calls.hpp"
+#include "runtime/component/interaction.hpp"
+
+namespace trembler {
+
+class DynamicsFromLiquidDrag final
+    : public Interaction<DynamicsFromLiquidDrag, DynamicsRole, Reads<LiquidResistance>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Dynamics <- Liquid Drag",
+        .effect = "buoyancy",
+        .level = "",
+        .work = "Lets liquids resist the motion of what is in them, and carry it along where they flow; says "
+                "how fast F_B varies."};
+    using CalledFor = NeedsAll<>;
+    void apply(Access& access) {
+        auto const& entries = access.read<LiquidResistance>().entries;
+        bool const foreseen = access.read<LiquidResistance>().foreseen;
+        access.forChunks(entries.size(), [&](Caller& caller, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                LiquidResistance::Entry const& e = entries[i];
+                caller.call(AddDrag{e.object, e.point, e.xx, e.xy, e.yy, e.angular}, e.event);
+                if (e.rate > 0) {
+                    // Looking ahead is a resistance here, which no step is too long for.
+                    caller.call(TellRate{
+                        .object = e.object, .rate = e.rate, .foreseen = foreseen, .swings = !foreseen});
+                }
+                if (!(e.push == Vec2{})) {
+                    caller.call(AddForceToPoint{e.object, e.point, e.push}, e.event);
+                }
+            }
+        });
+    }
+};
+
+} // namespace trembler

@@ -1,0 +1,35 @@
+// The player's hand pulls like anything else: with a force.
+#pragma once
+
+#include "physics/dynamics/calls.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/input/input_resolver.hpp"
+#include "runtime/placement.hpp"
+
+namespace trembler {
+
+/// A damped spring from the held point to where the hand is.
+class DynamicsFromPlayer final
+    : public Interaction<DynamicsFromPlayer, DynamicsRole,
+                         Reads<Hand, Position, Rotation, Velocity, AngularVelocity, Mass, Shape, Fixed>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Dynamics <- Player",
+        .effect = "player",
+        .level = "",
+        .work = "Pulls the held point of the object in the hand to where the hand "
+                "is, like a critically damped spring, and damps its turning."};
+    using CalledFor = NeedsAll<Shape>;
+
+    static constexpr double frequency = 12; ///< rad/s, of the spring
+    /// m/s². A hand has a strength of its own, whatever the world weighs things with: it can give this much
+    /// to what it holds, light or heavy, and so holds up anything in a world that pulls less.
+    static constexpr double strongest = 490.5;
+    static constexpr double turnDamping = 2; ///< 1/s
+
+    void apply(Access& access);
+};
+
+} // namespace trembler

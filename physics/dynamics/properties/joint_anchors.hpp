@@ -1,0 +1,51 @@
+// Where a joint holds its objects, in their own frames: what its places in the world mean once things have
+// moved.
+#pragma once
+
+#include "physics/dynamics/properties/joint.hpp"
+#include "runtime/component/completion.hpp"
+#include "runtime/placement.hpp"
+
+namespace trembler {
+
+/// Fixed when the joint comes into being, so that the simulation can be taken up at any later time, by any
+/// engine. Without object b the world stands in for it: its frame is the world's.
+struct JointAnchors {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Joint anchors", "joint_anchors",
+                                       "Where a joint holds its objects, in their own frames.",
+                                       PropertyPlace::hidden};
+    Vec2 onA;                  ///< m, in the frame of a
+    Vec2 onB;                  ///< m, in the frame of b
+    Vec2 axis{1, 0};           ///< unit, in the frame of b
+    double referenceAngle = 0; ///< rad, angle of a less angle of b at the start
+    double length = 0;         ///< m: distance, rope, spring; pulley: the rope from a to where it runs over
+    double lengthB = 0;        ///< m: pulley: the rope from b to where it runs over
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "on_a", .unit = "m", .meaning = "in the frame of a"}, self.onA);
+        visit(FieldInfo{.key = "on_b", .unit = "m", .meaning = "in the frame of b"}, self.onB);
+        visit(FieldInfo{.key = "axis", .unit = "", .meaning = "in the frame of b"}, self.axis);
+        visit(FieldInfo{.key = "reference_deg",
+                        .unit = "rad",
+                        .meaning = "angle of a less angle of b at the start"},
+              self.referenceAngle);
+        visit(FieldInfo{.key = "length", .unit = "m", .meaning = "at the start or as stated"}, self.length);
+        visit(FieldInfo{.key = "length_b", .unit = "m", .meaning = "of b's part of a pulley's rope"},
+              self.lengthB);
+    }
+    friend bool operator==(JointAnchors const&, JointAnchors const&) = default;
+};
+
+/// A joint whose objects are nowhere gets none.
+struct JointCompletion final
+    : Completion<JointCompletion, Reads<Joint, Position, Rotation>, Adds<JointAnchors>> {
+    static constexpr CompletionText text{
+        .name = "Joint",
+        .work = "Gives a joint its anchors from where its objects are when it comes into being."};
+    using CalledFor = NeedsAll<Joint>;
+    static void complete(Access& access);
+};
+
+} // namespace trembler

@@ -1,0 +1,88 @@
+// Why things move, and what tears joints: resolver properties for those who ask.
+#pragma once
+
+#include "physics/dynamics/properties/joint.hpp"
+#include "runtime/property/news.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace trembler {
+
+/// What has made each object move of late: forces, impulses and contacts, those passed on through joints and
+/// contacts included. Kept only while somebody traces and somebody reads it.
+struct MotionCauses {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Causes of motion", "motion_causes",
+                                       "The recent events that made each object move."};
+    static constexpr std::string_view standing = "the recent causes, not those of a part";
+    static constexpr Coverage coverage =
+        leftOut("events of the trace, kept only while somebody traces; events lead to nothing");
+    struct Entry {
+        ObjectId object;
+        std::vector<EventId> causes; ///< ascending
+    };
+    std::vector<Entry> entries; ///< ascending by object
+
+    /// The causes of an object's motion; none if there are none.
+    [[nodiscard]] std::vector<EventId> of(ObjectId object) const {
+        auto const at = std::lower_bound(entries.begin(), entries.end(), object,
+                                         [](Entry const& entry, ObjectId id) { return entry.object < id; });
+        return at == entries.end() || at->object != object ? std::vector<EventId>{} : at->causes;
+    }
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+/// The force with which each joint holds, as a mean over the last frame in which anything moved.
+struct JointForces {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Joint forces", "joint_forces",
+                                       "The force with which each joint holds."};
+    static constexpr std::string_view standing = "what joints carry";
+    static constexpr Coverage coverage = derivedFrom(
+        "what the engine's joints carried in the last advance; computed only where somebody reads it");
+    struct Entry {
+        ObjectId joint;
+        Vec2 force; ///< N
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "the joint"}, self.joint);
+            visit(FieldInfo{.key = "force", .unit = "N", .meaning = "with which it holds"}, self.force);
+        }
+    };
+    std::vector<Entry> entries; ///< ascending by joint
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by joint"}, self.entries);
+    }
+};
+
+/// The joints that were loaded beyond what they bear in this frame.
+struct OverloadedJoints {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Overloaded joints", "overloaded_joints",
+                                       "The joints whose force exceeded their breaking force this frame."};
+    static constexpr Coverage coverage = hashed;
+    struct Entry {
+        ObjectId joint;
+        EventId event; ///< "joint overloaded"; none while nobody traces
+    };
+    std::vector<Entry> entries; ///< ascending by joint
+
+    /// A joint that is overloaded in several parts of a frame is told of once, as in the first of them.
+    static void gather(OverloadedJoints& frame, OverloadedJoints const& part, PartSpan) {
+        std::vector<Entry> all;
+        std::set_union(frame.entries.begin(), frame.entries.end(), part.entries.begin(), part.entries.end(),
+                       std::back_inserter(all),
+                       [](Entry const& a, Entry const& b) { return a.joint < b.joint; });
+        frame.entries = std::move(all);
+    }
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+
+} // namespace trembler

@@ -1,0 +1,21 @@
+// Whether two shapes overlap where they stand, for whoever places parts by hand.
+#pragma once
+
+#include "physics/dynamics/properties/shape.hpp"
+
+namespace trembler {
+
+struct PlacedShape {
+    Shape const& shape;
+    Vec2 at;          ///< m, in the world
+    double angle = 0; ///< rad
+};
+
+/// True if any two pieces overlap by more than about `allowed` (m). By the distance algorithm of Gilbert,
+/// Johnson and Keerthi (1988) in Box2D, on pieces that are made smaller by half of `allowed` all around. The
+/// shapes must be valid.
+[[nodiscard]] bool overlap(PlacedShape const& a, PlacedShape const& b, double allowed);
+/// The smallest upright rectangle around a placed shape: its lower left and upper right corner.
+[[nodiscard]] std::pair<Vec2, Vec2> extentOf(PlacedShape const& placed);
+
+} // namespace trembler

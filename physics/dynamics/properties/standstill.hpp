@@ -1,0 +1,23 @@
+// In place of Dynamics, for worlds in which forces are looked at and nothing moves: tests and measurements.
+#pragma once
+
+#include "physics/dynamics/properties/force_lag.hpp"
+#include "runtime/component/resolver.hpp"
+
+namespace trembler {
+
+struct StandstillRole {
+    static constexpr std::string_view name = "Standstill";
+    using Calls = CallList<>;
+};
+
+/// Forces lag behind nothing. Not part of the program: register it where Dynamics is not.
+class Standstill final : public Resolver<Standstill, StandstillRole, Reads<>, Writes<>, Provides<ForceLag>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Standstill", .effect = "dynamics", .level = "", .work = "Moves nothing."};
+    using CalledFor = NeedsAll<>;
+    void advance(Access&) {}
+};
+
+} // namespace trembler

@@ -1,0 +1,38 @@
+// What Dynamics adds to new objects.
+#pragma once
+
+#include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/material.hpp"
+#include "runtime/component/completion.hpp"
+#include "runtime/object/without.hpp"
+#include "runtime/placement.hpp"
+
+namespace trembler {
+
+struct MatterCompletion final
+    : Completion<MatterCompletion, Reads<MadeOf, Without>, Adds<Density, Friction, Restitution>> {
+    static constexpr CompletionText text{.name = "Matter",
+                                         .work = "An object gets the density, the friction and the "
+                                                 "restitution of what it is made of, unless it is "
+                                                 "stated to be without them."};
+    using CalledFor = NeedsAll<MadeOf>;
+    static void complete(Access& access);
+};
+
+/// Of an unsound shape (one that a rule refuses) there is no mass to speak of, and none is added.
+struct BodyCompletion final : Completion<BodyCompletion, Reads<Shape, Fixed, Liquid, Density>,
+                                         Adds<Rotation, Velocity, AngularVelocity, Mass>> {
+    static constexpr CompletionText text{
+        .name = "Body",
+        .work = "An object with a shape gets a rotation and a mass: its density (1000 kg/m³ where none is "
+                "stated) "
+                "times its area times the depth of the world; and, unless it is fixed or a liquid, a "
+                "velocity and "
+                "an angular velocity. What never moves has a mass too: gravity and walls ask for it."};
+    using CalledFor = NeedsAll<Shape>;
+    static void complete(Access& access);
+};
+
+} // namespace trembler

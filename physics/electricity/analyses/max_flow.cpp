@@ -1,0 +1,204 @@
+#include "physics/electricity/analyses/max_flow.hpp"
+
+// g++ 12 thinks that Boost's iterator over all edges may begin with an edge that is none.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace trembler {
+namespace {
+
+using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
+using Edge = Traits::edge_descriptor;
+struct Arc {
+    Microamperes capacity = 0;
+    Microamperes residual = 0;
+    Edge reverse;
+};
+struct Node {
+    Edge predecessor;
+    boost::default_color_type colour = boost::white_color;
+    long distance = 0;
+};
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, Node, Arc>;
+using FlowVertex = Traits::vertex_descriptor;
+
+constexpr std::uint32_t notThere = std::numeric_limits<std::uint32_t>::max();
+
+/// Objects in order of their ids, each as two nodes, what flows in and what flows out, with its capacity
+/// between.
+class Network {
+public:
+    Network(Circuit const& circuit, std::string_view network, std::span<Microamperes const> capacities)
+        : circuit_(circuit), place_(circuit.size(), notThere) {
+        for (std::uint32_t v = 0; v < circuit.size(); ++v) {
+            if (circuit.takesPart(v, network) && capacities[v] > 0) {
+                order_.push_back(v);
+            }
+        }
+        std::sort(order_.begin(), order_.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return circuit.objects[a] < circuit.objects[b]; });
+        graph_ = Graph(2 * order_.size() + 3);
+        join(gate(), source(), unlimited); // no sum can be more, however many ways there are
+        for (std::uint32_t n = 0; n < order_.size(); ++n) {
+            place_[order_[n]] = n;
+            join(in(n), out(n), capacities[order_[n]]);
+        }
+        for (std::uint32_t n = 0; n < order_.size(); ++n) {
+            std::vector<std::uint32_t> neighbours;
+            for (std::uint32_t const w : circuit.neighboursOf(order_[n])) {
+                if (place_[w] != notThere) {
+                    neighbours.push_back(place_[w]);
+                }
+            }
+            std::sort(neighbours.begin(), neighbours.end());
+            for (std::uint32_t const m : neighbours) {
+                join(out(n), in(m), unlimited);
+            }
+        }
+        joinTerminals(circuit.sources, network, [&](std::uint32_t n) { join(source(), in(n), unlimited); });
+        joinTerminals(circuit.returns, network, [&](std::uint32_t n) { join(out(n), sink(), unlimited); });
+    }
+
+    [[nodiscard]] MaxFlow solve() {
+        MaxFlow found;
+        found.through.assign(circuit_.size(), 0);
+        found.total = boost::boykov_kolmogorov_max_flow(
+            graph_, boost::get(&Arc::capacity, graph_), boost::get(&Arc::residual, graph_),
+            boost::get(&Arc::reverse, graph_), boost::get(&Node::predecessor, graph_),
+            boost::get(&Node::colour, graph_), boost::get(&Node::distance, graph_),
+            boost::get(boost::vertex_index, graph_), gate(), sink());
+        if (found.total >= unlimited) {
+            found.total = unlimited;
+            return found;
+        }
+        cut(found);
+        peel(found);
+        return found;
+    }
+
+private:
+    [[nodiscard]] static FlowVertex in(std::uint32_t n) { return FlowVertex{2} * n; }
+    [[nodiscard]] static FlowVertex out(std::uint32_t n) { return FlowVertex{2} * n + 1; }
+    [[nodiscard]] FlowVertex source() const { return 2 * order_.size(); }
+    [[nodiscard]] FlowVertex sink() const { return 2 * order_.size() + 1; }
+    [[nodiscard]] FlowVertex gate() const { return 2 * order_.size() + 2; }
+
+    void join(FlowVertex from, FlowVertex to, Microamperes capacity) {
+        Edge const there = boost::add_edge(from, to, graph_).first;
+        Edge const back = boost::add_edge(to, from, graph_).first;
+        graph_[there].capacity = capacity;
+        graph_[there].reverse = back;
+        graph_[back].reverse = there;
+    }
+    template <class F>
+    void joinTerminals(std::vector<Circuit::Terminal> const& all, std::string_view network, F&& f) {
+        std::vector<std::uint32_t> places;
+        for (Circuit::Terminal const& terminal : all) {
+            if (terminal.network == network && place_[terminal.vertex] != notThere) {
+                places.push_back(place_[terminal.vertex]);
+            }
+        }
+        std::sort(places.begin(), places.end());
+        std::for_each(places.begin(), places.end(), f);
+    }
+    // What can still be reached from the source is the smallest source side of any minimum cut (Ford and
+    // Fulkerson 1962), whichever maximum flow was found.
+    void cut(MaxFlow& found) const {
+        std::vector<std::uint8_t> reached(boost::num_vertices(graph_), 0);
+        std::vector<FlowVertex> open{gate()};
+        reached[gate()] = 1;
+        while (!open.empty()) {
+            FlowVertex const here = open.back();
+            open.pop_back();
+            for (auto [at, end] = boost::out_edges(here, graph_); at != end; ++at) {
+                FlowVertex const next = boost::target(*at, graph_);
+                if (graph_[*at].residual > 0 && reached[next] == 0) {
+                    reached[next] = 1;
+                    open.push_back(next);
+                }
+            }
+        }
+        for (std::uint32_t n = 0; n < order_.size(); ++n) {
+            if (reached[in(n)] != 0 && reached[out(n)] == 0) {
+                found.bottleneck.push_back(order_[n]);
+            }
+        }
+    }
+    // Takes the flow apart into ways from source to return. What goes round in circles is left over, and
+    // counts for nothing.
+    void peel(MaxFlow& found) {
+        std::vector<std::size_t> next(boost::num_vertices(graph_), 0);
+        std::vector<Edge> way;
+        std::vector<std::uint8_t> onWay(boost::num_vertices(graph_), 0);
+        FlowVertex here = gate();
+        onWay[here] = 1;
+        while (true) {
+            if (here == sink()) {
+                Microamperes least = unlimited;
+                for (Edge const e : way) {
+                    least = std::min(least, flowOf(e));
+                }
+                for (Edge const e : way) {
+                    graph_[e].residual += least;
+                    onWay[boost::target(e, graph_)] = 0;
+                    if (FlowVertex const from = boost::source(e, graph_);
+                        from < source() && from % 2 == 0 && boost::target(e, graph_) == from + 1) {
+                        found.through[order_[from / 2]] += least;
+                    }
+                }
+                way.clear();
+                here = gate();
+                onWay[here] = 1;
+                continue;
+            }
+            auto const [first, last] = boost::out_edges(here, graph_);
+            auto const degree = static_cast<std::size_t>(last - first);
+            while (next[here] < degree && flowOf(first[static_cast<std::ptrdiff_t>(next[here])]) <= 0) {
+                ++next[here];
+            }
+            if (next[here] == degree) {
+                return; // only the gate runs dry: elsewhere as much flows out as in
+            }
+            Edge const e = first[static_cast<std::ptrdiff_t>(next[here])];
+            FlowVertex const to = boost::target(e, graph_);
+            way.push_back(e);
+            here = to;
+            if (onWay[to] != 0) { // round in a circle
+                auto const start = std::find_if(
+                    way.begin(), way.end(), [&](Edge const& x) { return boost::source(x, graph_) == to; });
+                Microamperes least = unlimited;
+                std::for_each(start, way.end(), [&](Edge x) { least = std::min(least, flowOf(x)); });
+                std::for_each(start, way.end(), [&](Edge x) {
+                    graph_[x].residual += least;
+                    onWay[boost::target(x, graph_)] = 0;
+                });
+                onWay[to] = 1;
+                way.erase(start, way.end());
+            }
+            onWay[to] = 1;
+        }
+    }
+    [[nodiscard]] Microamperes flowOf(Edge const e) const {
+        return graph_[e].capacity == 0 ? 0 : graph_[e].capacity - graph_[e].residual;
+    }
+
+    Circuit const& circuit_;
+    Graph graph_;
+    std::vector<std::uint32_t> order_; // vertices, by id
+    std::vector<std::uint32_t> place_; // by vertex: its place in the order, or none
+};
+
+} // namespace
+
+MaxFlow maxFlow(Circuit const& circuit, std::string_view network, std::span<Microamperes const> capacities) {
+    return Network(circuit, network, capacities).solve();
+}
+
+} // namespace trembler

@@ -1,0 +1,89 @@
+// Direct current through one network: potentials and currents of a netlist.
+#pragma once
+
+#include "physics/electricity/analyses/conductance_solver.hpp"
+#include "physics/electricity/core/netlist.hpp"
+
+#include <vector>
+
+namespace trembler {
+
+/// What is found of a netlist. All numbers are finite, always.
+struct NodalSolution {
+    struct Object {
+        double potential = 0; ///< V, of its middle; 0 where it floats
+        double current = 0;   ///< A through it: half the sum of the sizes of the currents in its branches
+        double power = 0;     ///< W of heat, a source's internal resistance included
+        double supplied = 0;  ///< W from its EMF
+        bool floating = false;
+        bool shorted = false; ///< a source: see shortCircuit
+    };
+    std::vector<Object> objects;  ///< by node
+    std::vector<double> currents; ///< A, by branch, from `from` to `to`
+    double largest = 0;           ///< A, the largest of them
+    /// What is missing from Kirchhoff's first law at the worst object, of the largest current.
+    double residual = 0;
+};
+
+/// A source is shorted where it keeps less than this share of its EMF, or an ideal one drives its EMF through
+/// less than `shortedOhm`. An ideal source whose poles are joined by ideal conductors, or joined with those
+/// of an ideal source of another EMF, would drive an infinite current: it is given `leastResistance` inside.
+inline constexpr double shortedShare = 0.1;
+inline constexpr double shortedOhm = 0.01;
+
+/// Solves a netlist, and knows what the next one has in common with it.
+///
+/// Ideal conductors that touch are one node, exactly, whatever the other resistances are. How the current
+/// shares itself among them is found afterwards, as the limit of equal resistances, one for each connection,
+/// that go to zero: where there is only one way, by Kirchhoff's first law alone.
+class NodalAnalysis {
+public:
+    /// The solution of `netlist`. Depends on nothing but the netlist, bit for bit. Where the netlist is the
+    /// one of the last call it is not computed again; where its structure is, only its numbers are.
+    NodalSolution const& solve(Netlist const& netlist);
+    /// Whether the last netlist had the same structure, up to the values of resistances above zero.
+    [[nodiscard]] bool sameStructure(Netlist const& netlist) const;
+
+    /// Of the last netlist, by node, the return node included: what ideal conductors join has the same
+    /// number.
+    [[nodiscard]] std::span<std::uint32_t const> clusters() const { return cluster_; }
+    /// By node, the return node included: whether no way leads from it to a given potential.
+    [[nodiscard]] bool floats(std::uint32_t node) const { return floating_[cluster_[node]] != 0; }
+    /// By branch, in ohm: what was computed with, a limited ideal source included.
+    [[nodiscard]] std::span<double const> resistances() const { return resistances_; }
+
+    /// Factorisations so far, for tests and benchmarks.
+    [[nodiscard]] int symbolicFactorisations() const {
+        return outer_.symbolicFactorisations() + inner_.symbolicFactorisations();
+    }
+    [[nodiscard]] int numericFactorisations() const {
+        return outer_.numericFactorisations() + inner_.numericFactorisations();
+    }
+
+private:
+    void contract();
+    void fixIdealSources();
+    void markFloating();
+    void solveBetweenClusters();
+    void solveWithinClusters();
+    void sumUp();
+    [[nodiscard]] std::uint32_t clusterOf(std::uint32_t node) const { return cluster_[node]; }
+    [[nodiscard]] std::uint32_t nodes() const { return netlist_.earth() + 1; }
+    [[nodiscard]] bool ideal(std::size_t branch) const { return resistances_[branch] == 0; }
+
+    Netlist netlist_;
+    NodalSolution solution_;
+    bool solved_ = false;
+    std::vector<double> resistances_;    // by branch; those of ideal sources that had to be limited are not 0
+    std::vector<std::uint8_t> limited_;  // by branch
+    std::vector<std::uint32_t> cluster_; // by node; numbered in order of the first node
+    std::uint32_t clusters_ = 0;
+    std::vector<std::uint8_t> held_;     // by cluster: its potential is given
+    std::vector<double> heldAt_;         // by cluster, V
+    std::vector<std::uint8_t> floating_; // by cluster
+    ConductanceSolver outer_;
+    ConductanceSolver inner_;
+    std::vector<ConductanceSolver::Potential> potentials_; // by cluster
+};
+
+} // namespace trembler

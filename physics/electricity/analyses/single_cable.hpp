@@ -1,0 +1,39 @@
+// Electricity's cheap detail level, single-cable (A.4): who hangs on a source is on.
+#pragma once
+
+#include "physics/electricity/core/state_update.hpp"
+#include "physics/electricity/core/sufficient_level.hpp"
+#include "runtime/component/dps.hpp"
+
+namespace trembler {
+
+/// Marks every vertex that is connected to a source of a network in which it may take part. O(v + e) for each
+/// network that has a source here.
+void markSingleCable(Circuit const& circuit, std::vector<std::uint8_t>& on);
+
+class SingleCableElectricity final
+    : public Dps<SingleCableElectricity,
+                 Reads<ElectricityGraph, GraphChanges, Conductor, ElectricalSource, ElectricalReturn>,
+                 Derives<ElectricalState, ElectricalQuantities>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Single-cable Electricity",
+        .effect = "electricity",
+        .level = "single-cable",
+        .work = "An object is on while it is connected to a source of a network that "
+                "it may take part in. Looks only at circuits that have changed.",
+        .cost = 1};
+    using CalledFor = NeedsAny<Conductor>;
+    static constexpr Coverage memory =
+        leftOut("the analyses of circuits that have not changed; anew they come to the same");
+    /// In worlds that never had a return; see neverHadReturns().
+    static bool suits(Store const& store);
+    static bool faithful(Store const& store);
+    static std::string why(Store const& store) { return whyElectricalLevel(store); }
+    void update(Access& access) { updateElectricalState(access, update_, markSingleCable); }
+
+private:
+    StateUpdate update_;
+};
+
+} // namespace trembler

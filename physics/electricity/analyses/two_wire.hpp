@@ -1,0 +1,46 @@
+// Electricity's detail level two-wire (A.6): who lies on a path from source to return is on.
+#pragma once
+
+#include "physics/electricity/core/state_update.hpp"
+#include "physics/electricity/core/sufficient_level.hpp"
+#include "runtime/component/dps.hpp"
+
+namespace trembler {
+
+/// Marks every vertex that has two ways, one to the source and one to the return of a network, with nothing
+/// but the vertex itself in common: exactly those in the block (maximal 2-connected subgraph) of the virtual
+/// edge between source and return (A.6.1, proof in A.6.3; blocks after Tarjan 1972, by the Boost Graph
+/// Library). O(v + e) for each network that has both here.
+///
+/// Source and return are nodes of their own to which the objects are joined, so that any number of objects
+/// can be sources, a wire straight from a source to a return is no different from others, and a battery is on
+/// only while something closes its circuit.
+void markTwoWire(Circuit const& circuit, std::vector<std::uint8_t>& on);
+
+class TwoWireElectricity final
+    : public Dps<TwoWireElectricity,
+                 Reads<ElectricityGraph, GraphChanges, Conductor, ElectricalSource, ElectricalReturn>,
+                 Derives<ElectricalState, ElectricalQuantities>> {
+public:
+    static constexpr ComponentText text{.name = "Two-wire Electricity",
+                                        .effect = "electricity",
+                                        .level = "two-wire",
+                                        .work =
+                                            "An object is on while it lies on a path from the source to the "
+                                            "return of a network that it may take part in, one that uses no "
+                                            "object twice. Looks only at circuits that have changed.",
+                                        .cost = 2};
+    using CalledFor = NeedsAny<Conductor>;
+    static constexpr Coverage memory =
+        leftOut("the analyses of circuits that have not changed; anew they come to the same");
+    /// Where nothing has a resistance, an EMF, a rating or a fuse.
+    static bool suits(Store const& store);
+    static bool faithful(Store const& store);
+    static std::string why(Store const& store) { return whyElectricalLevel(store); }
+    void update(Access& access) { updateElectricalState(access, update_, markTwoWire); }
+
+private:
+    StateUpdate update_;
+};
+
+} // namespace trembler

@@ -1,0 +1,72 @@
+// The Electricity resolver (6.13.2): edits the electricity graph as instructed.
+#pragma once
+
+#include "physics/electricity/calls.hpp"
+#include "physics/electricity/core/graph_changes.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/graph.hpp"
+#include "physics/electricity/properties/ratings.hpp"
+#include "runtime/component/resolver.hpp"
+
+#include <array>
+
+namespace trembler {
+
+/// Light-weight: what a change means for who is on is the business of a derived property set. Objects that
+/// and callers that come and go are all that changes the graph besides calls; a frame without either costs
+/// O(1).
+class ElectricityResolver final : public Resolver<ElectricityResolver, ElectricityRole,
+                                                  Reads<Conductor, ElectricalSource, ElectricalReturn>,
+                                                  Writes<ElectricityGraph, Fuse>, Provides<GraphChanges>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Electricity",
+        .effect = "electricity",
+        .level = "",
+        .work = "Manipulates the electricity graph as instructed: counts, for each "
+                "pair of conductors, the connections of each caller and of the "
+                "level. Connections to objects, and of callers, that are gone go "
+                "with them. Blows fuses: what has blown has no connections."};
+    using CalledFor = NeedsAny<Conductor>;
+    static constexpr Coverage memory =
+        leftOut("who was a conductor, and in which network, in the last advance, to see what changes");
+    void advance(Access& access);
+
+private:
+    /// What an object is to the networks, where that is not simply "a plain conductor".
+    struct NetworkPart {
+        enum class Kind : std::uint8_t { conductor, source, returning };
+        ObjectId object;
+        Kind kind = Kind::conductor;
+        std::string network;
+        friend auto operator<=>(NetworkPart const&, NetworkPart const&) = default;
+    };
+    struct Change {
+        ObjectId a; ///< a < b
+        ObjectId b;
+        CallerId caller;
+        int delta = 0;
+        EventId event;
+    };
+
+    void followObjects(Access& access);
+    void followVertices(Access& access);
+    void followNetworks(Access& access);
+    void followCallers(Access& access);
+    void dropLooseEnds(Access& access);
+    void blowFuses(Access& access);
+    void carryOutCalls(Access& access);
+    void changePair(Access& access, std::span<Change const> changes);
+    void publish(Access& access);
+    void touch(ObjectId object, EventId event = {}) { touched_.push_back({object, event, 0}); }
+
+    std::vector<ObjectId> vertices_;      // as of the last advance, ascending
+    std::vector<NetworkPart> parts_;      // as of the last advance, ascending
+    std::vector<CallerId> callers_;       // as of the last advance, ascending
+    std::array<std::uint64_t, 3> seen_{}; // versions of the columns read
+    std::vector<GraphChanges::Touched> touched_;
+    std::vector<Change> changes_;
+    bool first_ = true;
+};
+
+} // namespace trembler

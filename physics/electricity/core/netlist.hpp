@@ -1,0 +1,53 @@
+// What a circuit is to one of its networks, as a netlist: the input of nodal analysis and of other programs.
+#pragma once
+
+#include "physics/electricity/core/circuit.hpp"
+#include "physics/electricity/properties/ratings.hpp"
+#include "runtime/property/column.hpp"
+
+#include <vector>
+
+namespace trembler {
+
+/// The columns that say what objects are in volts, amperes and ohms. A world without any has none.
+struct NodalColumns {
+    Column<Resistance> const& resistances;
+    Column<Emf> const& emfs;
+    Column<RatedPower> const& ratings;
+    Column<Fuse> const& fuses;
+};
+
+/// A source that states no EMF gives this, in V, as an ideal source.
+inline constexpr double unstatedEmf = 12;
+
+/// In ohm, what an object sets against a current: what it states, or what follows from its rating, or 0.
+/// Always 0 or from leastResistance to greatestResistance, whatever a program has written there.
+[[nodiscard]] double resistanceOf(NodalColumns const& columns, ObjectId object);
+
+/// Nodes are the middles of the objects that take part in the network, in order of their ids, and after them
+/// the return node, at 0 V. A branch is a connection between two objects, or the joint of a terminal with the
+/// return node, which for a source has its EMF in it. A branch holds half the resistance of each object at
+/// its ends.
+struct Netlist {
+    enum class Kind : std::uint8_t { connection, source, returning };
+    struct Branch {
+        std::uint32_t from = 0; ///< of a source: the return node
+        std::uint32_t to = 0;   ///< of a return: the return node
+        Kind kind = Kind::connection;
+        double resistance = 0; ///< ohm; 0: ideal
+        double emf = 0;        ///< V, raises the potential from `from` to `to`
+        friend bool operator==(Branch const&, Branch const&) = default;
+    };
+    std::vector<ObjectId> objects;     ///< by node, ascending
+    std::vector<double> resistances;   ///< ohm, by node, of the whole object
+    std::vector<std::uint32_t> vertex; ///< by node: in the circuit
+    std::vector<Branch> branches;      ///< connections, then sources, then returns; each in order of objects
+
+    [[nodiscard]] std::uint32_t earth() const { return static_cast<std::uint32_t>(objects.size()); }
+};
+
+/// The netlist of one network in a circuit. It does not depend on the order in which the circuit was walked.
+void makeNetlist(Circuit const& circuit, NodalColumns const& columns, std::string_view network,
+                 Netlist& netlist);
+
+} // namespace trembler

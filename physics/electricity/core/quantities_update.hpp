@@ -1,0 +1,50 @@
+// Writing what the dearer detail levels of electricity found of the circuits that they looked at.
+#pragma once
+
+#include "physics/electricity/core/circuit.hpp"
+#include "physics/electricity/core/state_update.hpp"
+#include "physics/electricity/core/sufficient_level.hpp"
+#include "physics/electricity/properties/quantities.hpp"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace trembler {
+
+/// What was found of one circuit.
+struct CircuitQuantities {
+    ElectricalQuantities::Circuit circuit;
+    std::vector<ElectricalQuantities::Entry> entries; ///< every object of it
+};
+
+/// What is known of a circuit before it is analysed: its objects, and why it is analysed in that way.
+[[nodiscard]] CircuitQuantities quantitiesOf(Circuit const& circuit, SufficientLevel const& level);
+
+/// Something that a trace tells of: `what` happened to `object` in the circuit of that number.
+using TellOfCircuit = std::function<EventId(std::string_view what, ObjectId object, std::uint32_t circuit)>;
+
+/// Replaces what is known of the circuits that were looked at, and forgets what is gone. `tell` hears of
+/// sources that are shorted and of islands that float, where they were not before, and of overloaded fuses.
+void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuantities>& found,
+                     StateUpdate const& update, std::uint64_t frame, TellOfCircuit const& tell);
+
+/// The end of the update() of a detail level that knows quantities: writes state and quantities, where they
+/// are new.
+template <class Access>
+void writeStateAndQuantities(Access& access, StateUpdate const& update,
+                             std::vector<CircuitQuantities>& found) {
+    auto const record = [&](std::string_view what, std::span<ObjectId const> objects,
+                            std::span<EventId const> causes) { return access.event(what, objects, causes); };
+    if (update.circuits() > 0 || !update.gone().empty() || update.sawAll()) {
+        writeQuantities(access.template derive<ElectricalQuantities>(), found, update, access.frame(),
+                        [&](std::string_view what, ObjectId object, std::uint32_t circuit) {
+                            return record(what, std::span(&object, 1), update.causes(circuit));
+                        });
+    }
+    if (update.anything()) {
+        update.writeTo(access.template derive<ElectricalState>(), access.frame(), record);
+    }
+}
+
+} // namespace trembler

@@ -1,0 +1,39 @@
+// (Electricity <- Dynamics): what touches is connected.
+#pragma once
+
+#include "physics/dynamics/properties/contacts.hpp"
+#include "physics/electricity/calls.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/graph.hpp"
+#include "runtime/component/interaction.hpp"
+
+#include <vector>
+
+namespace trembler {
+
+/// Connects conductors that begin to touch and disconnects those that cease to.
+///
+/// It does not add up C_N and C_P, it compares C_C with the contacts that it has told of. So nothing is
+/// counted twice, and no contact is left standing, when it misses a frame (a period), is applied for another
+/// reason than a change of contacts, or is constructed while things touch already. That is why it reads G_E,
+/// too.
+class ElectricityFromDynamics final : public Interaction<ElectricityFromDynamics, ElectricityRole,
+                                                         Reads<Contacts, Conductor, ElectricityGraph>> {
+public:
+    static constexpr ComponentText text{.name = "Electricity <- Dynamics",
+                                        .effect = "electricity",
+                                        .level = "",
+                                        .work =
+                                            "Connects any new colliding objects (if both are conductors) and "
+                                            "disconnects any previous colliding objects."};
+    using CalledFor = NeedsAll<Conductor>;
+    /// What it has told, and will take back.
+    void hashMemory(StateHash& hash) const { hash.members(told_); }
+    void apply(Access& access);
+
+private:
+    std::vector<TouchingPair> told_; // ascending
+    std::vector<TouchingPair> touching_;
+};
+
+} // namespace trembler

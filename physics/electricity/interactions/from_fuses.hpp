@@ -1,0 +1,28 @@
+// (Electricity <- Fuses): what carries more than it can melts.
+#pragma once
+
+#include "physics/electricity/calls.hpp"
+#include "physics/electricity/properties/quantities.hpp"
+#include "physics/electricity/properties/ratings.hpp"
+#include "runtime/component/interaction.hpp"
+
+namespace trembler {
+
+/// Of several overloaded fuses in one circuit the one that is overloaded most blows first, as it melts
+/// fastest; equals blow together. The others have their turn if the next frame still finds them overloaded.
+/// Where the level at work knows no currents, nothing blows.
+class ElectricityFromFuses final
+    : public Interaction<ElectricityFromFuses, ElectricityRole, Reads<ElectricalQuantities, Fuse>> {
+public:
+    static constexpr ComponentText text{.name = "Electricity <- Fuses",
+                                        .effect = "electricity",
+                                        .level = "",
+                                        .work = "In every circuit, blows the fuse that its current overloads "
+                                                "most."};
+    /// Overloads that differ by no more than this share are equal: they are the result of arithmetic.
+    static constexpr double equality = 1e-9;
+    using CalledFor = NeedsAll<Fuse>;
+    void apply(Access& access);
+};
+
+} // namespace trembler

@@ -1,0 +1,28 @@
+// (Electricity <- Player): a wire that the player cuts no longer connects.
+#pragma once
+
+#include "physics/electricity/calls.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "runtime/component/interaction.hpp"
+#include "runtime/input/input_resolver.hpp"
+
+namespace trembler {
+
+/// One cut takes away one wire that the level has laid: where several are laid between two objects the others
+/// still connect them, and so does a contact. A cut where no wire is changes nothing.
+class ElectricityFromPlayer final
+    : public Interaction<ElectricityFromPlayer, ElectricityRole, Reads<PlayerCommands>> {
+public:
+    static constexpr ComponentText text{.name = "Electricity <- Player",
+                                        .effect = "electricity",
+                                        .level = "",
+                                        .work = "Removes one wire for every cut that the player made."};
+    using CalledFor = NeedsAll<Conductor>;
+    void apply(Access& access) {
+        for (PlayerCommands::Cut const& cut : access.read<PlayerCommands>().cuts) {
+            access.call(CutWire{cut.a, cut.b}, cut.event);
+        }
+    }
+};
+
+} // namespace trembler

@@ -1,0 +1,44 @@
+#include "physics/electricity/rules/initial_connections.hpp"
+
+#include "physics/electricity/properties/graph.hpp"
+#include "physics/electricity/rules/completion.hpp"
+#include "physics/electricity/rules/wire.hpp"
+#include "runtime/property/for_each.hpp"
+
+namespace trembler {
+
+void layWire(Store& store, ObjectId a, ObjectId b) {
+    auto& conductors = store.column<Conductor>();
+    if (!conductors.has(a) || !conductors.has(b)) {
+        // They conduct by what they are made of, and completions come after this. So all that do so are told
+        // at once: one by one would be quadratic.
+        auto const& without = store.column<Without>();
+        std::vector<ObjectId> metal;
+        forEach(
+            [&](ObjectId id, MadeOf const& of) {
+                if (!conductors.has(id) && conductsByMaterial(&of, without.find(id))) {
+                    metal.push_back(id);
+                }
+            },
+            store.column<MadeOf>());
+        conductors.addMany(metal, std::vector<Conductor>(metal.size()));
+    }
+    auto& graph = store.column<ElectricityGraph>();
+    if (!graph.has(a) || !graph.has(b)) {
+        // All at once, in order: one by one would be quadratic.
+        addVertices(graph, conductors.owners());
+    }
+    CallerCounts counts = connectionBetween(graph, a, b);
+    counts.add(CallerId::level(), 1);
+    setConnection(graph, a, b, counts);
+}
+
+std::optional<std::string> connectInitially(Store& store, ObjectId a, ObjectId b) {
+    if (auto wrong = refuseWire(store, a, b)) {
+        return wrong;
+    }
+    layWire(store, a, b);
+    return std::nullopt;
+}
+
+} // namespace trembler

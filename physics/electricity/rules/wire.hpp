@@ -1,0 +1,47 @@
+// What a wire of a level may connect: known also where electricity itself is left out.
+#pragma once
+
+#include "physics/electricity/rules/completion.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+namespace trembler {
+
+/// Whether an object conducts: because that is stated, or, before its completion, by what it is made of.
+[[nodiscard]] inline bool conducts(Store const& store, ObjectId id) {
+    auto const* const conductors = store.findColumn<Conductor>();
+    auto const* const made = store.findColumn<MadeOf>();
+    auto const* const without = store.findColumn<Without>();
+    return (conductors != nullptr && conductors->has(id)) ||
+           conductsByMaterial(made == nullptr ? nullptr : made->find(id),
+                              without == nullptr ? nullptr : without->find(id));
+}
+
+/// Why no wire can be laid between two objects and what was expected, in words; nothing if one can.
+[[nodiscard]] inline std::optional<std::string> refuseWire(Store const& store, ObjectId a, ObjectId b) {
+    for (ObjectId const id : {a, b}) {
+        if (!store.alive(id)) {
+            return "one end of the connection is no object; expected two objects that conduct electricity";
+        }
+        if (!conducts(store, id)) {
+            return fmt::format("'{}' is no conductor; expected two objects with the property '{}'",
+                               store.nameOf(id), Conductor::text.key);
+        }
+    }
+    if (a == b) {
+        return fmt::format("'{}' is connected to itself; expected two different objects", store.nameOf(a));
+    }
+    return std::nullopt;
+}
+
+/// The kind "wire" of a level's connections, laid by `lay`.
+[[nodiscard]] inline Connector wireConnector(void (*lay)(Store&, ObjectId, ObjectId)) {
+    return {"wire", "electricity", "a wire between two conductors, which the scissors can cut", refuseWire,
+            lay};
+}
+
+} // namespace trembler

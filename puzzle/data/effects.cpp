@@ -1,0 +1,50 @@
+#include "puzzle/data/effects.hpp"
+
+#include "audio/effect/properties/acoustics.hpp"
+#include "audio/effect/register.hpp"
+#include "physics/register_physics.hpp"
+#include "runtime/world/registry.hpp"
+
+namespace trembler {
+namespace {
+
+constexpr char const* sound = "sound";
+#ifdef TREMBLER_WITHOUT_SOUND
+constexpr bool builtWithSound = false;
+#else
+constexpr bool builtWithSound = true;
+#endif
+
+} // namespace
+
+std::set<std::string> dispensableGameEffects() {
+    std::set<std::string> names = dispensableEffects();
+    names.insert(sound);
+    return names;
+}
+
+std::set<std::string> gameEffectsLeftOut() {
+    std::set<std::string> names = effectsLeftOut();
+    if (!builtWithSound) {
+        names.insert(sound);
+    }
+    return names;
+}
+
+void registerEffects(Registry& registry, std::set<std::string> const& without) {
+    std::set<std::string> physics = without;
+    bool const silent = physics.erase(sound) > 0;
+    registerEverything(registry, physics);
+    if constexpr (builtWithSound) {
+        if (!silent) {
+            registerSound(registry);
+            return;
+        }
+    }
+    registry.property<Acoustics>();
+    registry.property<Sample>();
+    registry.property<Ear>();
+    registry.property<SoundSensor>();
+}
+
+} // namespace trembler

@@ -1,0 +1,64 @@
+#include "puzzle/data/workshop.hpp"
+
+#include "puzzle/data/effects.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+namespace trembler {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool hasFiles(fs::path const& folder) {
+    std::error_code error;
+    return fs::is_directory(folder / "assets", error) && fs::is_directory(folder / "levels", error);
+}
+
+} // namespace
+
+fs::path homeFolder() {
+    if (char const* const stated = std::getenv("TREMBLER_HOME"); stated != nullptr && *stated != '\0') {
+        return stated;
+    }
+    std::error_code error;
+    for (fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+         folder.has_relative_path(); folder = folder.parent_path()) {
+        if (hasFiles(folder)) {
+            return folder;
+        }
+        if (fs::path const installed = folder / "share" / "trembler"; hasFiles(installed)) {
+            return installed;
+        }
+    }
+    return TREMBLER_SOURCE_DIR;
+}
+
+Workshop::Workshop() : home(homeFolder()) {
+    registerEffects(registry);
+    parts = loadParts(registry, home / "assets" / "parts");
+}
+
+std::vector<fs::path> Workshop::levels() const {
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (fs::recursive_directory_iterator at(home / "levels", error), end; !error && at != end;
+         at.increment(error)) {
+        fs::path const& path = at->path();
+        bool const schema = path.filename().string().ends_with(".schema.json");
+        if (at->is_regular_file(error) && path.extension() == ".json" && !schema) {
+            found.push_back(path);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::string Workshop::shortName(fs::path const& level) const {
+    std::error_code error;
+    fs::path const relative = fs::relative(level, home, error);
+    return error || relative.empty() || *relative.begin() == ".." ? level.string() : relative.string();
+}
+
+} // namespace trembler

@@ -1,0 +1,34 @@
+// What every command starts from: all components, all parts, and where the files are.
+#pragma once
+
+#include "runtime/level/model/part_library.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// The folder that holds assets/ and levels/: $TREMBLER_HOME if set, else the first one upwards from the
+/// running program that has both, itself or in its share/trembler (an installed program's), else the one that
+/// the program was built from.
+[[nodiscard]] std::filesystem::path homeFolder();
+
+struct Workshop {
+    Registry registry;
+    PartLibrary parts;
+    std::filesystem::path home;
+
+    /// Registers every effect and reads every part. Throws InputError if a part definition is wrong.
+    Workshop();
+    Workshop(Workshop const&) = delete;
+    Workshop& operator=(Workshop const&) = delete;
+
+    /// Every level file under levels/, in order of path.
+    [[nodiscard]] std::vector<std::filesystem::path> levels() const;
+    /// The path of a level as a person would name it: relative to home if it lies there.
+    [[nodiscard]] std::string shortName(std::filesystem::path const& level) const;
+};
+
+} // namespace trembler

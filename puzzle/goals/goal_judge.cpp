@@ -1,0 +1,106 @@
+#include "puzzle/goals/goal_judge.hpp"
+
+#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/never_holds.hpp"
+#include "puzzle/goals/read_goals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace trembler {
+namespace {
+
+template <class T>
+void makeUnique(std::vector<T>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+} // namespace
+
+GoalJudge::GoalJudge(LevelFile const& level, World const& world)
+    : condition_(readGoals(level)), ticks_(world.ticks()) {
+    if (!condition_) {
+        return;
+    }
+    Problems problems;
+    ObjectFinder const finder(level, world, problems);
+    state_ = std::make_unique<ConditionState>(*condition_, finder, ObjectId{});
+    complainIfNever(*condition_, level, world, problems);
+    problems.throwIfAny();
+
+    bool const isSequence = condition_->kind == ConditionKind::sequence;
+    split_ = (condition_->kind == ConditionKind::all || isSequence) && !condition_->seconds &&
+             condition_->text.empty();
+    GoalWords const words(level, world);
+    std::size_t const count = split_ ? condition_->children.size() : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        Condition const& condition = split_ ? condition_->children[i] : *condition_;
+        GoalStatus status;
+        status.id = condition.id.empty() ? fmt::format("goal {}", i + 1) : condition.id;
+        status.text = words.sentence(condition);
+        status_.push_back(std::move(status));
+    }
+}
+
+GoalJudge::~GoalJudge() = default;
+
+ConditionState const& GoalJudge::stateOf(std::size_t goal) const {
+    return split_ ? state_->children()[goal] : *state_;
+}
+
+void GoalJudge::update(World const& world) {
+    newlyMet_.clear();
+    newlySolved_ = false;
+    if (!state_ || solvedFrame_) {
+        return;
+    }
+    std::uint64_t const passed = world.ticks() - std::exchange(ticks_, world.ticks());
+    state_->update(world, std::max<std::uint64_t>(passed, 1));
+    for (std::size_t i = 0; i < status_.size(); ++i) {
+        GoalStatus& status = status_[i];
+        // A step of a sequence is done when its turn came and it was met, not when it happens to hold.
+        bool const step = split_ && condition_->kind == ConditionKind::sequence;
+        status.met = step ? i < state_->stepsDone() : stateOf(i).met();
+        status.progress = status.met ? 1 : (step && i > state_->stepsDone() ? 0 : stateOf(i).progress());
+        if (status.met && !status.frame) {
+            status.frame = world.frame();
+            newlyMet_.push_back(i);
+        }
+    }
+    if (state_->met()) {
+        solvedFrame_ = world.frame();
+        newlySolved_ = true;
+    }
+}
+
+std::vector<EventId> GoalJudge::causes(World const& world, std::size_t goal) const {
+    std::vector<EventId> events;
+    if (goal < status_.size()) {
+        stateOf(goal).collectCauses(world, true, events);
+    }
+    makeUnique(events);
+    return events;
+}
+
+std::vector<EventId> GoalJudge::causes(World const& world) const {
+    std::vector<EventId> events;
+    if (state_) {
+        state_->collectCauses(world, true, events);
+    }
+    makeUnique(events);
+    return events;
+}
+
+std::vector<ObjectId> GoalJudge::objects(std::size_t goal) const {
+    std::vector<ObjectId> all;
+    if (goal < status_.size()) {
+        stateOf(goal).collectObjects(all);
+    }
+    makeUnique(all);
+    return all;
+}
+
+} // namespace trembler

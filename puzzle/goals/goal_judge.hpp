@@ -1,0 +1,67 @@
+// Watches a running world and tells which goals are met. Looks, and changes nothing.
+#pragma once
+
+#include "puzzle/goals/condition.hpp"
+#include "puzzle/goals/condition_state.hpp"
+#include "runtime/world/world.hpp"
+
+#include <memory>
+
+namespace trembler {
+
+/// One goal as the player sees it. A level whose condition is "all" or a "sequence" has one for each of the
+/// condition's children, any other has one.
+struct GoalStatus {
+    std::string id;                     ///< as stated, else "goal 1", "goal 2" ...
+    std::string text;                   ///< for the player
+    bool met = false;                   ///< at present
+    std::optional<std::uint64_t> frame; ///< in which it was met for the first time
+    double progress = 0;                ///< 0 to 1
+};
+
+class GoalJudge {
+public:
+    /// Finds the objects of the goals in a world that buildWorld() made from the level and that has done no
+    /// frame yet. Throws InputError if the goals are wrong or speak of what cannot happen: a lamp of wood
+    /// that shall be on, or an object without a shape that shall touch something.
+    GoalJudge(LevelFile const& level, World const& world);
+    ~GoalJudge();
+    GoalJudge(GoalJudge const&) = delete;
+    GoalJudge& operator=(GoalJudge const&) = delete;
+
+    /// Looks at the world; call it after every part of a frame (World::step()), so that nothing that comes
+    /// and goes within a frame is missed. Depends on the world's data alone. Once the level is solved
+    /// everything stays as it is.
+    void update(World const& world);
+
+    [[nodiscard]] std::vector<GoalStatus> const& status() const { return status_; }
+    /// Whether the condition as a whole has held in any frame so far. False for a level without goals.
+    [[nodiscard]] bool solved() const { return solvedFrame_.has_value(); }
+    [[nodiscard]] std::optional<std::uint64_t> solvedFrame() const { return solvedFrame_; }
+    /// The goals that were met for the first time in the last update.
+    [[nodiscard]] std::vector<std::size_t> const& newlyMet() const { return newlyMet_; }
+    /// Whether the last update was the one in which the level was solved.
+    [[nodiscard]] bool newlySolved() const { return newlySolved_; }
+
+    /// The recorded events that make a goal true (contacts, electrical states, what pulls the object),
+    /// ascending; right after an update. Empty while nobody traces.
+    [[nodiscard]] std::vector<EventId> causes(World const& world, std::size_t goal) const;
+    /// The same for the condition as a whole.
+    [[nodiscard]] std::vector<EventId> causes(World const& world) const;
+    /// The objects that a goal speaks of, ascending.
+    [[nodiscard]] std::vector<ObjectId> objects(std::size_t goal) const;
+
+private:
+    [[nodiscard]] ConditionState const& stateOf(std::size_t goal) const;
+
+    std::optional<Condition> condition_;
+    std::unique_ptr<ConditionState> state_; // of the condition as a whole
+    bool split_ = false;                    // one goal for each child
+    std::vector<GoalStatus> status_;
+    std::vector<std::size_t> newlyMet_;
+    std::optional<std::uint64_t> solvedFrame_;
+    bool newlySolved_ = false;
+    std::uint64_t ticks_ = 0; // of the world, at the last update
+};
+
+} // namespace trembler

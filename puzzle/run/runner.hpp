@@ -1,0 +1,29 @@
+// Running a level without anybody watching: `trembler run`, `trembler verify` and the tests.
+#pragma once
+
+#include "puzzle/run/run_report.hpp"
+#include "puzzle/session/session.hpp"
+
+#include <functional>
+#include <iosfwd>
+
+namespace trembler {
+
+struct RunOptions {
+    std::uint64_t frames = 600; ///< at most
+    bool stopWhenSolved = false;
+    std::uint64_t hashEvery = 0;   ///< 0: only the last
+    std::ostream* trace = nullptr; ///< where the account goes, JSON lines
+    /// Called after every frame with the frames done, for a sign of progress.
+    std::function<void(std::uint64_t)> progress;
+    /// For onlookers, who change nothing: called before the first frame, and after every one.
+    std::function<void(Session&)> enter;
+    std::function<void(World const&)> frame;
+    /// Called directly before every frame; may change things as a player might.
+    std::function<void(Session&)> before;
+};
+
+/// Runs a session from its beginning for a number of frames. The world must trace if options.trace is set.
+[[nodiscard]] RunReport run(Session& session, std::string levelName, RunOptions const& options);
+
+} // namespace trembler

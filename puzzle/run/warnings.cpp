@@ -1,0 +1,39 @@
+#include "puzzle/run/warnings.hpp"
+
+#include "physics/dynamics/properties/engine_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace trembler {
+
+std::vector<std::string> warningsOf(World const& world) {
+    std::vector<std::string> warnings;
+    EngineState const* const state = world.find<EngineState>();
+    if (state == nullptr || !state->troubled()) {
+        return warnings;
+    }
+    if (!state->gaveUp.empty()) {
+        warnings.push_back(
+            fmt::format("the engine {} could not go on ({}); Box2D computes the motion instead",
+                        state->gaveUp, state->why));
+    }
+    if (!state->stopped.empty()) {
+        constexpr std::size_t most = 5;
+        std::string names;
+        for (std::size_t i = 0; i < std::min(most, state->stopped.size()); ++i) {
+            std::string const name = world.store().nameOf(state->stopped[i]);
+            names += fmt::format("{}{}", i == 0 ? "" : ", ", name.empty() ? "an object that is gone" : name);
+        }
+        if (state->stopped.size() > most) {
+            names += fmt::format(" and {} more", state->stopped.size() - most);
+        }
+        warnings.push_back(
+            fmt::format("Box2D could not compute the motion of {} ({}); from then on it stands still", names,
+                        state->why));
+    }
+    return warnings;
+}
+
+} // namespace trembler

@@ -1,0 +1,48 @@
+#include "puzzle/solutions/solution_file.hpp"
+
+#include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/model/world_change.hpp"
+#include "runtime/level/read/check_inputs.hpp"
+#include "runtime/level/read/read_solutions.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace trembler {
+
+Solution findOrLoadSolution(Registry const& registry, LevelFile const& level, std::string const& nameOrFile) {
+    if (Solution const* const known = level.findSolution(nameOrFile)) {
+        return *known;
+    }
+    std::error_code error;
+    if (!std::filesystem::exists(nameOrFile, error)) {
+        std::string names;
+        for (Solution const& solution : level.solutions) {
+            names += (names.empty() ? "'" : ", '") + solution.name + "'";
+        }
+        throw std::invalid_argument(
+            fmt::format("there is neither a file nor a recorded solution '{}'; the level's solutions are: {}",
+                        nameOrFile, names.empty() ? "none" : names));
+    }
+    auto const document = JsonDocument::load(nameOrFile);
+    Problems problems;
+    std::optional<Solution> solution = readSolution(JsonNode(*document, document->root(), "", problems));
+    problems.throwIfAny();
+    if (!solution) {
+        return {};
+    }
+    solution->document = document;
+    InputCheck(level).check(*solution, *document, problems);
+    for (RecordedChange const& change : solution->changes) {
+        if (auto const fault = faultIn(registry, change)) {
+            addProblem(problems,
+                       [&] { return document->diagnostic(change.path, fault->message, fault->expected); });
+        }
+    }
+    problems.throwIfAny();
+    return *solution;
+}
+
+} // namespace trembler

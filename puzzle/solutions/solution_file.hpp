@@ -1,0 +1,17 @@
+// A solution by name from its level, or from a file of its own.
+#pragma once
+
+#include "runtime/level/model/level.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <string>
+
+namespace trembler {
+
+/// The solution of that name in the level; else the file of that name, which holds one solution as a level
+/// file would. Throws InputError, or std::invalid_argument, listing the level's solutions, if there is
+/// neither.
+[[nodiscard]] Solution findOrLoadSolution(Registry const& registry, LevelFile const& level,
+                                          std::string const& nameOrFile);
+
+} // namespace trembler

@@ -1,0 +1,102 @@
+#include "puzzle/solutions/verify.hpp"
+
+#include "puzzle/run/runner.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <fmt/format.h>
+
+namespace trembler {
+namespace {
+
+constexpr std::uint64_t handsOffFrames = 3600;
+constexpr std::uint64_t solutionFrames = 3600;
+
+RunReport runOnce(Workshop const& workshop, LevelFile const& level, Solution const* solution, int threads) {
+    WorldOptions options;
+    options.threads = threads;
+    options.detail = level.detail;
+    Session session(workshop.registry, workshop.parts, level, options);
+    RunOptions run;
+    run.frames = handsOffFrames;
+    if (solution != nullptr) {
+        session.load(*solution);
+        run.frames = solution->frames ? static_cast<std::uint64_t>(*solution->frames) : solutionFrames;
+    }
+    run.hashEvery = 60;
+    run.stopWhenSolved = solution == nullptr || (solution->solves && !solution->frames);
+    return trembler::run(session, "", run);
+}
+
+void addWarnings(std::vector<std::string>& failures, std::string const& name, RunReport const& report) {
+    for (std::string const& warning : report.warnings) {
+        failures.push_back(fmt::format("{}: {}", name, warning));
+    }
+}
+
+bool sameHashes(RunReport const& a, RunReport const& b) {
+    if (a.hashes.size() != b.hashes.size() || a.stateHash != b.stateHash) {
+        return false;
+    }
+    for (std::size_t i = 0; i < a.hashes.size(); ++i) {
+        if (a.hashes[i].hash != b.hashes[i].hash) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::path const& path,
+                                     std::map<std::string, std::string> const& detail) {
+    std::vector<std::string> failures;
+    std::string const name = workshop.shortName(path);
+    try {
+        LevelFile level = loadLevel(workshop.registry, path);
+        for (auto const& [effect, name] : detail) {
+            level.detail[effect] = name;
+        }
+        if (level.goals.is_null()) {
+            failures.push_back(fmt::format("{}: it has no goals", name));
+        }
+        if (level.solutions.empty()) {
+            failures.push_back(fmt::format("{}: no solution is recorded", name));
+        }
+        RunReport const handsOff = runOnce(workshop, level, nullptr, 1);
+        addWarnings(failures, name, handsOff);
+        if (handsOff.solved && !level.demonstration) {
+            failures.push_back(fmt::format("{}: solved by an empty toolbox, in frame {}", name,
+                                           handsOff.solvedFrame.value_or(0)));
+        }
+        if (!handsOff.solved && level.demonstration) {
+            failures.push_back(
+                fmt::format("{}: a demonstration, but hands off it does not reach its goals", name));
+        }
+        if (!sameHashes(handsOff, runOnce(workshop, level, nullptr, 3))) {
+            failures.push_back(fmt::format("{}: hands off, 1 and 3 threads end in different states", name));
+        }
+        for (Solution const& solution : level.solutions) {
+            RunReport const report = runOnce(workshop, level, &solution, 1);
+            addWarnings(failures, fmt::format("{}: solution '{}'", name, solution.name), report);
+            if (report.solved != solution.solves) {
+                failures.push_back(
+                    fmt::format("{}: solution '{}' was recorded as {} but {}", name, solution.name,
+                                solution.solves ? "solving the level" : "not solving the level",
+                                report.solved ? "solves it" : "does not"));
+            }
+            if (!sameHashes(report, runOnce(workshop, level, &solution, 2))) {
+                failures.push_back(fmt::format(
+                    "{}: solution '{}' ends in different states on 1 and 2 threads", name, solution.name));
+            }
+        }
+    } catch (InputError const& error) {
+        for (Diagnostic const& diagnostic : error.diagnostics()) {
+            failures.push_back(diagnostic.print());
+        }
+    } catch (std::exception const& error) {
+        failures.push_back(fmt::format("{}: {}", name, error.what()));
+    }
+    return failures;
+}
+
+} // namespace trembler

@@ -1,0 +1,82 @@
+// What drawing looks at in an object: its properties, whether it stands in a world or is still a part on the
+// shelf.
+#pragma once
+
+#include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/magnetism/properties.hpp"
+#include "render/scene/facts/appearance.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/world/world.hpp"
+
+namespace trembler::render {
+
+/// Null or false where the object lacks the property. Pointers are valid until the world changes.
+struct Facts {
+    ObjectId id; ///< invalid for a part that is in no world
+    Position const* position = nullptr;
+    Rotation const* rotation = nullptr;
+    Shape const* shape = nullptr;
+    bool fixed = false;
+    bool liquid = false;
+    bool conductor = false;
+    bool source = false;
+    bool earth = false; ///< the return of a network
+    bool device = false;
+    bool on = false; ///< it is part of a working circuit
+    MagneticPoles const* poles = nullptr;
+    Magnet const* magnet = nullptr;
+    MagneticStrength const* strength = nullptr;
+    Electromagnet const* coil = nullptr;
+    MadeOf const* madeOf = nullptr;
+    Look const* look = nullptr;
+    Substance substance = Substance::plastic; ///< as stated, else guessed
+
+    /// It is shown by a symbol alone: it conducts but has no body.
+    [[nodiscard]] bool symbolOnly() const {
+        return shape == nullptr && (source || earth || conductor || device);
+    }
+    /// There is something of it to be seen at a place.
+    [[nodiscard]] bool visible() const { return position != nullptr && (shape != nullptr || symbolOnly()); }
+    /// Share of a magnet's strength that acts, 0 to 1.
+    [[nodiscard]] double magnetLevel() const {
+        return magnet != nullptr ? magnet->level : (coil != nullptr ? 0.0 : 1.0);
+    }
+};
+
+/// Finds the columns once, so that asking for many objects is cheap. Valid until the world gains a new kind
+/// of property; make one per picture.
+class FactsReader {
+public:
+    explicit FactsReader(World const& world);
+    [[nodiscard]] Facts of(ObjectId id) const;
+    /// Every object of which there is something to see, from bottom to top: liquids, then fixed ones, then
+    /// those that move, then symbols; in the order of ids within each.
+    [[nodiscard]] std::vector<Facts> drawOrder() const;
+
+private:
+    Column<Position> const* positions_;
+    Column<Rotation> const* rotations_;
+    Column<Shape> const* shapes_;
+    Column<Fixed> const* fixed_;
+    Column<Liquid> const* liquids_;
+    Column<Conductor> const* conductors_;
+    Column<ElectricalSource> const* sources_;
+    Column<ElectricalReturn> const* returns_;
+    Column<ElectricalDevice> const* devices_;
+    Column<MagneticPoles> const* poles_;
+    Column<Magnet> const* magnets_;
+    Column<MagneticStrength> const* strengths_;
+    Column<Electromagnet> const* coils_;
+    ElectricalState const* state_;
+    Column<MadeOf> const* madeOf_;
+    Column<Look> const* looks_;
+};
+
+/// The same of a part that is not in any world; it lies at the origin unless its values say otherwise.
+[[nodiscard]] Facts factsOf(Prototype const& prototype);
+
+} // namespace trembler::render

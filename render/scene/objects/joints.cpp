@@ -1,0 +1,147 @@
+#include "render/scene/objects/joints.hpp"
+
+#include "physics/dynamics/properties/joint_anchors.hpp"
+#include "render/draw/path.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
+#include "render/scene/objects/joint_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace trembler::render {
+namespace {
+
+constexpr int ropePieces = 24;
+
+} // namespace
+
+std::optional<JointPlaces> placesOf(World const& world, FactsReader const& reader, ObjectId joint,
+                                    PoseOf const& poseOf) {
+    Joint const* const stated = world.find<Joint>(joint);
+    Facts const a = stated == nullptr ? Facts{} : reader.of(stated->a);
+    if (a.position == nullptr) {
+        return std::nullopt;
+    }
+    JointPlaces places;
+    places.toWorld = !stated->b.valid();
+    Pose frameB;
+    if (!places.toWorld) {
+        Facts const b = reader.of(stated->b);
+        if (b.position == nullptr) {
+            return std::nullopt;
+        }
+        frameB = poseOf(b);
+    }
+    Pose const frameA = poseOf(a);
+    places.angleA = frameA.angle;
+    places.angleB = frameB.angle;
+    if (JointAnchors const* const anchors = world.find<JointAnchors>(joint); anchors != nullptr) {
+        places.a = toWorld(frameA, toPoint(anchors->onA));
+        places.b = toWorld(frameB, toPoint(anchors->onB));
+        places.axis = toWorld({{}, frameB.angle}, toPoint(anchors->axis));
+        places.length = anchors->length;
+        return places;
+    }
+    // Before the first frame the places are still where the level states them.
+    bool const twoEnds = stated->form == JointForm::distance || stated->form == JointForm::rope ||
+                         stated->form == JointForm::spring || stated->form == JointForm::pulley;
+    places.a = toPoint(stated->at);
+    places.b = toPoint(twoEnds ? stated->atB : stated->at);
+    double const size = length(stated->axis);
+    places.axis = size > 0 ? toPoint(stated->axis / size) : Point{1, 0};
+    places.length = stated->length;
+    return places;
+}
+
+std::vector<Point> ropePath(Point from, Point to, double length) {
+    double const span = render::length(to - from);
+    if (!(length > 1.001 * span)) {
+        return {from, to};
+    }
+    // The deeper a parabola hangs, the longer it is: halve the interval until it is as long as the rope.
+    double shallow = 0;
+    double deep = length;
+    for (int i = 0; i < 24; ++i) {
+        double const sag = 0.5 * (shallow + deep);
+        (pathLength(hangingWire(from, to, sag, ropePieces)) < length ? shallow : deep) = sag;
+    }
+    return hangingWire(from, to, 0.5 * (shallow + deep), ropePieces);
+}
+
+void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf) {
+    auto const* const joints = world.store().findColumn<Joint>();
+    if (joints == nullptr) {
+        return;
+    }
+    for (ObjectId const id : joints->owners()) {
+        Joint const& joint = (*joints)[id];
+        auto const places = placesOf(world, reader, id, poseOf);
+        if (!places) {
+            continue;
+        }
+        if (joint.form == JointForm::gear) {
+            auto const pinA = placesOf(world, reader, joint.jointA, poseOf);
+            auto const pinB = placesOf(world, reader, joint.jointB, poseOf);
+            if (pinA && pinB) {
+                drawGearPitch(canvas, pinA->a, pinB->a, joint.ratio);
+            }
+            continue;
+        }
+        drawJoint(canvas, joint, *places);
+    }
+}
+
+double distanceToJoint(Joint const& joint, JointPlaces const& places, Point at) {
+    std::vector<Point> line;
+    switch (joint.form) {
+    case JointForm::rope:
+        line = ropePath(places.a, places.b, places.length);
+        break;
+    case JointForm::distance:
+    case JointForm::spring:
+        line = {places.a, places.b};
+        break;
+    case JointForm::pulley:
+        line = {places.a, toPoint(joint.groundA), toPoint(joint.groundB), places.b};
+        break;
+    case JointForm::hinge:
+    case JointForm::weld:
+    case JointForm::slider:
+    case JointForm::wheel:
+        return length(at - places.a) - pinRadius;
+    case JointForm::gear:
+        return std::numeric_limits<double>::infinity();
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        Point const along = line[i] - line[i - 1];
+        double const t =
+            std::clamp(dot(at - line[i - 1], along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
+        least = std::min(least, length(at - line[i - 1] - t * along));
+    }
+    return least;
+}
+
+ObjectId pickJoint(World const& world, Point at, double tolerance) {
+    auto const* const joints = world.store().findColumn<Joint>();
+    ObjectId nearest;
+    double least = tolerance;
+    if (joints == nullptr) {
+        return nearest;
+    }
+    FactsReader const reader(world);
+    for (ObjectId const id : joints->owners()) {
+        auto const places =
+            placesOf(world, reader, id, [](Facts const& facts) { return render::poseOf(facts); });
+        double const distance =
+            places ? distanceToJoint((*joints)[id], *places, at) : std::numeric_limits<double>::infinity();
+        if (distance <= least) {
+            least = distance;
+            nearest = id;
+        }
+    }
+    return nearest;
+}
+
+} // namespace trembler::render

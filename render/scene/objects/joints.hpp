@@ -1,0 +1,38 @@
+// What ties bodies together: pins, rods, ropes, springs, pulleys, rails and gears.
+#pragma once
+
+#include "physics/dynamics/properties/joint.hpp"
+#include "render/draw/canvas.hpp"
+#include "render/scene/objects/wires.hpp"
+
+#include <optional>
+
+namespace trembler::render {
+
+/// Where a joint holds its two objects at present, in the world.
+struct JointPlaces {
+    Point a;
+    Point b;
+    double angleA = 0;    ///< rad, of object a
+    double angleB = 0;    ///< rad, of object b; 0 for the world
+    Point axis{1, 0};     ///< unit, as it lies now (slider, wheel)
+    double length = 0;    ///< m, of a rope at full stretch, of a spring at rest; 0: not known
+    bool toWorld = false; ///< there is no object b
+};
+
+/// Nothing if the joint, or an object that it ties, is gone or has no place.
+[[nodiscard]] std::optional<JointPlaces> placesOf(World const& world, FactsReader const& reader,
+                                                  ObjectId joint, PoseOf const& poseOf);
+
+/// A rope of a length between two points: straight if taut, else sagging as a parabola of that length.
+[[nodiscard]] std::vector<Point> ropePath(Point from, Point to, double length);
+
+/// Draws all joints of the world.
+void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf);
+
+/// Distance in metres from a point to what is drawn of a joint.
+[[nodiscard]] double distanceToJoint(Joint const& joint, JointPlaces const& places, Point at);
+/// The joint that is drawn within `tolerance` metres of a point; invalid if there is none.
+[[nodiscard]] ObjectId pickJoint(World const& world, Point at, double tolerance);
+
+} // namespace trembler::render

@@ -1,0 +1,200 @@
+#include "render/scene/objects/wires.hpp"
+
+#include "render/draw/path.hpp"
+#include "render/scene/facts/pick.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
+#include "render/scene/objects/body.hpp"
+#include "render/scene/objects/device.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler::render {
+namespace {
+
+constexpr double cableSag = 0.13;      // of the distance across
+constexpr double cableWidth = 0.045;   // m
+constexpr double beadSpacing = 0.16;   // m
+constexpr double beadsPerSecond = 4.5; // how many pass a point
+
+constexpr std::uint32_t unreached = 0xffffffffU;
+
+// How many live connections lie between each object and the nearest of the ends given. Current runs from
+// where the source is near to where the return is near: exact for chains, and a sensible way round for
+// anything else.
+std::vector<std::uint32_t> hopsFrom(FactsReader const& reader, Column<ElectricityGraph> const& graph,
+                                    ElectricalState const& state, bool fromSource) {
+    std::vector<std::uint32_t> hops;
+    std::vector<ObjectId> queue;
+    auto const reach = [&](ObjectId id, std::uint32_t distance) {
+        hops.resize(std::max<std::size_t>(hops.size(), id.index + std::size_t{1}), unreached);
+        if (hops[id.index] == unreached) {
+            hops[id.index] = distance;
+            queue.push_back(id);
+        }
+    };
+    for (ObjectId const id : graph.owners()) {
+        Facts const facts = reader.of(id);
+        if (state.isOn(id) && (fromSource ? facts.source : facts.earth)) {
+            reach(id, 0);
+        }
+    }
+    std::size_t next = 0;
+    while (next < queue.size()) { // it grows meanwhile
+        ObjectId const from = queue[next++];
+        std::uint32_t const distance = hops[from.index];
+        for (auto const& connection : graph[from].connections) {
+            if (state.isOn(connection.to)) {
+                reach(connection.to, distance + 1);
+            }
+        }
+    }
+    return hops;
+}
+
+double potential(std::vector<std::uint32_t> const& fromSource, std::vector<std::uint32_t> const& fromReturn,
+                 ObjectId id) {
+    auto const at = [&](std::vector<std::uint32_t> const& hops) {
+        return id.index < hops.size() && hops[id.index] != unreached ? static_cast<double>(hops[id.index])
+                                                                     : 1e9;
+    };
+    return at(fromReturn) / std::max(at(fromSource) + at(fromReturn), 1.0);
+}
+
+// A rectangle that the whole cable between two objects lies in.
+Extent cableReach(Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB) {
+    Extent around = extentOf(a, poseA);
+    around.add(extentOf(b, poseB));
+    return around.widened(around.empty() ? 0 : 2 * cableSag * around.half().x + cableWidth);
+}
+
+void drawEnd(Canvas& canvas, Facts const& facts, Point at, bool live) {
+    if (facts.shape == nullptr || facts.coil != nullptr) {
+        return; // signs need none, windings have their own
+    }
+    canvas.circle({at, 0}, std::min(0.85 * cableWidth, 0.45 * innerSize(facts)),
+                  {.material = Material::Copper,
+                   .tint = live ? mix(palette::copper, palette::live, 0.5F) : palette::copper,
+                   .outline = 1.2F,
+                   .height = 0.3F});
+}
+
+} // namespace
+
+std::vector<Link> linksOf(World const& world) {
+    std::vector<Link> links;
+    auto const* const graph = world.store().findColumn<ElectricityGraph>();
+    if (graph == nullptr || graph->empty()) {
+        return links;
+    }
+    auto const* const state = world.find<ElectricalState>();
+    std::vector<std::uint32_t> fromSource;
+    std::vector<std::uint32_t> fromReturn;
+    if (state != nullptr) {
+        FactsReader const reader(world);
+        fromSource = hopsFrom(reader, *graph, *state, true);
+        fromReturn = hopsFrom(reader, *graph, *state, false);
+    }
+    for (std::size_t row = 0; row < graph->size(); ++row) {
+        ObjectId const a = graph->owners()[row];
+        for (auto const& connection : graph->values()[row].connections) {
+            if (a < connection.to && world.store().alive(connection.to)) {
+                Link link{a, connection.to, connection.counts};
+                link.live = state != nullptr && state->isOn(link.a) && state->isOn(link.b);
+                link.forward =
+                    potential(fromSource, fromReturn, link.a) >= potential(fromSource, fromReturn, link.b);
+                links.push_back(link);
+            }
+        }
+    }
+    return links;
+}
+
+std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB) {
+    Point const from = terminalOf(a, poseA, poseB.at);
+    Point const to = terminalOf(b, poseB, from);
+    Point const start = terminalOf(a, poseA, to);
+    // A cable a tenth longer than the way across hangs about this deep; what hangs straight down does not
+    // sag.
+    Point const across = to - start;
+    double const sag = cableSag * std::abs(across.x);
+    double const parts = std::clamp(length(across) / 0.08, 6.0, 28.0);
+    // A simulation that has come apart has no lengths.
+    return hangingWire(start, to, sag, std::isfinite(parts) ? static_cast<int>(parts) : 6);
+}
+
+void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
+               PoseOf const& poseOf, double time) {
+    Extent const view = viewOf(canvas.camera());
+    for (Link const& link : links) {
+        Facts const a = reader.of(link.a);
+        Facts const b = reader.of(link.b);
+        if (link.counts.of(CallerId::level()) <= 0 || !a.visible() || !b.visible()) {
+            continue;
+        }
+        Pose const poseA = poseOf(a);
+        Pose const poseB = poseOf(b);
+        if (!cableReach(a, poseA, b, poseB).widened(canvas.metres(20)).overlaps(view)) {
+            continue;
+        }
+        std::vector<Point> path = cablePath(a, poseA, b, poseB);
+        Stroke cable{.colour = link.live ? mix(palette::deadWire, palette::live, 0.75F) : palette::deadWire,
+                     .width = cableWidth,
+                     .pixels = 2.F,
+                     .outline = 1.2F,
+                     .round = true,
+                     .height = 0.9F};
+        if (cableWidth < canvas.metres(2)) { // seen from afar it is only a line
+            cable.outline = 0;
+            cable.round = false;
+            cable.height = 0;
+        }
+        if (link.live) {
+            cable.glow = {palette::live, 0.13, 0.75F};
+        }
+        canvas.polyline(path, cable);
+        if (link.live) {
+            if (!link.forward) {
+                std::reverse(path.begin(), path.end());
+            }
+            canvas.beads(path, beadSpacing, time * beadsPerSecond, 0.55 * cableWidth, palette::liveCore);
+            if (!link.forward) {
+                std::reverse(path.begin(), path.end());
+            }
+        }
+        drawEnd(canvas, a, path.front(), link.live);
+        drawEnd(canvas, b, path.back(), link.live);
+    }
+}
+
+Link pickWire(World const& world, Point at, double tolerance) {
+    FactsReader const reader(world);
+    Link nearest;
+    double least = tolerance;
+    for (Link const& link : linksOf(world)) {
+        Facts const a = reader.of(link.a);
+        Facts const b = reader.of(link.b);
+        if (link.counts.of(CallerId::level()) <= 0 || !a.visible() || !b.visible()) {
+            continue;
+        }
+        Pose const poseA = poseOf(a);
+        Pose const poseB = poseOf(b);
+        if (!cableReach(a, poseA, b, poseB).widened(tolerance).contains(at)) {
+            continue;
+        }
+        std::vector<Point> const path = cablePath(a, poseA, b, poseB);
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            Point const along = path[i] - path[i - 1];
+            double const t =
+                std::clamp(dot(at - path[i - 1], along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
+            double const distance = length(at - path[i - 1] - t * along) - 0.5 * cableWidth;
+            if (distance <= least) {
+                least = distance;
+                nearest = link;
+            }
+        }
+    }
+    return nearest;
+}
+
+} // namespace trembler::render

@@ -1,0 +1,42 @@
+// Electrical connections without a body of their own: cables between objects, lit and in motion where current
+// flows.
+#pragma once
+
+#include "physics/electricity/properties/graph.hpp"
+#include "render/draw/canvas.hpp"
+#include "render/scene/facts/poses.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace trembler::render {
+
+/// One connection between two objects.
+struct Link {
+    ObjectId a; ///< a < b
+    ObjectId b;
+    CallerCounts counts; ///< by whom they are connected
+    bool live = false;   ///< current flows through it
+    bool forward = true; ///< the way it flows: from a to b
+};
+
+/// All connections of a world's electricity graph, ascending by pair. Empty where there is no electricity.
+[[nodiscard]] std::vector<Link> linksOf(World const& world);
+
+/// Answers where an object is drawn.
+using PoseOf = std::function<Pose(Facts const&)>;
+
+/// The line along which a cable hangs between two objects, from a to b.
+[[nodiscard]] std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b,
+                                           Pose const& poseB);
+
+/// Draws every wire that the level has laid; what interactions connect is not drawn. `time` in s moves the
+/// beads of current.
+void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
+               PoseOf const& poseOf, double time);
+
+/// The wire, laid by the level, whose cable runs within `tolerance` metres of a point; both ids are invalid
+/// if there is none.
+[[nodiscard]] Link pickWire(World const& world, Point at, double tolerance);
+
+} // namespace trembler::render

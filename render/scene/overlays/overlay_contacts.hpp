@@ -1,0 +1,21 @@
+// Where bodies touch.
+#pragma once
+
+#include "render/draw/canvas.hpp"
+#include "render/scene/facts/poses.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
+
+#include <vector>
+
+namespace trembler::render {
+
+/// Where two placed shapes are nearest to each other: one point, or two at the ends of a line along which
+/// they touch (within 5 mm). Points in the middle between the two edges, in the world.
+[[nodiscard]] std::vector<Point> touchingPoints(Shape const& a, Pose const& poseA, Shape const& b,
+                                                Pose const& poseB);
+
+/// Points with normals and, by their length, impulses where somebody computes them; otherwise a mark between
+/// every pair that touches.
+void drawContacts(Canvas& canvas, World const& world);
+
+} // namespace trembler::render

@@ -1,0 +1,16 @@
+// The electricity graph over the scene, as the thesis draws it into its screen-shots (Figure 6-3).
+#pragma once
+
+#include "render/scene/objects/wires.hpp"
+
+namespace trembler::render {
+
+/// Vertices with their part in a network (source, return, device), wires as solid lines, contacts as dashed
+/// ones; what current flows through is lit and arrows tell which way.
+void drawElectricity(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
+                     PoseOf const& poseOf);
+
+/// Lays thin paper over everything that was drawn before, so that a diagram on top can be read.
+void drawVeil(Canvas& canvas, float alpha);
+
+} // namespace trembler::render

@@ -1,0 +1,319 @@
+#include "runtime/level/build/build_world.hpp"
+
+#include "runtime/level/build/joint_names.hpp"
+#include "runtime/level/build/lay_connections.hpp"
+#include "runtime/level/build/references.hpp"
+#include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/json/suggestion.hpp"
+#include "runtime/object/without.hpp"
+#include "runtime/placement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace trembler {
+namespace {
+
+/// An object about to be created, and where its properties come from.
+struct Made {
+    std::string name;
+    PartDefinition const* part = nullptr;
+    PropertySet properties;           ///< effective
+    std::vector<std::string> without; ///< keys that it is stated not to have, ascending
+    PropertySet const* own = nullptr;
+    std::string path;     ///< in the level's file
+    bool inEntry = false; ///< its properties stand directly in its entry: joints and the world
+    bool isPlacement = false;
+    ObjectId id;
+};
+
+std::optional<std::string> faultOf(ObjectId id, std::span<ObjectFault const> ascending) {
+    auto const found =
+        std::lower_bound(ascending.begin(), ascending.end(), id,
+                         [](ObjectFault const& fault, ObjectId wanted) { return fault.object < wanted; });
+    return found != ascending.end() && found->object == id ? std::optional(found->text) : std::nullopt;
+}
+
+class Builder {
+public:
+    Builder(Registry const& registry, LevelFile const& level, PartLibrary const& library, Problems& problems)
+        : registry_(registry), level_(level), library_(library), problems_(problems) {}
+
+    void addWorld() {
+        Made made; // always there, so that ids do not depend on what the level states about it
+        made.name = "world";
+        made.properties = effectiveProperties({}, level_.world);
+        made.own = &level_.world;
+        made.path = "/world";
+        made.inEntry = true;
+        made_.push_back(std::move(made));
+    }
+
+    void addObjects() {
+        std::vector<LevelObject const*> sorted;
+        for (LevelObject const& object : level_.objects) {
+            sorted.push_back(&object);
+        }
+        std::sort(sorted.begin(), sorted.end(),
+                  [](LevelObject const* a, LevelObject const* b) { return a->name < b->name; });
+        for (LevelObject const* object : sorted) {
+            Made made;
+            made.name = object->name;
+            made.own = &object->properties;
+            made.path = object->path;
+            if (!object->part.empty()) {
+                made.part = library_.find(object->part);
+                if (made.part == nullptr) {
+                    problem(object->path.empty() ? "" : object->path + "/part",
+                            fmt::format("there is no part '{}'{}", object->part,
+                                        didYouMean(object->part, library_.names())),
+                            listed(library_.names()));
+                    continue;
+                }
+            }
+            PropertySet const part = made.part == nullptr ? PropertySet() : made.part->properties;
+            made.properties = effectiveProperties(part, object->properties);
+            made.without = statedAbsent(part, object->properties);
+            made_.push_back(std::move(made));
+        }
+    }
+
+    void addJoints() {
+        std::vector<std::string> const names = jointNames(level_);
+        std::vector<std::size_t> order(names.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return names[a] < names[b]; });
+        for (std::size_t const i : order) {
+            Made made;
+            made.name = names[i];
+            made.own = &level_.joints[i].properties;
+            made.properties = level_.joints[i].properties;
+            made.path = level_.joints[i].path;
+            made.inEntry = true;
+            made_.push_back(std::move(made));
+        }
+    }
+
+    void addPlacements(std::span<Placement const> placements) {
+        std::vector<Placement> const sorted = inCanonicalOrder(placements);
+        std::vector<std::string> const names = placementNames(level_, placements);
+        PlacementCount count(level_, library_);
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            Placement const& placement = sorted[i];
+            if (auto const refusal = count.add(placement)) {
+                problem(placement.path, *refusal, "a placement that the level allows");
+                continue;
+            }
+            Made made;
+            made.name = names[i];
+            made.part = library_.find(placement.part);
+            made.properties = effectiveProperties(made.part->properties, {});
+            made.without = statedAbsent(made.part->properties, {});
+            made.properties.set(Position{placement.at});
+            made.properties.set(Rotation{placement.angle});
+            made.path = placement.path;
+            made.isPlacement = true;
+            made_.push_back(std::move(made));
+        }
+    }
+
+    void checkToolbox() {
+        for (ToolboxEntry const& entry : level_.toolbox) {
+            if (library_.find(entry.part) == nullptr) {
+                problem(entry.path.empty() ? "" : entry.path + "/part",
+                        fmt::format("there is no part '{}'{}", entry.part,
+                                    didYouMean(entry.part, library_.names())),
+                        listed(library_.names()));
+            }
+        }
+    }
+
+    void create(Store& store) {
+        for (PartDefinition const* part : library_.all()) {
+            store.prototypes().add(part->prototype());
+        }
+        for (Made& made : made_) {
+            if (store.find(made.name).valid()) {
+                problem(made.path, fmt::format("the name '{}' is taken", made.name), "a name of its own");
+                continue;
+            }
+            made.id = store.create(made.name);
+        }
+        for (Made& made : made_) {
+            if (made.id.valid()) {
+                furnish(store, made);
+            }
+        }
+    }
+
+    void checkRules(Store const& store) {
+        std::span<ObjectRule const> const rules = registry_.rules();
+        std::vector<std::vector<ObjectFault>> atOnce(rules.size());
+        for (std::size_t i = 0; i < rules.size(); ++i) {
+            if (rules[i].checkAll != nullptr && store.findColumn(*rules[i].property) != nullptr) {
+                atOnce[i] = rules[i].checkAll(store);
+            }
+        }
+        for (Made const& made : made_) {
+            if (!made.id.valid()) {
+                continue;
+            }
+            for (std::size_t i = 0; i < rules.size(); ++i) {
+                PropertyInfo const& property = *rules[i].property;
+                ColumnBase const* const column = store.findColumn(property);
+                if (column == nullptr || !column->has(made.id)) {
+                    continue;
+                }
+                std::optional<std::string> const broken = rules[i].checkAll != nullptr
+                                                              ? faultOf(made.id, atOnce[i])
+                                                              : rules[i].check(store, made.id);
+                if (broken) {
+                    propertyProblem(made, property, "", fmt::format("{}: {}", made.name, *broken), "");
+                }
+            }
+        }
+    }
+
+    void checkOverlaps(Store const& store, OverlapTest const& overlap) {
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            for (std::size_t j = 0; made_[i].isPlacement && j < i; ++j) {
+                if (made_[i].id.valid() && made_[j].id.valid() && overlap(store, made_[i].id, made_[j].id)) {
+                    problem(made_[i].path, fmt::format("'{}' overlaps '{}'", made_[i].name, made_[j].name),
+                            "a place where it is free");
+                }
+            }
+        }
+    }
+
+private:
+    void problem(std::string path, std::string message, std::string expected) {
+        addProblem(problems_, [&] {
+            return level_.diagnostic(std::move(path), std::move(message), std::move(expected));
+        });
+    }
+
+    /// A problem with an object's property, where that is stated: in the object's entry or in its part's
+    /// file.
+    void propertyProblem(Made const& made, PropertyInfo const& info, std::string const& inside,
+                         std::string message, std::string expected) {
+        std::string const key(info.text.key);
+        bool const own = made.own != nullptr && made.own->states(info);
+        if (!own && made.part != nullptr && made.part->document && made.part->properties.states(info)) {
+            JsonDocument const& document = *made.part->document;
+            bool const beside = document.root().contains(key);
+            addProblem(problems_, [&] {
+                return document.diagnostic(pointerTo(beside ? "" : "/properties", key) + inside,
+                                           std::move(message), std::move(expected));
+            });
+            return;
+        }
+        std::string path = made.path;
+        if (!path.empty() && !made.isPlacement && key != "joint") {
+            bool const direct = made.inEntry || info.text.place != PropertyPlace::properties;
+            path = pointerTo(direct ? path : path + "/properties", key);
+        }
+        problem(path + inside, std::move(message), std::move(expected));
+    }
+
+    void furnish(Store& store, Made& made) {
+        for (PropertySet::Entry const& entry : made.properties.entries()) {
+            auto const value = entry.value->clone();
+            for (DanglingReference const& dangling : resolveReferences(*value, level_.names, store)) {
+                if (!problems_.hasRoom()) { // looking for what may have been meant costs a walk through all
+                    problems_.countOne();
+                    continue;
+                }
+                propertyProblem(made, *entry.info, dangling.path,
+                                fmt::format("there is no object '{}'{}", dangling.name,
+                                            didYouMean(dangling.name, objectNames())),
+                                "the name of an object of this level");
+            }
+            value->assignTo(store.column(*entry.info), made.id);
+        }
+        if (!made.without.empty()) {
+            store.column<Without>().set(made.id, {made.without});
+        }
+    }
+
+    [[nodiscard]] std::vector<std::string> objectNames() const {
+        std::vector<std::string> names;
+        for (Made const& made : made_) {
+            names.push_back(made.name);
+        }
+        return names;
+    }
+
+    Registry const& registry_;
+    LevelFile const& level_;
+    PartLibrary const& library_;
+    Problems& problems_;
+    std::vector<Made> made_;
+};
+
+} // namespace
+
+PropertySet effectiveProperties(PropertySet const& part, PropertySet const& own) {
+    PropertySet all = part;
+    for (PropertySet::Entry const& entry : own.entries()) {
+        if (entry.value) {
+            all.set(entry.value->clone());
+        } else {
+            all.erase(*entry.info);
+        }
+    }
+    PropertySet present;
+    for (PropertySet::Entry const& entry : all.entries()) {
+        if (entry.value) {
+            present.set(entry.value->clone());
+        }
+    }
+    return present;
+}
+
+std::vector<std::string> statedAbsent(PropertySet const& part, PropertySet const& own) {
+    std::vector<std::string> keys;
+    for (PropertySet::Entry const& entry : part.entries()) {
+        if (!entry.value && !own.states(*entry.info)) {
+            keys.emplace_back(entry.info->text.key);
+        }
+    }
+    for (PropertySet::Entry const& entry : own.entries()) {
+        if (!entry.value) {
+            keys.emplace_back(entry.info->text.key);
+        }
+    }
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
+std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& level,
+                                  PartLibrary const& library, std::span<Placement const> placements,
+                                  WorldOptions options, OverlapTest const& overlap) {
+    Problems problems;
+    Builder builder(registry, level, library, problems);
+    builder.addWorld();
+    builder.addObjects();
+    builder.addJoints();
+    builder.addPlacements(placements);
+    builder.checkToolbox();
+    for (auto const& [effect, detail] : level.detail) {
+        options.detail.try_emplace(effect, detail);
+    }
+    auto world = std::make_unique<World>(registry, std::move(options));
+    builder.create(world->store());
+    problems.throwIfAny(); // rules may assume that references are good
+    builder.checkRules(world->store());
+    layConnections(registry, level, world->store(), problems);
+    problems.throwIfAny(); // and the completions, that rules are kept
+    world->start();
+    if (overlap) {
+        builder.checkOverlaps(world->store(), overlap);
+        problems.throwIfAny();
+    }
+    return world;
+}
+
+} // namespace trembler

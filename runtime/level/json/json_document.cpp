@@ -1,0 +1,225 @@
+#include "runtime/level/json/json_document.hpp"
+
+#include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/json/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+namespace trembler {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Builds the tree. Unlike the library's own builder it notices keys that stand twice and gives up in time.
+class TreeBuilder : public nlohmann::json_sax<Json> {
+public:
+    struct Flaw {
+        std::string path;
+        std::string message;
+        std::string expected;
+        std::optional<std::size_t> offset;
+        Spot spot = Spot::value;
+    };
+    [[nodiscard]] Json take() { return std::move(root_); }
+    [[nodiscard]] std::vector<Flaw> const& flaws() const { return flaws_; }
+
+    bool null() override { return put(nullptr); }
+    bool boolean(bool value) override { return put(value); }
+    bool number_integer(number_integer_t value) override { return put(value); }
+    bool number_unsigned(number_unsigned_t value) override { return put(value); }
+    bool number_float(number_float_t value, string_t const&) override { return put(value); }
+    bool string(string_t& value) override { return put(std::move(value)); }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override {
+        Level& level = open_.back();
+        level.key = name;
+        if (level.node->contains(name)) {
+            if (std::string path = pathOfNext(); flaws_.empty() || flaws_.back().path != path) {
+                flaws_.push_back({std::move(path), fmt::format("the key '{}' stands here twice", name),
+                                  "every key once", std::nullopt, Spot::lastKey});
+            }
+        }
+        return flaws_.size() < Problems::most; // nobody reads on
+    }
+    bool parse_error(std::size_t position, std::string const&,
+                     nlohmann::detail::exception const& error) override {
+        // It quotes what it read, which may be no UTF-8: then nobody could print or store the message.
+        std::string const quoted = Json(error.what()).dump(-1, ' ', false, Json::error_handler_t::replace);
+        std::string message = Json::parse(quoted).get<std::string>();
+        if (std::size_t const at = message.find("syntax error"); at != std::string::npos) {
+            message = message.substr(at);
+        } else if (std::size_t const bracket = message.find("] "); bracket != std::string::npos) {
+            message = message.substr(bracket + 2);
+        }
+        std::string expected;
+        if (std::size_t const at = message.find("; expected "); at != std::string::npos) {
+            expected = message.substr(at + std::string_view("; expected ").size());
+            message.resize(at);
+        }
+        flaws_.push_back({"", message, expected, position == 0 ? 0 : position - 1, Spot::value});
+        return false;
+    }
+
+private:
+    struct Level {
+        Json* node;
+        std::string key; // of the member that comes next
+    };
+
+    [[nodiscard]] std::string pathOfNext() const {
+        std::string path;
+        for (Level const& level : open_) {
+            bool const innermost = &level == &open_.back();
+            path = level.node->is_array() ? pointerTo(path, level.node->size() - (innermost ? 0 : 1))
+                                          : pointerTo(path, level.key);
+        }
+        return path;
+    }
+    /// Whether there may be one more value; otherwise reading ends here.
+    bool mayGrow() {
+        if (++values_ > limits::values) {
+            flaws_.push_back({"", "has too many values", fmt::format("at most {}", limits::values),
+                              std::size_t{0}, Spot::value});
+            return false;
+        }
+        return true;
+    }
+    Json* place(Json value) {
+        if (open_.empty()) {
+            root_ = std::move(value);
+            return &root_;
+        }
+        Level& level = open_.back();
+        if (level.node->is_array()) {
+            level.node->push_back(std::move(value));
+            return &level.node->back();
+        }
+        Json& member = (*level.node)[level.key];
+        member = std::move(value);
+        return &member;
+    }
+    template <class T>
+    bool put(T&& value) {
+        if (!mayGrow()) {
+            return false;
+        }
+        place(Json(std::forward<T>(value)));
+        return true;
+    }
+    bool open(Json container) {
+        if (open_.size() == limits::depth) {
+            flaws_.push_back({pathOfNext(), "nested too deeply",
+                              fmt::format("at most {} lists and objects inside one another", limits::depth),
+                              std::nullopt, Spot::value});
+            return false;
+        }
+        if (!mayGrow()) {
+            return false;
+        }
+        open_.push_back({place(std::move(container)), {}});
+        return true;
+    }
+    bool close() {
+        open_.pop_back();
+        return true;
+    }
+
+    Json root_;
+    std::size_t values_ = 0;
+    std::vector<Level> open_; // pointers stay good: only the innermost container grows
+    std::vector<Flaw> flaws_;
+};
+
+[[noreturn]] void refuse(std::string file, std::string message, std::string expected) {
+    Diagnostic diagnostic;
+    diagnostic.file = std::move(file);
+    diagnostic.message = std::move(message);
+    diagnostic.expected = std::move(expected);
+    throw InputError({std::move(diagnostic)});
+}
+
+[[noreturn]] void refuseSize(std::string file, std::uintmax_t size) {
+    refuse(std::move(file), fmt::format("has {} bytes", size), fmt::format("at most {}", limits::fileSize));
+}
+
+/// Fills the text from a file, or shortens it to what there is. 0, or the errno of what went wrong.
+int readInto(std::filesystem::path const& path, std::string& text) {
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    errno = 0;
+    std::unique_ptr<std::FILE, Close> const file(std::fopen(path.c_str(), "rbe"));
+    if (!file) {
+        return errno;
+    }
+    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+    return std::ferror(file.get()) == 0 ? 0 : errno;
+}
+
+} // namespace
+
+JsonDocument::JsonDocument(std::string text, std::string file)
+    : text_(std::move(text)), file_(std::move(file)) {
+    if (text_.size() > limits::fileSize) {
+        refuseSize(file_, text_.size());
+    }
+    TreeBuilder builder;
+    bool const whole = Json::sax_parse(text_, &builder);
+    if (whole && builder.flaws().empty()) {
+        root_ = builder.take();
+        return;
+    }
+    Problems problems;
+    for (auto const& flaw : builder.flaws()) {
+        addProblem(problems, [&] {
+            Diagnostic made = diagnostic(flaw.path, flaw.message, flaw.expected, flaw.spot);
+            if (flaw.offset) {
+                TextPlace const place = placeOf(text_, *flaw.offset);
+                made.line = place.line;
+                made.column = place.column;
+            }
+            return made;
+        });
+    }
+    problems.throwIfAny();
+    refuse(file_, "is not JSON", "one JSON value");
+}
+
+std::shared_ptr<JsonDocument const> JsonDocument::parse(std::string text, std::string file) {
+    return std::shared_ptr<JsonDocument const>(new JsonDocument(std::move(text), std::move(file)));
+}
+
+std::shared_ptr<JsonDocument const> JsonDocument::load(std::filesystem::path const& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        refuse(path.string(), "is a folder", "a file");
+    }
+    std::uintmax_t const size = std::filesystem::file_size(path, error);
+    if (error) {
+        refuse(path.string(), "cannot be read: " + error.message(), "");
+    }
+    if (size > limits::fileSize) {
+        refuseSize(path.string(), size);
+    }
+    std::string text(static_cast<std::size_t>(size), '\0');
+    if (int const wrong = readInto(path, text); wrong != 0) {
+        refuse(path.string(), "cannot be read: " + std::generic_category().message(wrong), "");
+    }
+    return parse(std::move(text), path.string());
+}
+
+Diagnostic JsonDocument::diagnostic(std::string path, std::string message, std::string expected,
+                                    Spot spot) const {
+    TextPlace const place = placeOf(text_, locate(text_, path, spot));
+    return {file_, place.line, place.column, std::move(path), std::move(message), std::move(expected)};
+}
+
+} // namespace trembler

@@ -1,0 +1,130 @@
+// A level as its file states it: plain data that an editor can copy and change. Knows no physics.
+#pragma once
+
+#include "runtime/input/player_input.hpp"
+#include "runtime/level/json/json_document.hpp"
+#include "runtime/level/model/recorded_change.hpp"
+#include "runtime/level/property/name_table.hpp"
+#include "runtime/level/property/property_set.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// The version that this program writes; see migrations.hpp for how it reads older ones.
+inline constexpr int levelVersion = 2;
+
+/// An upright rectangle, in m.
+struct Box {
+    Vec2 corner; ///< lower left
+    Vec2 size;   ///< both above zero
+
+    bool operator==(Box const&) const = default;
+    [[nodiscard]] bool contains(Vec2 p) const {
+        return p.x >= corner.x && p.x <= corner.x + size.x && p.y >= corner.y && p.y <= corner.y + size.y;
+    }
+};
+
+/// A rectangle [x, y, width, height] or a polygon [[x, y], ...] of at least three corners, in m.
+struct Area {
+    std::optional<Box> box;
+    std::vector<Vec2> corners; ///< counts if there is no box; may be concave
+
+    bool operator==(Area const&) const = default;
+    /// Whether the point lies inside or on the edge of a box; inside a polygon by the even-odd rule.
+    [[nodiscard]] bool contains(Vec2 point) const;
+};
+
+/// An entry of "objects".
+struct LevelObject {
+    std::string name;
+    std::string part;       ///< name of the part definition; empty: none
+    PropertySet properties; ///< those under "properties" and those of its placement ("at", "angle_deg")
+    std::string path;       ///< in the file, for messages; empty if it came from elsewhere
+};
+
+/// An entry of "joints": an object whose property has the key "joint".
+struct LevelJoint {
+    std::string name; ///< as stated; empty: the world gives it one
+    PropertySet properties;
+    std::string path;
+};
+
+/// An entry of "connections".
+struct LevelConnection {
+    std::string a;
+    std::string b;
+    std::string path;
+    std::string kind{}; ///< as stated, for example "wire"; empty: it follows from what is connected
+};
+
+/// A part in the place where a player put it.
+struct Placement {
+    std::string part;
+    Vec2 at;          ///< m
+    double angle = 0; ///< rad
+    std::string path; ///< in the file, for messages; empty if it came from the player
+};
+
+/// An entry of "toolbox".
+struct ToolboxEntry {
+    std::string part;
+    int count = 1;
+    std::string path;
+};
+
+/// Something that the player did, by names, as there are no ids before there is a world.
+struct RecordedInput {
+    std::uint64_t frame = 1; ///< the frame that sees it, counted from 1
+    PlayerInput::Kind kind = PlayerInput::Kind::release;
+    std::string object;
+    std::string other; ///< cut: the wire's other end
+    Vec2 at;           ///< m, in the world: grab, move
+    std::string path;
+};
+
+/// A recorded run: what was placed and done, which levels and periods it had, and whether that is meant to
+/// solve the level.
+struct Solution {
+    std::string name;
+    std::vector<Placement> placements;
+    std::vector<RecordedInput> inputs;   ///< ascending by frame
+    std::vector<RecordedChange> changes; ///< ascending by frame
+    bool solves = true;                  ///< "expect": "solved" or "unsolved"
+    std::optional<int> frames;           ///< how long to run it; none: as long as whoever runs it likes
+    std::string path;
+    /// The file of its own that it was read from, for the places of problems; none: the level's.
+    std::shared_ptr<JsonDocument const> document{};
+};
+
+struct LevelFile {
+    std::string title;
+    std::string text;
+    bool demonstration = false; ///< meant to reach its goals with hands off, like the thesis's experiments
+    PropertySet world;          ///< of the one object named "world"
+    std::optional<Box> bounds;
+    std::map<std::string, std::string> detail; ///< effect -> detail level
+    std::vector<LevelObject> objects;
+    std::vector<LevelJoint> joints;
+    std::vector<LevelConnection> connections;
+    std::optional<std::vector<Area>> placing; ///< none: anywhere within the bounds
+    std::vector<ToolboxEntry> toolbox;
+    nlohmann::json goals; ///< null if there are none; the game knows what they mean
+    std::vector<std::string> hints;
+    std::vector<Solution> solutions;
+
+    NameTable names; ///< of the objects that properties refer to
+    /// The file that it was read from, for the places of problems that are found later; may be missing.
+    std::shared_ptr<JsonDocument const> document;
+
+    [[nodiscard]] LevelObject const* findObject(std::string const& name) const;
+    [[nodiscard]] Solution const* findSolution(std::string const& name) const;
+    /// A problem with the value at `path`, with its place if the level came from a file.
+    [[nodiscard]] Diagnostic diagnostic(std::string path, std::string message, std::string expected) const;
+};
+
+} // namespace trembler

@@ -1,0 +1,142 @@
+#include "runtime/level/model/part_library.hpp"
+
+#include "runtime/level/property/property_reader.hpp"
+#include "runtime/object/without.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+namespace trembler {
+namespace {
+
+/// How a part looks is a property like any other, but it stands beside the part's title.
+constexpr std::string_view lookKey = "look";
+
+} // namespace
+
+Prototype PartDefinition::prototype() const {
+    Prototype made;
+    made.name = name;
+    Without without;
+    for (PropertySet::Entry const& entry : properties.entries()) {
+        if (entry.value) {
+            made.values.push_back(entry.value->clone());
+        } else {
+            without.keys.emplace_back(entry.info->text.key); // ascending, as the entries are
+        }
+    }
+    if (!without.keys.empty()) {
+        made.values.push_back(std::make_unique<ValueOf<Without>>(std::move(without)));
+    }
+    return made;
+}
+
+void PartLibrary::add(PartDefinition part) {
+    auto const at = parts_.find(part.name);
+    if (at != parts_.end()) {
+        std::string const other = at->second.document ? at->second.document->file() : "another";
+        std::string const message = fmt::format("there is already a part '{}', in {}", part.name, other);
+        if (part.document) {
+            throw InputError({part.document->diagnostic("/name", message, "a name of its own")});
+        }
+        Diagnostic problem;
+        problem.file = "(part)";
+        problem.message = message;
+        throw InputError({std::move(problem)});
+    }
+    std::string const name = part.name;
+    parts_.emplace(name, std::move(part));
+}
+
+PartDefinition const* PartLibrary::find(std::string const& name) const {
+    auto const at = parts_.find(name);
+    return at == parts_.end() ? nullptr : &at->second;
+}
+
+std::vector<PartDefinition const*> PartLibrary::all() const {
+    std::vector<PartDefinition const*> all;
+    for (auto const& [name, part] : parts_) {
+        all.push_back(&part);
+    }
+    return all;
+}
+
+std::vector<std::string> PartLibrary::names() const {
+    std::vector<std::string> names;
+    for (auto const& [name, part] : parts_) {
+        names.push_back(name);
+    }
+    return names;
+}
+
+PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument const> const& document) {
+    Problems problems;
+    PartDefinition part;
+    part.document = document;
+    MemberReader reader(JsonNode(*document, document->root(), "", problems),
+                        "a part: an object {\"name\", \"title\", \"text\", \"look\", \"properties\"}");
+    reader.know("$schema"); // for editors
+    if (reader.valid()) {
+        if (auto const name = reader.required("name", "a name that no other part has")) {
+            part.name = name->name("a name").value_or("");
+        }
+        part.title = part.name;
+        if (auto const title = reader.optional("title")) {
+            part.title = title->name("a title").value_or("");
+        }
+        if (auto const text = reader.optional("text")) {
+            part.text = text->text().value_or("");
+        }
+        PropertyInfo const* const look = registry.objectProperty(lookKey);
+        if (look != nullptr) {
+            if (auto const node = reader.optional(std::string(lookKey))) {
+                readPropertyInto(part.properties, *look, *node, nullptr);
+            }
+        }
+        if (auto const properties = reader.optional("properties")) {
+            readProperties(part.properties, registry, PropertyPlace::properties, *properties, nullptr);
+            if (look != nullptr && reader.node().has(std::string(lookKey)) &&
+                properties->has(std::string(lookKey))) {
+                properties->complainAboutKey(std::string(lookKey), "stands here twice", "\"look\" once");
+            }
+        }
+        reader.finish();
+    }
+    problems.throwIfAny();
+    return part;
+}
+
+PartLibrary loadParts(Registry const& registry, std::filesystem::path const& folder) {
+    std::error_code error;
+    std::vector<std::filesystem::path> files;
+    for (auto at = std::filesystem::directory_iterator(folder, error);
+         !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
+        if (at->path().extension() == ".json") {
+            files.push_back(at->path());
+        }
+    }
+    Problems problems;
+    if (error) {
+        Diagnostic problem;
+        problem.file = folder.string();
+        problem.message = "the folder of parts cannot be read: " + error.message();
+        problems.add(std::move(problem));
+    }
+    std::sort(files.begin(), files.end());
+    PartLibrary library;
+    for (std::filesystem::path const& file : files) {
+        try {
+            library.add(readPart(registry, JsonDocument::load(file)));
+        } catch (InputError const& bad) {
+            for (Diagnostic const& diagnostic : bad.diagnostics()) {
+                problems.add(diagnostic);
+            }
+        }
+    }
+    problems.throwIfAny();
+    return library;
+}
+
+} // namespace trembler

@@ -1,0 +1,114 @@
+#include "runtime/level/read/check_inputs.hpp"
+
+#include "runtime/level/build/joint_names.hpp"
+#include "runtime/level/build/placing.hpp"
+#include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/json/suggestion.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace trembler {
+namespace {
+
+using Pair = std::pair<std::string, std::string>;
+
+Pair inOrder(std::string const& a, std::string const& b) {
+    return a < b ? Pair(a, b) : Pair(b, a);
+}
+
+/// The inputs of one solution, one after the other.
+class InputReader {
+public:
+    InputReader(std::set<std::string> const& names, std::set<Pair> const& wires, Solution const& solution,
+                JsonDocument const& document, Problems& problems)
+        : names_(names), wires_(wires), solution_(solution), document_(document), problems_(problems) {}
+
+    void placed(std::vector<std::string> const& names) { placed_.insert(names.begin(), names.end()); }
+
+    void read(RecordedInput const& input) {
+        readFrame(input.frame, input.path);
+        bool const known = isKnown(input.object, input.path) && isKnown(input.other, input.path);
+        if (!known || input.kind != PlayerInput::Kind::cut) {
+            return;
+        }
+        Pair const wire = inOrder(input.object, input.other);
+        auto const words = [&] { return fmt::format("between '{}' and '{}'", input.object, input.other); };
+        if (!wires_.contains(wire)) {
+            addProblem(problems_, [&] {
+                return document_.diagnostic(input.path, "there is no wire " + words(),
+                                            "a pair that stands under \"connections\"");
+            });
+        } else if (!cut_.insert(wire).second) {
+            addProblem(problems_, [&] {
+                return document_.diagnostic(input.path, "the wire " + words() + " has been cut before",
+                                            "every wire once");
+            });
+        }
+    }
+
+    void readFrame(std::uint64_t frame, std::string const& path) {
+        if (!solution_.frames || frame <= static_cast<std::uint64_t>(*solution_.frames)) {
+            return;
+        }
+        addProblem(problems_, [&] {
+            return document_.diagnostic(
+                path, fmt::format("comes in frame {}, after the last", frame),
+                fmt::format("frames from 1 to {}, as \"frames\" of the solution has it", *solution_.frames));
+        });
+    }
+
+private:
+    bool isKnown(std::string const& name, std::string const& path) {
+        bool const born = name.find(" of ") != std::string::npos; // "bullet of cannon 3"
+        if (name.empty() || born || names_.contains(name) || placed_.contains(name)) {
+            return true;
+        }
+        addProblem(problems_, [&] {
+            std::vector<std::string> known(names_.begin(), names_.end());
+            known.insert(known.end(), placed_.begin(), placed_.end());
+            return document_.diagnostic(
+                path, fmt::format("there is no object '{}'{}", name, didYouMean(name, known)),
+                "an object of the level, or one that the solution places");
+        });
+        return false;
+    }
+
+    std::set<std::string> const& names_;
+    std::set<Pair> const& wires_;
+    Solution const& solution_;
+    JsonDocument const& document_;
+    Problems& problems_;
+    std::set<std::string> placed_;
+    std::set<Pair> cut_;
+};
+
+} // namespace
+
+InputCheck::InputCheck(LevelFile const& level) : level_(level) {
+    for (LevelObject const& object : level.objects) {
+        names_.insert(object.name);
+    }
+    for (std::string& joint : jointNames(level)) {
+        names_.insert(std::move(joint));
+    }
+    for (LevelConnection const& connection : level.connections) {
+        wires_.insert(inOrder(connection.a, connection.b));
+    }
+}
+
+void InputCheck::check(Solution const& solution, JsonDocument const& document, Problems& problems) const {
+    InputReader reader(names_, wires_, solution, document, problems);
+    if (!solution.inputs.empty() && !solution.placements.empty()) {
+        reader.placed(placementNames(level_, solution.placements));
+    }
+    for (RecordedInput const& input : solution.inputs) {
+        reader.read(input);
+    }
+    for (RecordedChange const& change : solution.changes) {
+        reader.readFrame(change.frame, change.path);
+    }
+}
+
+} // namespace trembler

@@ -1,0 +1,231 @@
+// What the commands write: whole or not at all, never over an input, and always with a word when it fails.
+#include "tests/game/app/program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace trembler::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class Outputs : public InAFolder {
+protected:
+    /// The output options of `trembler run` that need no sound.
+    static std::vector<std::string> options() { return {"--trace", "--record", "--json", "--export-spice"}; }
+    static std::vector<std::string> run(std::string const& level, std::vector<std::string> more) {
+        std::vector<std::string> all{"run", level, "--frames", "30"};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+};
+
+bool contains(std::string const& text, std::string const& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST_F(Outputs, NeverReplaceAnInput) {
+    std::string const input = level();
+    std::string const before = contentsOf(input);
+    fs::create_symlink(input, folder / "link");
+    fs::create_hard_link(input, folder / "twin");
+    fs::create_symlink("link", folder / "link to the link");
+    fs::create_directory(folder / "deep");
+    for (std::string const& option : options()) {
+        for (char const* const name :
+             {"level.json", "link", "twin", "link to the link", "deep/../level.json"}) {
+            Ran const ran = runProgram(run(input, {option, at(name)}));
+            EXPECT_EQ(ran.status, 2) << option << " " << name;
+            EXPECT_TRUE(contains(ran.err, option)) << ran.err;
+            EXPECT_EQ(contentsOf(input), before) << option << " " << name;
+        }
+    }
+    Ran const picture = runProgram({"screenshot", input, "--out", input});
+    EXPECT_EQ(picture.status, 2);
+    EXPECT_EQ(contentsOf(input), before);
+}
+
+TEST_F(Outputs, NeverReplaceASolutionThatIsRead) {
+    std::string const input = level();
+    std::string const solution = at("solution.json");
+    ASSERT_EQ(runProgram(run(input, {"--record", solution})).status, 1);
+    std::string const before = contentsOf(solution);
+    EXPECT_EQ(runProgram(run(input, {"--solution", solution, "--record", solution})).status, 2);
+    EXPECT_EQ(contentsOf(solution), before);
+    EXPECT_EQ(runProgram(run(input, {"--solution", solution, "--record", at("other.json")})).status, 1);
+}
+
+TEST_F(Outputs, NeverReplaceAPart) {
+    fs::path const home = folder / "home";
+    fs::create_directories(home / "levels");
+    fs::copy(fs::path(TREMBLER_SOURCE_DIR) / "assets", home / "assets", fs::copy_options::recursive);
+    fs::path const part = fs::directory_iterator(home / "assets" / "parts")->path();
+    std::string const before = contentsOf(part);
+    Ran const ran = runProgram(run(level(), {"--trace", part.string()}),
+                               {.environment = {{"TREMBLER_HOME", home.string()}}});
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_EQ(contentsOf(part), before);
+}
+
+TEST_F(Outputs, TwoNeverShareAFile) {
+    std::string const input = level();
+    fs::create_symlink("new.txt", folder / "link");
+    for (auto const& [one, two] : {std::pair("new.txt", "new.txt"), std::pair("new.txt", "./new.txt"),
+                                   std::pair("new.txt", "link"), std::pair("-", "-")}) {
+        Ran const ran = runProgram(run(input, {"--trace", one, "--record", two}), {.folder = folder});
+        EXPECT_EQ(ran.status, 2) << one << " " << two;
+        EXPECT_TRUE(contains(ran.err, "--record") && contains(ran.err, "--trace")) << ran.err;
+        EXPECT_FALSE(fs::exists(folder / "new.txt"));
+    }
+    EXPECT_EQ(runProgram(run(input, {"--trace", "/dev/null", "--record", "/dev/null"})).status, 1);
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(Outputs, HaveNames) {
+    std::string const input = level();
+    for (std::string const& option : options()) {
+        Ran const ran = runProgram(run(input, {option, ""}));
+        EXPECT_EQ(ran.status, 2) << option;
+        EXPECT_TRUE(contains(ran.err, option) && contains(ran.err, "empty")) << ran.err;
+    }
+    EXPECT_EQ(runProgram({"components", "--json", ""}).status, 2);
+    EXPECT_EQ(runProgram({"screenshot", input, "--out", ""}).status, 2);
+    EXPECT_EQ(runProgram({"play", "--pictures", ""}).status, 2);
+}
+
+TEST_F(Outputs, SayWhyTheyCannotBeWritten) {
+    std::string const input = level();
+    fs::create_directory(folder / "a folder");
+    for (std::string const& option : options()) {
+        Ran const folderItself = runProgram(run(input, {option, at("a folder")}));
+        EXPECT_EQ(folderItself.status, 2);
+        EXPECT_TRUE(contains(folderItself.err, "Is a directory")) << folderItself.err;
+        Ran const nowhere = runProgram(run(input, {option, at("none/file")}));
+        EXPECT_EQ(nowhere.status, 2);
+        EXPECT_TRUE(contains(nowhere.err, "No such file or directory")) << nowhere.err;
+        if (option == "--export-spice") {
+            continue; // this level has no netlist to write
+        }
+        Ran const full = runProgram(run(input, {option, "/dev/full"}));
+        EXPECT_EQ(full.status, 2);
+        EXPECT_TRUE(contains(full.err, "No space left on device")) << full.err;
+    }
+}
+
+TEST_F(Outputs, ThatDoNotFitLeaveWhatWasThere) {
+    std::string const input = level();
+    auto const before = names();
+    for (std::string const& option : options()) {
+        if (option == "--export-spice") {
+            continue; // this level has no netlist to write
+        }
+        write(at("old"), "precious");
+        Ran const ran = runProgram({"run", input, "--frames", "300", option, at("old")}, {.longestFile = 16});
+        EXPECT_EQ(ran.status, 2) << option << ran.out;
+        EXPECT_TRUE(contains(ran.err, option) && contains(ran.err, "File too large")) << ran.err;
+        EXPECT_EQ(contentsOf(at("old")), "precious") << option;
+        fs::remove(folder / "old");
+        EXPECT_EQ(names(), before) << option;
+    }
+}
+
+TEST_F(Outputs, ReplaceWhatWasThereAndKeepItsPermissionsAndLinks) {
+    std::string const input = level();
+    write(at("old"), std::string(1U << 20U, 'x'));
+    fs::permissions(folder / "old", fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("old", folder / "link");
+    ASSERT_EQ(runProgram(run(input, {"--json", at("link")})).status, 1);
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(fs::status(folder / "old").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_EQ(json::parse(contentsOf(at("old")))["frames"], 30);
+    EXPECT_EQ(names(), (std::vector<std::string>{"level.json", "link", "old"}));
+}
+
+/// Ends the program as soon as it holds a file of the folder open for writing.
+void endWhenItWrites(int process, fs::path const& folder, int signal) {
+    fs::path const files = "/proc/" + std::to_string(process) + "/fd";
+    for (int tries = 0; tries < 60'000; ++tries) {
+        std::error_code gone;
+        for (fs::directory_iterator at(files, gone), end; !gone && at != end; at.increment(gone)) {
+            std::error_code closed;
+            std::string const target = fs::read_symlink(at->path(), closed).string();
+            if (!closed && target.starts_with(folder.string()) && !target.ends_with("level.json")) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(50)); // into the run
+                ::kill(process, signal);
+                return;
+            }
+        }
+        if (gone) {
+            return; // it has ended by itself
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ::kill(process, SIGKILL);
+}
+
+TEST_F(Outputs, OfAnInterruptedRunAreAsBefore) {
+    std::string const input = level();
+    write(at("old"), "precious");
+    auto const before = names();
+    for (int const signal : {SIGINT, SIGTERM, SIGKILL}) {
+        Ran const ran =
+            runProgram({"run", input, "--frames", "10000000", "--record", at("old")},
+                       {.meanwhile = [&](int process) { endWhenItWrites(process, folder, signal); }});
+        EXPECT_EQ(ran.status, -1) << ran.err;
+        EXPECT_EQ(contentsOf(at("old")), "precious");
+        EXPECT_EQ(names(), before);
+    }
+}
+
+TEST_F(Outputs, ToAFullDeviceFail) {
+    std::string const input = level();
+    std::vector<std::vector<std::string>> const commands{{"--help"},
+                                                         {"run", "--help"},
+                                                         {"schema"},
+                                                         {"components"},
+                                                         {"components", "--json"},
+                                                         run(input, {}),
+                                                         run(input, {"--json"}),
+                                                         run(input, {"--trace", "-"})};
+    for (auto const& command : commands) {
+        Ran const ran = runProgram(command, {.outputTo = "/dev/full"});
+        EXPECT_EQ(ran.status, 2) << command[0];
+        EXPECT_TRUE(contains(ran.err, "No space left on device")) << command[0] << ": " << ran.err;
+    }
+}
+
+TEST_F(Outputs, HaveOneConvention) {
+    std::string const input = level();
+    // A hyphen, or no name where it may be left out, is the terminal; words make way.
+    for (auto const& more : std::vector<std::vector<std::string>>{{"--json"}, {"--json", "-"}}) {
+        Ran const ran = runProgram(run(input, more));
+        EXPECT_EQ(json::parse(ran.out)["frames"], 30);
+        EXPECT_EQ(ran.err, "");
+    }
+    Ran const traced = runProgram(run(input, {"--trace", "-"}));
+    EXPECT_EQ(json::parse(traced.out.substr(0, traced.out.find('\n')))["id"], 1);
+    EXPECT_TRUE(contains(traced.err, "state hash")) << traced.err;
+    Ran const recorded = runProgram(run(input, {"--record", "-"}), {.folder = folder});
+    EXPECT_EQ(json::parse(recorded.out)["name"], "recorded");
+    EXPECT_FALSE(fs::exists(folder / "-"));
+    // A file leaves the terminal to words.
+    Ran const filed = runProgram(run(input, {"--json", at("report.json")}));
+    EXPECT_TRUE(contains(filed.out, "state hash")) << filed.out;
+    EXPECT_EQ(json::parse(contentsOf(at("report.json")))["frames"], 30);
+    // The level may follow the option.
+    Ran const last = runProgram({"run", "--json", input, "--frames", "30"});
+    EXPECT_EQ(json::parse(last.out)["level"], input);
+    // The same for other commands.
+    EXPECT_EQ(runProgram({"components", "--json", at("components.json")}).out, "");
+    EXPECT_EQ(runProgram({"components", "--json"}).out, contentsOf(at("components.json")));
+    EXPECT_EQ(runProgram({"components", "--markdown", at("components.md")}).out, "");
+    EXPECT_EQ(contentsOf(at("components.md")), runProgram({"components", "--markdown", "-"}).out);
+    EXPECT_EQ(runProgram({"components", "--markdown", "--json"}).status, 2) << "both to the terminal";
+}
+
+} // namespace
+} // namespace trembler::test

@@ -1,0 +1,228 @@
+// Title screen, levels, menu, what is remembered; and what the program does where there is no screen.
+#include "game/ui/app/play.hpp"
+#include "game/ui/headless/screenshot.hpp"
+#include "game/ui/shared/words.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "tests/game/ui/player.hpp"
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace trembler::ui::test {
+namespace {
+
+auto const firstContact = levelsFolder() / "first/1-first-contact.json";
+
+std::filesystem::path freshFolder(char const* name) {
+    auto folder = pictureFolder() / name;
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+/// How many different colours there are; a blank sheet has few.
+std::size_t colours(render::Image const& image) {
+    std::set<render::Pixel> seen;
+    for (int y = 0; y < image.size().height; y += 3) {
+        for (int x = 0; x < image.size().width; x += 3) {
+            seen.insert(image.at(x, y));
+        }
+    }
+    return seen.size();
+}
+
+TEST(Program, aLevelIsChosenOnTheTitleScreen) {
+    Player player;
+    EXPECT_EQ(player.app().play(), nullptr);
+    player.clickItem("level first/1-first-contact.json");
+    ASSERT_NE(player.app().play(), nullptr);
+    EXPECT_EQ(player.session().level().title, loadLevel(workshop().registry, firstContact).title);
+    player.key(SDLK_l);
+    player.frames(2);
+    player.clickItem("level experiments/1-switched-electromagnet.json");
+    EXPECT_EQ(player.play().file().filename(), "1-switched-electromagnet.json");
+    EXPECT_FALSE(player.app().menu().isOpen());
+    player.key(SDLK_ESCAPE);
+    player.frames(2);
+    player.clickItem("Title screen");
+    EXPECT_EQ(player.app().play(), nullptr);
+    player.frames(2);
+    EXPECT_TRUE(player.going());
+    player.moveTo(player.item("quit"));
+    player.press();
+    render::pushMouseButton(window(), MouseButton::Left, false, player.item("quit"));
+    EXPECT_FALSE(player.frame());
+}
+
+TEST(Program, theWindowsCloseButtonEndsIt) {
+    Player player;
+    render::pushQuit();
+    EXPECT_FALSE(player.frame());
+}
+
+TEST(Program, everyLevelIsOnTheShelf) {
+    LevelShelf const shelf(workshop().registry, levelsFolder());
+    EXPECT_EQ(shelf.size(), workshop().levels().size());
+    ASSERT_FALSE(shelf.groups().empty());
+    EXPECT_EQ(shelf.groups().front().title, words::firstSteps);
+    ASSERT_NE(shelf.after(firstContact), nullptr);
+    for (ShelfGroup const& group : shelf.groups()) {
+        for (ShelfEntry const& entry : group.levels) {
+            EXPECT_TRUE(entry.trouble.empty()) << entry.trouble;
+        }
+    }
+}
+
+TEST(Program, aBrokenLevelIsShownAndNothingIsLost) {
+    auto const folder = freshFolder("levels");
+    std::ofstream(folder / "1-broken.json") << "{\"version\": 1, \"title\": ";
+    std::ofstream(folder / "10-nonsense.json") << "[]";
+    std::filesystem::copy(firstContact, folder / "2-good.json");
+    LevelShelf const shelf(workshop().registry, folder);
+    ASSERT_EQ(shelf.groups().size(), 1U);
+    auto const& levels = shelf.groups()[0].levels;
+    ASSERT_EQ(levels.size(), 3U);
+    EXPECT_EQ(levels[0].id, "1-broken.json");
+    EXPECT_EQ(levels[1].id, "2-good.json") << "numbers order as numbers";
+    EXPECT_FALSE(levels[0].trouble.empty());
+    EXPECT_TRUE(levels[1].trouble.empty());
+    EXPECT_EQ(shelf.after(levels[0].file), &levels[1]);
+    EXPECT_EQ(shelf.after(levels[1].file), nullptr) << "a level that cannot be played is no next level";
+    Player player({1280, 720}, {}, folder);
+    player.clickItem("level 1-broken.json");
+    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_THROW(player.app().open(folder / "10-nonsense.json"), InputError);
+    EXPECT_TRUE(player.frame());
+}
+
+TEST(Program, settingsAndProgressAreKept) {
+    auto const file = freshFolder("profile") / "deep" / "profile.json";
+    {
+        Player player({1280, 720}, file);
+        player.open(firstContact);
+        player.key(SDLK_ESCAPE);
+        player.frames(2);
+        player.clickItem("Settings");
+        player.frames(2);
+        float const before = window().uiScale();
+        player.clickItem("115%");
+        EXPECT_NEAR(window().uiScale() / before, 1.15F, 0.001F);
+        player.app().desk().profile.markSolved("first/1-first-contact.json");
+    }
+    Profile const kept(file);
+    EXPECT_NEAR(kept.settings().uiScale, 1.15F, 0.001F);
+    EXPECT_TRUE(kept.solved("first/1-first-contact.json"));
+    EXPECT_FALSE(kept.solved("another"));
+    // A damaged file costs nothing but itself.
+    std::ofstream(file) << "{\"ui_scale\": \"large\", \"solved\": [1, \"kept\"], \"shadows\": false}";
+    Profile const damaged(file);
+    EXPECT_EQ(damaged.settings().uiScale, 1.F);
+    EXPECT_FALSE(damaged.settings().shadows);
+    EXPECT_TRUE(damaged.solved("kept"));
+    window().setUiScaleWish(1.F);
+}
+
+TEST(Program, restartPutsAllPartsBack) {
+    Player player;
+    player.open(firstContact);
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.5}));
+    player.key(SDLK_SPACE);
+    player.simulate(30);
+    player.key(SDLK_ESCAPE);
+    player.frames(2);
+    player.clickItem("Start the level again");
+    EXPECT_EQ(player.session().mode(), SessionMode::building);
+    EXPECT_TRUE(player.session().placed().empty());
+}
+
+TEST(Program, theClockKeepsPaceAndDoesNotRunAway) {
+    FrameClock clock;
+    int frames = 0;
+    for (int i = 0; i < 6000; ++i) {
+        frames += clock.due(1.0 / 60);
+    }
+    EXPECT_EQ(frames, 6000);
+    frames = 0;
+    clock.reset();
+    for (int i = 0; i < 1440; ++i) { // 10 s at 144 Hz
+        frames += clock.due(1.0 / 144);
+        EXPECT_GE(clock.alpha(), 0);
+        EXPECT_LE(clock.alpha(), 1);
+    }
+    EXPECT_NEAR(frames, 600, 1);
+    EXPECT_EQ(clock.due(10), FrameClock::mostFrames) << "after a long halt it does not catch up";
+    EXPECT_LE(clock.due(0), 1);
+    EXPECT_EQ(clock.due(-5), 0);
+    EXPECT_EQ(clock.due(std::nan("")), 0);
+    EXPECT_NEAR(clock.due(1.0 / 60, 4), 4, 1);
+}
+
+TEST(Program, numbersAreReadable) {
+    EXPECT_EQ(readable(0), "0");
+    EXPECT_EQ(readable(-0.0), "0");
+    EXPECT_EQ(readable(1.0 / 3), "0.333");
+    EXPECT_EQ(readable(9.81), "9.81");
+    EXPECT_EQ(readable(-12.5), "-12.5");
+    EXPECT_EQ(readable(150000), "150000");
+    EXPECT_EQ(readable(1e9), "1e+09");
+    EXPECT_EQ(readable(2.5e-5), "2.5e-05");
+}
+
+// These open windows of their own.
+TEST(Program, aScreenshotIsWrittenAndNotBlank) {
+    closeWindow();
+    auto const folder = freshFolder("screenshots");
+    ScreenshotOptions options;
+    options.level = levelsFolder() / "experiments/1-switched-electromagnet.json";
+    options.frame = 90;
+    options.size = {960, 540};
+    options.picture.overlays.electricity = true;
+    std::uint64_t told = 0;
+    options.progress = [&](std::uint64_t frame) { told = frame; };
+    auto const drawn = screenshot(workshop(), options);
+    EXPECT_EQ(told, 90U);
+    render::writePng(drawn, folder / "experiment.png");
+    auto const image = render::readPng(folder / "experiment.png");
+    EXPECT_EQ(image, drawn);
+    EXPECT_EQ(image.size(), (render::Size{960, 540}));
+    EXPECT_GT(colours(image), 500U);
+    options.frame = 0;
+    EXPECT_NE(screenshot(workshop(), options), image);
+    options.level = folder / "none.json";
+    EXPECT_THROW(static_cast<void>(screenshot(workshop(), options)), InputError);
+}
+
+TEST(Program, withoutADisplayTheRecordedSolutionIsPlayed) {
+    closeWindow();
+    auto const folder = freshFolder("no-display");
+    PlayOptions options;
+    options.level = firstContact;
+    options.picture = folder / "ended.png";
+    std::ostringstream out;
+    int const status = playWithoutDisplay(workshop(), options, out);
+    LevelFile const level = loadLevel(workshop().registry, firstContact);
+    EXPECT_NE(out.str().find(level.title), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find((folder / "ended.png").string()), std::string::npos) << out.str();
+    EXPECT_GT(colours(render::readPng(options.picture)), 500U);
+    if (level.solutions.empty()) {
+        EXPECT_EQ(status, 1);
+    } else {
+        EXPECT_EQ(status, level.solutions.front().solves ? 0 : 1) << out.str();
+    }
+    // In the folder that the player named.
+    PlayOptions elsewhere;
+    elsewhere.level = firstContact;
+    elsewhere.pictures = folder / "new" / "pictures";
+    std::ostringstream third;
+    EXPECT_EQ(playWithoutDisplay(workshop(), elsewhere, third), status);
+    EXPECT_GT(colours(render::readPng(elsewhere.pictures / "trembler-1-first-contact.png")), 500U);
+    // Where the picture cannot be written it says so and still plays.
+    options.picture = folder / "not" / "there.png";
+    std::ostringstream second;
+    EXPECT_EQ(playWithoutDisplay(workshop(), options, second), status);
+    EXPECT_NE(second.str().find("There is no picture"), std::string::npos) << second.str();
+}
+
+} // namespace
+} // namespace trembler::ui::test

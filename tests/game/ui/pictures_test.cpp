@@ -1,0 +1,145 @@
+// Every screen at a small and at a large size: nothing lies on anything else, nothing is cut off; and a
+// picture of each for people to look at.
+#include "tests/game/ui/player.hpp"
+
+namespace trembler::ui::test {
+namespace {
+
+class Screens : public testing::TestWithParam<render::Size> {
+protected:
+    [[nodiscard]] std::string named(char const* what) const {
+        return std::string(what) + "-" + std::to_string(GetParam().height);
+    }
+
+    /// Every card lies on the screen, has room for what is in it and is no other card's neighbour in the same
+    /// place.
+    static void expectTidy(Player& player, std::string const& what) {
+        auto const& cards = player.layout().cards();
+        EXPECT_FALSE(cards.empty()) << what;
+        render::Size const size = window().size();
+        for (std::size_t i = 0; i < cards.size(); ++i) {
+            EXPECT_GE(cards[i].rect.low.x, 0) << what << ": " << cards[i].name;
+            EXPECT_GE(cards[i].rect.low.y, 0) << what << ": " << cards[i].name;
+            EXPECT_LE(cards[i].rect.high.x, size.width) << what << ": " << cards[i].name;
+            EXPECT_LE(cards[i].rect.high.y, size.height) << what << ": " << cards[i].name;
+            EXPECT_LE(cards[i].overflow, 1.0)
+                << what << ": the content of " << cards[i].name << " is cut off";
+            for (std::size_t j = 0; j < i; ++j) {
+                EXPECT_FALSE(cards[i].rect.overlaps(cards[j].rect))
+                    << what << ": " << cards[i].name << " lies on " << cards[j].name;
+            }
+        }
+        auto const& items = player.layout().items();
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                EXPECT_FALSE(items[i].rect.overlaps(items[j].rect))
+                    << what << ": " << items[i].name << " lies on " << items[j].name;
+            }
+        }
+    }
+};
+
+TEST_P(Screens, title) {
+    Player player(GetParam());
+    player.frames(12);
+    expectTidy(player, "title");
+    player.look(named("title"));
+}
+
+TEST_P(Screens, building) {
+    Player player(GetParam());
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    expectTidy(player, "building");
+    player.look(named("building"));
+    player.moveTo(player.item("part steel bar"));
+    player.press();
+    player.moveTo(player.at({-1.8, 1.5}));
+    expectTidy(player, "carrying");
+    player.look(named("carrying"));
+    player.moveTo(player.at({1.7, 1.8}));
+    player.look(named("carrying-badly"));
+    player.moveTo(player.at({-1.8, 1.5}));
+    player.release();
+    player.key(SDLK_h);
+    player.key(SDLK_h);
+    player.key(SDLK_h);
+    player.frames(2);
+    expectTidy(player, "placed, with hints");
+    player.look(named("placed"));
+    player.key(SDLK_n);
+    player.click(player.at({1.7, 1.7}));
+    player.frames(4);
+    expectTidy(player, "inspecting");
+    player.look(named("inspecting"));
+}
+
+TEST_P(Screens, running) {
+    Player player(GetParam());
+    player.open(levelsFolder() / "experiments/1-switched-electromagnet.json");
+    player.key(SDLK_SPACE);
+    player.simulate(64);
+    expectTidy(player, "about to work");
+    player.simulate(48);
+    player.frames(4);
+    expectTidy(player, "running");
+    player.look(named("running"));
+    player.key(SDLK_p);
+    player.key(SDLK_1);
+    player.look(named("electricity"));
+    player.key(SDLK_1);
+    player.key(SDLK_2);
+    player.look(named("magnetism"));
+    player.key(SDLK_2);
+    player.key(SDLK_3);
+    player.key(SDLK_c);
+    player.click(player.at({1.8, 1.7}));
+    player.frames(4);
+    expectTidy(player, "components");
+    player.look(named("components"));
+}
+
+TEST_P(Screens, menus) {
+    Player player(GetParam());
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    player.key(SDLK_ESCAPE);
+    player.frames(3);
+    expectTidy(player, "menu");
+    player.look(named("menu"));
+    player.clickItem("Settings");
+    player.frames(3);
+    expectTidy(player, "settings");
+    player.look(named("settings"));
+    player.key(SDLK_ESCAPE);
+    player.frames(2);
+    player.clickItem("Levels");
+    player.frames(3);
+    expectTidy(player, "level list");
+    player.look(named("levels"));
+    player.key(SDLK_ESCAPE);
+    player.key(SDLK_ESCAPE);
+    player.key(SDLK_F1);
+    player.frames(3);
+    expectTidy(player, "keys");
+    player.look(named("keys"));
+}
+
+TEST_P(Screens, everyLevel) {
+    Player player(GetParam());
+    for (ShelfGroup const& group : player.app().desk().levels.groups()) {
+        for (ShelfEntry const& entry : group.levels) {
+            player.open(entry.file);
+            ASSERT_NE(player.app().play(), nullptr) << entry.id;
+            expectTidy(player, entry.id);
+            player.key(SDLK_SPACE);
+            player.simulate(16);
+            expectTidy(player, entry.id + " running");
+            player.look(named(("level-" + entry.file.stem().string()).c_str()));
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Screens, testing::Values(render::Size{1280, 720}, render::Size{3840, 2160}),
+                         [](auto const& info) { return "lines" + std::to_string(info.param.height); });
+
+} // namespace
+} // namespace trembler::ui::test

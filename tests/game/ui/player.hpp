@@ -1,0 +1,179 @@
+// A player made of events: moves the mouse, presses keys, looks at the screen.
+#pragma once
+
+#include "game/ui/app/app.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "render/window/synthetic_input.hpp"
+
+#include <SDL.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace trembler::ui::test {
+
+using render::MouseButton;
+using render::Point;
+
+inline std::unique_ptr<render::Window>& windowSlot() {
+    static std::unique_ptr<render::Window> slot;
+    return slot;
+}
+/// Opened on first use and kept: SDL likes one window at a time.
+inline render::Window& window() {
+    auto& slot = windowSlot();
+    if (!slot) {
+        slot = std::make_unique<render::Window>(
+            render::WindowOptions{.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
+    }
+    return *slot;
+}
+/// For tests of what opens a window of its own.
+inline void closeWindow() {
+    windowSlot().reset();
+}
+
+inline Workshop const& workshop() {
+    static Workshop const theWorkshop;
+    return theWorkshop;
+}
+
+inline std::filesystem::path levelsFolder() {
+    return std::filesystem::path(TREMBLER_SOURCE_DIR) / "levels";
+}
+inline std::filesystem::path dataFolder() {
+    return std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/game/ui/data";
+}
+/// A folder of this program's own; pictures in it are for people to look at.
+inline std::filesystem::path pictureFolder() {
+    auto folder = std::filesystem::path(TREMBLER_BINARY_DIR) / "ui-pictures";
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+/// Plays the game with pushed events only, a sixtieth of a second per picture.
+class Player {
+public:
+    explicit Player(render::Size size = {1280, 720}, std::filesystem::path profile = {},
+                    std::filesystem::path levels = levelsFolder(), Loudspeaker* loudspeaker = nullptr) {
+        SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
+        window().resize(size);
+        films_ = pictureFolder() / "films";
+        app_ = std::make_unique<GameApp>(window(), workshop().registry, workshop().parts,
+                                         GameOptions{.levels = std::move(levels),
+                                                     .pictures = films_,
+                                                     .profile = std::move(profile),
+                                                     .world = {},
+                                                     .loudspeaker = loudspeaker,
+                                                     .steady = true});
+        app_->desk().shadows = false; // half the time of a picture, on a computer without a graphics card
+        frames(3);
+    }
+
+    GameApp& app() { return *app_; }
+    PlayScreen& play() { return *app_->play(); }
+    Session& session() { return play().session(); }
+    Layout const& layout() { return app_->desk().layout; }
+    std::filesystem::path const& films() const { return films_; }
+
+    void open(std::filesystem::path const& level) {
+        app_->open(level);
+        frames(4);
+    }
+    bool frame() { return going_ = app_->frame(1.0 / 60); }
+    void frames(int count) {
+        for (int i = 0; i < count; ++i) {
+            frame();
+        }
+    }
+    /// Lets so many frames of the running world pass in few pictures.
+    void simulate(int count) {
+        for (; count > 0; count -= 8) {
+            going_ = app_->frame(std::min(count, 8) / 60.0);
+        }
+    }
+    [[nodiscard]] bool going() const { return going_; }
+
+    // Where things are on the screen.
+    Point at(Vec2 world) { return play().camera().toScreen({world.x, world.y}); }
+    Point item(std::string const& name) {
+        auto const rect = layout().item(name);
+        EXPECT_TRUE(rect) << "nothing called \"" << name << "\" is on the screen";
+        return rect ? rect->middle() : Point{};
+    }
+    bool shows(std::string const& name) { return layout().item(name).has_value(); }
+    bool showsCard(std::string const& name) { return layout().card(name).has_value(); }
+
+    // What hands do.
+    void moveTo(Point to) {
+        render::pushMouseMove(window(), to);
+        mouse_ = to;
+        frame();
+    }
+    void press(MouseButton button = MouseButton::Left) {
+        render::pushMouseButton(window(), button, true, mouse_);
+        frame();
+    }
+    void release(MouseButton button = MouseButton::Left) {
+        render::pushMouseButton(window(), button, false, mouse_);
+        frame();
+    }
+    void click(Point where, MouseButton button = MouseButton::Left) {
+        moveTo(where);
+        press(button);
+        release(button);
+        frame();
+    }
+    void clickItem(std::string const& name) { click(item(name)); }
+    void drag(Point from, Point to, MouseButton button = MouseButton::Left, int steps = 4) {
+        moveTo(from);
+        press(button);
+        for (int i = 1; i <= steps; ++i) {
+            moveTo(from + (1.0 * i / steps) * (to - from));
+        }
+        release(button);
+        frame();
+    }
+    void wheel(int notches) {
+        render::pushWheel(window(), notches);
+        frame();
+    }
+    void key(SDL_Keycode key, unsigned modifiers = KMOD_NONE) {
+        render::pushKey(window(), key, true, modifiers);
+        frame();
+        render::pushKey(window(), key, false, KMOD_NONE);
+        frame();
+    }
+    void hold(SDL_Keycode key) {
+        render::pushKey(window(), key, true);
+        frame();
+    }
+    void letGo(SDL_Keycode key) {
+        render::pushKey(window(), key, false);
+        frame();
+    }
+
+    /// What is on the screen now, as a file for people and as an image.
+    render::Image look(std::string const& name) {
+        render::Image image;
+        frame();
+        window().bind();
+        image = window().readPixels();
+        // Packing a large picture takes seconds: only for who wants to look at it.
+        if (image.size().height <= 1440 || std::getenv("TREMBLER_PICTURES") != nullptr) {
+            writePng(image, pictureFolder() / (name + ".png"));
+        }
+        return image;
+    }
+
+private:
+    std::filesystem::path films_;
+    std::unique_ptr<GameApp> app_;
+    Point mouse_;
+    bool going_ = true;
+};
+
+} // namespace trembler::ui::test

@@ -1,0 +1,301 @@
+// Only what a scene calls for, over every level: what is absent is never constructed, what is finished
+// sleeps, and what is at rest costs next to nothing. Work is counted in turns: no clock is read.
+#include "measure/called_for/called_for.hpp"
+#include "measure/called_for/report.hpp"
+#include "physics/buoyancy/properties/results.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/graph.hpp"
+#include "puzzle/data/effects.hpp"
+#include "puzzle/session/session.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/model/part_library.hpp"
+#include "tests/support/experiment.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace trembler {
+namespace {
+
+constexpr int seconds = 20;
+
+// Instance counters: every component of a registry is made through one of these, which counts and passes on.
+constexpr std::size_t mostComponents = 128;
+std::array<std::function<std::unique_ptr<Component>()>, mostComponents> realMakers{};
+std::array<int, mostComponents> made{};
+
+template <std::size_t n>
+std::unique_ptr<Component> countingMaker() {
+    ++made[n];
+    return realMakers[n]();
+}
+template <std::size_t... n>
+constexpr auto countingMakers(std::index_sequence<n...>) {
+    return std::array<std::unique_ptr<Component> (*)(), sizeof...(n)>{&countingMaker<n>...};
+}
+
+// All effects. The registry is this function's own and not constant, so its makers may be put in its place.
+Registry& countedRegistry() {
+    static Registry registry;
+    static bool const counted = [] {
+        registerEffects(registry);
+        auto const makers = countingMakers(std::make_index_sequence<mostComponents>{});
+        std::size_t n = 0;
+        for (Registration const& registration : registry.components()) {
+            auto& open =
+                const_cast<Registration&>(registration); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+            realMakers.at(n) = open.make;
+            open.make = makers.at(n);
+            ++n;
+        }
+        return true;
+    }();
+    static_cast<void>(counted);
+    return registry;
+}
+
+std::map<std::string, int> constructions() {
+    std::map<std::string, int> all;
+    std::size_t n = 0;
+    for (Registration const& registration : countedRegistry().components()) {
+        all[title(*registration.info)] = made.at(n++);
+    }
+    return all;
+}
+
+// What an effect cannot do without: the keys of object properties, any of which an object must have. Written
+// down here and not taken from the declarations, which are what is tested.
+std::map<std::string, std::set<std::string>> const& triggers() {
+    static std::map<std::string, std::set<std::string>> const all{
+        {"magnetism", {"magnet", "magnetic_poles", "electromagnet"}},
+        {"electricity", {"conductor"}},
+        {"buoyancy", {"liquid"}},
+        {"motor", {"electric_motor", "generator"}},
+        {"sound", {"sound_sensor", "ear"}}, // nobody outside listens here
+        {"loudness", {"sound_sensor", "ear"}},
+    };
+    return all;
+}
+
+class CalledFor : public Experiment {
+protected:
+    static std::vector<LevelUse> const& plays() {
+        static std::vector<LevelUse> const all = playAllForCalls(workshop(), seconds);
+        return all;
+    }
+    static LevelUse const& play(std::string const& level, std::string const& solution) {
+        for (LevelUse const& one : plays()) {
+            if (one.level.find(level) != std::string::npos && one.solution == solution) {
+                return one;
+            }
+        }
+        throw std::logic_error("no such play: " + level + ", " + solution);
+    }
+    static ComponentUse const& use(LevelUse const& play, std::string const& component) {
+        for (ComponentUse const& one : play.components) {
+            if (title(*one.info) == component) {
+                return one;
+            }
+        }
+        throw std::logic_error("no such component: " + component);
+    }
+};
+
+TEST_F(CalledFor, AllLevelsAreInTheTable) {
+    std::set<std::string> levels;
+    for (LevelUse const& one : plays()) {
+        levels.insert(one.level);
+        EXPECT_EQ(one.components.size(), workshop().registry.components().size());
+        EXPECT_EQ(one.frames, seconds * framesPerSecond);
+        std::uint64_t last = 0;
+        for (ComponentUse const& each : one.components) {
+            last += each.updatesInLastSecond;
+            EXPECT_LE(each.updatesInLastSecond, framesPerSecond);
+            EXPECT_LE(each.updates, one.frames) << title(*each.info) << ": more turns than frames";
+        }
+        EXPECT_EQ(last, one.lastSecond);
+        EXPECT_LE(one.lastSecond, one.busiestSecond);
+        EXPECT_GT(one.busiestSecond, 0U);
+    }
+    EXPECT_EQ(levels.size(), workshop().levels().size());
+}
+
+TEST_F(CalledFor, WhatIsAbsentIsNeverConstructed) {
+    PartLibrary const parts = loadParts(countedRegistry(), workshop().home / "assets" / "parts");
+    std::map<std::string, int> with;
+    std::map<std::string, int> without;
+    for (std::filesystem::path const& path : workshop().levels()) {
+        SCOPED_TRACE(path);
+        LevelFile const level = loadLevel(countedRegistry(), path);
+        made.fill(0);
+        std::vector<Placement> placements;
+        if (!level.solutions.empty()) {
+            placements = level.solutions.front().placements;
+        }
+        auto const world = buildWorld(countedRegistry(), level, parts, placements,
+                                      WorldOptions{.threads = 1, .detail = level.detail, .periods = {}});
+        for (int frame = 0; frame < 240; ++frame) {
+            world->step();
+        }
+        auto const counts = constructions();
+        auto const holds = [&](std::string const& key) {
+            auto const* const info = countedRegistry().objectProperty(key);
+            auto const* const column = info == nullptr ? nullptr : world->store().findColumn(*info);
+            return column != nullptr && !column->empty();
+        };
+        std::set<PropertyInfo const*> offered;
+        for (ComponentStatus const& status : world->status()) {
+            std::string const name = title(*status.info);
+            bool const there = status.activity != Activity::absent;
+            EXPECT_EQ(counts.at(name), there ? 1 : 0) << name;
+            if (there) {
+                offered.insert(status.info->offers.begin(), status.info->offers.end());
+            } else {
+                EXPECT_EQ(status.updates, 0U) << name;
+            }
+            auto const needs = triggers().find(std::string(status.info->text.effect));
+            if (needs != triggers().end()) {
+                bool const called = std::any_of(needs->second.begin(), needs->second.end(), holds);
+                EXPECT_FALSE(there && !called) << name << " is there and nothing calls for it";
+                ++(called ? with : without)[needs->first];
+            }
+        }
+        // Not even a place for its results, but for the gravity that a world begins with, which liquids that
+        // come later must know at once.
+        for (ComponentStatus const& status : world->status()) {
+            for (PropertyInfo const* const offer : status.info->offers) {
+                EXPECT_TRUE(offered.contains(offer) || world->store().findSlot(*offer) == nullptr ||
+                            offer == &propertyInfo<LinearGravityVector>())
+                    << title(*status.info) << " left " << offer->text.name;
+            }
+        }
+    }
+    for (auto const& [effect, keys] : triggers()) {
+        if (!gameEffectsLeftOut().contains(effect) && effect != "loudness") {
+            EXPECT_GT(with[effect], 0) << "no level calls for " << effect << ": nothing was tested";
+            EXPECT_GT(without[effect], 0) << "every level calls for " << effect << ": nothing was tested";
+        }
+    }
+}
+
+TEST_F(CalledFor, ALevelAtRestDoesAtMostATwentiethOfWhatItDoesInMotion) {
+    int atRest = 0;
+    std::set<std::string> restless;
+    for (LevelUse const& one : plays()) {
+        if (!one.atRest) {
+            restless.insert(one.level + ", " + one.solution);
+            continue;
+        }
+        ++atRest;
+        EXPECT_LE(static_cast<double>(one.lastSecond), 0.05 * static_cast<double>(one.busiestSecond))
+            << one.level << ", " << one.solution;
+    }
+    EXPECT_GE(atRest, 12) << "of " << plays().size();
+    // Nothing else moves for ever: bells that ring, motors, and a steel ball that rolls to and fro under the
+    // magnet that it hangs from, as nothing here resists rolling.
+    for (std::string const& each : restless) {
+        bool const meantTo = each.find("doorbell") != std::string::npos ||
+                             each.find("experiments/3") != std::string::npos ||
+                             each.find("another piece of metal") != std::string::npos;
+        EXPECT_TRUE(meantTo) << each;
+    }
+}
+
+#ifndef TREMBLER_WITHOUT_ELECTRICITY
+
+TEST_F(CalledFor, AFinishedCircuitsDpsSleeps) {
+    // The magnet holds what it lifted: current flows, and nobody computes it anew.
+    open("1-switched-electromagnet.json", "hands off");
+    runTo(900);
+    ASSERT_TRUE(on("electromagnet"));
+    auto const dps = [&] {
+        for (ComponentStatus const& status : world().status()) {
+            if (title(*status.info) == "Two-wire Electricity DPS") {
+                return status;
+            }
+        }
+        return ComponentStatus{};
+    };
+    ComponentStatus const before = dps();
+    EXPECT_EQ(before.activity, Activity::asleep);
+    EXPECT_GT(before.updates, 0U);
+    runTo(1500);
+    EXPECT_TRUE(on("electromagnet"));
+    EXPECT_EQ(dps().activity, Activity::asleep);
+    EXPECT_EQ(dps().updates, before.updates);
+}
+
+// In a doorbell, which never rests, it has a turn when the graph has changed, and only then.
+TEST_F(CalledFor, ElectricityIsComputedWhenItsGraphHasChangedOnly) {
+    open("2-doorbell.json");
+    std::uint64_t version = 0;
+    std::uint64_t changes = 0;
+    std::uint64_t updates = 0;
+    while (world().frame() < 1200) {
+        step();
+        std::uint64_t const now = world().store().findColumn<ElectricityGraph>()->version();
+        changes += now != version ? 1 : 0;
+        version = now;
+    }
+    for (ComponentStatus const& status : world().status()) {
+        if (title(*status.info) == "Two-wire Electricity DPS") {
+            updates = status.updates;
+        }
+    }
+    EXPECT_GT(changes, 20U);
+    EXPECT_LT(changes, 400U);
+    EXPECT_EQ(updates, changes);
+}
+
+#endif
+
+TEST_F(CalledFor, TheRaftRestsAndTheDoorbellDoesNot) {
+#if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
+    LevelUse const& raft = play("4-raft", "hands off");
+    EXPECT_TRUE(raft.atRest);
+    EXPECT_EQ(raft.lastSecond, 0U);
+    EXPECT_EQ(use(raft, "Buoyancy Resolver").atEnd, Activity::asleep);
+    EXPECT_GT(use(raft, "Buoyancy Resolver").updates, 60U);
+    EXPECT_EQ(use(raft, "Magnetics Resolver").atEnd, Activity::absent);
+    LevelUse const& bell = play("2-doorbell", "hands off");
+    EXPECT_FALSE(bell.atRest);
+    EXPECT_EQ(use(bell, "Dynamics Resolver").updates, bell.frames);
+    EXPECT_EQ(use(bell, "Buoyancy Resolver").atEnd, Activity::absent);
+#else
+    GTEST_SKIP() << "this program was built without them";
+#endif
+}
+
+TEST_F(CalledFor, TheReportsHaveEveryPlayAndNoTimes) {
+    auto const json = nlohmann::json::parse(calledForJson(plays()).dump());
+    ASSERT_EQ(json.at("plays").size(), plays().size());
+    std::uint64_t updates = 0;
+    for (auto const& component : json.at("plays").at(0).at("components")) {
+        updates += component.at("updates").get<std::uint64_t>();
+    }
+    std::uint64_t counted = 0;
+    for (ComponentUse const& each : plays().front().components) {
+        counted += each.updates;
+    }
+    EXPECT_EQ(updates, counted);
+    std::string const markdown = calledForMarkdown(plays());
+    for (LevelUse const& one : plays()) {
+        EXPECT_NE(markdown.find("| " + one.level + " | "), std::string::npos);
+    }
+    EXPECT_EQ(markdown.find(" us"), std::string::npos);
+    // The same every time.
+    LevelFile const level = loadLevel(workshop().registry, workshop().levels().front());
+    Solution const* const first = level.solutions.empty() ? nullptr : &level.solutions.front();
+    LevelUse again = playForCalls(workshop(), level, first, seconds);
+    again.level = plays().front().level;
+    EXPECT_EQ(calledForText({again}), calledForText({plays().front()}));
+}
+
+} // namespace
+} // namespace trembler

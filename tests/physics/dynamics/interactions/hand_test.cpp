@@ -1,0 +1,103 @@
+// The player's hand.
+#include "physics/dynamics/interactions/hand.hpp"
+#include "tests/physics/dynamics/scene.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler::test {
+namespace {
+
+class Hand : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(Hand);
+
+PlayerInput input(PlayerInput::Kind kind, ObjectId object, Vec2 at) {
+    return {.kind = kind, .object = object, .other = {}, .at = at};
+}
+
+Vec2 held(Scene const& scene, ObjectId id, Vec2 local) {
+    return scene.at(id) + rotated(local, scene.angle(id));
+}
+
+TEST_P(Hand, PullsTheHeldPointToWhereItIsWithoutSwingingBeyond) {
+    for (double const mass : {0.01, 1.0, 1000.0}) {
+        Scene scene;
+        scene.gravity = 0;
+        ObjectId const bar = scene.body("bar", boxPiece(2, 0.1), {0, 0});
+        scene.give(bar, Mass{mass});
+        scene.run(1);
+        scene.world->feed(input(PlayerInput::Kind::grab, bar, {0.9, 0}));
+        scene.run(1);
+        scene.world->feed(input(PlayerInput::Kind::move, bar, {0.9, 1}));
+        double highest = 0;
+        for (int frame = 0; frame < 120; ++frame) {
+            scene.run(1);
+            highest = std::max(highest, held(scene, bar, {0.9, 0}).y);
+        }
+        EXPECT_NEAR(length(held(scene, bar, {0.9, 0}) - Vec2{0.9, 1}), 0, 0.01) << mass;
+        EXPECT_LT(highest, 1.05) << mass;
+    }
+}
+
+TEST_P(Hand, HoldsAgainstGravityAndLetsGo) {
+    Scene scene({.trace = true});
+    ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 2});
+    scene.run(1);
+    scene.world->feed(input(PlayerInput::Kind::grab, box, {0, 2.1}));
+    scene.run(300);
+    EXPECT_NEAR(held(scene, box, {0, 0.1}).y, 2.1 - 9.81 / 144, 0.01); // hangs on a spring of 12 rad/s
+    EXPECT_EQ(scene.dynamics(), Activity::asleep);
+    scene.world->feed(input(PlayerInput::Kind::release, box, {}));
+    scene.run(32);
+    EXPECT_LT(scene.at(box).y, 1);
+    Tracer const& tracer = *scene.world->tracer();
+    bool led = false;
+    for (Event const& event : tracer.events()) {
+        for (EventId const cause : event.causes) {
+            led = led || (event.event == "addForceToPoint" && tracer.find(cause)->event == "grabbed");
+        }
+    }
+    EXPECT_TRUE(led);
+}
+
+TEST_P(Hand, HangsHigherOnTheMoonAndIsAsStrongAsOnEarth) {
+    Scene scene;
+    scene.gravity = 1.62;
+    ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 2});
+    scene.run(1);
+    scene.world->feed(input(PlayerInput::Kind::grab, box, {0, 2.1}));
+    scene.run(300);
+    EXPECT_NEAR(held(scene, box, {0, 0.1}).y, 2.1 - 1.62 / 144, 0.01);
+    scene.world->feed(input(PlayerInput::Kind::move, box, {0, 1e5}));
+    scene.run(4);
+    EXPECT_NEAR(scene.velocity(box).y, (DynamicsFromPlayer::strongest - 1.62) * 3 * frameDuration, 1);
+}
+
+TEST_P(Hand, IsNoStrongerThanItIs) {
+    Scene scene;
+    scene.gravity = 0;
+    ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 0});
+    scene.run(1);
+    scene.world->feed(input(PlayerInput::Kind::grab, box, {0, 0}));
+    scene.world->feed(input(PlayerInput::Kind::move, box, {1e5, 0}));
+    scene.run(4);
+    EXPECT_LT(scene.velocity(box).x, DynamicsFromPlayer::strongest * 4 * frameDuration);
+    EXPECT_GT(scene.velocity(box).x, DynamicsFromPlayer::strongest * 2 * frameDuration);
+}
+
+TEST_P(Hand, DoesNotMoveWhatIsFixedNorForgetWhatIsGone) {
+    Scene scene;
+    ObjectId const wall = scene.fixed("wall", boxPiece(1, 1), {0, 0});
+    ObjectId const ball = scene.ball({5, 0});
+    scene.run(1);
+    scene.world->feed(input(PlayerInput::Kind::grab, wall, {0, 0}));
+    scene.world->feed(input(PlayerInput::Kind::move, wall, {3, 3}));
+    scene.run(30);
+    EXPECT_EQ(scene.at(wall), (Vec2{0, 0}));
+    scene.world->feed(input(PlayerInput::Kind::grab, ball, scene.at(ball)));
+    scene.world->feed(input(PlayerInput::Kind::remove, ball, {}));
+    scene.run(10);
+    EXPECT_FALSE(scene.world->store().alive(ball));
+}
+
+} // namespace
+} // namespace trembler::test

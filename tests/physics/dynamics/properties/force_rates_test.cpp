@@ -1,0 +1,117 @@
+// How fast forces vary and by how much they lag: what is told, what Dynamics makes of it, what it offers.
+#include "physics/dynamics/properties/force_lag.hpp"
+#include "physics/dynamics/properties/force_rates.hpp"
+#include "physics/dynamics/properties/solver_choice.hpp"
+#include "tests/physics/dynamics/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace trembler::test {
+namespace {
+
+/// What the test tells of the forces on an object.
+struct Varying {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Varying", "test_varying", "How fast a force varies, for tests."};
+    double rate = 0; ///< 1/s
+    bool foreseen = false;
+
+    template <class Self, class Visitor>
+    static void describe(Self&, Visitor&&) {}
+};
+class DynamicsFromVarying final : public Interaction<DynamicsFromVarying, DynamicsRole, Reads<Varying>> {
+public:
+    static constexpr ComponentText text{
+        .name = "Dynamics <- Varying", .effect = "test", .level = "", .work = "Tells rates."};
+    using CalledFor = NeedsAll<Varying>;
+    void apply(Access& access) {
+        auto const& all = access.read<Varying>();
+        for (std::size_t row = 0; row < all.size(); ++row) {
+            access.call(TellRate{all.owners()[row], all.values()[row].rate, all.values()[row].foreseen});
+        }
+    }
+};
+
+struct RateScene : Scene {
+    explicit RateScene(Options options = {})
+        : Scene([&] {
+              options.extend = [](Registry& registry) { registry.component<DynamicsFromVarying>(); };
+              return options;
+          }()) {}
+    [[nodiscard]] ForceRates rates() const { return *world->find<ForceRates>(); }
+    [[nodiscard]] int substeps() const { return world->find<SolverChoice>()->substeps; }
+};
+
+TEST(ForceRates, AreTheGreatestOfWhatIsToldOfBodiesThatMove) {
+    RateScene scene;
+    ObjectId const slow = scene.ball({0, 0});
+    ObjectId const fast = scene.ball({5, 0});
+    ObjectId const wall = scene.fixed("wall", boxPiece(1, 1), {9, 0});
+    ObjectId const ghost = scene.world->store().create("ghost");
+    scene.give(slow, Varying{3, false});
+    scene.give(fast, Varying{7, true});
+    scene.give(wall, Varying{100, false});
+    scene.give(ghost, Varying{200, false});
+    scene.run(1);
+    EXPECT_EQ(scene.rates(), (ForceRates{})) << "interactions first speak at the end of frame 1";
+    scene.run(1);
+    EXPECT_EQ(scene.rates(), (ForceRates{7, 3, fast, 7, 7}));
+    scene.of<Varying>(slow).rate = std::numeric_limits<double>::infinity();
+    scene.of<Varying>(fast).foreseen = false;
+    scene.run(2);
+    EXPECT_EQ(scene.rates(), (ForceRates{7, 7, fast, 7, 0})) << "what is no number does not count";
+    scene.world->store().column<Varying>().remove(fast);
+    scene.world->store().column<Varying>().remove(slow);
+    scene.run(2);
+    EXPECT_EQ(scene.rates(), (ForceRates{}));
+}
+
+// Split up, a frame would let a force that stands lag behind; 4 substeps are for contacts and joints.
+TEST(ForceRates, WhatFliesFreelyUnderAForceThatVariesGetsOneStep) {
+    for (bool const foreseen : {false, true}) {
+        RateScene scene;
+        ObjectId const ball = scene.ball({0, 0});
+        scene.run(2);
+        EXPECT_EQ(scene.substeps(), 4) << "constant forces do not lag";
+        scene.give(ball, Varying{1, foreseen});
+        scene.run(3);
+        EXPECT_EQ(scene.substeps(), foreseen ? 4 : 1);
+        Joint joint;
+        joint.a = scene.body("held", boxPiece(1, 1), {20, 0});
+        joint.at = {20, 0};
+        ObjectId const hinge = scene.joint("hinge", joint);
+        scene.world->store().complete(joint.a);
+        scene.world->store().complete(hinge);
+        scene.run(1);
+        EXPECT_EQ(scene.substeps(), 4) << "joints ask for more";
+    }
+}
+
+TEST(ForceRates, WhatTouchesGetsItsSubsteps) {
+    RateScene scene;
+    scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
+    ObjectId const box = scene.body("box", boxPiece(0.5, 0.5), {0, 0.25});
+    scene.give(box, Varying{1, false});
+    scene.run(10);
+    EXPECT_EQ(scene.substeps(), 4);
+}
+
+TEST(ForceLag, IsThatOfTheSemiImplicitEulerMethodInSubsteps) {
+    for (int const substeps : {1, 2, 4, 16}) {
+        Scene::Options options;
+        options.solver.substeps = substeps;
+        Scene scene(options);
+        scene.ball({0, 0});
+        scene.run(1);
+        ForceLag const lag = *scene.world->find<ForceLag>();
+        EXPECT_DOUBLE_EQ(lag.turn, frameDuration);
+        EXPECT_DOUBLE_EQ(lag.ofTurn(), frameDuration / 2 * (1 - 1.0 / substeps)) << substeps;
+        EXPECT_DOUBLE_EQ(lag.of(3 * frameDuration), 3 * frameDuration / 2 * (1 - 1.0 / (3 * substeps)));
+    }
+    EXPECT_EQ(ForceLag{}.ofTurn(), 0) << "where nobody moves anything nothing lags";
+}
+
+} // namespace
+} // namespace trembler::test

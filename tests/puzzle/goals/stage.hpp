@@ -1,0 +1,55 @@
+// A stage for goals: a world whose positions, contacts and electrical states a test sets by hand, so that
+// what the judge should say follows from the test alone.
+#pragma once
+
+#include "physics/dynamics/properties/contacts.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "puzzle/goals/goal_judge.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace trembler {
+
+class GoalStage {
+public:
+    /// The objects: floor, electromagnet (fixed, above), metal object, crate, object 1, lamp, lamp 2, ball a,
+    /// ball b (these two made from the part "iron ball"). Throws what the judge throws.
+    explicit GoalStage(std::string const& goals, int crowd = 0);
+
+    [[nodiscard]] GoalJudge const& judge() const { return *judge_; }
+    [[nodiscard]] World& world() { return *world_; }
+    [[nodiscard]] ObjectId id(std::string const& name) const;
+
+    void put(std::string const& name, Vec2 at);
+    /// Each with an event id, which may be 0.
+    void touch(std::string const& a, std::string const& b, std::uint64_t event = 0);
+    void part(std::string const& a, std::string const& b, std::uint64_t event = 0);
+    /// Touches for less than a frame: an impact that bounces.
+    void hit(std::string const& a, std::string const& b, std::uint64_t event = 0);
+    void turn(std::string const& name, bool on, std::uint64_t event = 0);
+    /// One frame of the world, what was set with it, and the judge's look at it.
+    void step(int frames = 1);
+    /// One frame in four parts, of which the world runs the first and the last, as nothing happens in it:
+    /// `set` is called in each, and the judge looks.
+    void stepInParts(std::function<void(std::uint32_t part)> const& set);
+
+private:
+    void write();
+
+    Registry registry_;
+    std::unique_ptr<World> world_;
+    std::unique_ptr<GoalJudge> judge_;
+    Contacts contacts_;
+    ElectricalState state_;
+    std::vector<std::pair<ObjectId, Vec2>> places_;
+};
+
+/// What the judge says against the goals, or "" if nothing.
+[[nodiscard]] std::string refusalOf(std::string const& goals, int crowd = 0);
+
+} // namespace trembler

@@ -1,0 +1,34 @@
+// Nothing that happens in a part of a frame is lost to whoever looks once a frame. Each property says whether
+// it tells news (runtime/property/news.hpp); these are the ones that must not begin to say that they tell
+// none.
+#include "puzzle/data/effects.hpp"
+#include "runtime/property/slot.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string_view>
+
+namespace trembler {
+namespace {
+
+TEST(News, OfEveryPartReachWhoeverLooksOnceAFrame) {
+    Registry registry;
+    registerEffects(registry);
+    std::set<std::string_view> telling;
+    for (Registration const& registration : registry.components()) {
+        for (PropertyInfo const* const offer : registration.info->offers) {
+            if (offer->makeSlot()->tellsNews()) {
+                telling.insert(offer->text.key);
+            }
+        }
+    }
+    for (std::string_view const key :
+         {"player_commands", "population_changes", "contacts", "impacts", "overloaded_joints"}) {
+        EXPECT_TRUE(telling.contains(key)) << key;
+    }
+}
+
+} // namespace
+} // namespace trembler

@@ -1,0 +1,202 @@
+// Cables, joints and contacts: where they run and how they are found.
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/gravity/properties.hpp"
+#include "render/draw/path.hpp"
+#include "render/scene/objects/joints.hpp"
+#include "render/scene/objects/wires.hpp"
+#include "render/scene/overlays/overlay_contacts.hpp"
+#include "tests/render/scene/scene_stage.hpp"
+
+#include <rapidcheck.h>
+
+namespace trembler::render::test {
+namespace {
+
+Pose present(Facts const& facts) {
+    return poseOf(facts);
+}
+
+Link const* find(std::vector<Link> const& links, ObjectId a, ObjectId b) {
+    for (Link const& link : links) {
+        if ((link.a == a && link.b == b) || (link.a == b && link.b == a)) {
+            return &link;
+        }
+    }
+    return nullptr;
+}
+
+// Whether the current of a link leaves `from`.
+bool leaves(Link const& link, ObjectId from) {
+    return (link.a == from) == link.forward;
+}
+
+TEST(SceneWires, areDeadUntilTheCircuitIsClosed) {
+    ExperimentStage stage;
+    std::vector<Link> const before = linksOf(stage.world);
+    ASSERT_EQ(before.size(), 5U);
+    for (Link const& link : before) {
+        EXPECT_FALSE(link.live);
+        EXPECT_LT(link.a, link.b);
+    }
+    stage.closeSwitch();
+    std::vector<Link> const after = linksOf(stage.world);
+    ASSERT_EQ(after.size(), 7U);
+    for (Link const& link : after) {
+        EXPECT_TRUE(link.live);
+    }
+}
+
+TEST(SceneWires, currentRunsFromTheSourceToTheReturn) {
+    ExperimentStage stage;
+    stage.closeSwitch();
+    std::vector<Link> const links = linksOf(stage.world);
+    std::vector<std::string> const way{"source",   "object 1",      "switch",   "object 2",
+                                       "object 3", "electromagnet", "object 4", "earth"};
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        Link const* const link = find(links, stage.id[way[i - 1]], stage.id[way[i]]);
+        ASSERT_NE(link, nullptr) << way[i];
+        EXPECT_TRUE(leaves(*link, stage.id[way[i - 1]])) << way[i];
+    }
+}
+
+TEST(SceneWires, aCableHangsBetweenItsObjectsAndIsFoundThere) {
+    ExperimentStage stage;
+    FactsReader const reader(stage.world);
+    Facts const a = reader.of(stage.id["object 2"]);
+    Facts const b = reader.of(stage.id["object 3"]);
+    std::vector<Point> const path = cablePath(a, poseOf(a), b, poseOf(b));
+    EXPECT_LE(distanceTo(*a.shape, toLocal(poseOf(a), path.front())), 1e-9);
+    EXPECT_LE(distanceTo(*b.shape, toLocal(poseOf(b), path.back())), 1e-9);
+    Point const middle = path[path.size() / 2];
+    EXPECT_LT(middle.y, 0.5 * (path.front().y + path.back().y)); // it sags
+    Link const found = pickWire(stage.world, middle, 0.02);
+    EXPECT_TRUE((found.a == a.id && found.b == b.id) || (found.a == b.id && found.b == a.id));
+    EXPECT_FALSE(pickWire(stage.world, middle + Point{0.3, -0.3}, 0.02).a.valid());
+}
+
+TEST(SceneWires, contactsAreNoCables) {
+    ExperimentStage stage;
+    stage.closeSwitch();
+    FactsReader const reader(stage.world);
+    Facts const a = reader.of(stage.id["object 1"]);
+    Facts const b = reader.of(stage.id["switch"]);
+    std::vector<Point> const path = cablePath(a, poseOf(a), b, poseOf(b));
+    Link const found = pickWire(stage.world, path[path.size() / 2], 0.01);
+    EXPECT_FALSE(found.a == a.id && found.b == b.id);
+}
+
+TEST(SceneRopes, areAsLongAsTheyAre) {
+    EXPECT_TRUE(rc::check([] {
+        double const rope = *rc::gen::inRange(100, 300) / 100.0;
+        double const span = rope * *rc::gen::inRange(5, 100) / 100.0;
+        double const angle = *rc::gen::inRange(-70, 71) / 100.0;
+        Point const to{span * std::cos(angle), span * std::sin(angle)};
+        double const drawn = pathLength(ropePath({}, to, rope));
+        RC_ASSERT(std::abs(drawn - rope) < 0.002 * rope);
+    }));
+    EXPECT_EQ(ropePath({0, 0}, {1, 0}, 1).size(), 2U); // taut: straight
+}
+
+TEST(SceneJoints, staysOnItsObjectsWhileTheySwing) {
+    World world(everything());
+    Store& store = world.store();
+    store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
+    ObjectId const bar = body(world, "bar", {boxPiece(1, 0.1)}, {0.5, 0});
+    ObjectId const pin = store.create("pin");
+    Joint hinge;
+    hinge.form = JointForm::hinge;
+    hinge.a = bar;
+    store.column<Joint>().set(pin, hinge);
+    auto const before = placesOf(world, FactsReader(world), pin, present); // not started: as the level says
+    ASSERT_TRUE(before.has_value());
+    EXPECT_EQ(before->a, Point{});
+    world.start();
+    for (int i = 0; i < 30; ++i) {
+        world.step();
+    }
+    auto const after = placesOf(world, FactsReader(world), pin, present);
+    ASSERT_TRUE(after.has_value());
+    EXPECT_TRUE(after->toWorld);
+    EXPECT_LT(length(after->a), 0.01);
+    EXPECT_LT(length(after->b), 1e-9);
+    EXPECT_LT(world.find<Rotation>(bar)->angle, -0.5); // it did swing
+    EXPECT_EQ(pickJoint(world, {0.02, 0}, 0.01), pin);
+    EXPECT_FALSE(pickJoint(world, {0.5, 0.5}, 0.01).valid());
+    store.destroy({bar});
+    EXPECT_FALSE(placesOf(world, FactsReader(world), pin, present).has_value());
+}
+
+TEST(SceneContacts, aBoxOnTheFloorTouchesAtItsCorners) {
+    Shape const floor{{boxPiece(10, 1)}};
+    Shape const box{{boxPiece(0.6, 0.4)}};
+    auto points = touchingPoints(floor, {{0, -0.5}, 0}, box, {{1, 0.2}, 0});
+    ASSERT_EQ(points.size(), 2U);
+    if (points[0].x > points[1].x) {
+        std::swap(points[0], points[1]);
+    }
+    EXPECT_NEAR(points[0].x, 0.7, 1e-9);
+    EXPECT_NEAR(points[1].x, 1.3, 1e-9);
+    EXPECT_NEAR(points[0].y, 0, 1e-9);
+    // Tilted, it stands on one.
+    EXPECT_EQ(touchingPoints(floor, {{0, -0.5}, 0}, box, {{1, 0.33}, 0.5}).size(), 1U);
+}
+
+TEST(SceneContacts, aBallTouchesWhereItIsLowest) {
+    auto const points =
+        touchingPoints({{boxPiece(10, 1)}}, {{0, -0.5}, 0}, {{circlePiece(0.3)}}, {{1, 0.3}, 0});
+    ASSERT_EQ(points.size(), 1U);
+    EXPECT_NEAR(points[0].x, 1, 0.05);
+    EXPECT_NEAR(points[0].y, 0, 0.002);
+}
+
+TEST(SceneContacts, patchesAreShownOnlyWhileTheyAreKeptUp) {
+    World world(everything());
+    Store& store = world.store();
+    store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
+    store.column<Fixed>().set(body(world, "floor", {boxPiece(10, 1)}, {0, -0.5}), {});
+    ObjectId const box = body(world, "box", {boxPiece(0.6, 0.4)}, {-1, 0.2});
+    world.start();
+    for (int i = 0; i < 5; ++i) {
+        world.step();
+    }
+    auto const draw = [&](bool overlay) {
+        return picture({640, 480}, palette::paper, [&](Canvas& canvas) {
+            if (overlay) {
+                drawContacts(canvas, world);
+            }
+        });
+    };
+    Image const empty = draw(false);
+    Image const marks = draw(true);
+    EXPECT_NE(marks, empty);
+    Subscription wantedContactPatches = world.want<ContactPatches>();
+    store.column<Velocity>().set(box, {{2, 0}});
+    for (int i = 0; i < 5; ++i) {
+        world.step();
+    }
+    Image const patches = draw(true);
+    EXPECT_NE(patches, marks);
+    EXPECT_NE(patches, empty);
+    wantedContactPatches.end();
+    for (int i = 0; i < 60; ++i) { // it slides on while nobody reads
+        store.column<Velocity>().set(box, {{2, 0}});
+        world.step();
+    }
+    // Marks are where it is now: two metres on.
+    Image const now = draw(true);
+    auto const painted = [&](double from, double to) {
+        for (int y = 230; y < 250; ++y) {
+            for (int x = static_cast<int>(320 + 100 * from); x < static_cast<int>(320 + 100 * to); ++x) {
+                if (now.at(x, y) != empty.at(x, y)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+    EXPECT_TRUE(painted(0.3, 2.5));
+    EXPECT_FALSE(painted(-2.5, -0.2));
+}
+
+} // namespace
+} // namespace trembler::render::test

@@ -1,0 +1,56 @@
+// What a solution may have recorded, and what cannot have happened in its level.
+#include "runtime/level/read/check_inputs.hpp"
+#include "tests/runtime/level/sample_properties.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler {
+namespace {
+
+class CheckInputs : public testing::Test {
+protected:
+    CheckInputs() { sample::fill(registry); }
+
+    std::vector<std::string> problemsWith(std::string const& connections, std::string const& solution) {
+        return sample::problemsOf(registry, R"({"version": 1, "title": "t",
+            "objects": [{"name": "a"}, {"name": "b"}, {"name": "c"}],
+            "connections": [)" + connections + R"(],
+            "solutions": [{"name": "s", )" + solution +
+                                                "}]}");
+    }
+    Registry registry;
+};
+
+TEST_F(CheckInputs, RefusesACutWhereNoWireIs) {
+    std::string const wire = R"(["a", "b"])";
+    EXPECT_TRUE(problemsWith(wire, R"("inputs": [{"frame": 3, "cut": ["b", "a"]}])").empty());
+    EXPECT_SAYS(sample::only(problemsWith(wire, R"("inputs": [{"frame": 3, "cut": ["a", "c"]}])")),
+                "/solutions/0/inputs/0: there is no wire between 'a' and 'c'");
+    EXPECT_SAYS(sample::only(problemsWith(
+                    wire, R"("inputs": [{"frame": 3, "cut": ["a", "b"]}, {"frame": 4, "cut": ["b", "a"]}])")),
+                "/solutions/0/inputs/1: the wire between 'b' and 'a' has been cut before");
+    EXPECT_SAYS(sample::only(problemsWith(wire, R"("inputs": [{"frame": 3, "cut": ["a", "d"]}])")),
+                "there is no object 'd'");
+}
+
+TEST_F(CheckInputs, RefusesWhatComesAfterTheLastFrame) {
+    std::string const inputs =
+        R"("inputs": [{"frame": 10, "grab": "a", "at": [0, 0]}, {"frame": 11, "release": true}])";
+    EXPECT_TRUE(problemsWith("", inputs).empty()) << "a solution without an end has no last frame";
+    EXPECT_TRUE(problemsWith("", inputs + R"(, "frames": 11)").empty());
+    EXPECT_SAYS(sample::only(problemsWith("", inputs + R"(, "frames": 10)")),
+                "/solutions/0/inputs/1: comes in frame 11, after the last; expected frames from 1 to 10");
+    EXPECT_EQ(problemsWith("", inputs + R"(, "frames": 9)").size(), 2U);
+}
+
+TEST_F(CheckInputs, RefusesAConnectionThatStandsTwice) {
+    EXPECT_TRUE(problemsWith(R"(["a", "b"], ["b", "c"], ["c", "a"])", R"("frames": 1)").empty());
+    for (char const* const twice :
+         {R"(["a", "b"], ["c", "b"], ["b", "a"])", R"(["a", "b"], ["c", "b"], ["a", "b"])"}) {
+        EXPECT_SAYS(sample::only(problemsWith(twice, R"("frames": 1)")),
+                    "/connections/2: connects 'a' and 'b', as /connections/0 does");
+    }
+}
+
+} // namespace
+} // namespace trembler

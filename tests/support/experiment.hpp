@@ -1,0 +1,59 @@
+// What the tests of the thesis's experiments have in common: a level, played as recorded and looked at by
+// name.
+#pragma once
+
+#include "physics/dynamics/properties/contacts.hpp"
+#include "puzzle/data/workshop.hpp"
+#include "puzzle/session/session.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+class Experiment : public ::testing::Test {
+protected:
+    [[nodiscard]] static Workshop const& workshop();
+    /// A level in levels/experiments, by the name of its file.
+    [[nodiscard]] static LevelFile load(std::string const& file);
+    /// Opens it with one of its recorded solutions, or hands off ("").
+    void open(std::string const& file, std::string const& solution = "", bool trace = false);
+    void open(LevelFile level, std::string const& solution = "", bool trace = false);
+    void step() { session_->step(); }
+    void runTo(std::uint64_t frame);
+    /// Runs up to that frame and returns those in which the two began to touch, however briefly.
+    [[nodiscard]] std::vector<std::uint64_t> hits(std::string const& a, std::string const& b,
+                                                  std::uint64_t frame);
+
+    [[nodiscard]] Session& session() { return *session_; }
+    [[nodiscard]] World const& world() const { return session_->world(); }
+    [[nodiscard]] ObjectId id(std::string const& name) const;
+    [[nodiscard]] Vec2 at(std::string const& name) const;
+    [[nodiscard]] double angle(std::string const& name) const; ///< rad
+    [[nodiscard]] double spin(std::string const& name) const;  ///< rad/s
+    [[nodiscard]] bool on(std::string const& name) const;
+    [[nodiscard]] bool touching(std::string const& a, std::string const& b) const;
+
+    /// The events of that name about all these objects, in order.
+    [[nodiscard]] std::vector<Event const*> events(std::string const& event,
+                                                   std::vector<std::string> const& objects) const;
+    /// The first of them from a frame on; fails the test if there is none.
+    [[nodiscard]] Event const& first(std::string const& event, std::vector<std::string> const& objects,
+                                     std::uint64_t frame = 0) const;
+    /// Whether one event led to another.
+    [[nodiscard]] bool led(Event const& from, Event const& to) const;
+
+private:
+    std::unique_ptr<Session> session_;
+};
+
+/// Arithmetic mean, and standard deviation over it.
+[[nodiscard]] double mean(std::vector<double> const& values);
+[[nodiscard]] double relativeDeviation(std::vector<double> const& values);
+/// The differences of neighbours.
+[[nodiscard]] std::vector<double> intervals(std::vector<std::uint64_t> const& frames);
+
+} // namespace trembler
