@@ -7,7 +7,7 @@
 // do not belong to it. Of each run: the greatest deviation of the raft's height from the run with period 1,
 // when the raft has come to rest, and how far it still swings after that long.
 #include "physics/buoyancy/properties/settings.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
@@ -50,12 +50,12 @@ constexpr std::array<Variant, 4> variants{{
     {"exact", "Buoyancy", true, "exact, looking ahead", "", "#2b6ca3"},
 }};
 
-std::vector<double> heights(Workshop const& workshop, Variant const& variant, int period) {
-    LevelFile const level = loadLevel(workshop.registry, workshop.home / "levels/experiments/4-raft.json");
+std::vector<double> heights(GameData const& gameData, Variant const& variant, int period) {
+    LevelFile const level = loadLevel(gameData.registry, gameData.home / "levels/experiments/4-raft.json");
     WorldOptions options;
     options.detail["buoyancy"] = variant.detail;
     options.periods[variant.component] = period;
-    auto const world = buildWorld(workshop.registry, level, workshop.parts, {}, options);
+    auto const world = buildWorld(gameData.registry, level, gameData.parts, {}, options);
     ObjectId const settings = world->store().find("world");
     auto& column = world->store().column<BuoyancySettings>();
     BuoyancySettings value = column.has(settings) ? column[settings] : BuoyancySettings{};
@@ -213,13 +213,13 @@ void writeCsv(Results const& results, char const* file) {
 } // namespace
 
 int main(int argc, char** argv) {
-    Workshop const workshop;
+    GameData const gameData;
     Results results;
     for (std::size_t v = 0; v < variants.size(); ++v) {
-        std::vector<double> const reference = heights(workshop, variants[v], 1);
+        std::vector<double> const reference = heights(gameData, variants[v], 1);
         for (int period = 1; period <= longestPeriod; ++period) {
             results[v][static_cast<std::size_t>(period)] =
-                measure(heights(workshop, variants[v], period), reference);
+                measure(heights(gameData, variants[v], period), reference);
         }
     }
     printTable(results);

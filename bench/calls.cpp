@@ -65,7 +65,7 @@ struct PullRole {
 struct Drain final : Resolver<Drain, PullRole, Reads<>, Writes<>> {
     static constexpr ComponentText text{
         .name = "Drain", .effect = "bench", .level = "", .work = "Adds the calls up."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     static inline std::int64_t took = 0;
     static inline Vec2 sum;
     [[nodiscard]] bool restless() const { return true; }
@@ -92,7 +92,7 @@ struct Caller final : Interaction<Caller<does>, PullRole, Reads<Weight>> {
                                         .effect = "bench",
                                         .level = "",
                                         .work = "Calls once per object."};
-    using CalledFor = NeedsAll<Weight>;
+    using Activation = NeedsAll<Weight>;
     using Base = Interaction<Caller<does>, PullRole, Reads<Weight>>;
     static inline std::atomic<std::int64_t> took = 0;
     void apply(typename Base::Access& access) {

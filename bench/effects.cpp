@@ -50,7 +50,7 @@ class ElectricityFromBench final
 public:
     static constexpr ComponentText text{
         .name = "Electricity <- Bench", .effect = "bench", .level = "", .work = "Cuts and mends."};
-    using CalledFor = NeedsAll<CableChanges>;
+    using Activation = NeedsAll<CableChanges>;
     void apply(Access& access) {
         for (CableChanges const& change : access.read<CableChanges>().values()) {
             if (change.cut) {

@@ -86,7 +86,7 @@ class ElectricityFromBench final : public Interaction<ElectricityFromBench, Elec
 public:
     static constexpr ComponentText text{
         .name = "Electricity <- Bench", .effect = "bench", .level = "", .work = "Makes the change."};
-    using CalledFor = NeedsAll<Change>;
+    using Activation = NeedsAll<Change>;
     void apply(Access& access) {
         for (Change const& change : access.read<Change>().values()) {
             if (change.add) {

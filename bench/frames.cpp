@@ -52,21 +52,21 @@ template <std::size_t n>
 struct Simulation final : Resolver<Simulation<n>, Role<n>, Reads<Trait>, Writes<>> {
     static constexpr ComponentText text{
         .name = Letters<n>::value, .effect = "bench", .level = "", .work = "None."};
-    using CalledFor = NeedsAny<Trait>;
+    using Activation = NeedsAny<Trait>;
     void advance(typename Resolver<Simulation<n>, Role<n>, Reads<Trait>, Writes<>>::Access&) {}
 };
 template <std::size_t n>
 struct Deduction final : Dps<Deduction<n>, Reads<Trait>, Derives<Result<n>>> {
     static constexpr ComponentText text{
         .name = Letters<n>::value, .effect = "bench", .level = "", .work = "None."};
-    using CalledFor = NeedsAny<Trait>;
+    using Activation = NeedsAny<Trait>;
     void update(typename Dps<Deduction<n>, Reads<Trait>, Derives<Result<n>>>::Access&) {}
 };
 template <std::size_t n>
 struct Glue final : Interaction<Glue<n>, Role<n>, Reads<Result<n>, Trait>> {
     static constexpr ComponentText text{
         .name = Letters<n>::value, .effect = "bench", .level = "", .work = "None."};
-    using CalledFor = NeedsAny<Trait>;
+    using Activation = NeedsAny<Trait>;
     void apply(typename Interaction<Glue<n>, Role<n>, Reads<Result<n>, Trait>>::Access&) {}
 };
 
@@ -89,10 +89,10 @@ Registry const& nobody() {
 }
 
 // Median time of a frame, in s.
-double frameTime(Registry const& registry, bool calledFor, bool changing) {
+double frameTime(Registry const& registry, bool activation, bool changing) {
     World world(registry);
     auto& traits = world.store().column<Trait>();
-    if (calledFor) {
+    if (activation) {
         traits.set(world.store().create("object"), {});
     }
     world.start();

@@ -9,7 +9,7 @@
 // frame is the mean of five, so that what happens in one of them counts. A size is left out where those
 // before it let expect more than half a minute.
 #include "bench/growth_levels.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -44,18 +44,18 @@ struct Measured {
 };
 
 /// Loads a level of n, runs its frames and says what both took.
-Measured measureOnce(Workshop const& workshop, GrowthRow const& row, int n, std::string const& text,
+Measured measureOnce(GameData const& gameData, GrowthRow const& row, int n, std::string const& text,
                      std::string const& engine) {
     Measured measured{static_cast<double>(n), 0, 0};
     double const before = processorTime();
     std::optional<Session> session;
     bool refused = false;
     try {
-        LevelFile const file = readLevel(workshop.registry, JsonDocument::parse(text, row.key));
+        LevelFile const file = readLevel(gameData.registry, JsonDocument::parse(text, row.key));
         WorldOptions options;
         options.detail = file.detail;
         options.detail["dynamics"] = engine;
-        session.emplace(workshop.registry, workshop.parts, file, options);
+        session.emplace(gameData.registry, gameData.parts, file, options);
         if (!file.solutions.empty()) {
             session->load(file.solutions.front());
         }
@@ -85,14 +85,14 @@ double total(Measured const& measured) {
 }
 
 /// The medians of up to five trials, fewer where they take long.
-Measured measure(Workshop const& workshop, GrowthRow const& row, int n, std::string const& engine) {
+Measured measure(GameData const& gameData, GrowthRow const& row, int n, std::string const& engine) {
     constexpr double enough = 5; // s
     constexpr std::size_t most = 5;
     std::string const text = row.make(n).dump();
     std::vector<Measured> trials;
     double spent = 0;
     while (trials.size() < most && (trials.empty() || spent < enough)) {
-        trials.push_back(measureOnce(workshop, row, n, text, engine));
+        trials.push_back(measureOnce(gameData, row, n, text, engine));
         spent += total(trials.back());
     }
     auto const median = [&](double Measured::*time) {
@@ -145,7 +145,7 @@ void print(GrowthRow const& row, std::vector<Measured> const& all, std::vector<i
     std::fflush(stdout);
 }
 
-void printRow(Workshop const& workshop, GrowthRow const& row, std::vector<int> const& sizes,
+void printRow(GameData const& gameData, GrowthRow const& row, std::vector<int> const& sizes,
               std::string const& engine) {
     std::vector<Measured> all;
     for (int const n : sizes) {
@@ -160,7 +160,7 @@ void printRow(Workshop const& workshop, GrowthRow const& row, std::vector<int> c
                 break;
             }
         }
-        all.push_back(measure(workshop, row, n, engine));
+        all.push_back(measure(gameData, row, n, engine));
     }
     print(row, all, sizes, "load", &Measured::load);
     if (!row.refused) {
@@ -189,14 +189,14 @@ int main(int argc, char** argv) {
         rule += "---|";
     }
     std::puts((head + " grows as n^ |\n" + rule + "---|").c_str());
-    Workshop const workshop;
+    GameData const gameData;
     bool all = true;
     for (GrowthRow const& row : bench::growthRows()) {
         if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), row.key) == wanted.end()) {
             continue;
         }
         try {
-            printRow(workshop, row, sizes, engine);
+            printRow(gameData, row, sizes, engine);
         } catch (std::exception const& error) {
             std::fprintf(stderr, "%s: %s\n", row.key.c_str(), error.what());
             all = false;

@@ -8,24 +8,24 @@
 
 namespace trembler {
 
-/// A blow. Blows add up: each excites every mode by its own amount, and so sound energies are summed,
+/// An impact. Impacts add up: each excites every mode by its own amount, and so sound energies are summed,
 /// whatever the order in which they are told. Two that touch tell of two, one for each body.
 struct Strike {
     static constexpr CallText text{"strike", "(object, other, point, normal, impulse, contact, since)",
-                                   "Excites the object's modes as a blow by the other one does, once."};
+                                   "Excites the object's modes as an impact by the other one does, once."};
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId object;
     ObjectId other;
     Vec2 point;         ///< m, in the object's frame
     Vec2 normal;        ///< unit, in the object's frame: which way the object is pushed
     double impulse = 0; ///< N s
-    double contact = 0; ///< s, how long the blow lasts
-    double since = 0;   ///< s, from the beginning of the frame to the blow
+    double contact = 0; ///< s, how long the impact lasts
+    double since = 0;   ///< s, from the beginning of the frame to the impact
     [[nodiscard]] std::array<ObjectId, 2> objects() const { return {object, other}; }
     [[nodiscard]] std::pair<ObjectId, ObjectId> key() const { return {object, other}; }
 };
 
-/// Rubbing or rolling: a noise of small blows for as long as it is held. Their energies add up.
+/// Rubbing or rolling: a noise of small impacts for as long as it is held. Their energies add up.
 struct Rub {
     static constexpr CallText text{"rub", "(object, other, point, normal, force, bandwidth)",
                                    "Excites the object's modes with the noise of one surface on another."};

@@ -1,4 +1,5 @@
-// Sound: blows, scrapes and recordings, what listeners hear of them, and sensors that conduct because of it.
+// Sound: impacts, scrapes and recordings, what listeners hear of them, and sensors that conduct because of
+// it.
 #pragma once
 
 namespace trembler {

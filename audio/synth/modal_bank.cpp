@@ -97,10 +97,10 @@ std::complex<double> ModalBank::turned(Oscillator const& mode, double samples) c
 }
 
 void ModalBank::strike(std::span<double const> amplitudes, double scale, int sample) {
-    auto at = std::lower_bound(blows_.begin(), blows_.end(), sample,
-                               [](Blow const& other, int s) { return other.sample < s; });
-    if (at == blows_.end() || at->sample != sample) {
-        at = blows_.insert(at, Blow{sample, std::vector<double>(modes_.size(), 0)});
+    auto at = std::lower_bound(impacts_.begin(), impacts_.end(), sample,
+                               [](Impact const& other, int s) { return other.sample < s; });
+    if (at == impacts_.end() || at->sample != sample) {
+        at = impacts_.insert(at, Impact{sample, std::vector<double>(modes_.size(), 0)});
     }
     for (std::size_t i = 0; i < std::min(modes_.size(), amplitudes.size()); ++i) {
         at->amplitudes[i] += modes_[i].frequency < rate_ / 2 ? scale * amplitudes[i] : 0;
@@ -120,8 +120,8 @@ void ModalBank::scrape(std::span<double const> amplitudes, double scale) {
 double ModalBank::power(std::size_t mode) const {
     Oscillator const& oscillator = modes_[mode];
     double amplitude = std::abs(oscillator.state);
-    for (Blow const& blow : blows_) {
-        amplitude += std::abs(blow.amplitudes[mode]);
+    for (Impact const& impact : impacts_) {
+        amplitude += std::abs(impact.amplitudes[mode]);
     }
     double const settled = oscillator.drive * oscillator.drive / (4 * oscillator.decay);
     return amplitude * amplitude / 2 + settled;
@@ -161,9 +161,9 @@ void ModalBank::skip(Oscillator& mode, std::size_t index, int samples) const {
     if (mode.state != 0.0) {
         leap(mode, samples);
     }
-    for (Blow const& blow : blows_) {
-        if (blow.amplitudes[index] != 0) {
-            mode.state += blow.amplitudes[index] * turned(mode, samples - blow.sample);
+    for (Impact const& impact : impacts_) {
+        if (impact.amplitudes[index] != 0) {
+            mode.state += impact.amplitudes[index] * turned(mode, samples - impact.sample);
         }
     }
 }
@@ -187,10 +187,10 @@ std::size_t ModalBank::render(std::span<float> out, std::span<std::uint8_t const
             }
             at = to;
         };
-        for (Blow const& blow : blows_) {
-            runTo(std::clamp(blow.sample, at, samples));
+        for (Impact const& impact : impacts_) {
+            runTo(std::clamp(impact.sample, at, samples));
             for (std::size_t i = 0; i < packed_.size(); ++i) {
-                groups_[i / laneCount].re[i % laneCount] += static_cast<float>(blow.amplitudes[packed_[i]]);
+                groups_[i / laneCount].re[i % laneCount] += static_cast<float>(impact.amplitudes[packed_[i]]);
             }
         }
         runTo(samples);
@@ -199,7 +199,7 @@ std::size_t ModalBank::render(std::span<float> out, std::span<std::uint8_t const
             out[n] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
         }
     }
-    bool const disturbed = driven_ || !blows_.empty();
+    bool const disturbed = driven_ || !impacts_.empty();
     std::size_t packed = 0;
     for (std::uint32_t i = 0; i < modes_.size(); ++i) {
         Oscillator& mode = modes_[i];
@@ -219,7 +219,7 @@ std::size_t ModalBank::render(std::span<float> out, std::span<std::uint8_t const
             mode.state = 0;
         }
     }
-    blows_.clear();
+    impacts_.clear();
     driven_ = false;
     return packed_.size();
 }

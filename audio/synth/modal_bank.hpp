@@ -12,7 +12,7 @@
 namespace trembler {
 
 /// Each mode is a complex number that turns and shrinks with every sample; its imaginary part is heard. A
-/// blow adds to its real part, so that the pressure begins at zero. Used by one thread at a time.
+/// impact adds to its real part, so that the pressure begins at zero. Used by one thread at a time.
 class ModalBank {
 public:
     explicit ModalBank(double rate) : rate_(rate) {}
@@ -21,7 +21,7 @@ public:
     /// phase and its strength; those that are no longer there fall silent. Modes above half the sampling rate
     /// stay silent.
     void tune(std::span<Sounds::Ring const> rings, double pitch, double damping);
-    /// Adds to each mode (Pa) at a sample of the next block. Blows add up.
+    /// Adds to each mode (Pa) at a sample of the next block. Impacts add up.
     void strike(std::span<double const> amplitudes, double scale, int sample);
     /// Drives each mode with a white noise (Pa/√s) through the next block.
     void scrape(std::span<double const> amplitudes, double scale);
@@ -48,7 +48,7 @@ private:
         std::complex<double> leap; // of leapSamples
         int leapSamples = 0;       // 0: not worked out
     };
-    struct Blow {
+    struct Impact {
         int sample = 0;
         std::vector<double> amplitudes;
     };
@@ -67,7 +67,7 @@ private:
 
     double rate_;
     std::vector<Oscillator> modes_;
-    std::vector<Blow> blows_; // ascending by sample
+    std::vector<Impact> impacts_; // ascending by sample
     bool driven_ = false;
     std::vector<Group> groups_;         // kept for their memory
     std::vector<std::uint32_t> packed_; // which modes are in the groups

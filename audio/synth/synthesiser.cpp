@@ -54,7 +54,7 @@ void Synthesiser::hear(Sounds const& sounds, Listener const& listener) {
     hearRecordings(sounds);
     if (sounds.frame != heardFrame_) {
         heardFrame_ = sounds.frame;
-        hearBlows(sounds);
+        hearImpacts(sounds);
     }
 }
 
@@ -77,20 +77,20 @@ void Synthesiser::hearBodies(Sounds const& sounds) {
     }
 }
 
-void Synthesiser::hearBlows(Sounds const& sounds) {
+void Synthesiser::hearImpacts(Sounds const& sounds) {
     std::span<double const> const amplitudes = sounds.amplitudes;
-    for (Sounds::Blow const& blow : sounds.blows) {
-        auto const at = bodies_.find(blow.object);
+    for (Sounds::Impact const& impact : sounds.impacts) {
+        auto const at = bodies_.find(impact.object);
         if (at == bodies_.end()) {
             continue;
         }
         BodyVoice& voice = at->second;
-        double const scale = compressed(blow.meanSquare);
-        int const sample = std::clamp(static_cast<int>(blow.since * options_.rate), 0, options_.block - 1);
-        voice.bank.strike(amplitudes.subspan(blow.first, blow.count), scale, sample);
-        int const length = static_cast<int>(std::lround(blow.clickTime * options_.rate / voice.pitch));
-        if (blow.clickPressure > 0 && length >= 2) { // shorter ones are above hearing
-            voice.clicks.push_back({sample, length, scale * blow.clickPressure});
+        double const scale = compressed(impact.meanSquare);
+        int const sample = std::clamp(static_cast<int>(impact.since * options_.rate), 0, options_.block - 1);
+        voice.bank.strike(amplitudes.subspan(impact.first, impact.count), scale, sample);
+        int const length = static_cast<int>(std::lround(impact.clickTime * options_.rate / voice.pitch));
+        if (impact.clickPressure > 0 && length >= 2) { // shorter ones are above hearing
+            voice.clicks.push_back({sample, length, scale * impact.clickPressure});
         }
     }
     for (Sounds::Scrape const& scrape : sounds.scrapes) {

@@ -23,9 +23,9 @@ struct SynthesiserOptions {
     int block = 800;     ///< samples: a frame of the world
     bool masking = true; ///< leave out what cannot be heard beside the rest
     bool doppler = true;
-    /// Blows and noises louder than `comfortable` (dB at 1 m) are rendered with that share of their decibels
-    /// above it. 1: as they are. A girder that falls is 70 dB louder than a die that rolls; loudspeakers in a
-    /// living room are to play both.
+    /// Impacts and noises louder than `comfortable` (dB at 1 m) are rendered with that share of their
+    /// decibels above it. 1: as they are. A girder that falls is 70 dB louder than a die that rolls;
+    /// loudspeakers in a living room are to play both.
     double compression = 0.35;
     double comfortable = 70;
 };
@@ -98,7 +98,7 @@ private:
     };
 
     void hearBodies(Sounds const& sounds);
-    void hearBlows(Sounds const& sounds);
+    void hearImpacts(Sounds const& sounds);
     void hearRecordings(Sounds const& sounds);
     void findAudible();
     void renderBody(ObjectId object, BodyVoice& voice, std::span<float> out);

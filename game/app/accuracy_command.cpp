@@ -6,7 +6,7 @@
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/plot.hpp"
 #include "measure/accuracy/report.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "runtime/file/visible_text.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ void makeFolder(std::string const& option, std::string const& folder) {
 }
 
 int report(AccuracyArguments const& arguments) {
-    Workshop const workshop;
+    GameData const gameData;
     Outputs outputs;
     OutputFile* const json = outputs.add("--json", arguments.json); // rather now than after all the work
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
@@ -65,7 +65,7 @@ int report(AccuracyArguments const& arguments) {
     }
     Progress progress;
     auto const ladders =
-        accuracy::climb(workshop, arguments.effects, {.brief = arguments.brief, .runs = arguments.runs},
+        accuracy::climb(gameData, arguments.effects, {.brief = arguments.brief, .runs = arguments.runs},
                         [&](std::string const& effect) { progress.say(effect); });
     progress.clear();
     if (arguments.plot) {

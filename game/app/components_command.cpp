@@ -1,9 +1,9 @@
 // trembler components and trembler schema: what there is, described by itself, and what levels call for.
 #include "game/app/commands.hpp"
 #include "game/app/outputs.hpp"
-#include "measure/called_for/report.hpp"
+#include "measure/activation/report.hpp"
 #include "puzzle/data/effects.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/goals/level_schema.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/notation/notation.hpp"
@@ -40,17 +40,17 @@ int describe(ComponentsArguments const& arguments) {
     }
     std::vector<LevelUse> plays;
     if (arguments.levels) {
-        Workshop const workshop;
-        plays = playAllForCalls(workshop, playSeconds);
+        GameData const gameData;
+        plays = playAllForCalls(gameData, playSeconds);
     }
     if (json != nullptr) {
-        json->stream() << printed(arguments.levels ? calledForJson(plays) : notationJson(registry));
+        json->stream() << printed(arguments.levels ? activationJson(plays) : notationJson(registry));
     }
     if (markdown != nullptr) {
-        markdown->stream() << (arguments.levels ? calledForMarkdown(plays) : notationMarkdown(registry));
+        markdown->stream() << (arguments.levels ? activationMarkdown(plays) : notationMarkdown(registry));
     }
     if (json == nullptr && markdown == nullptr) {
-        std::cout << (arguments.levels ? calledForText(plays) : notationText(registry));
+        std::cout << (arguments.levels ? activationText(plays) : notationText(registry));
     }
     outputs.finish();
     return exitSolved;

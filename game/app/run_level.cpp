@@ -55,14 +55,14 @@ void setSubsteps(LevelFile& level, int substeps) {
 }
 
 /// Every file that the run reads, or may come to read.
-void noteInputs(Outputs& outputs, RunArguments const& arguments, Workshop const& workshop,
+void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const& gameData,
                 LevelFile const& level) {
     outputs.reads(arguments.level);
     if (!arguments.solution.empty() && level.findSolution(arguments.solution) == nullptr) {
         outputs.reads(arguments.solution);
     }
     std::vector<PropertySet const*> sets;
-    for (PartDefinition const* part : workshop.parts.all()) {
+    for (PartDefinition const* part : gameData.parts.all()) {
         if (part->document) {
             outputs.reads(part->document->file());
         }
@@ -71,7 +71,7 @@ void noteInputs(Outputs& outputs, RunArguments const& arguments, Workshop const&
     for (LevelObject const& object : level.objects) {
         sets.push_back(&object.properties);
     }
-    auto const folders = sampleFoldersOf(workshop, arguments.level);
+    auto const folders = sampleFoldersOf(gameData, arguments.level);
     for (PropertySet const* const set : sets) {
         if (Sample const* const sample = set->find<Sample>()) {
             for (std::filesystem::path const& folder : folders) {
@@ -125,15 +125,15 @@ void watchWith(RunOptions& run, std::optional<watch::WatchTable>& table, Registr
 } // namespace
 
 int runLevel(RunArguments const& arguments) {
-    Workshop const workshop;
-    LevelFile level = loadLevel(workshop.registry, arguments.level);
+    GameData const gameData;
+    LevelFile level = loadLevel(gameData.registry, arguments.level);
     if (arguments.substeps) {
         setSubsteps(level, *arguments.substeps);
     }
     WorldOptions const options = optionsOf(arguments, level);
     std::optional<Solution> solution;
     if (!arguments.solution.empty()) {
-        solution = findOrLoadSolution(workshop.registry, level, arguments.solution);
+        solution = findOrLoadSolution(gameData.registry, level, arguments.solution);
     }
     if (solution && arguments.budget && !solution->changes.empty()) {
         throw std::invalid_argument(
@@ -149,7 +149,7 @@ int runLevel(RunArguments const& arguments) {
                                     : "--watch: expected --csv FILE as well, which says where to write it");
     }
     Outputs outputs;
-    noteInputs(outputs, arguments, workshop, level);
+    noteInputs(outputs, arguments, gameData, level);
     OutputFile* const json = outputs.add("--json", arguments.json);
     OutputFile* const trace = outputs.add("--trace", arguments.trace);
     OutputFile* const account = outputs.add("--account", arguments.account);
@@ -158,14 +158,14 @@ int runLevel(RunArguments const& arguments) {
     OutputFile* const csv = outputs.add("--csv", arguments.csv);
     outputs.claim("--sound", arguments.sound);
 
-    Session session(workshop.registry, workshop.parts, std::move(level), options);
+    Session session(gameData.registry, gameData.parts, std::move(level), options);
     if (arguments.record) {
         if (auto const whyNot = session.whyNotRecorded()) {
             throw std::invalid_argument(fmt::format("--record {}: {}", *arguments.record, *whyNot));
         }
     }
     RunOptions run;
-    budget::BudgetMode mode(workshop.registry);
+    budget::BudgetMode mode(gameData.registry);
     if (arguments.budget) {
         mode.setBudget(1000 * *arguments.budget);
         run.before = [&mode](Session& running) { mode.beforeStep(running); };
@@ -186,11 +186,11 @@ int runLevel(RunArguments const& arguments) {
     };
     std::optional<RunSound> sound;
     if (arguments.sound) {
-        sound.emplace(*arguments.sound, arguments.level, workshop, run);
+        sound.emplace(*arguments.sound, arguments.level, gameData, run);
     }
     std::optional<watch::WatchTable> table;
     if (csv != nullptr) {
-        watchWith(run, table, workshop.registry, arguments, csv->stream());
+        watchWith(run, table, gameData.registry, arguments, csv->stream());
     }
     RunReport const report = trembler::run(session, arguments.level, run);
     progress.clear();

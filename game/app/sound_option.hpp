@@ -2,7 +2,7 @@
 #pragma once
 
 #include "puzzle/data/effects.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/run/runner.hpp"
 #ifndef TREMBLER_HEADLESS
 #include "game/ui/headless/run_sound.hpp"
@@ -21,14 +21,14 @@ namespace trembler {
 /// Stands in for ui::RunSound.
 class RunSound {
 public:
-    RunSound(std::string const&, std::string const&, Workshop const&, RunOptions&) {
+    RunSound(std::string const&, std::string const&, GameData const&, RunOptions&) {
         throw std::runtime_error("--sound: this build was made without sound; build it without "
                                  "-DTREMBLER_HEADLESS=ON");
     }
     void finish() {}
 };
 
-inline std::vector<std::filesystem::path> sampleFoldersOf(Workshop const&, std::string const&) {
+inline std::vector<std::filesystem::path> sampleFoldersOf(GameData const&, std::string const&) {
     return {};
 }
 
@@ -38,10 +38,10 @@ inline std::vector<std::filesystem::path> sampleFoldersOf(Workshop const&, std::
 /// cannot be written and std::runtime_error if there is no sound to be had. `run` must not outlive it.
 class RunSound {
 public:
-    RunSound(std::string const& file, std::string const& level, Workshop const& workshop, RunOptions& run)
+    RunSound(std::string const& file, std::string const& level, GameData const& gameData, RunOptions& run)
         : quiet_(::setenv("ALSOFT_DRIVERS", "null", 1)),
           sound_(
-              file, {.synthesiser = {}, .output = {}, .sampleFolders = ui::sampleFolders(workshop, level)},
+              file, {.synthesiser = {}, .output = {}, .sampleFolders = ui::sampleFolders(gameData, level)},
               [](std::string const& what) { std::cerr << "trembler: " << what << "\n"; }, run) {}
     /// Puts the file in its place. Throws OutputError.
     void finish() { sound_.finish(); }
@@ -53,9 +53,9 @@ private:
 };
 
 /// Where a level's recordings are looked for.
-inline std::vector<std::filesystem::path> sampleFoldersOf(Workshop const& workshop,
+inline std::vector<std::filesystem::path> sampleFoldersOf(GameData const& gameData,
                                                           std::string const& level) {
-    return ui::sampleFolders(workshop, level);
+    return ui::sampleFolders(gameData, level);
 }
 
 #endif

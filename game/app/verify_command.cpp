@@ -1,6 +1,6 @@
 // trembler verify: is every level valid?
 #include "game/app/commands.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/solutions/verify.hpp"
 #include "runtime/file/visible_text.hpp"
 
@@ -32,7 +32,7 @@ std::vector<fs::path> levelsUnder(fs::path const& path) {
 }
 
 int verifyAll(std::vector<std::string> const& paths, std::vector<std::string> const& detail) {
-    Workshop const workshop;
+    GameData const gameData;
     std::vector<fs::path> levels;
     for (std::string const& path : paths) {
         std::vector<fs::path> const found = levelsUnder(path);
@@ -42,20 +42,20 @@ int verifyAll(std::vector<std::string> const& paths, std::vector<std::string> co
         levels.insert(levels.end(), found.begin(), found.end());
     }
     if (paths.empty()) {
-        levels = workshop.levels();
+        levels = gameData.levels();
     }
     if (levels.empty()) {
         throw std::invalid_argument(
-            fmt::format("there is no level in {}", (workshop.home / "levels").string()));
+            fmt::format("there is no level in {}", (gameData.home / "levels").string()));
     }
     bool valid = true;
     for (fs::path const& level : levels) {
-        std::vector<std::string> const failures = verifyLevel(workshop, level, detailOf(detail));
+        std::vector<std::string> const failures = verifyLevel(gameData, level, detailOf(detail));
         for (std::string const& failure : failures) {
             std::cout << failure << "\n";
         }
         if (failures.empty()) {
-            std::cout << visible(workshop.shortName(level)) << ": valid\n" << std::flush;
+            std::cout << visible(gameData.shortName(level)) << ": valid\n" << std::flush;
         }
         valid = valid && failures.empty();
     }

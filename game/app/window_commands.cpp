@@ -58,12 +58,12 @@ int play(PlayArguments const& arguments) {
     if (arguments.pictures.empty()) {
         throw std::invalid_argument("--pictures: the folder's name is empty");
     }
-    Workshop const workshop;
+    GameData const gameData;
     ui::PlayOptions options;
     options.level = arguments.level;
     options.pictures = arguments.pictures;
     options.fullscreen = arguments.fullscreen;
-    return ui::play(workshop, options);
+    return ui::play(gameData, options);
 }
 
 render::Size sizeFrom(std::string const& text) {
@@ -82,7 +82,7 @@ render::Size sizeFrom(std::string const& text) {
 }
 
 int takeScreenshot(ScreenshotArguments const& arguments) {
-    Workshop const workshop;
+    GameData const gameData;
     ui::ScreenshotOptions options;
     options.level = arguments.level;
     options.frame = arguments.frame;
@@ -103,7 +103,7 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
     Progress progress;
     options.progress = [&](std::uint64_t done) { progress.frames(done, arguments.frame); };
     options.picture.step = [&](std::string const& what) { progress.say(what); };
-    render::Image const image = ui::screenshot(workshop, options);
+    render::Image const image = ui::screenshot(gameData, options);
     progress.say("writing the picture");
     render::writePng(image, *file);
     progress.clear();

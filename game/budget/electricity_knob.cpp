@@ -24,7 +24,7 @@ std::optional<Knob> electricityKnob(World const& world) {
     for (ComponentStatus const& level : levels) {
         std::string_view const name = level.info->text.level;
         Option option{
-            std::string(name), {toLevel(effect, name)}, static_cast<double>(level.info->text.cost), {}, {}};
+            std::string(name), {toLevel(effect, name)}, static_cast<double>(level.info->text.rank), {}, {}};
         bool const isNow = level.info == now->info;
         bool enough = false;
         for (ElectricalLevel const known : {ElectricalLevel::singleCable, ElectricalLevel::twoWire,

@@ -7,7 +7,7 @@
 
 namespace trembler {
 
-struct Workshop;
+struct GameData;
 
 namespace accuracy {
 
@@ -46,7 +46,7 @@ struct Effort {
 /// One ladder to be climbed: its effect is known before it is run.
 struct Plan {
     std::string effect;
-    std::function<Ladder(Workshop const&, Effort)> climb;
+    std::function<Ladder(GameData const&, Effort)> climb;
 };
 
 /// All plans, by effect and in the order in which they are reported. The one place where a new one is added.
@@ -54,7 +54,7 @@ struct Plan {
 
 /// Runs the plans of these effects, of all if there are none named, and marks the fronts. `progress` is told
 /// what is about to run. Throws std::invalid_argument, listing what there is, for an unknown effect.
-[[nodiscard]] std::vector<Ladder> climb(Workshop const& workshop, std::vector<std::string> const& effects,
+[[nodiscard]] std::vector<Ladder> climb(GameData const& gameData, std::vector<std::string> const& effects,
                                         Effort effort,
                                         std::function<void(std::string const&)> const& progress = {});
 

@@ -60,7 +60,7 @@ void markFront(Ladder& ladder) {
     }
 }
 
-std::vector<Ladder> climb(Workshop const& workshop, std::vector<std::string> const& effects, Effort effort,
+std::vector<Ladder> climb(GameData const& gameData, std::vector<std::string> const& effects, Effort effort,
                           std::function<void(std::string const&)> const& progress) {
     std::vector<Plan> const all = plans();
     for (std::string const& effect : effects) {
@@ -81,9 +81,9 @@ std::vector<Ladder> climb(Workshop const& workshop, std::vector<std::string> con
             if (progress) {
                 progress(plan.effect);
             }
-            Ladder ladder = plan.climb(workshop, effort);
+            Ladder ladder = plan.climb(gameData, effort);
             for (int run = 1; run < effort.runs; ++run) {
-                Ladder const again = plan.climb(workshop, effort);
+                Ladder const again = plan.climb(gameData, effort);
                 for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
                     ladder.rungs[i].microseconds =
                         std::min(ladder.rungs[i].microseconds, again.rungs[i].microseconds);

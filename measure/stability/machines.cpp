@@ -1,7 +1,7 @@
 // The machines of the thesis for ten minutes, and every level in the repository for half an hour.
 #include "measure/stability/hard_case.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::uint64_t minute = 3600;
 
-Workshop const& workshop() {
-    static Workshop const shared;
+GameData const& gameData() {
+    static GameData const shared;
     return shared;
 }
 
 LevelFile experiment(char const* file) {
-    return loadLevel(workshop().registry, workshop().home / "levels/experiments" / file);
+    return loadLevel(gameData().registry, gameData().home / "levels/experiments" / file);
 }
 
 std::unique_ptr<Session> play(LevelFile level, Setting const& setting) {
@@ -30,7 +30,7 @@ std::unique_ptr<Session> play(LevelFile level, Setting const& setting) {
     options.threads = setting.threads;
     options.detail = level.detail;
     options.detail["dynamics"] = setting.engine;
-    return std::make_unique<Session>(workshop().registry, workshop().parts, std::move(level), options);
+    return std::make_unique<Session>(gameData().registry, gameData().parts, std::move(level), options);
 }
 
 void shift(LevelFile& level, std::string const& name, Vec2 by) {
@@ -120,7 +120,7 @@ std::vector<Figure> motor(Setting const& setting, std::uint64_t seed) {
 // Nobody touches anything. What leaves the level's bounds by more than a tenth of their size is counted, each
 // object once, and so is what is no number.
 std::vector<Figure> handsOff(Setting const& setting, std::filesystem::path const& path) {
-    LevelFile level = loadLevel(workshop().registry, path);
+    LevelFile level = loadLevel(gameData().registry, path);
     Box bounds = level.bounds.value_or(Box{{-1e3, -1e3}, {2e3, 2e3}});
     double const margin = 0.1 * std::max(bounds.size.x, bounds.size.y);
     bounds = {bounds.corner - Vec2{margin, margin}, bounds.size + Vec2{2 * margin, 2 * margin}};
@@ -147,8 +147,8 @@ std::vector<Figure> handsOff(Setting const& setting, std::filesystem::path const
 std::vector<HardCase> machineCases() {
     std::vector<HardCase> cases{{"doorbell, ten minutes", "", doorbell, true, false},
                                 {"motor, ten minutes", "", motor, true, false}};
-    for (std::filesystem::path const& path : workshop().levels()) {
-        cases.push_back({"1e5 frames hands off", workshop().shortName(path),
+    for (std::filesystem::path const& path : gameData().levels()) {
+        cases.push_back({"1e5 frames hands off", gameData().shortName(path),
                          [path](Setting const& setting, std::uint64_t) { return handsOff(setting, path); },
                          false, false, false});
     }

@@ -36,7 +36,7 @@ public:
                                         .effect = "test",
                                         .level = "",
                                         .work = "Closes and opens contacts at once."};
-    using CalledFor = NeedsAll<Relay>;
+    using Activation = NeedsAll<Relay>;
     void hashMemory(StateHash& hash) const { hash.members(closed_); }
     void apply(Access& access) {
         auto const& state = access.read<ElectricalState>();

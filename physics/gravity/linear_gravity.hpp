@@ -17,8 +17,8 @@ public:
                                         .level = "linear",
                                         .work =
                                             "Exports mass times the world's acceleration for each object.",
-                                        .cost = 1};
-    using CalledFor = NeedsAll<GravityField, Mass>;
+                                        .rank = 1};
+    using Activation = NeedsAll<GravityField, Mass>;
     static constexpr int longestPeriod = 4; // as that of the levels which it may stand in for
     /// A world that states a law of gravity means it, and masses that attract nobody are another world.
     static bool faithful(Store const& store);

@@ -18,8 +18,8 @@ public:
                                         .effect = "gravity",
                                         .level = "real",
                                         .work = "Exports the sum of the attractions of all other masses.",
-                                        .cost = 0}; // a world that states a law of gravity means it
-    using CalledFor = NeedsAll<GravityLaw, Mass, Position>;
+                                        .rank = 0}; // a world that states a law of gravity means it
+    using Activation = NeedsAll<GravityLaw, Mass, Position>;
     static constexpr int longestPeriod = 4; // a force that stands for longer is another force
     static constexpr Coverage memory = leftOut("filled anew in each update");
     void update(Access& access);

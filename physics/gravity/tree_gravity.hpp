@@ -22,8 +22,8 @@ public:
         .effect = "gravity",
         .level = "tree",
         .work = "Exports the sum of the attractions of all other masses, far clusters of them as wholes.",
-        .cost = -1}; // where it suits it is cheaper than Real Gravity
-    using CalledFor = NeedsAll<GravityLaw, Mass, Position>;
+        .rank = -1}; // where it suits it is cheaper than Real Gravity
+    using Activation = NeedsAll<GravityLaw, Mass, Position>;
     static constexpr int longestPeriod = 4; // a force that stands for longer is another force
     static constexpr Coverage memory = leftOut("filled anew in each update");
     /// From here on it is three times as fast as Real Gravity; it overtakes it at about 500

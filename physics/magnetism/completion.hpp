@@ -22,7 +22,7 @@ struct SusceptibilityCompletion final
                                          .work = "What is made of iron or steel is attracted by magnets, "
                                                  "unless it is stated not to be: saturation "
                                                  "times the root of its area times the depth of the world."};
-    using CalledFor = NeedsAll<MadeOf, Shape>;
+    using Activation = NeedsAll<MadeOf, Shape>;
     static void complete(Access& access) {
         double const saturation = materialFacts(access.find<MadeOf>()->material).saturation;
         Shape const& shape = *access.find<Shape>();
@@ -40,7 +40,7 @@ struct MagnetCompletion final
         .work =
             "Whatever has poles is a magnet: an electromagnet begins off, until there is electricity, any "
             "other on."};
-    using CalledFor = NeedsAny<Electromagnet, MagneticPoles>;
+    using Activation = NeedsAny<Electromagnet, MagneticPoles>;
     static void complete(Access& access) {
         access.add(access.has<Electromagnet>() ? Magnet{false, 0} : Magnet{});
     }

@@ -23,7 +23,7 @@ public:
         .level = "",
         .work =
             "Asks for parts of a frame so short that the forces between the strongest magnets are followed."};
-    using CalledFor = NeedsAll<Shape>; // what is no body is moved by none of them
+    using Activation = NeedsAll<Shape>; // what is no body is moved by none of them
     void apply(Access& access) {
         auto const& fixed = access.read<Fixed>();
         double most = 0;

@@ -17,7 +17,7 @@ public:
         .effect = "magnetism",
         .level = "",
         .work = "Enables every electromagnet whose electrical state is on and disables every other."};
-    using CalledFor = NeedsAll<Electromagnet>;
+    using Activation = NeedsAll<Electromagnet>;
     void apply(Access& access) {
         auto const& state = access.read<ElectricalState>();
         forEach(

@@ -17,7 +17,7 @@ public:
         .level = "pairwise",
         .work = "For each pair of magnets, calculates the attracting and repelling "
                 "forces and exports the accumulated value.",
-        .cost = 1};
+        .rank = 1};
 
     // Every receiver sums over all others by itself, so no bit depends on threads.
     void sum(Access& access, MagneticSum, inverse_square::Points const& sources,

@@ -29,7 +29,7 @@ public:
         .effect = "magnetism",
         .level = "grid",
         .work = "Adds up the forces that magnets within a cutoff length exert.",
-        .cost = 2}; // not picked by itself: what it leaves out has no bound that a scene could be asked about
+        .rank = 2}; // not picked by itself: what it leaves out has no bound that a scene could be asked about
 
     /// Unless the world states a cutoff or a threshold that takes away forces which matter.
     static bool faithful(Store const& store);

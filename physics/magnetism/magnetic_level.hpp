@@ -25,7 +25,7 @@ template <class Self, class... More>
 class MagneticLevel : public detail::MagneticBase<Self, More...> {
 public:
     using Access = typename detail::MagneticBase<Self, More...>::Access;
-    using CalledFor = NeedsAll<Magnet, MagneticStrength, Position>;
+    using Activation = NeedsAll<Magnet, MagneticStrength, Position>;
     static constexpr int longestPeriod = 4; // a force that stands for longer is another force
     static constexpr Coverage memory = leftOut("filled anew in each update");
 

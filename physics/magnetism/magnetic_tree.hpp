@@ -20,7 +20,7 @@ public:
         .effect = "magnetism",
         .level = "tree",
         .work = "Adds up the forces that magnets exert, far clusters of poles as wholes.",
-        .cost = 0};
+        .rank = 0};
     /// So many objects with poles: three times as fast as all pairs; it overtakes them at about 300
     /// (bench_many_bodies).
     static constexpr std::size_t worthwhile = 1500;

@@ -16,7 +16,7 @@ public:
         .level = "",
         .work = "Switches electromagnets as requested by the interaction functions: "
                 "on at once, off over a few frames of cooling down."};
-    using CalledFor = NeedsAny<Magnet>;
+    using Activation = NeedsAny<Magnet>;
     static constexpr Coverage memory = leftOut("whether any magnet cools down, which Magnet on/off says");
 
     [[nodiscard]] bool restless() const { return cooling_; }

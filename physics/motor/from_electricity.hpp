@@ -20,7 +20,7 @@ public:
                                         .level = "",
                                         .work = "Turns every electric motor that is on, and what it turns "
                                                 "against the other way."};
-    using CalledFor = NeedsAll<ElectricMotor>;
+    using Activation = NeedsAll<ElectricMotor>;
     void apply(Access& access);
 };
 
@@ -32,7 +32,7 @@ public:
                                         .effect = "motor",
                                         .level = "",
                                         .work = "Brakes every generator through which current flows."};
-    using CalledFor = NeedsAll<Generator>;
+    using Activation = NeedsAll<Generator>;
     void apply(Access& access);
 };
 

@@ -22,7 +22,7 @@ public:
                                         .work =
                                             "Connects every generator that turns fast enough to its source, "
                                             "and disconnects it when it turns a tenth slower than that."};
-    using CalledFor = NeedsAll<Generator>;
+    using Activation = NeedsAll<Generator>;
     static constexpr double lettingGo = 0.9; ///< of the speed: so that it does not flicker on the border
     void apply(Access& access);
 };

@@ -11,11 +11,11 @@ namespace {
 constexpr std::uint64_t handsOffFrames = 3600;
 constexpr std::uint64_t solutionFrames = 3600;
 
-RunReport runOnce(Workshop const& workshop, LevelFile const& level, Solution const* solution, int threads) {
+RunReport runOnce(GameData const& gameData, LevelFile const& level, Solution const* solution, int threads) {
     WorldOptions options;
     options.threads = threads;
     options.detail = level.detail;
-    Session session(workshop.registry, workshop.parts, level, options);
+    Session session(gameData.registry, gameData.parts, level, options);
     RunOptions run;
     run.frames = handsOffFrames;
     if (solution != nullptr) {
@@ -47,12 +47,12 @@ bool sameHashes(RunReport const& a, RunReport const& b) {
 
 } // namespace
 
-std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::path const& path,
+std::vector<std::string> verifyLevel(GameData const& gameData, std::filesystem::path const& path,
                                      std::map<std::string, std::string> const& detail) {
     std::vector<std::string> failures;
-    std::string const name = workshop.shortName(path);
+    std::string const name = gameData.shortName(path);
     try {
-        LevelFile level = loadLevel(workshop.registry, path);
+        LevelFile level = loadLevel(gameData.registry, path);
         for (auto const& [effect, name] : detail) {
             level.detail[effect] = name;
         }
@@ -62,7 +62,7 @@ std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::
         if (level.solutions.empty()) {
             failures.push_back(fmt::format("{}: no solution is recorded", name));
         }
-        RunReport const handsOff = runOnce(workshop, level, nullptr, 1);
+        RunReport const handsOff = runOnce(gameData, level, nullptr, 1);
         addWarnings(failures, name, handsOff);
         if (handsOff.solved && !level.demonstration) {
             failures.push_back(fmt::format("{}: solved by an empty toolbox, in frame {}", name,
@@ -72,11 +72,11 @@ std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::
             failures.push_back(
                 fmt::format("{}: a demonstration, but hands off it does not reach its goals", name));
         }
-        if (!sameHashes(handsOff, runOnce(workshop, level, nullptr, 3))) {
+        if (!sameHashes(handsOff, runOnce(gameData, level, nullptr, 3))) {
             failures.push_back(fmt::format("{}: hands off, 1 and 3 threads end in different states", name));
         }
         for (Solution const& solution : level.solutions) {
-            RunReport const report = runOnce(workshop, level, &solution, 1);
+            RunReport const report = runOnce(gameData, level, &solution, 1);
             addWarnings(failures, fmt::format("{}: solution '{}'", name, solution.name), report);
             if (report.solved != solution.solves) {
                 failures.push_back(
@@ -84,7 +84,7 @@ std::vector<std::string> verifyLevel(Workshop const& workshop, std::filesystem::
                                 solution.solves ? "solving the level" : "not solving the level",
                                 report.solved ? "solves it" : "does not"));
             }
-            if (!sameHashes(report, runOnce(workshop, level, &solution, 2))) {
+            if (!sameHashes(report, runOnce(gameData, level, &solution, 2))) {
                 failures.push_back(fmt::format(
                     "{}: solution '{}' ends in different states on 1 and 2 threads", name, solution.name));
             }

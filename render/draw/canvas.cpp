@@ -119,7 +119,7 @@ void Canvas::fill(Instance shape, Style const& style) {
     if (!seen(shape, metres(12)) && !(style.glow.reach > 0)) {
         return;
     }
-    Colour const tint = style.tint.value_or(colourOf(style.material));
+    Colour const tint = style.tint.value_or(colourOf(style.pattern));
     if (style.layer != Layer::Inside) {
         if (!style.ghost) {
             // What lets light through casts little shadow.
@@ -136,7 +136,7 @@ void Canvas::fill(Instance shape, Style const& style) {
         faded(style.outlineColour.value_or(mix(palette::ink, opaque, tint.alpha < 128 ? 0.45F : 0.20F)),
               style.alpha));
     shape.outline = narrow(metres(static_cast<double>(style.outline)));
-    shape.material = static_cast<std::uint8_t>(style.material);
+    shape.material = static_cast<std::uint8_t>(style.pattern);
     shape.flags = flagsOf(style);
     shape.grain = style.grain > 0 ? narrow(style.grain) : std::min(shape.half[0], shape.half[1]);
     push(shape);

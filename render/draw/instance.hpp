@@ -30,7 +30,7 @@ inline constexpr std::uint8_t flagRim = 8;
 inline constexpr std::uint8_t flagInside = 16;
 inline constexpr std::uint8_t flagHovered = 32;
 
-/// How many values Instance::material has (enum Material).
+/// How many values Instance::material has (enum Pattern).
 inline constexpr std::size_t materialCount = 9;
 
 /// Lengths in metres; positions relative to the camera's centre, so that 32 bits are enough far from the

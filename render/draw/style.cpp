@@ -2,25 +2,25 @@
 
 namespace trembler::render {
 
-Colour colourOf(Material material) {
-    switch (material) {
-    case Material::Plain:
+Colour colourOf(Pattern pattern) {
+    switch (pattern) {
+    case Pattern::Plain:
         return palette::plain;
-    case Material::Metal:
+    case Pattern::Metal:
         return palette::steel;
-    case Material::Wood:
+    case Pattern::Wood:
         return palette::wood;
-    case Material::Glass:
+    case Pattern::Glass:
         return palette::glass;
-    case Material::Rubber:
+    case Pattern::Rubber:
         return palette::rubber;
-    case Material::Stone:
+    case Pattern::Stone:
         return palette::stone;
-    case Material::Plastic:
+    case Pattern::Plastic:
         return palette::plastic;
-    case Material::Copper:
+    case Pattern::Copper:
         return palette::copper;
-    case Material::Water:
+    case Pattern::Water:
         return palette::water;
     }
     return palette::plain;

@@ -10,7 +10,7 @@
 namespace trembler::render {
 
 /// What a part is made of, told apart at a glance by pattern as well as by colour.
-enum class Material : std::uint8_t {
+enum class Pattern : std::uint8_t {
     Plain,   ///< flat two-tone, for things without a substance
     Metal,   ///< brushed, with a sheen that stays when the part turns
     Wood,    ///< grain along the part's own x axis
@@ -23,7 +23,7 @@ enum class Material : std::uint8_t {
 };
 
 /// The colour that a material has when the style names none.
-[[nodiscard]] Colour colourOf(Material material);
+[[nodiscard]] Colour colourOf(Pattern pattern);
 
 /// Light around a shape. It is drawn behind the shape and falls off to nothing at `reach`.
 struct Glow {
@@ -38,7 +38,7 @@ enum class Layer : std::uint8_t { Whole, Rim, Inside };
 
 /// How a filled shape looks. Lengths in pixels are at UI scale 1.
 struct Style {
-    Material material = Material::Plain;
+    Pattern pattern = Pattern::Plain;
     std::optional<Colour> tint{};          ///< else the material's own colour; its opacity counts
     float outline = 2.F;                   ///< pixels, inside the shape's true edge; 0 for none
     std::optional<Colour> outlineColour{}; ///< else ink with a touch of the tint

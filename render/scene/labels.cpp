@@ -16,7 +16,7 @@ std::size_t characters(std::string_view utf8) {
 
 Colour inkOn(Facts const& facts) {
     Style const style = styleOf(facts);
-    Colour const ground = style.tint.value_or(colourOf(style.material));
+    Colour const ground = style.tint.value_or(colourOf(style.pattern));
     // Luma of Rec. 601; glass shows the paper.
     double const luma = 0.299 * ground.red + 0.587 * ground.green + 0.114 * ground.blue;
     return ground.alpha < 128 || luma > 115 ? palette::ink : palette::paperLight;

@@ -10,11 +10,12 @@ namespace trembler::render {
 
 /// The factor on every length of the interface; 1 at 1280x720, about 1.4 at 1920x1080 and 2.5 at 3840x2160.
 /// It grows a little slower than the window, so that a larger screen shows larger letters and also more.
-/// `wish` is the player's own setting (0.5 to 3, else it is clamped). The result lies between 0.375 and 12.
-[[nodiscard]] inline float uiScaleFor(Size pixels, float wish = 1.F) {
+/// `request` is the player's own setting (0.5 to 3, else it is clamped). The result lies between 0.375
+/// and 12.
+[[nodiscard]] inline float uiScaleFor(Size pixels, float request = 1.F) {
     float const fit =
         std::min(static_cast<float>(pixels.width) / 1280.F, static_cast<float>(pixels.height) / 720.F);
-    float const own = std::isfinite(wish) ? std::clamp(wish, 0.5F, 3.F) : 1.F;
+    float const own = std::isfinite(request) ? std::clamp(request, 0.5F, 3.F) : 1.F;
     return std::clamp(std::pow(std::max(fit, 0.01F), 0.85F), 0.75F, 4.F) * own;
 }
 

@@ -45,7 +45,7 @@ Window::Video::~Video() {
 }
 
 Window::Window(WindowOptions const& options)
-    : mode_(options.mode), uiScaleWish_(options.uiScaleWish), window_(nullptr, SDL_DestroyWindow),
+    : mode_(options.mode), uiScaleRequest_(options.uiScaleRequest), window_(nullptr, SDL_DestroyWindow),
       context_(nullptr, SDL_GL_DeleteContext) {
     startVideo(options.mode);
     openWindow(options);
@@ -169,7 +169,7 @@ float Window::pixelsPerPoint() const {
 }
 
 float Window::uiScale() const {
-    return uiScaleFor(size(), uiScaleWish_);
+    return uiScaleFor(size(), uiScaleRequest_);
 }
 
 void Window::resize(Size size) {

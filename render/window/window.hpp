@@ -22,8 +22,8 @@ struct WindowOptions {
     std::string title = "Trembler";
     Size size{1280, 720}; ///< points when visible, pixels offscreen
     WindowMode mode = WindowMode::Visible;
-    bool waitForScreen = true; ///< present() waits for the screen's next refresh; ignored offscreen
-    float uiScaleWish = 1.F;   ///< the player's own factor, see uiScaleFor
+    bool waitForScreen = true;  ///< present() waits for the screen's next refresh; ignored offscreen
+    float uiScaleRequest = 1.F; ///< the player's own factor, see uiScaleFor
 };
 
 /// Why there is no window. what() is meant for the player.
@@ -64,7 +64,7 @@ public:
     /// The factor on every length of the interface, see uiScaleFor. Follows the window's size.
     [[nodiscard]] float uiScale() const;
     /// The player's own factor on uiScale (0.5 to 3).
-    void setUiScaleWish(float wish) { uiScaleWish_ = wish; }
+    void setUiScaleRequest(float request) { uiScaleRequest_ = request; }
 
     /// Changes the size (points when visible, pixels offscreen). Throws RenderError if offscreen cannot be
     /// that large.
@@ -108,7 +108,7 @@ private:
     void makeCurrent();
 
     WindowMode mode_;
-    float uiScaleWish_;
+    float uiScaleRequest_;
     std::string videoDriver_;
     std::string renderer_;
     bool software_ = false;

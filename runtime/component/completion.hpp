@@ -51,17 +51,17 @@ template <template <class...> class List, class... P, class Other>
 inline constexpr bool disjoint<List<P...>, Other> = (!listed<P, Other> && ...);
 
 template <class... P>
-[[nodiscard]] bool calledFor(Store const& store, ObjectId id, NeedsAll<P...> const&) {
+[[nodiscard]] bool activation(Store const& store, ObjectId id, NeedsAll<P...> const&) {
     return (store.has<P>(id) && ...);
 }
 template <class... P>
-[[nodiscard]] bool calledFor(Store const& store, ObjectId id, NeedsAny<P...> const&) {
+[[nodiscard]] bool activation(Store const& store, ObjectId id, NeedsAny<P...> const&) {
     return (store.has<P>(id) || ...);
 }
 
 } // namespace detail
 
-/// Base of every completion. `Self` has `static constexpr CompletionText text`, `using CalledFor = ...`
+/// Base of every completion. `Self` has `static constexpr CompletionText text`, `using Activation = ...`
 /// (which objects it completes), `static void complete(Access&)`, and no data: nothing is remembered from one
 /// object to the next.
 ///
@@ -163,18 +163,18 @@ public:
         static_assert(
             requires(Access & access) { Self::complete(access); },
             "a completion has 'static void complete(Access&)': it is handed what it declares");
-        static_assert(detail::disjoint<AddsList, typename Self::CalledFor>,
+        static_assert(detail::disjoint<AddsList, typename Self::Activation>,
                       "a completion is not called for by what it adds itself");
         static CompletionInfo const info = [] {
             CompletionInfo made{.type = typeid(Self), .text = Self::text};
             made.reads = detail::infos(ReadsList{});
             made.adds = detail::infos(AddsList{});
-            copyNeeds(typename Self::CalledFor{}, made);
+            copyNeeds(typename Self::Activation{}, made);
             made.run = [](Store& store, std::span<ObjectId const> objects) {
                 typename Access::Columns columns{Access::template Pointers<ReadsList>::of(store),
                                                  Access::template Pointers<AddsList>::of(store)};
                 for (ObjectId const object : objects) { // ascending, see Store::complete()
-                    if (detail::calledFor(store, object, typename Self::CalledFor{})) {
+                    if (detail::activation(store, object, typename Self::Activation{})) {
                         Access access(columns, object);
                         Self::complete(access);
                     }

@@ -9,7 +9,7 @@
 namespace trembler {
 
 /// Base of every derived property set. `Self` has `static constexpr ComponentText text`,
-/// `using CalledFor = ...` and a `void update(Access&)`. It runs only when something that it reads has
+/// `using Activation = ...` and a `void update(Access&)`. It runs only when something that it reads has
 /// changed. With `static constexpr bool onDemand = true` it is absent while nobody reads what it derives.
 template <class Self, class ReadsList, class DerivesList>
 class Dps : public Component {
@@ -92,7 +92,7 @@ public:
             made.reads = detail::infos(ReadsList{});
             made.offers = detail::infos(DerivesList{});
             detail::copyMemory<Self, Dps>(made);
-            detail::copyNeeds(typename Self::CalledFor{}, made);
+            detail::copyNeeds(typename Self::Activation{}, made);
             if constexpr (requires { Self::onDemand; }) {
                 made.onDemand = Self::onDemand;
             }

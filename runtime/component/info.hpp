@@ -21,7 +21,7 @@ struct ComponentText {
     std::string_view
         level;             ///< for example "linear": one of the effect's detail levels, "" if it has only one
     std::string_view work; ///< what it does on advance, update or apply
-    int cost = 0;          ///< among alternatives that suit a scene the one with the least cost is picked
+    int rank = 0; ///< a preference: of alternatives that suit a scene the one of the least rank is picked
 };
 
 struct CallInfo {

@@ -10,8 +10,8 @@
 
 namespace trembler {
 
-/// Base of every interaction. `Self` has `static constexpr ComponentText text`, `using CalledFor = ...` and a
-/// `void apply(Access&)`.
+/// Base of every interaction. `Self` has `static constexpr ComponentText text`, `using Activation = ...` and
+/// a `void apply(Access&)`.
 ///
 /// It is applied in every frame in which something that it reads has changed. In the others its held calls
 /// stand as they are, so to apply it again would change nothing. With `static constexpr bool inSetup = true`
@@ -143,7 +143,7 @@ public:
             made.role = typeid(Role);
             made.roleName = Role::name;
             detail::copyMemory<Self, Interaction>(made);
-            detail::copyNeeds(typename Self::CalledFor{}, made);
+            detail::copyNeeds(typename Self::Activation{}, made);
             if constexpr (requires { Self::inSetup; }) {
                 static_assert(detail::onlyObjectProperties<ReadsList>,
                               "in the setup there are object properties only: no resolver has advanced, no "

@@ -8,7 +8,7 @@
 
 namespace trembler {
 
-/// Base of every resolver. `Self` has `static constexpr ComponentText text`, `using CalledFor = ...`, a
+/// Base of every resolver. `Self` has `static constexpr ComponentText text`, `using Activation = ...`, a
 /// `void advance(Access&)`, and may have `bool restless() const`: true while it has work of its own to go on
 /// with although nothing around it changed (bodies that still move). With `static constexpr bool onDemand =
 /// true` it is absent while nobody reads what it provides: neither a component that is there nor anybody
@@ -143,7 +143,7 @@ public:
                 made.calls = {CallInfo{C::text, C::algebra}...};
             }(typename Role::Calls{});
             detail::copyMemory<Self, Resolver>(made);
-            detail::copyNeeds(typename Self::CalledFor{}, made);
+            detail::copyNeeds(typename Self::Activation{}, made);
             if constexpr (requires { Self::onDemand; }) {
                 made.onDemand = Self::onDemand;
             }

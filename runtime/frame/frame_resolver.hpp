@@ -36,7 +36,7 @@ public:
         .level = "",
         .work = "Divides each frame, before it begins, into 1, 2, 4 or 8 equal parts: as stated, or so that "
                 "they are as short as somebody asks for."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void advance(Access& access);
 };
 

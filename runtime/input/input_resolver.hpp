@@ -69,7 +69,7 @@ public:
         .level = "",
         .work = "Takes over what the player did since the last frame: what the hand "
                 "holds and where it pulls, which wires were cut, what was removed."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     static constexpr Coverage memory = leftOut("whether there are Player commands, which are hashed");
 
     [[nodiscard]] bool restless() const { return isCalled() || commandsStand_; }

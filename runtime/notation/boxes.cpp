@@ -69,7 +69,7 @@ std::string propertySet(std::vector<PropertyInfo const*> const& properties) {
     return text + "}";
 }
 
-std::string calledFor(ComponentInfo const& info) {
+std::string activation(ComponentInfo const& info) {
     std::string const demand = info.onDemand ? ", while somebody reads what it offers" : "";
     bool const always = info.neededAll.empty() && info.neededAny.empty();
     return (always ? "every scene" : objectsWith(info.neededAll, info.neededAny)) + demand;
@@ -120,7 +120,7 @@ NotationBox boxOf(Registry const& registry, ComponentInfo const& info) {
     if (!info.text.level.empty()) {
         box.rows.push_back({"Detail level", fmt::format("{} = {}", info.text.effect, info.text.level)});
     }
-    box.rows.push_back({"Called for by", calledFor(info)});
+    box.rows.push_back({"Called for by", activation(info)});
     return box;
 }
 

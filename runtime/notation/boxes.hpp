@@ -32,7 +32,7 @@ struct NotationBox {
 [[nodiscard]] NotationBox boxOf(PropertyInfo const& info);
 
 /// What in a scene calls for a component, in words.
-[[nodiscard]] std::string calledFor(ComponentInfo const& info);
+[[nodiscard]] std::string activation(ComponentInfo const& info);
 /// In which derived property sets an interaction runs (5.7.3), in words; empty if in none.
 [[nodiscard]] std::string shortcutNote(Registry const& registry, ComponentInfo const& info);
 

@@ -242,7 +242,7 @@ nlohmann::ordered_json notationJson(Registry const& registry) {
                               {"offers", names(info.offers)},
                               {"work", info.text.work},
                               {"calls", calls},
-                              {"called_for", calledFor(info)},
+                              {"called_for", activation(info)},
                               {"shortcut", shortcutNote(registry, info)},
                               {"in_setup", info.inSetup}});
     }

@@ -39,7 +39,7 @@ public:
         .work = "Destroys and creates objects as requested. Ids follow from the keys "
                 "of the births, so they depend on no order and no thread."};
     static constexpr bool writesEverything = true;
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     static constexpr Coverage memory =
         leftOut("whether there is news to be taken back, which Population changes says");
 
@@ -68,7 +68,7 @@ public:
                                         .effect = "population",
                                         .level = "",
                                         .work = "Destroys every object that the player removed."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access& access);
 };
 

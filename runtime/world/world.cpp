@@ -192,7 +192,7 @@ void World::runPart() {
     }
 }
 
-bool World::calledFor(ComponentInfo const& info) const {
+bool World::activation(ComponentInfo const& info) const {
     auto const inhabited = [this](PropertyInfo const* p) {
         ColumnBase const* const column = store_.findColumn(*p);
         return column != nullptr && !column->empty();
@@ -225,7 +225,7 @@ std::size_t World::pick(std::vector<std::size_t> const& alternatives) const {
     for (std::size_t const i : alternatives) {
         Registration const& r = *entries_[i].registration;
         bool const suits = r.missing.empty() && (r.suits == nullptr || r.suits(store_));
-        if (suits && (!found || r.info->text.cost < entries_[best].status.info->text.cost)) {
+        if (suits && (!found || r.info->text.rank < entries_[best].status.info->text.cost)) {
             best = i;
             found = true;
         }
@@ -275,7 +275,7 @@ std::vector<bool> World::wantedWithout(std::vector<bool> const& unread) const {
     std::vector<bool> chosen(entries_.size(), false);
     auto const possible = [&](std::size_t entry) {
         ComponentInfo const& info = *entries_[entry].status.info;
-        return !unread[entry] && calledFor(info) &&
+        return !unread[entry] && activation(info) &&
                std::all_of(info.reads.begin(), info.reads.end(), [&](PropertyInfo const* read) {
                    return read->kind == PropertyKind::object || hasProvider(*read, chosen);
                });

@@ -163,7 +163,7 @@ private:
     [[nodiscard]] std::vector<bool> wantedWithout(std::vector<bool> const& unread) const;
     [[nodiscard]] bool isRead(ComponentInfo const& info, std::vector<bool> const& chosen,
                               bool byOnlookers) const;
-    [[nodiscard]] bool calledFor(ComponentInfo const& info) const;
+    [[nodiscard]] bool activation(ComponentInfo const& info) const;
     [[nodiscard]] bool hasProvider(PropertyInfo const& property, std::vector<bool> const& chosen) const;
     [[nodiscard]] std::size_t pick(std::vector<std::size_t> const& alternatives) const;
     void bindAll();

@@ -19,7 +19,7 @@ struct CoolRole {
 };
 struct Fridge final : Resolver<Fridge, CoolRole, Reads<>, Writes<Heat>> {
     static constexpr ComponentText text{.name = "Fridge", .effect = "heat", .level = "", .work = "Cools."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access& access) {
         access.forCalls<Cool>([](Cool const&, CallOrigin) {});
     }

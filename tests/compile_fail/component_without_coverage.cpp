@@ -6,7 +6,7 @@ namespace trembler {
 struct HeatFromColour final : Interaction<HeatFromColour, HeatRole, Reads<Colour>> {
     static constexpr ComponentText text{
         .name = "Heat <- Colour", .effect = "heat", .level = "", .work = "Heats."};
-    using CalledFor = NeedsAll<Colour>;
+    using Activation = NeedsAll<Colour>;
     void apply(Access&) { told_ = true; }
 #ifdef TREMBLER_CONTROL
     void hashMemory(StateHash& hash) const {

@@ -22,7 +22,7 @@ struct WeldRole {
 struct Welder final : Interaction<Welder, WeldRole, Reads<Heat>> {
     static constexpr ComponentText text{
         .name = "Weld <- Heat", .effect = "heat", .level = "", .work = "Welds."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     void apply(Access& access) { access.call(Weld{ObjectId{0, 0}}); }
 };
 

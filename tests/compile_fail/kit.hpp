@@ -103,7 +103,7 @@ struct PaintRole {
 /// What the cases' completions call themselves, and which objects they complete.
 struct Warming {
     static constexpr CompletionText text{.name = "Warmth", .work = "Warms."};
-    using CalledFor = NeedsAll<Colour>;
+    using Activation = NeedsAll<Colour>;
 };
 /// A completion that obeys, if what it reads lets it.
 template <class Seen>

@@ -23,7 +23,7 @@ static void describe(Self&, Visitor&&) {
 
 struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>, Provides<HotSpots, Flames>> {
     static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access&) {}
 };
 template void Registry::component<Stove>();

@@ -18,7 +18,7 @@ struct KeyRole {
 };
 struct Keys final : Resolver<Keys, KeyRole, Reads<Heat>, Writes<>> {
     static constexpr ComponentText text{.name = "Keys", .effect = "keys", .level = "", .work = "Types."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     void advance(Access& access) {
         access.forCalls<Press>([](Press const&, CallOrigin) {});
     }

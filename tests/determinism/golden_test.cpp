@@ -30,9 +30,9 @@ std::filesystem::path const goldenFile =
 
 TEST(Golden, HashesOfEveryLevelAreThoseOnRecord) {
     nlohmann::ordered_json now;
-    for (auto const& path : workshop().levels()) {
-        auto& level = now[workshop().shortName(path)];
-        for (auto const& [run, hashes] : hashesOf(loadLevel(workshop().registry, path))) {
+    for (auto const& path : gameData().levels()) {
+        auto& level = now[gameData().shortName(path)];
+        for (auto const& [run, hashes] : hashesOf(loadLevel(gameData().registry, path))) {
             level[run] = {{"state", hashes.state}, {"motion", hashes.motion}};
         }
     }

@@ -5,8 +5,8 @@
 
 namespace trembler::determinism {
 
-Workshop const& workshop() {
-    static Workshop const shared;
+GameData const& gameData() {
+    static GameData const shared;
     return shared;
 }
 
@@ -36,7 +36,7 @@ std::map<std::string, RunHashes> hashesOf(LevelFile const& level, int threads) {
         WorldOptions options;
         options.threads = threads;
         options.rowsWorthThreads = 0; // the scenes are small: without this no second thread would ever start
-        Session session(workshop().registry, workshop().parts, level, options);
+        Session session(gameData().registry, gameData().parts, level, options);
         if (solution != nullptr) {
             session.load(*solution);
         }

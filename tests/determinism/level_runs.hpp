@@ -1,7 +1,7 @@
 // Running the project's levels and collecting their hashes, for all determinism tests.
 #pragma once
 
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/run/runner.hpp"
 
 #include <filesystem>
@@ -14,8 +14,8 @@ namespace trembler::determinism {
 inline constexpr std::uint64_t frames = 600;
 inline constexpr std::uint64_t every = 60;
 
-/// One workshop for the whole test program.
-[[nodiscard]] Workshop const& workshop();
+/// One gameData for the whole test program.
+[[nodiscard]] GameData const& gameData();
 /// Hashes at every 60th frame of one run.
 struct RunHashes {
     std::vector<std::string> state;

@@ -19,9 +19,9 @@ void shuffle(nlohmann::json& list, std::mt19937& random) {
 
 TEST(Order, OfEntriesInAFileNeverMatters) {
     std::mt19937 random(20120601);
-    for (auto const& path : workshop().levels()) {
+    for (auto const& path : gameData().levels()) {
         auto const document = JsonDocument::load(path);
-        auto const expected = hashesOf(readLevel(workshop().registry, document));
+        auto const expected = hashesOf(readLevel(gameData().registry, document));
         for (int attempt = 0; attempt < 12; ++attempt) {
             nlohmann::json shuffled = document->root();
             for (char const* const list : {"objects", "joints", "connections", "toolbox", "placing"}) {
@@ -39,15 +39,15 @@ TEST(Order, OfEntriesInAFileNeverMatters) {
                 }
             }
             auto const level =
-                readLevel(workshop().registry, JsonDocument::parse(shuffled.dump(), path.string()));
+                readLevel(gameData().registry, JsonDocument::parse(shuffled.dump(), path.string()));
             ASSERT_EQ(expected, hashesOf(level)) << path << ", attempt " << attempt;
         }
     }
 }
 
 TEST(Order, OfPlacingNeverMatters) {
-    for (auto const& path : workshop().levels()) {
-        LevelFile const level = loadLevel(workshop().registry, path);
+    for (auto const& path : gameData().levels()) {
+        LevelFile const level = loadLevel(gameData().registry, path);
         for (Solution const& solution : level.solutions) {
             std::vector<Placement> placements = solution.placements;
             if (placements.size() < 2) {
@@ -55,7 +55,7 @@ TEST(Order, OfPlacingNeverMatters) {
             }
             std::vector<std::uint64_t> hashes;
             for (int way = 0; way < 2; ++way) {
-                Session session(workshop().registry, workshop().parts, level);
+                Session session(gameData().registry, gameData().parts, level);
                 for (Placement const& placement : placements) {
                     ASSERT_TRUE(session.place(placement)) << session.check(placement).why;
                 }

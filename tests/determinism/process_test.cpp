@@ -32,7 +32,7 @@ nlohmann::json hashesOf(std::string const& environment, std::string const& level
 }
 
 TEST(Processes, GiveTheSameHashes) {
-    for (auto const& path : workshop().levels()) {
+    for (auto const& path : gameData().levels()) {
         auto const first = hashesOf("", path.string(), 1);
         ASSERT_TRUE(first.is_array()) << first;
         EXPECT_EQ(first.size(), 5U);

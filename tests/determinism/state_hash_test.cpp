@@ -127,8 +127,8 @@ public:
 
 TEST(StateHashCovers, EveryFieldOfEveryObjectProperty) {
     int fields = 0;
-    for (PropertyInfo const* info : workshop().registry.objectProperties()) {
-        World world(workshop().registry);
+    for (PropertyInfo const* info : gameData().registry.objectProperties()) {
+        World world(gameData().registry);
         ObjectId const id = world.store().create("thing");
         std::uint64_t const without = world.stateHash();
         world.store().column(*info).addDefault(id);
@@ -139,7 +139,7 @@ TEST(StateHashCovers, EveryFieldOfEveryObjectProperty) {
         }
         std::set<std::uint64_t> seen{world.stateHash()};
         for (int number = 0;; ++number) {
-            World other(workshop().registry);
+            World other(gameData().registry);
             ObjectId const twin = other.store().create("thing");
             other.store().column(*info).addDefault(twin);
             other.store().column(*info).visit(twin, fill);
@@ -200,7 +200,7 @@ bool changeLeaf(T& v, int& left) {
 struct Everything {
     World world;
 
-    explicit Everything(WorldOptions options = {}) : world(workshop().registry, std::move(options)) {
+    explicit Everything(WorldOptions options = {}) : world(gameData().registry, std::move(options)) {
         auto& store = world.store();
         ObjectId const all = give("world", GravityField{{0, -9.81}});
         static_cast<void>(all);
@@ -277,7 +277,7 @@ std::set<PropertyInfo const*> infosOf(List<P...> const&) {
 
 TEST(StateHashCovers, EveryMemberOfEverySlotOrTheListSaysWhyNot) {
     std::set<PropertyInfo const*> offered;
-    for (Registration const& component : workshop().registry.components()) {
+    for (Registration const& component : gameData().registry.components()) {
         if (component.info->kind == ComponentKind::resolver) {
             offered.insert(component.info->offers.begin(), component.info->offers.end());
         }
@@ -337,7 +337,7 @@ template <class... Role>
 void checkRoles() {
     std::set<std::string_view> tested{std::string_view(Role::name)...};
     std::set<std::string_view> registered;
-    for (Registration const& component : workshop().registry.components()) {
+    for (Registration const& component : gameData().registry.components()) {
         if (component.info->kind == ComponentKind::resolver && !component.info->calls.empty()) {
             registered.insert(component.info->roleName);
         }
@@ -395,8 +395,8 @@ TEST(StateHashTellsApart, DetailAndPeriods) {
 }
 
 TEST(StateHashTellsApart, WhichIdsWillBeGivenNext) {
-    World plain(workshop().registry);
-    World used(workshop().registry);
+    World plain(gameData().registry);
+    World used(gameData().registry);
     used.store().destroy({used.store().create("gone")});
     EXPECT_NE(plain.stateHash(), used.stateHash()) << "the next object has another id";
 }

@@ -16,8 +16,8 @@ namespace trembler::determinism {
 namespace {
 
 TEST(ParallelDeterminism, EveryLevelIsTheSameOnAnyNumberOfThreads) {
-    for (auto const& path : workshop().levels()) {
-        LevelFile const level = loadLevel(workshop().registry, path);
+    for (auto const& path : gameData().levels()) {
+        LevelFile const level = loadLevel(gameData().registry, path);
         auto const single = hashesOf(level, 1);
         for (int const threads : {2, 3, 8, 32}) {
             EXPECT_EQ(single, hashesOf(level, threads)) << path << " on " << threads << " threads";
@@ -31,7 +31,7 @@ std::vector<std::uint64_t> heapHashes(int threads) {
     options.threads = threads;
     options.rowsWorthThreads = 0;
     options.trace = threads % 2 == 0; // tracing must not show either
-    World world(workshop().registry, options);
+    World world(gameData().registry, options);
     Store& store = world.store();
     store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
     ObjectId const floor = store.create("floor");

@@ -3,8 +3,8 @@
 #include "puzzle/goals/level_schema.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "runtime/level/json/limits.hpp"
+#include "tests/levels/catalog.hpp"
 #include "tests/levels/schema_validator.hpp"
-#include "tests/levels/shelf.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,8 @@ struct Outcome {
 };
 Outcome outcomeOf(std::string const& goals) {
     try {
-        return {readGoals(readLevel(shelf().registry, JsonDocument::parse(levelWith(goals), "l.json"))), {}};
+        return {readGoals(readLevel(catalog().registry, JsonDocument::parse(levelWith(goals), "l.json"))),
+                {}};
     } catch (InputError const& error) {
         return {std::nullopt, {error.diagnostics().begin(), error.diagnostics().end()}};
     }
@@ -129,7 +130,7 @@ TEST(GoalSize, HowManyTooManyThereAreMakesNoDifference) {
 }
 
 TEST(GoalSize, TheSchemaStatesTheSameLength) {
-    nlohmann::json const schema = levelSchema(shelf().registry);
+    nlohmann::json const schema = levelSchema(catalog().registry);
     auto const faults = [&](std::size_t count) {
         return validate(schema, nlohmann::json::parse(levelWith(listOf("sequence", count))));
     };

@@ -1,5 +1,5 @@
 #include "runtime/level/build/placing.hpp"
-#include "tests/levels/shelf.hpp"
+#include "tests/levels/catalog.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,7 +9,7 @@ namespace {
 
 // Counting parts as they come says of each placement what a look at all those before it says.
 TEST(PlacementCount, SaysOfEachPlacementWhatALookAtAllBeforeItSays) {
-    LevelFile const level = readLevel(shelf().registry, JsonDocument::parse(sampleLevel(), "sample.json"));
+    LevelFile const level = readLevel(catalog().registry, JsonDocument::parse(sampleLevel(), "sample.json"));
     rc::check([&] {
         std::vector<Placement> placements(*rc::gen::inRange<std::size_t>(0, 12));
         for (Placement& placement : placements) {
@@ -17,10 +17,10 @@ TEST(PlacementCount, SaysOfEachPlacementWhatALookAtAllBeforeItSays) {
             placement.at = {static_cast<double>(*rc::gen::inRange(-10, 10)),
                             static_cast<double>(*rc::gen::inRange(-2, 6))};
         }
-        PlacementCount count(level, shelf().parts);
+        PlacementCount count(level, catalog().parts);
         for (std::size_t i = 0; i < placements.size(); ++i) {
             RC_ASSERT(count.add(placements[i]) ==
-                      checkPlacement(level, shelf().parts, std::span(placements).first(i), placements[i]));
+                      checkPlacement(level, catalog().parts, std::span(placements).first(i), placements[i]));
         }
     });
 }

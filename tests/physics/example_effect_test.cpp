@@ -75,8 +75,8 @@ public:
         .level = "quadratic",
         .work = "Drag: half the density of air times drag area times speed squared, "
                 "along the velocity of the air relative to the sail.",
-        .cost = 1};
-    using CalledFor = NeedsAll<Wind, Sail>;
+        .rank = 1};
+    using Activation = NeedsAll<Wind, Sail>;
 
     void update(Access& access) {
         constexpr double airDensity = 1.2; // kg/m³
@@ -102,7 +102,7 @@ public:
                                         .level = "",
                                         .work =
                                             "Applies the force of the wind at each sail's centre of mass."};
-    using CalledFor = NeedsAll<Sail>;
+    using Activation = NeedsAll<Sail>;
 
     void apply(Access& access) {
         for (WindForce::Entry const& entry : access.read<WindForce>().forces) {

@@ -40,7 +40,7 @@ struct TestBuoyancy final
                Writes<>, Provides<TestBuoyantForce>> {
     static constexpr ComponentText text{
         .name = "Test Buoyancy", .effect = "test", .level = "", .work = "Calculates F_B."};
-    using CalledFor = NeedsAll<TestLiquid>;
+    using Activation = NeedsAll<TestLiquid>;
     void advance(Access&) {}
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 std::vector<std::string> otherEngines() {
     std::vector<std::string> found;
-    Workshop const workshop;
-    for (Registration const& registration : workshop.registry.components()) {
+    GameData const gameData;
+    for (Registration const& registration : gameData.registry.components()) {
         ComponentText const& text = registration.info->text;
         if (text.effect == "dynamics" && !text.level.empty() && text.level != "box2d" &&
             registration.missing.empty()) {
@@ -29,10 +29,10 @@ struct OnEngine {
 
 std::vector<OnEngine> everyCase() {
     std::vector<OnEngine> cases;
-    Workshop const workshop;
+    GameData const gameData;
     for (std::string const& engine : otherEngines()) {
-        for (std::filesystem::path const& level : workshop.levels()) {
-            cases.push_back({engine, workshop.shortName(level)});
+        for (std::filesystem::path const& level : gameData.levels()) {
+            cases.push_back({engine, gameData.shortName(level)});
         }
     }
     return cases;
@@ -42,7 +42,7 @@ class Engines : public Experiment, public ::testing::WithParamInterface<OnEngine
 
 TEST_P(Engines, VerifyTheLevel) {
     std::vector<std::string> const failures =
-        verifyLevel(workshop(), workshop().home / GetParam().level, {{"dynamics", GetParam().engine}});
+        verifyLevel(gameData(), gameData().home / GetParam().level, {{"dynamics", GetParam().engine}});
     for (std::string const& failure : failures) {
         ADD_FAILURE() << failure;
     }

@@ -36,11 +36,11 @@ TEST_P(LeftOut, EveryLevelLoadsAndThoseThatDoNotCallForItEndInTheSameState) {
     Registry registry;
     registerEffects(registry, {GetParam()});
     registry.check();
-    PartLibrary const parts = loadParts(registry, workshop().home / "assets" / "parts");
+    PartLibrary const parts = loadParts(registry, gameData().home / "assets" / "parts");
     int untouched = 0;
-    for (std::filesystem::path const& path : workshop().levels()) {
+    for (std::filesystem::path const& path : gameData().levels()) {
         Outcome const whole =
-            play(loadLevel(workshop().registry, path), workshop().registry, workshop().parts);
+            play(loadLevel(gameData().registry, path), gameData().registry, gameData().parts);
         Outcome const rest = play(loadLevel(registry, path), registry, parts);
         EXPECT_FALSE(rest.atWork.contains(GetParam())) << path;
         EXPECT_TRUE(rest.atWork.contains("dynamics")) << path;
@@ -62,8 +62,8 @@ TEST_F(Experiment, AllEffectsButDynamicsCanBeLeftOutAtOnce) {
     Registry registry;
     registerEffects(registry, dispensableGameEffects());
     registry.check();
-    PartLibrary const parts = loadParts(registry, workshop().home / "assets" / "parts");
-    for (std::filesystem::path const& path : workshop().levels()) {
+    PartLibrary const parts = loadParts(registry, gameData().home / "assets" / "parts");
+    for (std::filesystem::path const& path : gameData().levels()) {
         Outcome const rest = play(loadLevel(registry, path), registry, parts);
         EXPECT_TRUE(rest.atWork.contains("dynamics")) << path;
     }

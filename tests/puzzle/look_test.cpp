@@ -13,13 +13,13 @@ class LookTest : public Experiment {};
 // By construction: what no component, no completion and no rule is handed decides nothing.
 TEST_F(LookTest, IsReadByNoComponent) {
     auto const isLook = [](PropertyInfo const* info) { return info->type == typeid(Look); };
-    for (Registration const& registration : workshop().registry.components()) {
+    for (Registration const& registration : gameData().registry.components()) {
         ComponentInfo const& info = *registration.info;
         for (auto const* list : {&info.reads, &info.writes, &info.neededAll, &info.neededAny}) {
             EXPECT_TRUE(std::none_of(list->begin(), list->end(), isLook)) << title(info);
         }
     }
-    for (CompletionInfo const* info : workshop().registry.completions()) {
+    for (CompletionInfo const* info : gameData().registry.completions()) {
         for (auto const* list : {&info->reads, &info->adds, &info->neededAll, &info->neededAny}) {
             EXPECT_TRUE(std::none_of(list->begin(), list->end(), isLook)) << title(*info);
         }

@@ -8,7 +8,7 @@ namespace {
 class LoudEnough : public Experiment {
 protected:
     void openWith(std::string const& solution) {
-        open(loadLevel(workshop().registry, workshop().home / "levels/sound/1-loud-enough.json"), solution,
+        open(loadLevel(gameData().registry, gameData().home / "levels/sound/1-loud-enough.json"), solution,
              true);
     }
 };

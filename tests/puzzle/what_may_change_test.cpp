@@ -60,9 +60,9 @@ class WhatMayChange : public Experiment {
 protected:
     [[nodiscard]] static std::string refusalOfLevel(std::string const& text) {
         return refusalOf([&] {
-            LevelFile level = readLevel(workshop().registry, JsonDocument::parse(text, "discs.json"));
+            LevelFile level = readLevel(gameData().registry, JsonDocument::parse(text, "discs.json"));
             Solution const solution = level.solutions.front();
-            Session session(workshop().registry, workshop().parts, std::move(level));
+            Session session(gameData().registry, gameData().parts, std::move(level));
             session.load(solution);
         });
     }
@@ -79,7 +79,7 @@ TEST_F(WhatMayChange, ASolutionThatSetsTheLawOfGravityIsRefusedWithItsPlace) {
 
     std::filesystem::path const file = std::filesystem::path(testing::TempDir()) / "discs.json";
     std::ofstream(file) << cheat;
-    auto const failures = verifyLevel(workshop(), file);
+    auto const failures = verifyLevel(gameData(), file);
     ASSERT_FALSE(failures.empty());
     EXPECT_NE(failures.front().find("/solutions/0/changes/0/setting/gravity_law/constant"), std::string::npos)
         << failures.front();
@@ -89,11 +89,11 @@ TEST_F(WhatMayChange, ASolutionThatSetsTheLawOfGravityIsRefusedWithItsPlace) {
     std::ofstream(own) << "{\"name\": \"pull\", \"changes\": [\n"
                           "  {\"frame\": 2, \"setting\": {\"gravity_law\": {\"constant\": 1}}}]}";
     LevelFile const level =
-        readLevel(workshop().registry,
+        readLevel(gameData().registry,
                   JsonDocument::parse(discs("{}", R"({"frame": 2, "setting": {"solver": {"substeps": 2}}})"),
                                       "l.json"));
     std::string const ownSaid =
-        refusalOf([&] { static_cast<void>(findOrLoadSolution(workshop().registry, level, own.string())); });
+        refusalOf([&] { static_cast<void>(findOrLoadSolution(gameData().registry, level, own.string())); });
     EXPECT_NE(ownSaid.find("pull.json:2:"), std::string::npos) << ownSaid;
     std::filesystem::remove(file);
     std::filesystem::remove(own);
@@ -103,7 +103,7 @@ TEST_F(WhatMayChange, ASolutionThatSetsTheLawOfGravityIsRefusedWithItsPlace) {
 TEST_F(WhatMayChange, OnlyAccuracySettingsAreTakenOfAllPropertiesThereAre) {
     std::set<std::string> taken;
     std::size_t refused = 0;
-    for (PropertyInfo const* info : workshop().registry.objectProperties()) {
+    for (PropertyInfo const* info : gameData().registry.objectProperties()) {
         for (FieldOutline const& field : outlineOf(*info->makeValue())) {
             bool any = false;
             // Within the range of the field, at its ends and between them.
@@ -111,7 +111,7 @@ TEST_F(WhatMayChange, OnlyAccuracySettingsAreTakenOfAllPropertiesThereAre) {
                 double const from = std::max(field.info.minimum, -1e6);
                 double value = from + share * (std::min(field.info.maximum, 1e6) - from);
                 value = field.type == FieldType::integer ? std::floor(value) : value;
-                any = any || !faultIn(workshop().registry,
+                any = any || !faultIn(gameData().registry,
                                       make(Kind::setting, info->text.key, field.info.key, value));
             }
             if (any) {
@@ -139,7 +139,7 @@ TEST_F(WhatMayChange, OnlyAccuracySettingsAreTakenOfAllPropertiesThereAre) {
 // A cutoff of a millimetre would switch magnetism off, so not every value is a matter of accuracy.
 TEST_F(WhatMayChange, OfACutoffOnlyWhatLeavesMagnetismAsItIs) {
     auto const fault = [&](std::string_view field, double value) {
-        return faultIn(workshop().registry, make(Kind::setting, "magnetism", field, value)).has_value();
+        return faultIn(gameData().registry, make(Kind::setting, "magnetism", field, value)).has_value();
     };
     EXPECT_TRUE(fault("cutoff", 0.001));
     EXPECT_FALSE(fault("cutoff", 0)) << "automatic";
@@ -150,12 +150,12 @@ TEST_F(WhatMayChange, OfACutoffOnlyWhatLeavesMagnetismAsItIs) {
 
 TEST_F(WhatMayChange, OnlyWhatMayMissAFrameGetsAPeriod) {
     std::set<std::string> able;
-    for (Registration const& registration : workshop().registry.components()) {
+    for (Registration const& registration : gameData().registry.components()) {
         std::string const name = title(*registration.info);
-        EXPECT_FALSE(faultIn(workshop().registry, make(Kind::period, name, "", registration.period)));
+        EXPECT_FALSE(faultIn(gameData().registry, make(Kind::period, name, "", registration.period)));
         EXPECT_TRUE(
-            faultIn(workshop().registry, make(Kind::period, name, "", registration.longestPeriod + 1)));
-        if (!faultIn(workshop().registry, make(Kind::period, name, "", 2))) {
+            faultIn(gameData().registry, make(Kind::period, name, "", registration.longestPeriod + 1)));
+        if (!faultIn(gameData().registry, make(Kind::period, name, "", 2))) {
             able.insert(name);
         }
     }
@@ -198,15 +198,15 @@ TEST_F(WhatMayChange, ACircuitKeepsItsWayBack) {
 // What was asked for on the command line is whoever asked's own affair, but no solution.
 TEST_F(WhatMayChange, ARunWithOtherPhysicsIsNoSolution) {
     LevelFile const level = load("1-switched-electromagnet.json");
-    Session other(workshop().registry, workshop().parts, level,
+    Session other(gameData().registry, gameData().parts, level,
                   {.detail = {{"electricity", "single-cable"}}, .periods = {}});
     EXPECT_TRUE(other.whyNotRecorded());
     other.step();
     EXPECT_TRUE(other.whyNotRecorded());
-    Session exact(workshop().registry, workshop().parts, level,
+    Session exact(gameData().registry, gameData().parts, level,
                   {.detail = {{"electricity", "nodal"}}, .periods = {}});
     EXPECT_FALSE(exact.whyNotRecorded());
-    Session slow(workshop().registry, workshop().parts, level,
+    Session slow(gameData().registry, gameData().parts, level,
                  {.detail = {}, .periods = {{"Dynamics Resolver", 2}}});
     EXPECT_TRUE(slow.whyNotRecorded());
 }

@@ -16,13 +16,13 @@ bool isIn(std::vector<TouchingPair> const& pairs, ObjectId a, ObjectId b) {
 
 } // namespace
 
-Workshop const& Experiment::workshop() {
-    static Workshop const shared;
+GameData const& Experiment::gameData() {
+    static GameData const shared;
     return shared;
 }
 
 LevelFile Experiment::load(std::string const& file) {
-    return loadLevel(workshop().registry, workshop().home / "levels/experiments" / file);
+    return loadLevel(gameData().registry, gameData().home / "levels/experiments" / file);
 }
 
 void Experiment::open(std::string const& file, std::string const& solution, bool trace) {
@@ -32,7 +32,7 @@ void Experiment::open(std::string const& file, std::string const& solution, bool
 void Experiment::open(LevelFile level, std::string const& solution, bool trace) {
     WorldOptions options;
     options.trace = trace;
-    session_ = std::make_unique<Session>(workshop().registry, workshop().parts, std::move(level), options);
+    session_ = std::make_unique<Session>(gameData().registry, gameData().parts, std::move(level), options);
     if (!solution.empty()) {
         Solution const* const recorded = session_->level().findSolution(solution);
         ASSERT_NE(recorded, nullptr) << solution;

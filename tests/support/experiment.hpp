@@ -3,7 +3,7 @@
 #pragma once
 
 #include "physics/dynamics/properties/contacts.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -16,7 +16,7 @@ namespace trembler {
 
 class Experiment : public ::testing::Test {
 protected:
-    [[nodiscard]] static Workshop const& workshop();
+    [[nodiscard]] static GameData const& gameData();
     /// A level in levels/experiments, by the name of its file.
     [[nodiscard]] static LevelFile load(std::string const& file);
     /// Opens it with one of its recorded solutions, or hands off ("").

@@ -29,7 +29,7 @@ BarMode barMode(int n) {
     return mode;
 }
 
-// Blows ask for the low modes all the time.
+// Impacts ask for the low modes all the time.
 BarMode knownBarMode(int n) {
     constexpr int known = 64;
     static std::array<BarMode, known> const table = [] {

@@ -22,7 +22,7 @@ namespace trembler {
 /// The deflection along one side of a plate with n nodal lines across it, mean square 1.
 [[nodiscard]] double plateShape(int n, double x);
 
-/// A mode of a solid elastic ball that a blow on its surface excites.
+/// A mode of a solid elastic ball that an impact on its surface excites.
 struct BallMode {
     double root; ///< 2π f r / shear speed
     int degree;  ///< of its spherical harmonics

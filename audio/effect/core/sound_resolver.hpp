@@ -23,7 +23,7 @@ class SoundResolver : public detail::SoundBase<Self> {
     using Base = detail::SoundBase<Self>;
 
 public:
-    using CalledFor = NeedsAny<MadeOf, Acoustics, Sample>;
+    using Activation = NeedsAny<MadeOf, Acoustics, Sample>;
     static constexpr Coverage memory =
         leftOut("how bodies sound, from their columns; what does sound is in Sounds");
     using Access = typename Base::Access;
@@ -81,8 +81,8 @@ public:
         .name = "Sound, 1 mode",
         .effect = "sound",
         .level = "1-mode",
-        .work = "Blows and scrapes excite the modes of bodies, which die away. One mode per body.",
-        .cost = 1};
+        .work = "Impacts and scrapes excite the modes of bodies, which die away. One mode per body.",
+        .rank = 1};
     static bool suits(Store const& store) { return soundingObjects(store) > 5000; }
 };
 
@@ -93,8 +93,8 @@ public:
         .name = "Sound, 4 modes",
         .effect = "sound",
         .level = "4-modes",
-        .work = "Blows and scrapes excite the modes of bodies, which die away. Four modes per body.",
-        .cost = 2};
+        .work = "Impacts and scrapes excite the modes of bodies, which die away. Four modes per body.",
+        .rank = 2};
     static bool suits(Store const& store) { return soundingObjects(store) > 1000; }
 };
 
@@ -105,8 +105,8 @@ public:
         .name = "Sound, 8 modes",
         .effect = "sound",
         .level = "8-modes",
-        .work = "Blows and scrapes excite the modes of bodies, which die away. Eight modes per body.",
-        .cost = 3};
+        .work = "Impacts and scrapes excite the modes of bodies, which die away. Eight modes per body.",
+        .rank = 3};
 };
 
 class SixteenModeSound final : public SoundResolver<SixteenModeSound> {
@@ -116,8 +116,8 @@ public:
         .name = "Sound, 16 modes",
         .effect = "sound",
         .level = "16-modes",
-        .work = "Blows and scrapes excite the modes of bodies, which die away. Sixteen modes per body.",
-        .cost = 4};
+        .work = "Impacts and scrapes excite the modes of bodies, which die away. Sixteen modes per body.",
+        .rank = 4};
 };
 
 class ThirtyTwoModeSound final : public SoundResolver<ThirtyTwoModeSound> {
@@ -127,8 +127,8 @@ public:
         .name = "Sound, 32 modes",
         .effect = "sound",
         .level = "32-modes",
-        .work = "Blows and scrapes excite the modes of bodies, which die away. Up to 32 modes per body.",
-        .cost = 5};
+        .work = "Impacts and scrapes excite the modes of bodies, which die away. Up to 32 modes per body.",
+        .rank = 5};
 };
 
 } // namespace trembler

@@ -1,6 +1,6 @@
 #include "audio/effect/core/sound_work.hpp"
 
-#include "audio/effect/core/blow.hpp"
+#include "audio/effect/core/contact_pulse.hpp"
 #include "audio/effect/core/recordings.hpp"
 #include "audio/effect/hearing/smoothing.hpp"
 
@@ -47,13 +47,13 @@ void SoundCalls::clear() {
 }
 
 bool SoundWork::goesOn(Sounds const& sounds) {
-    return !sounds.silent() || !sounds.blows.empty() || !sounds.scrapes.empty();
+    return !sounds.silent() || !sounds.impacts.empty() || !sounds.scrapes.empty();
 }
 
 void SoundWork::advance(SoundColumns const& columns, SoundCalls const& calls, double duration,
                         Sounds& sounds) {
     fit(columns, sounds);
-    sounds.blows.clear();
+    sounds.impacts.clear();
     sounds.scrapes.clear();
     sounds.amplitudes.clear();
     findExcited(columns, calls, sounds);
@@ -158,14 +158,14 @@ void SoundWork::strike(SoundColumns const& columns, Told<Strike> const& told, do
     Sounds::Body& body = *excitation->body;
     body.local = model.sourceOf(call.point, call.normal);
     body.event = told.cause;
-    Sounds::Blow blow;
-    blow.object = call.object;
-    blow.other = call.other;
-    blow.at = inWorld(columns, call.object, call.point);
-    blow.since = std::clamp(call.since, 0.0, duration);
-    blow.first = static_cast<std::uint32_t>(sounds.amplitudes.size());
-    blow.count = static_cast<std::uint32_t>(body.rings.size());
-    double const rest = duration - blow.since;
+    Sounds::Impact impact;
+    impact.object = call.object;
+    impact.other = call.other;
+    impact.at = inWorld(columns, call.object, call.point);
+    impact.since = std::clamp(call.since, 0.0, duration);
+    impact.first = static_cast<std::uint32_t>(sounds.amplitudes.size());
+    impact.count = static_cast<std::uint32_t>(body.rings.size());
+    double const rest = duration - impact.since;
     for (std::size_t i = 0; i < body.rings.size(); ++i) {
         Mode const& mode = model.modes()[i];
         double const amplitude = call.impulse * model.mobility(mode, call.point, call.normal) *
@@ -177,18 +177,18 @@ void SoundWork::strike(SoundColumns const& columns, Told<Strike> const& told, do
         excitation->energy += heard;
         excitation->moment += heard * mode.frequency;
         left_[excitation->first + i] += meanSquare * decay.rest;
-        blow.meanSquare += mode.audibility * meanSquare;
+        impact.meanSquare += mode.audibility * meanSquare;
     }
     if (model.movedAir() > 0) {
         double const frequency = 1 / call.contact;
-        blow.clickTime = call.contact;
-        blow.clickPressure = clickPressure(model.movedAir(), model.mass(), call.impulse, call.contact);
-        double const meanSquare = aWeighting(frequency) * blow.clickPressure * blow.clickPressure / 2;
+        impact.clickTime = call.contact;
+        impact.clickPressure = clickPressure(model.movedAir(), model.mass(), call.impulse, call.contact);
+        double const meanSquare = aWeighting(frequency) * impact.clickPressure * impact.clickPressure / 2;
         excitation->energy += meanSquare * call.contact;
         excitation->moment += meanSquare * call.contact * frequency;
-        blow.meanSquare += meanSquare;
+        impact.meanSquare += meanSquare;
     }
-    sounds.blows.push_back(blow);
+    sounds.impacts.push_back(impact);
 }
 
 void SoundWork::rub(SoundColumns const& columns, Told<Rub> const& told, double duration, Sounds& sounds) {

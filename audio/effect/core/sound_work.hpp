@@ -26,7 +26,7 @@ struct SoundCalls {
     void clear();
 };
 
-/// Moves Sounds on by a frame. Each mode's energy dies away by itself and is added to by blows and scrapes;
+/// Moves Sounds on by a frame. Each mode's energy dies away by itself and is added to by impacts and scrapes;
 /// phases are the loudspeaker's business.
 class SoundWork {
 public:

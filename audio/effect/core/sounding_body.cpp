@@ -12,7 +12,7 @@ namespace trembler {
 namespace {
 
 constexpr double slender = 6;         // length over height from which on a thing is a bar
-constexpr double answeringLength = 2; // m of what is built in that answer to a blow
+constexpr double answeringLength = 2; // m of what is built in that answer to an impact
 constexpr double builtInDecay = 40;   // 1/s, by which what is built in loses its vibration to the ground
 constexpr double thickest = 0.4;      // of its short side, a plate; thicker ones are blocks that shear
 constexpr double sixtyDecibels = 6.907755278982137; // ln 1000
@@ -107,7 +107,7 @@ void SoundingBody::place(ShapePiece const& piece) {
     height_ = std::min(extent.width, extent.height);
 }
 
-// A blow on a long floor is answered by the floor around it.
+// An impact on a long floor is answered by the floor around it.
 void SoundingBody::keepNear() {
     answering_ = {std::min(1.0, answeringLength / length_), std::min(1.0, answeringLength / height_)};
     length_ *= answering_.x;
@@ -258,7 +258,8 @@ double SoundingBody::mobility(Mode const& mode, Vec2 point, Vec2 normal) const {
     }
     switch (form_) {
     case Form::bar: {
-        // Only a blow across the bar bends it. None is so exactly along it that it does not bend it a little.
+        // Only an impact across the bar bends it. None is so exactly along it that it does not bend it a
+        // little.
         constexpr double least = 0.1;
         double const across = rotated(normal, -angle_).y;
         double const bending = std::copysign(std::max(std::abs(across), least), across);

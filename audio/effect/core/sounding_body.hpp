@@ -1,5 +1,5 @@
-// What a body's sound is made of: its modes, and how a blow excites them (van den Doel and Pai, The sounds of
-// physical shapes, Presence 7, 1998).
+// What a body's sound is made of: its modes, and how an impact excites them (van den Doel and Pai, The sounds
+// of physical shapes, Presence 7, 1998).
 #pragma once
 
 #include "audio/effect/properties/acoustic_material.hpp"
@@ -46,8 +46,8 @@ public:
     /// The modal velocity, in m/s, that an impulse of 1 N s gives a mode: shape over mass. `point` (m) and
     /// the unit vector `normal` are in the object's frame. Its sign counts.
     [[nodiscard]] double mobility(Mode const& mode, Vec2 point, Vec2 normal) const;
-    /// Where the sound of a blow at `point` along `normal` comes from, all in the object's frame: from the
-    /// middle of the body, of a long one from its spine nearest to the blow, of what is built in from just
+    /// Where the sound of an impact at `point` along `normal` comes from, all in the object's frame: from the
+    /// middle of the body, of a long one from its spine nearest to the impact, of what is built in from just
     /// outside of the surface, as its depths are silent.
     [[nodiscard]] Vec2 sourceOf(Vec2 point, Vec2 normal) const;
     /// The volume of air, in m³, that moves when the body does: its own and half as much that it drags along.
@@ -73,7 +73,7 @@ private:
     double angle_ = 0;     // rad, of the frame's long side
     double length_ = 1;    // m, long side
     double height_ = 1;    // m, short side
-    Vec2 answering_{1, 1}; // the shares of the two that answer to a blow
+    Vec2 answering_{1, 1}; // the shares of the two that answer to an impact
     double mass_ = 1;      // kg
     double surface_ = 1;   // m², that radiates
     double movedAir_ = 0;  // m³

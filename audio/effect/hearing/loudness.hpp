@@ -71,7 +71,7 @@ class LoudnessDps : public Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Dens
         Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Density, Position, Rotation>, Derives<Loudness>>;
 
 public:
-    using CalledFor = NeedsAny<Ear, SoundSensor>;
+    using Activation = NeedsAny<Ear, SoundSensor>;
     using Access = typename Base::Access;
     static constexpr std::size_t waysToARange = 8;
 
@@ -105,7 +105,7 @@ public:
                                             "Adds up, for every listening object, what reaches it of each "
                                             "sound along a straight line: less with "
                                             "distance, through walls by their mass, and around each of them.",
-                                        .cost = 1};
+                                        .rank = 1};
     /// Where very much stands in the way, or very many listen, ways around it all are too dear.
     static bool suits(Store const& store);
 };
@@ -119,7 +119,7 @@ public:
                                         .work = "Adds up, for every listening object, what reaches it of "
                                                 "each sound: less with distance, through walls "
                                                 "by their mass, and by the shortest way around all of them.",
-                                        .cost = 2};
+                                        .rank = 2};
 };
 
 } // namespace trembler

@@ -11,15 +11,15 @@ void SoundRings::hear(Sounds const& sounds) {
         return;
     }
     frame_ = sounds.frame;
-    for (Sounds::Blow const& blow : sounds.blows) {
-        double const level = levelOf(blow.meanSquare);
+    for (Sounds::Impact const& impact : sounds.impacts) {
+        double const level = levelOf(impact.meanSquare);
         if (level < faintest) {
             continue;
         }
         double const strength = std::min(1.0, (level - faintest) / (loudest - faintest));
-        // A blow tells of both bodies: one ring, for the louder of them.
+        // An impact tells of both bodies: one ring, for the louder of them.
         auto const same = std::find_if(rings_.begin(), rings_.end(), [&](SoundRing const& ring) {
-            return ring.radius == 0 && ring.at == blow.at;
+            return ring.radius == 0 && ring.at == impact.at;
         });
         if (same != rings_.end()) {
             same->strength = std::max(same->strength, strength);
@@ -35,7 +35,7 @@ void SoundRings::hear(Sounds const& sounds) {
             }
             rings_.erase(weakest);
         }
-        rings_.push_back({blow.at, 0, strength});
+        rings_.push_back({impact.at, 0, strength});
     }
 }
 

@@ -15,7 +15,8 @@ struct SoundRing {
     double strength = 0; ///< 0 to 1: how dark to draw it
 };
 
-/// Collects blows and lets their rings spread and fade. Sound itself is far too fast to be seen: these walk.
+/// Collects impacts and lets their rings spread and fade. Sound itself is far too fast to be seen: these
+/// walk.
 class SoundRings {
 public:
     /// Takes over what is new; a frame that it knows already is not taken twice.
@@ -28,7 +29,7 @@ public:
 
     static constexpr double speed = 1.5;   ///< m/s
     static constexpr double life = 0.8;    ///< s, of the loudest
-    static constexpr double faintest = 45; ///< dB(A) at 1 m: softer blows make none
+    static constexpr double faintest = 45; ///< dB(A) at 1 m: softer impacts make none
     static constexpr double loudest = 110; ///< dB(A) at 1 m: from here on a ring is at its darkest
     static constexpr std::size_t mostRings = 64;
 

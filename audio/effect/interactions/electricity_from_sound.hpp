@@ -22,7 +22,7 @@ public:
                                         .work = "Connects, while a sensor hears enough, the two conductors "
                                                 "that it names, or all that touch it, and "
                                                 "disconnects them when it no longer does."};
-    using CalledFor = NeedsAll<SoundSensor>;
+    using Activation = NeedsAll<SoundSensor>;
     /// What it has told, and will take back.
     void hashMemory(StateHash& hash) const { hash.members(told_); }
     void apply(Access& access);

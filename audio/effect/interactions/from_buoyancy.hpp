@@ -12,7 +12,7 @@
 
 namespace trembler {
 
-/// What a body newly displaces in a frame gets the body's speed into the liquid: that momentum is the blow
+/// What a body newly displaces in a frame gets the body's speed into the liquid: that momentum is the impact
 /// which makes bubbles. A body that floats, or is drawn out, is silent.
 class SoundFromBuoyancy final
     : public Interaction<SoundFromBuoyancy, SoundRole, Reads<Immersions, Position, Rotation, Velocity>> {
@@ -22,7 +22,7 @@ public:
         .effect = "sound",
         .level = "",
         .work = "Strikes a liquid with the momentum that an object gives to what it newly displaces."};
-    using CalledFor = NeedsAll<Liquid>;
+    using Activation = NeedsAll<Liquid>;
     /// What was wet is no splash.
     void hashMemory(StateHash& hash) const { hash.members(wet_); }
 

@@ -1,6 +1,6 @@
 #include "audio/effect/interactions/from_dynamics.hpp"
 
-#include "audio/effect/core/blow.hpp"
+#include "audio/effect/core/contact_pulse.hpp"
 #include "audio/effect/properties/acoustic_material.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"
 

@@ -13,9 +13,9 @@
 
 namespace trembler {
 
-/// Every blow excites both bodies, for as long as Hertz says that they touch. Where surfaces slide or roll on
-/// each other, their bumps are a noise of small blows: a share of the friction, or of the load that rolls,
-/// with as many bumps per second as the rougher of the two has in the way that it covers.
+/// Every impact excites both bodies, for as long as Hertz says that they touch. Where surfaces slide or roll
+/// on each other, their bumps are a noise of small impacts: a share of the friction, or of the load that
+/// rolls, with as many bumps per second as the rougher of the two has in the way that it covers.
 class SoundFromDynamics final
     : public Interaction<SoundFromDynamics, SoundRole,
                          Reads<Impacts, ContactPatches, Contacts, Shape, MadeOf, Acoustics, Sample, Mass,
@@ -28,7 +28,7 @@ public:
                                                 "for the time that their hardness keeps "
                                                 "them in touch; rubs those that slide or roll on each other; "
                                                 "plays the recordings of struck objects."};
-    using CalledFor = NeedsAny<MadeOf, Acoustics, Sample>;
+    using Activation = NeedsAny<MadeOf, Acoustics, Sample>;
 
     static constexpr double slidingShare = 0.1; ///< of the friction that is noise, an estimate
     static constexpr double rollingShare =

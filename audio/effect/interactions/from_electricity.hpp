@@ -17,7 +17,7 @@ public:
         .effect = "sound",
         .level = "",
         .work = "Keeps the recording going of every object that has one for when it is on, and is."};
-    using CalledFor = NeedsAll<Sample>;
+    using Activation = NeedsAll<Sample>;
     void apply(Access& access) {
         auto const& state = access.read<ElectricalState>();
         forEach(

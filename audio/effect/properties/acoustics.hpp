@@ -59,7 +59,7 @@ struct Acoustics {
 
 /// When a recorded sample is played.
 enum class SampleCue : int {
-    struck,  ///< once for every blow
+    struck,  ///< once for every impact
     powered, ///< over and over while the object is on
 };
 template <>
@@ -75,7 +75,7 @@ struct Sample {
     SampleCue cue = SampleCue::struck;
     double level = 80;      ///< dB at 1 m
     double duration = 1;    ///< s, of one go
-    double fullImpulse = 1; ///< N s; softer blows play it more quietly, in proportion
+    double fullImpulse = 1; ///< N s; softer impacts play it more quietly, in proportion
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -100,7 +100,7 @@ struct Sample {
               self.duration);
         visit(FieldInfo{.key = "full_impulse",
                         .unit = "N s",
-                        .meaning = "blows from this on play it at full level, softer ones in proportion",
+                        .meaning = "impacts from this on play it at full level, softer ones in proportion",
                         .minimum = 1e-6,
                         .maximum = 1e6},
               self.fullImpulse);

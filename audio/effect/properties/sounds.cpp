@@ -7,15 +7,15 @@
 namespace trembler {
 
 void Sounds::gather(Sounds& frame, Sounds const& part, PartSpan span) {
-    std::vector<Blow> blows = std::move(frame.blows);
+    std::vector<Impact> impacts = std::move(frame.impacts);
     std::vector<Scrape> scrapes = std::move(frame.scrapes);
     std::vector<double> amplitudes = std::move(frame.amplitudes);
     frame = part;
     auto const shift = static_cast<std::uint32_t>(amplitudes.size());
-    for (Blow blow : part.blows) {
-        blow.since += span.begin;
-        blow.first += shift;
-        blows.push_back(blow);
+    for (Impact impact : part.impacts) {
+        impact.since += span.begin;
+        impact.first += shift;
+        impacts.push_back(impact);
     }
     amplitudes.insert(amplitudes.end(), part.amplitudes.begin(), part.amplitudes.end());
     // The noises of different parts are independent, so their powers add up. One that lasts for a share of
@@ -41,7 +41,7 @@ void Sounds::gather(Sounds& frame, Sounds const& part, PartSpan span) {
             scrapes.push_back(scrape);
         }
     }
-    frame.blows = std::move(blows);
+    frame.impacts = std::move(impacts);
     frame.scrapes = std::move(scrapes);
     frame.amplitudes = std::move(amplitudes);
 }

@@ -17,7 +17,7 @@ namespace trembler {
 struct Sounds {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Sounds", "sounds",
-                                       "What sounds where: modes that ring, blows, rubbing, recordings."};
+                                       "What sounds where: modes that ring, impacts, rubbing, recordings."};
     static constexpr Coverage coverage = hashed;
 
     /// A mode of a body that rings.
@@ -36,10 +36,10 @@ struct Sounds {
         double loudness = 0;     ///< Pa², A-weighted, smoothed over 125 ms ("fast", IEC 61672-1)
         double brightness = 0;   ///< Hz, the mean frequency of that
         std::vector<Ring> rings; ///< its modes, ascending by frequency
-        EventId event;           ///< the latest blow; none while nobody traces
+        EventId event;           ///< the latest impact; none while nobody traces
     };
-    /// A blow in this frame, or in the part of it that is told of.
-    struct Blow {
+    /// An impact in this frame, or in the part of it that is told of.
+    struct Impact {
         ObjectId object;
         ObjectId other;
         Vec2 at;                  ///< m, in the world
@@ -75,14 +75,14 @@ struct Sounds {
     };
 
     std::vector<Body> bodies;          ///< ascending by object
-    std::vector<Blow> blows;           ///< of this frame only
+    std::vector<Impact> impacts;       ///< of this frame only
     std::vector<Scrape> scrapes;       ///< of this frame only
-    std::vector<double> amplitudes;    ///< of blows (Pa) and scrapes (Pa/√s)
+    std::vector<double> amplitudes;    ///< of impacts (Pa) and scrapes (Pa/√s)
     std::vector<Recording> recordings; ///< ascending by object and serial
     std::uint64_t frame = 0;           ///< the last in which anything was worked out
     std::uint64_t recordingsEver = 0;
 
-    /// Of a frame in parts: what sounds at its end, with the blows and the scraping of all parts.
+    /// Of a frame in parts: what sounds at its end, with the impacts and the scraping of all parts.
     static void gather(Sounds& frame, Sounds const& part, PartSpan span);
 
     [[nodiscard]] bool silent() const { return bodies.empty() && recordings.empty(); }

@@ -7,65 +7,65 @@ namespace trembler::ui {
 
 GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary const& parts,
                  GameOptions const& options)
-    : options_(options), desk_{.window = window,
-                               .registry = registry,
-                               .parts = parts,
-                               .gui = render::Gui(window, {.steady = options.steady}),
-                               .input = render::InputEvents(window),
-                               .canvas = {},
-                               .toasts = {},
-                               .layout = {},
-                               .shelf = PartShelf(parts, desk_.canvas),
-                               .levels = LevelShelf(registry, options.levels),
-                               .profile = Profile(options.profile),
-                               .recorder = Recorder(options.pictures),
-                               .loudspeaker = options.loudspeaker},
-      title_(desk_) {
-    applySettings(desk_);
+    : options_(options), context_{.window = window,
+                                  .registry = registry,
+                                  .parts = parts,
+                                  .gui = render::Gui(window, {.steady = options.steady}),
+                                  .input = render::InputEvents(window),
+                                  .canvas = {},
+                                  .toasts = {},
+                                  .layout = {},
+                                  .catalog = PartCatalog(parts, context_.canvas),
+                                  .levels = LevelCatalog(registry, options.levels),
+                                  .profile = Profile(options.profile),
+                                  .recorder = Recorder(options.pictures),
+                                  .loudspeaker = options.loudspeaker},
+      title_(context_) {
+    applySettings(context_);
 }
 
 GameApp::~GameApp() = default;
 
 void GameApp::open(std::filesystem::path const& level) {
-    play_ = std::make_unique<PlayScreen>(desk_, level, options_.world);
+    play_ = std::make_unique<PlayScreen>(context_, level, options_.world);
     menu_.close();
 }
 
-void GameApp::tryOpen(ShelfEntry const& entry) {
+void GameApp::tryOpen(CatalogEntry const& entry) {
     try {
         open(entry.file);
     } catch (InputError const& error) {
-        desk_.toasts.add(error.what(), render::ToastKind::Trouble, 10);
+        context_.toasts.add(error.what(), render::ToastKind::Trouble, 10);
     }
 }
 
 void GameApp::toggleFullscreen() {
-    Settings settings = desk_.profile.settings();
+    Settings settings = context_.profile.settings();
     settings.fullscreen = !settings.fullscreen;
-    bool const shadows = desk_.shadows;
-    desk_.profile.setSettings(settings);
-    applySettings(desk_);
-    desk_.shadows = shadows;
+    bool const shadows = context_.shadows;
+    context_.profile.setSettings(settings);
+    applySettings(context_);
+    context_.shadows = shadows;
 }
 
-void GameApp::follow(PlayWish wish) {
-    switch (wish) {
-    case PlayWish::none:
+void GameApp::follow(PlayRequest request) {
+    switch (request) {
+    case PlayRequest::none:
         break;
-    case PlayWish::menu:
+    case PlayRequest::menu:
         menu_.open(MenuPage::main);
         break;
-    case PlayWish::levels:
+    case PlayRequest::levels:
         menu_.open(MenuPage::levels);
         break;
-    case PlayWish::help:
+    case PlayRequest::help:
         menu_.open(MenuPage::help);
         break;
-    case PlayWish::fullscreen:
+    case PlayRequest::fullscreen:
         toggleFullscreen();
         break;
-    case PlayWish::nextLevel:
-        if (ShelfEntry const* const next = desk_.levels.after(play_->file())) {
+    case PlayRequest::nextLevel:
+        if (CatalogEntry const* const next = context_.levels.after(play_->file())) {
             tryOpen(*next);
         }
         break;
@@ -73,13 +73,13 @@ void GameApp::follow(PlayWish wish) {
 }
 
 void GameApp::updateMenu() {
-    auto const& input = desk_.input;
+    auto const& input = context_.input;
     if (input.keyPressed(SDLK_ESCAPE)) {
         menu_.back();
         return;
     }
-    ShelfEntry const* level = nullptr;
-    auto const choice = menu_.draw(desk_, play_ ? play_->file() : std::filesystem::path(), level);
+    CatalogEntry const* level = nullptr;
+    auto const choice = menu_.draw(context_, play_ ? play_->file() : std::filesystem::path(), level);
     if (level != nullptr) {
         tryOpen(*level);
         return;
@@ -118,7 +118,7 @@ void GameApp::update(double seconds) {
         return;
     }
     TitleChoice const choice = title_.update(seconds, false);
-    if (desk_.input.keyPressed(SDLK_F11)) {
+    if (context_.input.keyPressed(SDLK_F11)) {
         toggleFullscreen();
     }
     if (choice.level != nullptr) {
@@ -130,23 +130,23 @@ void GameApp::update(double seconds) {
 }
 
 bool GameApp::frame(double seconds) {
-    desk_.input.poll();
-    desk_.gui.beginFrame(desk_.input, seconds);
-    desk_.layout.beginFrame();
+    context_.input.poll();
+    context_.gui.beginFrame(context_.input, seconds);
+    context_.layout.beginFrame();
     update(seconds);
-    desk_.window.beginFrame(render::palette::paper);
+    context_.window.beginFrame(render::palette::paper);
     if (play_) {
         play_->draw();
     } else {
         title_.draw();
     }
-    desk_.toasts.draw(seconds);
-    desk_.gui.endFrame();
+    context_.toasts.draw(seconds);
+    context_.gui.endFrame();
     if (play_) {
         play_->takePictures();
     }
-    desk_.window.present();
-    return going_ && !desk_.input.quit();
+    context_.window.present();
+    return going_ && !context_.input.quit();
 }
 
 } // namespace trembler::ui

@@ -4,7 +4,7 @@
 #include "game/ui/app/menu.hpp"
 #include "game/ui/app/title_screen.hpp"
 #include "game/ui/play/play_screen.hpp"
-#include "game/ui/shared/desk.hpp"
+#include "game/ui/shared/ui_context.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -41,18 +41,18 @@ public:
 
     /// The level on the screen, or nullptr on the title screen.
     [[nodiscard]] PlayScreen* play() { return play_.get(); }
-    [[nodiscard]] Desk& desk() { return desk_; }
+    [[nodiscard]] UiContext& context() { return context_; }
     [[nodiscard]] Menu const& menu() const { return menu_; }
 
 private:
     void update(double seconds);
     void updateMenu();
-    void follow(PlayWish wish);
-    void tryOpen(ShelfEntry const& entry);
+    void follow(PlayRequest request);
+    void tryOpen(CatalogEntry const& entry);
     void toggleFullscreen();
 
     GameOptions options_;
-    Desk desk_;
+    UiContext context_;
     TitleScreen title_;
     Menu menu_;
     std::unique_ptr<PlayScreen> play_;

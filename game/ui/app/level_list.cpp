@@ -43,10 +43,10 @@ std::string fitted(std::string const& text, float width) {
     return shown;
 }
 
-bool drawRow(Desk& desk, ShelfEntry const& entry, bool current) {
+bool drawRow(UiContext& context, CatalogEntry const& entry, bool current) {
     float const width = ImGui::GetContentRegionAvail().x;
     bool const clicked = ImGui::InvisibleButton(entry.id.c_str(), {width, scaled(rowHeight)});
-    desk.layout.item("level " + entry.id);
+    context.layout.item("level " + entry.id);
     bool const hovered = ImGui::IsItemHovered();
     bool const trouble = !entry.trouble.empty();
     ImVec2 const low = ImGui::GetItemRectMin();
@@ -58,7 +58,7 @@ bool drawRow(Desk& desk, ShelfEntry const& entry, bool current) {
         list.AddRectFilled(low, high, imColour(ground), scaled(8));
     }
     float const middle = 0.5F * (low.y + high.y);
-    drawMark({low.x + scaled(22), middle}, desk.profile.solved(entry.id), trouble);
+    drawMark({low.x + scaled(22), middle}, context.profile.solved(entry.id), trouble);
     float const left = low.x + scaled(44);
     std::string const shown = fitted(entry.title, high.x - scaled(32) - left);
     ImVec2 const size = ImGui::CalcTextSize(shown.c_str());
@@ -80,27 +80,27 @@ bool drawRow(Desk& desk, ShelfEntry const& entry, bool current) {
 
 } // namespace
 
-ShelfEntry const* drawLevelList(Desk& desk, std::filesystem::path const& current, float height) {
-    ShelfEntry const* chosen = nullptr;
-    if (desk.levels.size() == 0) {
+CatalogEntry const* drawLevelList(UiContext& context, std::filesystem::path const& current, float height) {
+    CatalogEntry const* chosen = nullptr;
+    if (context.levels.size() == 0) {
         caption(words::noLevels);
         return nullptr;
     }
-    float const headings = 31 * static_cast<float>(desk.levels.groups().size());
-    float const rows = (rowHeight + 4) * static_cast<float>(desk.levels.size());
+    float const headings = 31 * static_cast<float>(context.levels.groups().size());
+    float const rows = (rowHeight + 4) * static_cast<float>(context.levels.size());
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
     ImGui::BeginChild("levels", {0, scaled(std::min(headings + rows, height))});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(scaled(4), scaled(4)));
-    ShelfEntry const* const here = current.empty() ? nullptr : desk.levels.find(current);
-    for (ShelfGroup const& group : desk.levels.groups()) {
+    CatalogEntry const* const here = current.empty() ? nullptr : context.levels.find(current);
+    for (CatalogGroup const& group : context.levels.groups()) {
         ImGui::Dummy({0, scaled(2)});
         ImGui::PushFont(theme().fonts.strong);
         ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::accent));
         ImGui::TextUnformatted(group.title.c_str());
         ImGui::PopStyleColor();
         ImGui::PopFont();
-        for (ShelfEntry const& entry : group.levels) {
-            if (drawRow(desk, entry, &entry == here)) {
+        for (CatalogEntry const& entry : group.levels) {
+            if (drawRow(context, entry, &entry == here)) {
                 chosen = &entry;
             }
         }

@@ -46,23 +46,23 @@ bool wide(Layout& layout, char const* label, Icon icon, ButtonLook look = Button
 
 } // namespace
 
-void applySettings(Desk& desk) {
-    Settings const& settings = desk.profile.settings();
-    desk.window.setUiScaleWish(settings.uiScale);
-    desk.window.setFullscreen(settings.fullscreen);
-    if (desk.loudspeaker != nullptr) {
-        desk.loudspeaker->set({.volume = settings.volume / 100.0, .hrtf = settings.hrtf});
+void applySettings(UiContext& context) {
+    Settings const& settings = context.profile.settings();
+    context.window.setUiScaleRequest(settings.uiScale);
+    context.window.setFullscreen(settings.fullscreen);
+    if (context.loudspeaker != nullptr) {
+        context.loudspeaker->set({.volume = settings.volume / 100.0, .hrtf = settings.hrtf});
     }
-    desk.shadows = settings.shadows && (desk.profile.stated() || !desk.window.software());
+    context.shadows = settings.shadows && (context.profile.stated() || !context.window.software());
 }
 
 void Menu::back() {
     page_ = page_ == first_ ? MenuPage::closed : first_;
 }
 
-std::optional<MenuChoice> Menu::drawMain(Desk& desk) {
+std::optional<MenuChoice> Menu::drawMain(UiContext& context) {
     std::optional<MenuChoice> choice;
-    Layout& layout = desk.layout;
+    Layout& layout = context.layout;
     layout.beginCard("menu", words::paused, {.anchor = Anchor::Middle, .width = 340});
     ImGui::Dummy({0, scaled(4)});
     if (wide(layout, words::resume, Icon::Play, ButtonLook::Primary)) {
@@ -90,9 +90,9 @@ std::optional<MenuChoice> Menu::drawMain(Desk& desk) {
     return choice;
 }
 
-void Menu::drawSettings(Desk& desk) {
-    Settings changed = desk.profile.settings();
-    Layout& layout = desk.layout;
+void Menu::drawSettings(UiContext& context) {
+    Settings changed = context.profile.settings();
+    Layout& layout = context.layout;
     layout.beginCard("settings", words::settings, {.anchor = Anchor::Middle, .width = 440});
     ImGui::Dummy({0, scaled(2)});
     ImGui::TextUnformatted(words::uiSize);
@@ -121,7 +121,7 @@ void Menu::drawSettings(Desk& desk) {
         ImGui::PopStyleVar();
     }
     ImGui::Dummy({0, scaled(4)});
-    bool shadows = desk.shadows;
+    bool shadows = context.shadows;
     if (ImGui::Checkbox(words::shadows, &shadows)) {
         changed.shadows = shadows;
         touched = true;
@@ -140,35 +140,35 @@ void Menu::drawSettings(Desk& desk) {
     }
     layout.endCard();
     if (touched) {
-        bool const asWished = changed.shadows;
-        desk.profile.setSettings(changed);
-        applySettings(desk);
-        desk.shadows = asWished;
+        bool const asRequested = changed.shadows;
+        context.profile.setSettings(changed);
+        applySettings(context);
+        context.shadows = asRequested;
     }
 }
 
-std::optional<MenuChoice> Menu::draw(Desk& desk, std::filesystem::path const& playing,
-                                     ShelfEntry const*& level) {
+std::optional<MenuChoice> Menu::draw(UiContext& context, std::filesystem::path const& playing,
+                                     CatalogEntry const*& level) {
     drawVeil();
     switch (page_) {
     case MenuPage::main:
-        return drawMain(desk);
+        return drawMain(context);
     case MenuPage::settings:
-        drawSettings(desk);
+        drawSettings(context);
         break;
     case MenuPage::levels: {
-        desk.layout.beginCard("level list", words::levelList, {.anchor = Anchor::Middle, .width = 480});
-        level = drawLevelList(desk, playing, 440);
+        context.layout.beginCard("level list", words::levelList, {.anchor = Anchor::Middle, .width = 480});
+        level = drawLevelList(context, playing, 440);
         ImGui::Dummy({0, scaled(4)});
-        if (wide(desk.layout, words::back, Icon::Back)) {
+        if (wide(context.layout, words::back, Icon::Back)) {
             back();
         }
-        desk.layout.endCard();
+        context.layout.endCard();
         break;
     }
     case MenuPage::help: {
         bool stays = true;
-        drawHelp(desk.layout, stays);
+        drawHelp(context.layout, stays);
         if (!stays) {
             back();
         }

@@ -1,7 +1,7 @@
 // What Esc opens: resume, restart, levels, settings, keys, quit.
 #pragma once
 
-#include "game/ui/shared/desk.hpp"
+#include "game/ui/shared/ui_context.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -24,18 +24,18 @@ public:
 
     /// Between Gui::beginFrame and endFrame. `playing` is the level behind it, empty on the title screen. A
     /// chosen level is put into `level`.
-    std::optional<MenuChoice> draw(Desk& desk, std::filesystem::path const& playing,
-                                   ShelfEntry const*& level);
+    std::optional<MenuChoice> draw(UiContext& context, std::filesystem::path const& playing,
+                                   CatalogEntry const*& level);
 
 private:
-    std::optional<MenuChoice> drawMain(Desk& desk);
-    void drawSettings(Desk& desk);
+    std::optional<MenuChoice> drawMain(UiContext& context);
+    void drawSettings(UiContext& context);
 
     MenuPage page_ = MenuPage::closed;
     MenuPage first_ = MenuPage::closed;
 };
 
 /// Makes the window as the settings say.
-void applySettings(Desk& desk);
+void applySettings(UiContext& context);
 
 } // namespace trembler::ui

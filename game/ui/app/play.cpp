@@ -28,22 +28,22 @@ double secondsSince(Clock::time_point start) {
 }
 
 /// The level to show to somebody who named none: the first with a recorded solution.
-fs::path firstLevel(Workshop const& workshop) {
-    LevelShelf const shelf(workshop.registry, workshop.home / "levels");
+fs::path firstLevel(GameData const& gameData) {
+    LevelCatalog const catalog(gameData.registry, gameData.home / "levels");
     fs::path first;
-    for (ShelfGroup const& group : shelf.groups()) {
-        for (ShelfEntry const& entry : group.levels) {
+    for (CatalogGroup const& group : catalog.groups()) {
+        for (CatalogEntry const& entry : group.levels) {
             if (!entry.trouble.empty()) {
                 continue;
             }
-            if (!loadLevel(workshop.registry, entry.file).solutions.empty()) {
+            if (!loadLevel(gameData.registry, entry.file).solutions.empty()) {
                 return entry.file;
             }
             first = first.empty() ? entry.file : first;
         }
     }
     if (first.empty()) {
-        throw std::invalid_argument("There is no level to play in " + (workshop.home / "levels").string() +
+        throw std::invalid_argument("There is no level to play in " + (gameData.home / "levels").string() +
                                     ".");
     }
     return first;
@@ -69,10 +69,10 @@ std::optional<std::uint64_t> playOut(Session& session, std::uint64_t frames, std
     return solved;
 }
 
-void writePicture(Workshop const& workshop, Session const& session, fs::path const& file, std::ostream& out) {
+void writePicture(GameData const& gameData, Session const& session, fs::path const& file, std::ostream& out) {
     try {
         render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
-        writePng(pictureOf(window, workshop, session), file);
+        writePng(pictureOf(window, gameData, session), file);
         std::error_code ignored;
         fs::path const where = fs::absolute(file, ignored);
         out << "A picture of how it ended is in " << where.string() << ".\n";
@@ -85,12 +85,12 @@ void writePicture(Workshop const& workshop, Session const& session, fs::path con
 
 } // namespace
 
-int playWithoutDisplay(Workshop const& workshop, PlayOptions const& options, std::ostream& out) {
-    fs::path const file = options.level.empty() ? firstLevel(workshop) : options.level;
+int playWithoutDisplay(GameData const& gameData, PlayOptions const& options, std::ostream& out) {
+    fs::path const file = options.level.empty() ? firstLevel(gameData) : options.level;
     WorldOptions world = options.world;
-    Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, file), world);
+    Session session(gameData.registry, gameData.parts, loadLevel(gameData.registry, file), world);
     LevelFile const& level = session.level();
-    out << fmt::format("Playing \"{}\" ({})", level.title, workshop.shortName(file));
+    out << fmt::format("Playing \"{}\" ({})", level.title, gameData.shortName(file));
     std::uint64_t frames = usualFrames;
     if (level.solutions.empty()) {
         out << ", which has no recorded solution, with an empty toolbox.\n";
@@ -119,17 +119,17 @@ int playWithoutDisplay(Workshop const& workshop, PlayOptions const& options, std
                                  : options.picture;
     std::error_code ignored; // writing says what is wrong with the folder
     fs::create_directories(options.pictures, ignored);
-    writePicture(workshop, session, picture, out);
+    writePicture(gameData, session, picture, out);
     return solved ? 0 : 1;
 }
 
-int playInWindow(Workshop const& workshop, PlayOptions const& options) {
+int playInWindow(GameData const& gameData, PlayOptions const& options) {
     render::Window window({.title = "Trembler", .size = {1280, 720}});
     Loudspeaker loudspeaker(
-        {.synthesiser = {}, .output = {}, .sampleFolders = sampleFolders(workshop, options.level)},
+        {.synthesiser = {}, .output = {}, .sampleFolders = sampleFolders(gameData, options.level)},
         [](std::string const& text) { std::cout << text << std::endl; });
-    GameApp app(window, workshop.registry, workshop.parts,
-                {.levels = workshop.home / "levels",
+    GameApp app(window, gameData.registry, gameData.parts,
+                {.levels = gameData.home / "levels",
                  .pictures = options.pictures,
                  .profile = Profile::usualFile(),
                  .world = options.world,
@@ -153,16 +153,16 @@ int playInWindow(Workshop const& workshop, PlayOptions const& options) {
     return 0;
 }
 
-int play(Workshop const& workshop, PlayOptions const& options) {
+int play(GameData const& gameData, PlayOptions const& options) {
     try {
-        return playInWindow(workshop, options);
+        return playInWindow(gameData, options);
     } catch (render::WindowError const& error) {
         if (error.kind() == render::WindowError::Kind::Other) {
             throw;
         }
         std::cout << error.what() << "\n\n";
     }
-    return playWithoutDisplay(workshop, options, std::cout);
+    return playWithoutDisplay(gameData, options, std::cout);
 }
 
 } // namespace trembler::ui

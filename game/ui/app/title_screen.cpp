@@ -19,7 +19,7 @@ TitleChoice TitleScreen::update(double seconds, bool hidden) {
     if (hidden) {
         return choice;
     }
-    Layout& layout = desk_.layout;
+    Layout& layout = context_.layout;
     layout.beginCard("title", "",
                      {.anchor = Anchor::TopLeft, .offset = {64, 56}, .width = 520, .bare = true});
     ImGui::PushFont(theme().fonts.title);
@@ -36,7 +36,7 @@ TitleChoice TitleScreen::update(double seconds, bool hidden) {
     float const screen = ImGui::GetIO().DisplaySize.y / theme().scale;
     layout.beginCard("title levels", words::levels,
                      {.anchor = Anchor::Right, .offset = {56, 0}, .width = 430});
-    choice.level = drawLevelList(desk_, {}, screen - 190);
+    choice.level = drawLevelList(context_, {}, screen - 190);
     layout.endCard();
 
     layout.beginCard("title buttons", "", {.anchor = Anchor::BottomLeft, .offset = {64, 48}, .bare = true});
@@ -50,9 +50,9 @@ TitleChoice TitleScreen::update(double seconds, bool hidden) {
 }
 
 void TitleScreen::draw() const {
-    Canvas& canvas = desk_.canvas;
-    Size const size = desk_.window.size();
-    auto const scale = static_cast<double>(desk_.window.uiScale());
+    Canvas& canvas = context_.canvas;
+    Size const size = context_.window.size();
+    auto const scale = static_cast<double>(context_.window.uiScale());
     Camera camera;
     camera.viewport = size;
     // The picture fills what the title, the buttons and the list of levels leave free.
@@ -64,7 +64,7 @@ void TitleScreen::draw() const {
         std::max(std::min((right - left) / titleWidth, (bottom - top) / titleHeight), 1.0);
     camera.centre = {(0.5 * size.width - 0.5 * (left + right)) / camera.pixelsPerMetre,
                      (0.5 * (top + bottom) - 0.5 * size.height) / camera.pixelsPerMetre};
-    canvas.begin(camera, {.uiScale = desk_.window.uiScale(), .time = time_, .shadows = desk_.shadows});
+    canvas.begin(camera, {.uiScale = context_.window.uiScale(), .time = time_, .shadows = context_.shadows});
     canvas.paper();
     drawTrembler(canvas, time_);
     canvas.end();

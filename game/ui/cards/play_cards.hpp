@@ -3,7 +3,7 @@
 
 #include "game/ui/shared/command.hpp"
 #include "game/ui/shared/layout.hpp"
-#include "game/ui/shared/part_shelf.hpp"
+#include "game/ui/shared/part_catalog.hpp"
 #include "puzzle/session/session.hpp"
 
 #include <optional>
@@ -47,7 +47,7 @@ std::optional<Command> drawTools(Layout& layout, Session const& session, PlaySta
 std::optional<Command> drawCorner(Layout& layout);
 std::optional<Command> drawSuccess(Layout& layout, Session const& session, PlayState const& state);
 /// Returns the part on whose tile the mouse went down.
-std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartShelf& shelf,
+std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartCatalog& catalog,
                                        PlayState const& state);
 void drawHelp(Layout& layout, bool& open);
 

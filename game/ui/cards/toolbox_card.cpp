@@ -14,12 +14,12 @@ using namespace render;
 constexpr float tileSide = 92;
 
 /// What it does, in words, once the mouse rests on its tile.
-void tipFor(PartShelf const& shelf, std::string const& part) {
+void tipFor(PartCatalog const& catalog, std::string const& part) {
     ImGui::BeginTooltip();
     ImGui::PushFont(theme().fonts.strong);
-    ImGui::TextUnformatted(shelf.titleOf(part).c_str());
+    ImGui::TextUnformatted(catalog.titleOf(part).c_str());
     ImGui::PopFont();
-    if (std::string const text = shelf.textOf(part); !text.empty()) {
+    if (std::string const text = catalog.textOf(part); !text.empty()) {
         ImGui::TextUnformatted(words::wrapped(text, 44).c_str());
     }
     ImGui::EndTooltip();
@@ -35,7 +35,7 @@ void drawWhereToDrop() {
 
 } // namespace
 
-std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartShelf& shelf,
+std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartCatalog& catalog,
                                        PlayState const& state) {
     std::optional<std::string> taken;
     auto const slots = session.toolbox();
@@ -67,12 +67,12 @@ std::optional<std::string> drawToolbox(Layout& layout, Session const& session, P
         }
         ToolboxSlot const& slot = slots[i];
         bool const inHand = state.carrying && state.carriedPart == slot.part;
-        std::string const title = shelf.titleOf(slot.part);
+        std::string const title = catalog.titleOf(slot.part);
         auto const pixels = static_cast<int>(std::lround(scaled(tileSide - 12)));
         TileUse const use = toolboxTile({.id = slot.part.c_str(),
                                          .name = title.c_str(),
                                          .count = slot.left,
-                                         .picture = shelf.picture(slot.part, pixels),
+                                         .picture = catalog.picture(slot.part, pixels),
                                          .selected = inHand,
                                          .side = tileSide});
         layout.item("part " + slot.part);
@@ -80,7 +80,7 @@ std::optional<std::string> drawToolbox(Layout& layout, Session const& session, P
             taken = slot.part;
         }
         if (use.hovered && !state.carrying) {
-            tipFor(shelf, slot.part);
+            tipFor(catalog, slot.part);
         }
     }
     ImGui::PopStyleVar();

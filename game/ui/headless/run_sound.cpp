@@ -1,6 +1,6 @@
 #include "game/ui/headless/run_sound.hpp"
 
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "runtime/placement.hpp"
 
 #include <algorithm>
@@ -9,17 +9,17 @@ namespace trembler::ui {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> sampleFolders(Workshop const& workshop, fs::path const& level) {
+std::vector<fs::path> sampleFolders(GameData const& gameData, fs::path const& level) {
     std::vector<fs::path> folders;
     if (!level.empty()) {
         folders.push_back(level.parent_path());
     }
-    for (fs::path const& known : workshop.levels()) {
+    for (fs::path const& known : gameData.levels()) {
         if (folders.empty() || folders.back() != known.parent_path()) {
             folders.push_back(known.parent_path());
         }
     }
-    folders.push_back(workshop.home / "assets" / "sounds");
+    folders.push_back(gameData.home / "assets" / "sounds");
     return folders;
 }
 

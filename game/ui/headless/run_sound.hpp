@@ -9,13 +9,13 @@
 
 namespace trembler {
 
-struct Workshop;
+struct GameData;
 
 namespace ui {
 
 /// Where recordings are looked for: beside the level (empty: none), beside the program's levels, among its
 /// own sounds.
-[[nodiscard]] std::vector<std::filesystem::path> sampleFolders(Workshop const& workshop,
+[[nodiscard]] std::vector<std::filesystem::path> sampleFolders(GameData const& gameData,
                                                                std::filesystem::path const& level);
 
 /// Hears a level from where a player sees all of it: in front of the middle of its bounds, as far away as

@@ -17,7 +17,7 @@ namespace trembler::ui {
 
 using namespace render;
 
-Image pictureOf(Window& window, Workshop const&, Session const& session, PictureOptions const& options) {
+Image pictureOf(Window& window, GameData const&, Session const& session, PictureOptions const& options) {
     Gui gui(window, {.steady = true});
     InputEvents const input(window); // nobody is there
     Canvas canvas;
@@ -66,11 +66,11 @@ Image pictureOf(Window& window, Workshop const&, Session const& session, Picture
     return image;
 }
 
-Image screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
-    Session session(workshop.registry, workshop.parts, loadLevel(workshop.registry, options.level),
+Image screenshot(GameData const& gameData, ScreenshotOptions const& options) {
+    Session session(gameData.registry, gameData.parts, loadLevel(gameData.registry, options.level),
                     options.world);
     if (!options.solution.empty()) {
-        session.load(findOrLoadSolution(workshop.registry, session.level(), options.solution));
+        session.load(findOrLoadSolution(gameData.registry, session.level(), options.solution));
     } else if (options.firstSolution && !session.level().solutions.empty()) {
         session.load(session.level().solutions.front());
     }
@@ -81,7 +81,7 @@ Image screenshot(Workshop const& workshop, ScreenshotOptions const& options) {
         }
     }
     Window window({.size = options.size, .mode = WindowMode::Offscreen});
-    return pictureOf(window, workshop, session, options.picture);
+    return pictureOf(window, gameData, session, options.picture);
 }
 
 } // namespace trembler::ui

@@ -1,7 +1,7 @@
 // Pictures of levels without anybody playing: `trembler screenshot`, and the program without a display.
 #pragma once
 
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "render/scene/scene_view.hpp"
 #include "render/window/window.hpp"
@@ -24,7 +24,7 @@ struct PictureOptions {
 
 /// Draws the session's world as it is now, and everything of it, into the window and reads it back. Throws
 /// render::RenderError.
-[[nodiscard]] render::Image pictureOf(render::Window& window, Workshop const& workshop,
+[[nodiscard]] render::Image pictureOf(render::Window& window, GameData const& gameData,
                                       Session const& session, PictureOptions const& options = {});
 
 struct ScreenshotOptions {
@@ -41,6 +41,6 @@ struct ScreenshotOptions {
 
 /// Throws InputError or std::invalid_argument for bad input, render::RenderError (WindowError among them) if
 /// there is no picture.
-[[nodiscard]] render::Image screenshot(Workshop const& workshop, ScreenshotOptions const& options);
+[[nodiscard]] render::Image screenshot(GameData const& gameData, ScreenshotOptions const& options);
 
 } // namespace trembler::ui

@@ -41,7 +41,7 @@ std::vector<EffectLevels> effectLevels(World const& world) {
         ComponentText const& text = status.info->text;
         if (!text.level.empty()) {
             byEffect[std::string(text.effect)].push_back(
-                {text.cost, std::string(text.level), status.activity != Activity::absent});
+                {text.rank, std::string(text.level), status.activity != Activity::absent});
         }
     }
     std::vector<EffectLevels> all;

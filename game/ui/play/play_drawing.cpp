@@ -17,7 +17,7 @@ constexpr double handleGap = 26;
 } // namespace
 
 void PlayScreen::drawCards() {
-    Layout& layout = desk_.layout;
+    Layout& layout = context_.layout;
     auto const& carried = placing_.carried();
     state_.carrying = carried && !carried->turning;
     state_.carriedPart = carried ? carried->landing.part : std::string();
@@ -29,7 +29,7 @@ void PlayScreen::drawCards() {
     note(drawGoalCard(layout, session_, state_));
     note(drawCorner(layout));
     if (building() && !inspector_.open()) {
-        if (auto const part = drawToolbox(layout, session_, desk_.shelf, state_)) {
+        if (auto const part = drawToolbox(layout, session_, context_.catalog, state_)) {
             bool const same = carried && !carried->number && carried->landing.part == *part;
             if (same) {
                 placing_.cancel(); // a second click on its tile puts it back
@@ -43,8 +43,8 @@ void PlayScreen::drawCards() {
     note(drawTransport(layout, session_, state_));
     note(drawTools(layout, session_, state_));
     note(drawSuccess(layout, session_, state_));
-    float const scale = desk_.window.uiScale();
-    float const screen = static_cast<float>(desk_.window.size().height) / scale;
+    float const scale = context_.window.uiScale();
+    float const screen = static_cast<float>(context_.window.size().height) / scale;
     inspector_.draw(layout, session_.world(), cornerRow, screen - cornerRow - bottomRow - 8);
     float top = 150;
     for (char const* above : {"goal", "success"}) {
@@ -56,7 +56,7 @@ void PlayScreen::drawCards() {
     if (components_.open() && budget_.stale(session_.world())) {
         budget_.look(session_.world());
     }
-    components_.draw(layout, session_, budget_, desk_.toasts, top, screen - top - bottomRow - 8);
+    components_.draw(layout, session_, budget_, context_.toasts, top, screen - top - bottomRow - 8);
     if (asked) {
         carryOut(*asked);
     }
@@ -75,7 +75,7 @@ std::optional<Vec2> PlayScreen::handle() const {
     if (placement == nullptr) {
         return {};
     }
-    double const arm = desk_.shelf.radius(placement->part) + handleGap * pointer_.pixel;
+    double const arm = context_.catalog.radius(placement->part) + handleGap * pointer_.pixel;
     return placement->at + rotated({0, arm}, placement->angle);
 }
 
@@ -84,10 +84,10 @@ double PlayScreen::alpha() const {
 }
 
 void PlayScreen::draw() {
-    Canvas& canvas = desk_.canvas;
+    Canvas& canvas = context_.canvas;
     World const& world = session_.world();
     double const time = std::max(world.time() + (alpha() - 1) * frameDuration, 0.0);
-    canvas.begin(camera(), {.uiScale = desk_.window.uiScale(), .time = time, .shadows = desk_.shadows});
+    canvas.begin(camera(), {.uiScale = context_.window.uiScale(), .time = time, .shadows = context_.shadows});
     canvas.paper();
     SceneOptions options{.time = time, .alpha = alpha(), .overlays = overlays()};
     auto const& carried = placing_.carried();
@@ -127,7 +127,7 @@ void PlayScreen::drawSelection() const {
     auto const& carried = placing_.carried();
     Placement const* const placement =
         carried ? &carried->landing : placing_.placementOf(*placing_.selected());
-    Canvas& canvas = desk_.canvas;
+    Canvas& canvas = context_.canvas;
     Point const centre = toPoint(placement->at);
     Point const at = toPoint(*knob);
     double const arm = length(*knob - placement->at);
@@ -146,15 +146,15 @@ void PlayScreen::drawGhost() const {
     if (!carried || pointer_.overToolbox) {
         return;
     }
-    if (Prototype const* const part = desk_.shelf.prototype(carried->landing.part)) {
-        desk_.canvas.newSheet();
-        render::drawGhost(desk_.canvas, *part, {toPoint(carried->landing.at), carried->landing.angle},
+    if (Prototype const* const part = context_.catalog.prototype(carried->landing.part)) {
+        context_.canvas.newSheet();
+        render::drawGhost(context_.canvas, *part, {toPoint(carried->landing.at), carried->landing.angle},
                           carried->verdict.ok);
     }
 }
 
 void PlayScreen::drawBlades() const {
-    Canvas& canvas = desk_.canvas;
+    Canvas& canvas = context_.canvas;
     if (auto const& wire = hand_.wireUnderBlades(); hand_.cutting() && wire.a.valid()) {
         FactsReader const reader(session_.world());
         Facts const a = reader.of(wire.a);

@@ -28,9 +28,9 @@ constexpr std::array keys{
 } // namespace
 
 void PlayScreen::readControlKeys() {
-    auto const& input = desk_.input;
+    auto const& input = context_.input;
     if (input.keyPressed(SDLK_z, true)) {
-        carryOut(desk_.shiftHeld() ? Command::redo : Command::undo);
+        carryOut(context_.shiftHeld() ? Command::redo : Command::undo);
     }
     if (input.keyPressed(SDLK_y, true)) {
         carryOut(Command::redo);
@@ -41,8 +41,8 @@ void PlayScreen::readControlKeys() {
 }
 
 void PlayScreen::readBuildingKeys() {
-    auto const& input = desk_.input;
-    bool const fine = desk_.shiftHeld();
+    auto const& input = context_.input;
+    bool const fine = context_.shiftHeld();
     World const* const world = &session_.world();
     if (input.keyPressed(SDLK_q, true)) {
         placing_.turn(1, fine);
@@ -65,7 +65,7 @@ void PlayScreen::readBuildingKeys() {
 }
 
 void PlayScreen::readKeys() {
-    auto const& input = desk_.input;
+    auto const& input = context_.input;
     if (input.keyPressed(SDLK_ESCAPE)) {
         if (hand_.cutting()) {
             hand_.setCutting(false);
@@ -78,7 +78,7 @@ void PlayScreen::readKeys() {
         }
         return;
     }
-    if (desk_.controlHeld()) {
+    if (context_.controlHeld()) {
         return readControlKeys();
     }
     for (Key const& key : keys) {

@@ -17,19 +17,19 @@ constexpr double pickReach = 6;
 
 } // namespace
 
-PlayScreen::PlayScreen(Desk& desk, std::filesystem::path file, WorldOptions const& options)
-    : desk_(desk), file_(std::move(file)),
-      session_(desk.registry, desk.parts, loadLevel(desk.registry, file_), options),
-      placing_(session_, desk.toasts), hand_(session_), budget_(desk.registry), ears_(desk.loudspeaker),
-      goals_(session_.level()) {
-    state_.names = desk.profile.settings().names;
-    state_.nextLevel = desk.levels.after(file_) != nullptr;
+PlayScreen::PlayScreen(UiContext& context, std::filesystem::path file, WorldOptions const& options)
+    : context_(context), file_(std::move(file)),
+      session_(context.registry, context.parts, loadLevel(context.registry, file_), options),
+      placing_(session_, context.toasts), hand_(session_), budget_(context.registry),
+      audio_(context.loudspeaker), goals_(session_.level()) {
+    state_.names = context.profile.settings().names;
+    state_.nextLevel = context.levels.after(file_) != nullptr;
     worldChanged();
     view_.setSubject(subject());
 }
 
 PlayScreen::~PlayScreen() {
-    ears_.leave();
+    audio_.leave();
 }
 
 void PlayScreen::worldChanged() {
@@ -53,54 +53,54 @@ render::Extent PlayScreen::subject() const {
 }
 
 Margins PlayScreen::margins() const {
-    auto const scale = static_cast<double>(desk_.window.uiScale());
+    auto const scale = static_cast<double>(context_.window.uiScale());
     bool const boxed = !session_.level().toolbox.empty();
     return {scale * (goalCardWidth + 2 * cardGap), scale * cardGap,
             scale * (boxed ? toolboxWidth + 2 * cardGap : cardGap), scale * (bottomRow + 6)};
 }
 
-PlayWish PlayScreen::update(double seconds) {
-    wish_ = PlayWish::none;
+PlayRequest PlayScreen::update(double seconds) {
+    request_ = PlayRequest::none;
     stepped_ = takenNow_ = false;
-    view_.setView(desk_.window.size(), margins());
+    view_.setView(context_.window.size(), margins());
     pointer_ = readPointer();
     askedFor_ += seconds;
     state_.askAllBack = state_.askAllBack && askedFor_ < askSeconds && building();
     drawCards();
-    if (!desk_.gui.wantsKeyboard()) {
+    if (!context_.gui.wantsKeyboard()) {
         readKeys();
     }
     useTools(pointer_, seconds);
     lookAround(pointer_);
     advance(seconds);
     state_.celebratedFor += state_.celebrating ? seconds : 0;
-    return wish_;
+    return request_;
 }
 
 void PlayScreen::updateBehindMenu() {
-    view_.setView(desk_.window.size(), margins());
+    view_.setView(context_.window.size(), margins());
     stepped_ = false;
     placing_.cancel();
 }
 
 Pointer PlayScreen::readPointer() {
-    auto const& input = desk_.input;
+    auto const& input = context_.input;
     Pointer pointer;
     pointer.screen = input.mouse();
     render::Point const world = camera().toWorld(pointer.screen);
     pointer.world = {world.x, world.y};
-    pointer.uiScale = static_cast<double>(desk_.window.uiScale());
+    pointer.uiScale = static_cast<double>(context_.window.uiScale());
     pointer.pixel = pointer.uiScale / camera().pixelsPerMetre;
-    std::string_view const card = desk_.layout.cardAt(pointer.screen);
+    std::string_view const card = context_.layout.cardAt(pointer.screen);
     pointer.overToolbox = card == "toolbox";
-    pointer.overCard = !card.empty() || (desk_.gui.wantsMouse() && !placing_.carried() && !hand_.busy());
+    pointer.overCard = !card.empty() || (context_.gui.wantsMouse() && !placing_.carried() && !hand_.busy());
     pointer.pressed = input.pressed(render::MouseButton::Left);
     pointer.released = input.released(render::MouseButton::Left);
     pointer.held = input.held(render::MouseButton::Left);
     pointer.twice = input.doubleClicked(render::MouseButton::Left);
     pointer.wheel = input.wheel();
-    pointer.fine = desk_.shiftHeld();
-    pointer.free = desk_.controlHeld() || desk_.altHeld();
+    pointer.fine = context_.shiftHeld();
+    pointer.free = context_.controlHeld() || context_.altHeld();
     if (input.pressed(render::MouseButton::Right)) {
         rightPressedAt_ = pointer.screen;
     }
@@ -110,7 +110,7 @@ Pointer PlayScreen::readPointer() {
 }
 
 void PlayScreen::useTools(Pointer const& pointer, double seconds) {
-    bool const open = !pointer.overCard && desk_.input.mouseInside();
+    bool const open = !pointer.overCard && context_.input.mouseInside();
     render::Point const at{pointer.world.x, pointer.world.y};
     hovered_ = open ? render::pick(session_.world(), at, pickReach * pointer.pixel) : ObjectId{};
     if (pointer.pressed) {
@@ -178,7 +178,7 @@ void PlayScreen::inspect(ObjectId object) {
 }
 
 void PlayScreen::lookAround(Pointer const& pointer) {
-    auto const& input = desk_.input;
+    auto const& input = context_.input;
     bool const carrying = placing_.carried().has_value();
     if (pointer.wheel != 0 && !pointer.overCard && !carrying) {
         view_.zoom(pointer.screen, pointer.wheel);
@@ -198,12 +198,12 @@ void PlayScreen::lookAround(Pointer const& pointer) {
 }
 
 bool PlayScreen::fast() const {
-    return state_.fast || desk_.input.keyHeld(SDLK_TAB);
+    return state_.fast || context_.input.keyHeld(SDLK_TAB);
 }
 
 void PlayScreen::advance(double seconds) {
     if (session_.mode() != SessionMode::running) {
-        ears_.pause(seconds, camera());
+        audio_.pause(seconds, camera());
         return;
     }
     // A film has every frame once, however long a picture takes.
@@ -217,7 +217,7 @@ void PlayScreen::stepOnce() {
     if (building()) {
         placing_.reset();
         session_.start();
-        ears_.enter(session_.world());
+        audio_.enter(session_.world());
         session_.pause();
         worldChanged();
     }
@@ -232,7 +232,7 @@ void PlayScreen::stepOnce() {
     session_.step();
     // In fast motion every fourth frame is heard, at its own pitch.
     if (!fast() || session_.world().frame() % fastFactor == 0) {
-        ears_.frame(session_.world(), camera());
+        audio_.frame(session_.world(), camera());
     }
     stepped_ = true;
     noteSuccess();
@@ -246,13 +246,13 @@ void PlayScreen::noteSuccess() {
     state_.celebrating = true;
     state_.celebratedFor = 0;
     state_.solvedAt = session_.world().time();
-    if (ShelfEntry const* const entry = desk_.levels.find(file_)) {
-        desk_.profile.markSolved(entry->id);
+    if (CatalogEntry const* const entry = context_.levels.find(file_)) {
+        context_.profile.markSolved(entry->id);
     }
 }
 
 void PlayScreen::stop() {
-    ears_.leave();
+    audio_.leave();
     session_.stop();
     hand_.reset();
     replay_.clear();
@@ -281,7 +281,7 @@ void PlayScreen::begin(bool asBefore) {
     } else {
         session_.start();
     }
-    ears_.enter(session_.world());
+    audio_.enter(session_.world());
     worldChanged();
 }
 
@@ -310,64 +310,65 @@ void PlayScreen::askAllBack() {
     if (!state_.askAllBack) {
         state_.askAllBack = true;
         askedFor_ = 0;
-        desk_.toasts.add(words::allBackAgain, render::ToastKind::News, askSeconds);
+        context_.toasts.add(words::allBackAgain, render::ToastKind::News, askSeconds);
         return;
     }
     state_.askAllBack = false;
     placing_.reset();
     session_.putAllBack();
     worldChanged();
-    desk_.toasts.add(words::allBackDone);
+    context_.toasts.add(words::allBackDone);
 }
 
 void PlayScreen::toggleRecording() {
-    auto& recorder = desk_.recorder;
+    auto& recorder = context_.recorder;
     if (state_.recording) {
         recorder.stop();
         state_.recording = false;
-        desk_.toasts.add(words::recorded(recorder.frames(), recorder.film().string()),
-                         render::ToastKind::News, 6);
+        context_.toasts.add(words::recorded(recorder.frames(), recorder.film().string()),
+                            render::ToastKind::News, 6);
         return;
     }
     try {
         recorder.start();
         state_.recording = true;
-        desk_.toasts.add(words::recordingTo(recorder.film().string()), render::ToastKind::News, 5);
+        context_.toasts.add(words::recordingTo(recorder.film().string()), render::ToastKind::News, 5);
     } catch (render::RenderError const& error) {
-        desk_.toasts.add(error.what(), render::ToastKind::Trouble);
+        context_.toasts.add(error.what(), render::ToastKind::Trouble);
     }
 }
 
 void PlayScreen::saveSolution() {
     if (building() || session_.world().frame() == 0) {
-        desk_.toasts.add(words::runBeforeSaving, render::ToastKind::News, 5);
+        context_.toasts.add(words::runBeforeSaving, render::ToastKind::News, 5);
         return;
     }
     if (auto const whyNot = session_.whyNotRecorded()) {
-        desk_.toasts.add(*whyNot, render::ToastKind::Trouble, 6);
+        context_.toasts.add(*whyNot, render::ToastKind::Trouble, 6);
         return;
     }
     try {
-        auto const path = desk_.recorder.solution(session_.record(words::mySolution), file_.stem().string());
-        desk_.toasts.add(words::solutionSaved(path.string()), render::ToastKind::News, 6);
+        auto const path =
+            context_.recorder.solution(session_.record(words::mySolution), file_.stem().string());
+        context_.toasts.add(words::solutionSaved(path.string()), render::ToastKind::News, 6);
     } catch (std::runtime_error const& error) {
-        desk_.toasts.add(error.what(), render::ToastKind::Trouble, 6);
+        context_.toasts.add(error.what(), render::ToastKind::Trouble, 6);
     }
 }
 
 void PlayScreen::takePictures() {
     try {
         if (state_.recording && stepped_) {
-            desk_.recorder.add(desk_.window.readPixels());
+            context_.recorder.add(context_.window.readPixels());
         }
         if (wantPicture_) {
             wantPicture_ = false;
-            auto const path = desk_.recorder.picture(desk_.window.readPixels());
-            desk_.toasts.add(words::pictureTaken(path.string()));
+            auto const path = context_.recorder.picture(context_.window.readPixels());
+            context_.toasts.add(words::pictureTaken(path.string()));
         }
     } catch (render::RenderError const& error) {
         state_.recording = false;
-        desk_.toasts.add(error.what(), render::ToastKind::Trouble, 6);
+        context_.toasts.add(error.what(), render::ToastKind::Trouble, 6);
     }
 }
 
@@ -412,20 +413,20 @@ void PlayScreen::carryOut(Command command) {
         return;
     case Command::names: {
         state_.names = !state_.names;
-        Settings settings = desk_.profile.settings();
+        Settings settings = context_.profile.settings();
         settings.names = state_.names;
-        return desk_.profile.setSettings(settings);
+        return context_.profile.setSettings(settings);
     }
     case Command::components:
         components_.toggle();
         state_.components = components_.open();
         return;
     case Command::budget:
-        return desk_.toasts.add(switchBudget(budget_));
+        return context_.toasts.add(switchBudget(budget_));
     case Command::lessBudget:
-        return desk_.toasts.add(changeBudget(budget_, 1 / budgetStep));
+        return context_.toasts.add(changeBudget(budget_, 1 / budgetStep));
     case Command::moreBudget:
-        return desk_.toasts.add(changeBudget(budget_, budgetStep));
+        return context_.toasts.add(changeBudget(budget_, budgetStep));
     case Command::cut:
         if (!building()) {
             hand_.setCutting(!hand_.cutting());
@@ -442,7 +443,7 @@ void PlayScreen::carryOut(Command command) {
         return view_.fit();
     case Command::hint:
         if (session_.level().hints.empty()) {
-            desk_.toasts.add(words::noHints);
+            context_.toasts.add(words::noHints);
         }
         state_.hintsShown = std::min(state_.hintsShown + 1, session_.level().hints.size());
         return;
@@ -454,19 +455,19 @@ void PlayScreen::carryOut(Command command) {
         }
         return;
     case Command::menu:
-        wish_ = PlayWish::menu;
+        request_ = PlayRequest::menu;
         return;
     case Command::levels:
-        wish_ = PlayWish::levels;
+        request_ = PlayRequest::levels;
         return;
     case Command::help:
-        wish_ = PlayWish::help;
+        request_ = PlayRequest::help;
         return;
     case Command::fullscreen:
-        wish_ = PlayWish::fullscreen;
+        request_ = PlayRequest::fullscreen;
         return;
     case Command::nextLevel:
-        wish_ = PlayWish::nextLevel;
+        request_ = PlayRequest::nextLevel;
         return;
     case Command::watchAgain:
         return watchAgain();

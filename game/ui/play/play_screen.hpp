@@ -5,12 +5,12 @@
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/panels/components_panel.hpp"
 #include "game/ui/panels/inspector.hpp"
-#include "game/ui/play/ears.hpp"
 #include "game/ui/play/goal_areas.hpp"
+#include "game/ui/play/level_audio.hpp"
 #include "game/ui/play/replay.hpp"
 #include "game/ui/shared/command.hpp"
-#include "game/ui/shared/desk.hpp"
 #include "game/ui/shared/frame_clock.hpp"
+#include "game/ui/shared/ui_context.hpp"
 #include "game/ui/tools/camera_control.hpp"
 #include "game/ui/tools/hand_tool.hpp"
 #include "game/ui/tools/placing_tool.hpp"
@@ -23,19 +23,19 @@
 namespace trembler::ui {
 
 /// What the screen cannot do by itself.
-enum class PlayWish : std::uint8_t { none, menu, levels, help, nextLevel, fullscreen };
+enum class PlayRequest : std::uint8_t { none, menu, levels, help, nextLevel, fullscreen };
 
-/// Window thread only; the desk must outlive it.
+/// Window thread only; the context must outlive it.
 class PlayScreen {
 public:
     /// Throws InputError if the level cannot be read or built.
-    PlayScreen(Desk& desk, std::filesystem::path file, WorldOptions const& options);
+    PlayScreen(UiContext& context, std::filesystem::path file, WorldOptions const& options);
     ~PlayScreen();
     PlayScreen(PlayScreen const&) = delete;
     PlayScreen& operator=(PlayScreen const&) = delete;
 
     /// One picture's worth of the player's doing and of the world's time: between Gui::beginFrame and draw().
-    PlayWish update(double seconds);
+    PlayRequest update(double seconds);
     /// As long as the menu is open: nothing moves.
     void updateBehindMenu();
     /// The world, into the window: after Window::beginFrame, before Gui::endFrame.
@@ -95,7 +95,7 @@ private:
     /// How far the display is between the last two frames.
     [[nodiscard]] double alpha() const;
 
-    Desk& desk_;
+    UiContext& context_;
     std::filesystem::path file_;
     Session session_;
     Subscription patches_; // of the running world
@@ -107,11 +107,11 @@ private:
     CameraControl view_;
     FrameClock clock_;
     Replay replay_;
-    Ears ears_;
+    LevelAudio audio_;
     render::SceneView scene_;
     GoalAreas goals_;
     PlayState state_;
-    PlayWish wish_ = PlayWish::none;
+    PlayRequest request_ = PlayRequest::none;
     Pointer pointer_;
     ObjectId hovered_;
     render::Point pressedAt_;

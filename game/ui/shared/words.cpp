@@ -30,7 +30,7 @@ std::string recorded(int frames, std::string const& folder) {
 std::string andMore(std::size_t count) {
     return fmt::format("and {} more", count);
 }
-std::string calledForBy(std::string const& why) {
+std::string activatedBy(std::string const& why) {
     return "The scene calls for " + why + ".";
 }
 

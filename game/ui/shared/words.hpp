@@ -206,7 +206,7 @@ inline constexpr KeyHelp keyHelp[] = {
 [[nodiscard]] std::string recorded(int frames, std::string const& folder);
 [[nodiscard]] std::string andMore(std::size_t count);
 [[nodiscard]] std::string automaticNow(std::string const& level);
-[[nodiscard]] std::string calledForBy(std::string const& why);
+[[nodiscard]] std::string activatedBy(std::string const& why);
 [[nodiscard]] std::string nothingHas(std::string_view property);
 /// µs
 [[nodiscard]] std::string duration(double microseconds);

@@ -4,7 +4,7 @@
 #include "physics/buoyancy/hulls/exact_hull.hpp"
 #include "physics/buoyancy/hulls/particle_hull.hpp"
 #include "physics/buoyancy/properties/settings.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
@@ -28,12 +28,12 @@ struct Ride {
     std::vector<double> heights; ///< m, of the raft, by frame
 };
 
-Ride ride(Workshop const& workshop, std::string const& level, int particles, int period, int frames) {
-    LevelFile const file = loadLevel(workshop.registry, workshop.home / "levels/experiments/4-raft.json");
+Ride ride(GameData const& gameData, std::string const& level, int particles, int period, int frames) {
+    LevelFile const file = loadLevel(gameData.registry, gameData.home / "levels/experiments/4-raft.json");
     WorldOptions options;
     options.detail["buoyancy"] = level;
     options.periods[level == "exact" ? "Buoyancy" : "Particle Buoyancy"] = period;
-    auto const world = buildWorld(workshop.registry, file, workshop.parts, {}, options);
+    auto const world = buildWorld(gameData.registry, file, gameData.parts, {}, options);
     BuoyancySettings settings;
     settings.particles = particles;
     world->store().column<BuoyancySettings>().set(world->store().find("world"), settings);
@@ -57,17 +57,17 @@ double greatestDeviation(Ride const& found, Ride const& right) {
     return most;
 }
 
-Ladder climbRaft(Workshop const& workshop, Effort effort) {
+Ladder climbRaft(GameData const& gameData, Effort effort) {
     int const frames = effort.brief ? 40 : 600;
     Ladder ladder{
         "",      "Experiment IV's raft",
         "m",     fmt::format("greatest deviation of the raft's height, over {:g} s", frames * frameDuration),
         "exact", true,
         {},      {}};
-    Ride const right = ride(workshop, "exact", 64, 1, frames);
+    Ride const right = ride(gameData, "exact", 64, 1, frames);
     for (int const count : counts) {
         if (!effort.brief || count % 60 == 4) {
-            Ride const found = ride(workshop, "particles", count, 1, frames);
+            Ride const found = ride(gameData, "particles", count, 1, frames);
             ladder.rungs.push_back({fmt::format("{} particles", count),
                                     found.microseconds,
                                     greatestDeviation(found, right),
@@ -82,7 +82,7 @@ Ladder climbRaft(Workshop const& workshop, Effort effort) {
     return ladder;
 }
 
-Ladder climbPeriods(Workshop const& workshop, Effort effort) {
+Ladder climbPeriods(GameData const& gameData, Effort effort) {
     int const frames = effort.brief ? 40 : 600;
     Ladder ladder{"",
                   "Experiment IV's raft, exact, now and then",
@@ -92,10 +92,10 @@ Ladder climbPeriods(Workshop const& workshop, Effort effort) {
                   true,
                   {},
                   {}};
-    Ride const right = ride(workshop, "exact", 64, 1, frames);
+    Ride const right = ride(gameData, "exact", 64, 1, frames);
     ladder.rungs.push_back({"every frame", right.microseconds, 0, {}, false, {}});
     for (int period = 2; period <= (effort.brief ? 3 : 12); ++period) {
-        Ride const found = ride(workshop, "exact", 64, period, frames);
+        Ride const found = ride(gameData, "exact", 64, period, frames);
         ladder.rungs.push_back({fmt::format("every {} frames", period),
                                 found.microseconds,
                                 greatestDeviation(found, right),
@@ -111,7 +111,7 @@ Ladder climbPeriods(Workshop const& workshop, Effort effort) {
 }
 
 // A box cut by the surface in many attitudes: all that particles can get wrong, without what comes of it.
-Ladder climbCuts(Workshop const&, Effort effort) {
+Ladder climbCuts(GameData const&, Effort effort) {
     constexpr double width = 0.6;  // m, the raft's float
     constexpr double height = 0.4; // m
     Ladder ladder{"",

@@ -10,7 +10,7 @@
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "runtime/frame/settings.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
@@ -80,12 +80,12 @@ double predictedGrowth(Stiffness const& stiffness, int substeps, int period, boo
     return std::exp(oscillation * (stiffness.lagged * lag - stiffness.own * step)) - 1;
 }
 
-Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead, int parts) {
+Swing magnetOnSpring(GameData const& gameData, int substeps, bool lookAhead, int parts) {
     constexpr double distance = 1;    // m
     constexpr double strength = 5500; // A m
     constexpr double stiffness = 1;   // N/m, of the spring; the mass is 1 kg
     constexpr double anchor = 2;      // m
-    World world(workshop.registry, {.threads = 1, .detail = {}, .periods = {}});
+    World world(gameData.registry, {.threads = 1, .detail = {}, .periods = {}});
     Store& store = world.store();
     ObjectId const settings = store.create("world");
     store.column<DynamicsSettings>().set(settings, solverOf(substeps));
@@ -118,7 +118,7 @@ Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead, int
     return result;
 }
 
-Swing floatOnSpring(Workshop const& workshop, int substeps, int period, bool lookAhead) {
+Swing floatOnSpring(GameData const& gameData, int substeps, int period, bool lookAhead) {
     constexpr double g = 9.81;
     constexpr double width = 3;     // m: so wide that it does not roll
     constexpr double height = 1.2;  // m
@@ -130,7 +130,7 @@ Swing floatOnSpring(Workshop const& workshop, int substeps, int period, bool loo
     WorldOptions options;
     options.detail["buoyancy"] = "exact";
     options.periods["Buoyancy"] = period;
-    World world(workshop.registry, options);
+    World world(gameData.registry, options);
     Store& store = world.store();
     ObjectId const settings = store.create("world");
     store.column<DynamicsSettings>().set(settings, solverOf(substeps));

@@ -4,7 +4,7 @@
 
 namespace trembler {
 
-struct Workshop;
+struct GameData;
 
 namespace accuracy {
 
@@ -38,9 +38,9 @@ struct Stiffness {
                                      int parts = 1);
 
 /// A magnet that a fixed one pushes away holds itself against a spring. Needs magnetism.
-[[nodiscard]] Swing magnetOnSpring(Workshop const& workshop, int substeps, bool lookAhead, int parts = 1);
+[[nodiscard]] Swing magnetOnSpring(GameData const& gameData, int substeps, bool lookAhead, int parts = 1);
 /// A wide box that floats, on a spring, in a liquid without drag. Needs buoyancy and gravity.
-[[nodiscard]] Swing floatOnSpring(Workshop const& workshop, int substeps, int period, bool lookAhead);
+[[nodiscard]] Swing floatOnSpring(GameData const& gameData, int substeps, int period, bool lookAhead);
 
 } // namespace accuracy
 } // namespace trembler

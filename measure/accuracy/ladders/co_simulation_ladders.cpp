@@ -1,7 +1,7 @@
 // Co-simulation: the energy that one frame of lag between simulations puts in or takes out.
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/co_simulation.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 
 #include <fmt/format.h>
 
@@ -43,17 +43,17 @@ private:
 
 #ifndef TREMBLER_WITHOUT_MAGNETISM
 
-Ladder climbMagnet(Workshop const& workshop, Effort) {
+Ladder climbMagnet(GameData const& gameData, Effort) {
     Growth growth("a magnet on a spring, pushed by another");
     for (int const substeps : substepCounts) {
-        growth.add(substepsName(substeps) + ", late", magnetOnSpring(workshop, substeps, false));
+        growth.add(substepsName(substeps) + ", late", magnetOnSpring(gameData, substeps, false));
     }
     for (int const substeps : substepCounts) {
-        growth.add(substepsName(substeps) + ", ahead", magnetOnSpring(workshop, substeps, true));
+        growth.add(substepsName(substeps) + ", ahead", magnetOnSpring(gameData, substeps, true));
     }
     for (int const parts : partCounts) {
         growth.add(fmt::format("16 substeps, late, in {} part{}", parts, parts == 1 ? "" : "s"),
-                   magnetOnSpring(workshop, 16, false, parts));
+                   magnetOnSpring(gameData, 16, false, parts));
     }
     return growth.finish(
         "A force that is computed once in a frame of the length t, and stands for it, is late by t/2 on "
@@ -73,21 +73,21 @@ Ladder climbMagnet(Workshop const& workshop, Effort) {
 #endif
 #if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
 
-Ladder climbFloat(Workshop const& workshop, Effort) {
+Ladder climbFloat(GameData const& gameData, Effort) {
     Growth growth("a float on a spring");
     for (int const substeps : substepCounts) {
-        growth.add(substepsName(substeps) + ", late", floatOnSpring(workshop, substeps, 1, false));
+        growth.add(substepsName(substeps) + ", late", floatOnSpring(gameData, substeps, 1, false));
     }
     for (int const period : {2, 4}) {
         growth.add(fmt::format("4 substeps, late, every {} frames", period),
-                   floatOnSpring(workshop, 4, period, false));
+                   floatOnSpring(gameData, 4, period, false));
     }
     for (int const substeps : substepCounts) {
-        growth.add(substepsName(substeps) + ", ahead", floatOnSpring(workshop, substeps, 1, true));
+        growth.add(substepsName(substeps) + ", ahead", floatOnSpring(gameData, substeps, 1, true));
     }
     for (int const period : {2, 4}) {
         growth.add(fmt::format("4 substeps, ahead, every {} frames", period),
-                   floatOnSpring(workshop, 4, period, true));
+                   floatOnSpring(gameData, 4, period, true));
     }
     return growth.finish(
         "*Late* are forces as in the thesis, with the same lag as the magnet's: one substep loses and "

@@ -3,7 +3,7 @@
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/dynamics_scenes.hpp"
 #include "measure/accuracy/ladders/effect_clock.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "runtime/world/world.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ Ladder begin(Words const& words, int frames, bool rivals = true) {
 }
 
 Plan substepsPlan(Words words, DynamicsSceneMaker make, Length length) {
-    return {"dynamics", [=](Workshop const& workshop, Effort effort) {
+    return {"dynamics", [=](GameData const& gameData, Effort effort) {
                 Ladder ladder = begin(words, length.of(effort));
                 for (int const substeps : {1, 2, 4, 8, 16, 64, DynamicsSettings::automatic}) {
                     if (effort.brief && substeps > 8) {
@@ -63,7 +63,7 @@ Plan substepsPlan(Words words, DynamicsSceneMaker make, Length length) {
                     Solver solver;
                     solver.settings.substeps = substeps;
                     ladder.rungs.push_back(
-                        measure(substepsName(substeps), make(workshop, solver), length.of(effort)));
+                        measure(substepsName(substeps), make(gameData, solver), length.of(effort)));
                 }
                 return ladder;
             }};
@@ -81,7 +81,7 @@ Iterations const positionIterations{"position", &DynamicsSettings::positionItera
 
 Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Iterations const& iterations,
                     Length length) {
-    return {"dynamics", [=](Workshop const& workshop, Effort effort) {
+    return {"dynamics", [=](GameData const& gameData, Effort effort) {
                 bool const holds = substeps >= 4; // torn chains are no rivals in anything
                 Ladder ladder = begin(words, length.of(effort), holds);
                 for (int const count : iterations.tried) {
@@ -90,7 +90,7 @@ Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Iteratio
                     solver.settings.*iterations.count = count;
                     ladder.rungs.push_back(
                         measure(fmt::format("{} {} iteration{}", count, iterations.of, count == 1 ? "" : "s"),
-                                make(workshop, solver), length.of(effort)));
+                                make(gameData, solver), length.of(effort)));
                 }
                 return ladder;
             }};
@@ -98,9 +98,9 @@ Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Iteratio
 
 // Every registered engine, at two numbers of substeps.
 Plan enginesPlan(Words words, DynamicsSceneMaker make, Length length) {
-    return {"dynamics", [=](Workshop const& workshop, Effort effort) {
+    return {"dynamics", [=](GameData const& gameData, Effort effort) {
                 Ladder ladder = begin(words, length.of(effort));
-                for (Registration const& one : workshop.registry.components()) {
+                for (Registration const& one : gameData.registry.components()) {
                     if (one.info->kind != ComponentKind::resolver || one.info->roleName != "Dynamics") {
                         continue;
                     }
@@ -110,14 +110,14 @@ Plan enginesPlan(Words words, DynamicsSceneMaker make, Length length) {
                         solver.settings.substeps = substeps;
                         ladder.rungs.push_back(
                             measure(fmt::format("{}, {}", solver.engine, substepsName(substeps)),
-                                    make(workshop, solver), length.of(effort)));
+                                    make(gameData, solver), length.of(effort)));
                     }
                 }
                 return ladder;
             }};
 }
 
-Ladder climbFallingChain(Workshop const& workshop, Effort effort) {
+Ladder climbFallingChain(GameData const& gameData, Effort effort) {
     constexpr int links = 10;
     int const frames = effort.brief ? 30 : 60;
     Ladder ladder = begin({"a chain of 10 links swings down",
@@ -126,11 +126,11 @@ Ladder climbFallingChain(Workshop const& workshop, Effort effort) {
     auto const path = std::make_shared<ChainPath>();
     Solver solver;
     solver.settings.substeps = 64;
-    static_cast<void>(measure("", fallingChain(workshop, solver, links, path, true), frames));
+    static_cast<void>(measure("", fallingChain(gameData, solver, links, path, true), frames));
     for (int const substeps : {1, 2, 4, 8, 16, DynamicsSettings::automatic}) {
         solver.settings.substeps = substeps;
         ladder.rungs.push_back(
-            measure(substepsName(substeps), fallingChain(workshop, solver, links, path, false), frames));
+            measure(substepsName(substeps), fallingChain(gameData, solver, links, path, false), frames));
     }
     return ladder;
 }
@@ -147,8 +147,8 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
                                   "its equation of motion, integrated until it converged", ""},
                                  pendulum, {300, 60}));
     plans.push_back({"dynamics", climbFallingChain});
-    auto const chain = [](Workshop const& workshop, Solver const& solver) {
-        return loadedChain(workshop, solver, 30, 100 * 1.0);
+    auto const chain = [](GameData const& gameData, Solver const& solver) {
+        return loadedChain(gameData, solver, 30, 100 * 1.0);
     };
     std::string const gap = "widest gap of a joint";
     std::string const whole = "a chain without gaps";
@@ -177,7 +177,7 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
     plans.push_back(substepsPlan(
         {"a stack of 20 boxes", "farthest that a box has moved sideways", "a stack that stands still",
          "From eight on nothing is gained."},
-        [](Workshop const& workshop, Solver const& solver) { return stack(workshop, solver, 20); },
+        [](GameData const& gameData, Solver const& solver) { return stack(gameData, solver, 20); },
         {1200, 60}));
     plans.push_back(enginesPlan(
         {"engines: a chain of 30 links under a hundred times a link's mass", gap, whole,
@@ -190,7 +190,7 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
          "a stack that stands still",
          "Chipmunk's boxes creep by millimetres, so that even with more substeps it is beaten by fewer of "
          "Box2D."},
-        [](Workshop const& workshop, Solver const& solver) { return stack(workshop, solver, 10); },
+        [](GameData const& gameData, Solver const& solver) { return stack(gameData, solver, 10); },
         {600, 30}));
 }
 

@@ -4,7 +4,7 @@
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/gravity/properties.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
 
@@ -18,10 +18,10 @@ namespace {
 
 constexpr double g = 9.81; // m/s²
 
-std::unique_ptr<World> emptyWorld(Workshop const& workshop, Solver const& solver) {
+std::unique_ptr<World> emptyWorld(GameData const& gameData, Solver const& solver) {
     WorldOptions options;
     options.detail["dynamics"] = solver.engine;
-    auto world = std::make_unique<World>(workshop.registry, options);
+    auto world = std::make_unique<World>(gameData.registry, options);
     Store& store = world->store();
     ObjectId const settings = store.create("world");
     store.column<DynamicsSettings>().set(settings, solver.settings);
@@ -71,8 +71,8 @@ std::string linkName(int i) {
 
 // Interactions speak for the first time at the end of the first frame, so gravity acts from the second on:
 // time counts from there.
-DynamicsScene thrownBall(Workshop const& workshop, Solver const& solver) {
-    DynamicsScene scene{emptyWorld(workshop, solver), {}};
+DynamicsScene thrownBall(GameData const& gameData, Solver const& solver) {
+    DynamicsScene scene{emptyWorld(gameData, solver), {}};
     ObjectId const ball = body(*scene.world, "ball", circlePiece(0.1), {0, 0}, 1);
     Vec2 const velocity{4, 9};
     scene.world->store().column<Velocity>().set(ball, {velocity});
@@ -84,11 +84,11 @@ DynamicsScene thrownBall(Workshop const& workshop, Solver const& solver) {
     return scene;
 }
 
-DynamicsScene pendulum(Workshop const& workshop, Solver const& solver) {
+DynamicsScene pendulum(GameData const& gameData, Solver const& solver) {
     constexpr double arm = 1.5;    // m
     constexpr double radius = 0.2; // m
     constexpr double amplitude = 1.5;
-    DynamicsScene scene{emptyWorld(workshop, solver), {}};
+    DynamicsScene scene{emptyWorld(gameData, solver), {}};
     ObjectId const bob = body(*scene.world, "bob", circlePiece(radius),
                               {arm * std::sin(amplitude), -arm * std::cos(amplitude)}, 1);
     hinge(*scene.world, "pivot", bob, {}, {0, 0});
@@ -119,8 +119,8 @@ DynamicsScene pendulum(Workshop const& workshop, Solver const& solver) {
     return scene;
 }
 
-DynamicsScene loadedChain(Workshop const& workshop, Solver const& solver, int links, double ballMass) {
-    DynamicsScene scene{emptyWorld(workshop, solver), {}};
+DynamicsScene loadedChain(GameData const& gameData, Solver const& solver, int links, double ballMass) {
+    DynamicsScene scene{emptyWorld(gameData, solver), {}};
     World& world = *scene.world;
     struct Pin {
         ObjectId a;
@@ -161,10 +161,10 @@ DynamicsScene loadedChain(Workshop const& workshop, Solver const& solver, int li
     return scene;
 }
 
-DynamicsScene stack(Workshop const& workshop, Solver const& solver, int boxes) {
+DynamicsScene stack(GameData const& gameData, Solver const& solver, int boxes) {
     Solver awake = solver;
     awake.settings.sleeping = false;
-    DynamicsScene scene{emptyWorld(workshop, awake), {}};
+    DynamicsScene scene{emptyWorld(gameData, awake), {}};
     ObjectId const floor = body(*scene.world, "floor", boxPiece(20, 1), {0, -0.5}, 1);
     scene.world->store().column<Fixed>().set(floor, {});
     std::vector<std::pair<ObjectId, Vec2>> all;
@@ -182,9 +182,9 @@ DynamicsScene stack(Workshop const& workshop, Solver const& solver, int boxes) {
     return scene;
 }
 
-DynamicsScene fallingChain(Workshop const& workshop, Solver const& solver, int links,
+DynamicsScene fallingChain(GameData const& gameData, Solver const& solver, int links,
                            std::shared_ptr<ChainPath> path, bool record) {
-    DynamicsScene scene{emptyWorld(workshop, solver), {}};
+    DynamicsScene scene{emptyWorld(gameData, solver), {}};
     std::vector<ObjectId> all;
     for (int i = 0; i < links; ++i) {
         Vec2 const at{(i + 0.5) * linkLength, 0};

@@ -13,7 +13,7 @@
 namespace trembler {
 
 class World;
-struct Workshop;
+struct GameData;
 
 namespace accuracy {
 
@@ -30,25 +30,25 @@ struct Solver {
 };
 
 /// Makes the scene anew with a solver.
-using DynamicsSceneMaker = std::function<DynamicsScene(Workshop const&, Solver const&)>;
+using DynamicsSceneMaker = std::function<DynamicsScene(GameData const&, Solver const&)>;
 
 /// A ball thrown up at an angle: distance from the parabola.
-[[nodiscard]] DynamicsScene thrownBall(Workshop const& workshop, Solver const& solver);
+[[nodiscard]] DynamicsScene thrownBall(GameData const& gameData, Solver const& solver);
 /// A body on an arm, let go at 1.5 rad: distance from the solution of its equation of motion.
-[[nodiscard]] DynamicsScene pendulum(Workshop const& workshop, Solver const& solver);
+[[nodiscard]] DynamicsScene pendulum(GameData const& gameData, Solver const& solver);
 /// A chain between two pins with a heavy ball at its middle: the widest gap of any joint; there should be
 /// none.
-[[nodiscard]] DynamicsScene loadedChain(Workshop const& workshop, Solver const& solver, int links,
+[[nodiscard]] DynamicsScene loadedChain(GameData const& gameData, Solver const& solver, int links,
                                         double ballMass);
 /// A stack of unit boxes, not allowed to sleep: how far any box has moved sideways; none should.
 /// (Downwards all of them sink into one another by the engine's tolerance, however short the steps are.)
-[[nodiscard]] DynamicsScene stack(Workshop const& workshop, Solver const& solver, int boxes);
+[[nodiscard]] DynamicsScene stack(GameData const& gameData, Solver const& solver, int boxes);
 /// A chain let go level, held at one end: how far any link is from where `path` has it, by frame and link;
 /// while `path` is being recorded, 0.
 struct ChainPath {
     std::vector<std::vector<Vec2>> places; ///< by frame, then link
 };
-[[nodiscard]] DynamicsScene fallingChain(Workshop const& workshop, Solver const& solver, int links,
+[[nodiscard]] DynamicsScene fallingChain(GameData const& gameData, Solver const& solver, int links,
                                          std::shared_ptr<ChainPath> path, bool record);
 
 } // namespace accuracy

@@ -44,7 +44,7 @@ class ElectricityFromAccuracy final
 public:
     static constexpr ComponentText text{
         .name = "Electricity <- Accuracy", .effect = "accuracy", .level = "", .work = "Cuts and mends."};
-    using CalledFor = NeedsAll<CableChange>;
+    using Activation = NeedsAll<CableChange>;
     void apply(Access& access) {
         for (CableChange const& change : access.read<CableChange>().values()) {
             if (change.mend) {
@@ -251,13 +251,13 @@ Ladder climbCircuits(std::vector<Wiring> const& circuits, std::string scene, Que
 
 void addElectricityPlans(std::vector<Plan>& plans) {
     for (Question const question : {Question::glows, Question::amperes}) {
-        plans.push_back({"electricity", [question](Workshop const&, Effort effort) {
+        plans.push_back({"electricity", [question](GameData const&, Effort effort) {
                              int const count = effort.brief ? 12 : 120;
                              return climbCircuits(schoolbook(count),
                                                   fmt::format("{} schoolbook circuits", count), question,
                                                   effort);
                          }});
-        plans.push_back({"electricity", [question](Workshop const&, Effort effort) {
+        plans.push_back({"electricity", [question](GameData const&, Effort effort) {
                              int const count = effort.brief ? 8 : 100;
                              return climbCircuits(jumble(count, 24),
                                                   fmt::format("{} circuits joined at random", count),

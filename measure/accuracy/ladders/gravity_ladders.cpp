@@ -141,12 +141,12 @@ Ladder climbGravity(Scene const& scene, std::string name, bool angles, int frame
 } // namespace
 
 void addGravityPlans(std::vector<Plan>& plans) {
-    plans.push_back({"gravity", [](Workshop const&, Effort effort) {
+    plans.push_back({"gravity", [](GameData const&, Effort effort) {
                          int const count = effort.brief ? 150 : 2000;
                          return climbGravity(galaxy(count), fmt::format("a disc of {} stars", count), true,
                                              effort.brief ? 25 : 121);
                      }});
-    plans.push_back({"gravity", [](Workshop const&, Effort effort) {
+    plans.push_back({"gravity", [](GameData const&, Effort effort) {
                          int const count = effort.brief ? 20 : 200;
                          return climbGravity(onTheGround(count), fmt::format("{} things on Earth", count - 1),
                                              false, effort.brief ? 25 : 601);

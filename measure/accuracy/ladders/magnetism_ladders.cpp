@@ -194,7 +194,7 @@ Ladder climbDipoles(Effort effort) {
 } // namespace
 
 void addMagnetismPlans(std::vector<Plan>& plans) {
-    plans.push_back({"magnetism", [](Workshop const&, Effort effort) {
+    plans.push_back({"magnetism", [](GameData const&, Effort effort) {
                          int const count = effort.brief ? 100 : 1000;
                          return climbField(
                              field(count, PoleSet::both), fmt::format("{} bar magnets", count),
@@ -204,7 +204,7 @@ void addMagnetismPlans(std::vector<Plan>& plans) {
                              "asking for here.",
                              effort);
                      }});
-    plans.push_back({"magnetism", [](Workshop const&, Effort effort) {
+    plans.push_back({"magnetism", [](GameData const&, Effort effort) {
                          int const count = effort.brief ? 100 : 2000;
                          return climbField(
                              field(count, PoleSet::north), fmt::format("{} single north poles", count),
@@ -214,7 +214,7 @@ void addMagnetismPlans(std::vector<Plan>& plans) {
                              "opening angle of 0.7 saves next to nothing over 0.5.",
                              effort);
                      }});
-    plans.push_back({"magnetism", [](Workshop const&, Effort effort) { return climbDipoles(effort); }});
+    plans.push_back({"magnetism", [](GameData const&, Effort effort) { return climbDipoles(effort); }});
 }
 
 } // namespace trembler::accuracy

@@ -6,7 +6,7 @@
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/material.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
 
@@ -25,8 +25,8 @@ struct Hearing {
 };
 
 // Bars, plates and balls of five materials fall on a floor of stone.
-Hearing listen(Workshop const& workshop, std::string const& level, int bodies, int frames) {
-    World world(workshop.registry, {.threads = 1, .detail = {{"sound", level}}, .periods = {}});
+Hearing listen(GameData const& gameData, std::string const& level, int bodies, int frames) {
+    World world(gameData.registry, {.threads = 1, .detail = {{"sound", level}}, .periods = {}});
     Store& store = world.store();
     store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
     auto const put = [&](std::string const& name, ShapePiece piece, Vec2 at, double angle,
@@ -67,16 +67,16 @@ Hearing listen(Workshop const& workshop, std::string const& level, int bodies, i
     return found;
 }
 
-Ladder climbModes(Workshop const& workshop, Effort effort) {
-    int const bodies = effort.brief ? 3 : 60; // enough for the modes to show beside what tells of blows
+Ladder climbModes(GameData const& gameData, Effort effort) {
+    int const bodies = effort.brief ? 3 : 60; // enough for the modes to show beside what tells of impacts
     int const frames = effort.brief ? 40 : 180;
     Ladder ladder{"",         fmt::format("{} bodies fall on stone", bodies),
                   "Hz",       "mean difference of the mean frequency that is heard of a body",
                   "32 modes", true,
                   {},         {}};
-    Hearing const right = listen(workshop, "32-modes", bodies, frames);
+    Hearing const right = listen(gameData, "32-modes", bodies, frames);
     for (std::string const level : {"1-mode", "4-modes", "8-modes", "16-modes", "32-modes"}) {
-        Hearing const found = level == "32-modes" ? right : listen(workshop, level, bodies, frames);
+        Hearing const found = level == "32-modes" ? right : listen(gameData, level, bodies, frames);
         double error = 0;
         double heard = 0;
         for (auto const& [when, brightness] : right.brightness) {
@@ -86,7 +86,7 @@ Ladder climbModes(Workshop const& workshop, Effort effort) {
         }
         ladder.rungs.push_back({level, found.microseconds, heard > 0 ? error / heard : 0, {}, false, {}});
     }
-    ladder.remark = "Times are means over the frames, not medians, as it is blows that cost, and what the "
+    ladder.remark = "Times are means over the frames, not medians, as it is impacts that cost, and what the "
                     "world pays. The loudspeakers' synthesis, beside it, renders only the modes that "
                     "can be heard beside the others, so that more of them cost little more (bench_sound).";
     return ladder;

@@ -25,7 +25,7 @@ class BuoyancyResolver
                  Writes<>, Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>>;
 
 public:
-    using CalledFor = NeedsAll<Liquid, Shape, Position>;
+    using Activation = NeedsAll<Liquid, Shape, Position>;
     static constexpr int longestPeriod = 12; // docs/buoyancy.md: up to there nothing looks wrong
     static constexpr Coverage memory =
         leftOut("what hulls are made of, from their shapes, and which of them moved");

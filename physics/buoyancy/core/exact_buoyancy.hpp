@@ -14,7 +14,7 @@ public:
         .level = "exact",
         .work = "Calculates the centre of buoyancy and F_B from area and centroid of the part of each object "
                 "that is in a liquid, and exports them as per-object properties.",
-        .cost = 1};
+        .rank = 1};
 
     Flotation::HullMaker prepare(Access&, Flotation&) const {
         return [](Shape const& shape) { return std::make_unique<ExactHull>(shape); };

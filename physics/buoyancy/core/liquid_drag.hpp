@@ -40,8 +40,8 @@ public:
         .work =
             "For each object in a liquid, calculates linear and quadratic drag from its velocity, and what "
             "must resist its motion while F_B stands unchanged.",
-        .cost = 1};
-    using CalledFor = NeedsAll<Liquid, Shape, Velocity>;
+        .rank = 1};
+    using Activation = NeedsAll<Liquid, Shape, Velocity>;
     static constexpr int longestPeriod = 12;
     void update(Access& access);
 };

@@ -16,7 +16,7 @@ public:
         .work =
             "Calculates the centre of buoyancy and F_B as sums over particles that stand for each object, "
             "and exports them as per-object properties.",
-        .cost = 2}; // 64 particles cost more than an exact box
+        .rank = 2}; // 64 particles cost more than an exact box
 
     Flotation::HullMaker prepare(Access& access, Flotation& flotation) {
         auto const& all = access.read<BuoyancySettings>();

@@ -14,7 +14,7 @@ public:
                                         .effect = "buoyancy",
                                         .level = "",
                                         .work = "Feeds the world's linear gravity vector to buoyancy."};
-    using CalledFor = NeedsAll<GravityField>;
+    using Activation = NeedsAll<GravityField>;
     static constexpr bool inSetup = true; // or whatever floats would fall for a frame before it is held
     void apply(Access& access) {
         forEach(

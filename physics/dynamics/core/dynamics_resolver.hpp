@@ -35,7 +35,7 @@ class DynamicsResolver : public detail::DynamicsBase<Self> {
     using Base = detail::DynamicsBase<Self>;
 
 public:
-    using CalledFor = NeedsAll<Shape>;
+    using Activation = NeedsAll<Shape>;
     static constexpr Coverage memory =
         leftOut("the engine's world: bodies and joints follow from their columns, but what it starts each "
                 "solution with, how long bodies have been still and in which order it found contacts no "
@@ -353,14 +353,14 @@ private:
     }
 
     void updateImpacts(Access& access, bool moved) {
-        std::span<Impact const> const blows =
+        std::span<Impact const> const impacts =
             moved ? simulation_.engine().impacts() : std::span<Impact const>{};
-        impactNews_ = !blows.empty();
+        impactNews_ = !impacts.empty();
         if (!impactNews_ && access.template provided<Impacts>().impacts.empty()) {
             return;
         }
         auto& impacts = access.template provide<Impacts>().impacts;
-        impacts.assign(blows.begin(), blows.end());
+        impacts.assign(impacts.begin(), impacts.end());
         std::stable_sort(impacts.begin(), impacts.end(), [](Impact const& x, Impact const& y) {
             return std::tie(x.a, x.b, x.since) < std::tie(y.a, y.b, y.since);
         });

@@ -119,10 +119,10 @@ public:
     [[nodiscard]] virtual std::vector<TouchChange>& touchChanges() = 0;
     /// Appends all contacts as they stand, in any fixed order, with a < b.
     virtual void addContactPatches(std::vector<ContactPatch>& patches) const = 0;
-    /// Whether blows are to be noted in the steps to come. Off at first. An engine that cannot tell blows has
-    /// none.
+    /// Whether impacts are to be noted in the steps to come. Off at first. An engine that cannot tell impacts
+    /// has none.
     virtual void noteImpacts(bool) {}
-    /// The blows of the last step(), in any fixed order.
+    /// The impacts of the last step(), in any fixed order.
     [[nodiscard]] virtual std::span<Impact const> impacts() const { return {}; }
     /// The mean force that a joint exerted during the last step(), in N.
     [[nodiscard]] virtual Vec2 jointForce(SlotIndex slot) const = 0;

@@ -17,7 +17,7 @@ public:
                                         .work =
                                             "Destroys every joint that was overloaded, and every one whose "
                                             "object, or whose joint to couple, no longer exists."};
-    using CalledFor = NeedsAll<Joint>;
+    using Activation = NeedsAll<Joint>;
     void apply(Access& access);
 };
 

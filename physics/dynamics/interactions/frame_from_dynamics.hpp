@@ -14,7 +14,7 @@ public:
         .effect = "dynamics",
         .level = "",
         .work = "Asks for parts of a frame so short that the fastest force is followed."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access& access) {
         double const rate = access.read<ForceRates>().swinging;
         if (rate > 0 && longestPart(rate) < frameDuration) { // a whole frame need not be asked for

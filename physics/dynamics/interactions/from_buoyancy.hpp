@@ -18,7 +18,7 @@ public:
                                         .effect = "buoyancy",
                                         .level = "",
                                         .work = "Applies F_B to each object at its centre of buoyancy."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access& access) {
         auto const& forces = access.read<BuoyancyForce>().forces;
         auto const& centres = access.read<CentreOfBuoyancy>().centres;

@@ -21,7 +21,7 @@ public:
         .work =
             "Applies the force due to gravity to each object at its centre of mass, unless it is fixed, and "
             "says how fast it varies."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access& access) {
         auto const& forces = access.read<GravityForce>().forces;
         auto const& fixed = access.read<Fixed>();

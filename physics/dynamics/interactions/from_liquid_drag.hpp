@@ -16,7 +16,7 @@ public:
         .level = "",
         .work = "Lets liquids resist the motion of what is in them, and carry it along where they flow; says "
                 "how fast F_B varies."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access& access) {
         auto const& entries = access.read<LiquidResistance>().entries;
         bool const foreseen = access.read<LiquidResistance>().foreseen;

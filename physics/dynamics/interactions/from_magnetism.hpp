@@ -18,7 +18,7 @@ public:
         .level = "",
         .work = "Adds all the forces calculated in the Magnetic Forces DPS at the "
                 "magnetic poles, or at the centre of what has none, and says how fast they vary."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access& access) {
         auto const& forces = access.read<MagneticForce>().forces;
         auto const& fixed = access.read<Fixed>();

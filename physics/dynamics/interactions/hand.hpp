@@ -21,7 +21,7 @@ public:
         .level = "",
         .work = "Pulls the held point of the object in the hand to where the hand "
                 "is, like a critically damped spring, and damps its turning."};
-    using CalledFor = NeedsAll<Shape>;
+    using Activation = NeedsAll<Shape>;
 
     static constexpr double frequency = 12; ///< rad/s, of the spring
     /// m/s². A hand has a strength of its own, whatever the world weighs things with: it can give this much

@@ -1,4 +1,4 @@
-// Blows: where two bodies hit each other within a frame, and how hard.
+// Impacts: where two bodies hit each other within a frame, and how hard.
 #pragma once
 
 #include "runtime/math/vec2.hpp"
@@ -12,7 +12,7 @@
 
 namespace trembler {
 
-/// One blow. A frame has several substeps, so a pair can meet, part and meet again within it.
+/// One impact. A frame has several substeps, so a pair can meet, part and meet again within it.
 struct Impact {
     ObjectId a; ///< a < b
     ObjectId b;
@@ -22,7 +22,7 @@ struct Impact {
     double since = 0;   ///< s, from the beginning of the frame, or of the part in which it is told
 };
 
-/// Computed only where somebody reads it. Steady pressure is no blow, and neither is one that changes the
+/// Computed only where somebody reads it. Steady pressure is no impact, and neither is one that changes the
 /// speed of the two by less than 2 cm/s.
 struct Impacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
@@ -39,7 +39,7 @@ struct Impacts {
 
 inline constexpr double faintestImpact = 0.02; ///< m/s, change of the relative speed
 
-/// Remembers how hard each contact of an engine presses, to tell blows from pressure.
+/// Remembers how hard each contact of an engine presses, to tell impacts from pressure.
 class ImpactBook {
 public:
     /// Names a contact for as long as it exists. Looked up, never walked.

@@ -44,7 +44,7 @@ struct JointCompletion final
     static constexpr CompletionText text{
         .name = "Joint",
         .work = "Gives a joint its anchors from where its objects are when it comes into being."};
-    using CalledFor = NeedsAll<Joint>;
+    using Activation = NeedsAll<Joint>;
     static void complete(Access& access);
 };
 

@@ -16,7 +16,7 @@ class Standstill final : public Resolver<Standstill, StandstillRole, Reads<>, Wr
 public:
     static constexpr ComponentText text{
         .name = "Standstill", .effect = "dynamics", .level = "", .work = "Moves nothing."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void advance(Access&) {}
 };
 

@@ -17,7 +17,7 @@ struct MatterCompletion final
                                          .work = "An object gets the density, the friction and the "
                                                  "restitution of what it is made of, unless it is "
                                                  "stated to be without them."};
-    using CalledFor = NeedsAll<MadeOf>;
+    using Activation = NeedsAll<MadeOf>;
     static void complete(Access& access);
 };
 
@@ -31,7 +31,7 @@ struct BodyCompletion final : Completion<BodyCompletion, Reads<Shape, Fixed, Liq
                 "times its area times the depth of the world; and, unless it is fixed or a liquid, a "
                 "velocity and "
                 "an angular velocity. What never moves has a mass too: gravity and walls ask for it."};
-    using CalledFor = NeedsAll<Shape>;
+    using Activation = NeedsAll<Shape>;
     static void complete(Access& access);
 };
 

@@ -29,8 +29,8 @@ public:
         .work = "Computes the largest current that can flow from the source to the return of each network "
                 "through objects of limited capacity, and which objects are its bottleneck. An object is on "
                 "while it lies on a path from source to return. Looks only at circuits that have changed.",
-        .cost = 4};
-    using CalledFor = NeedsAny<Conductor>;
+        .rank = 4};
+    using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
         leftOut("the analyses of circuits that have not changed; anew they come to the same");
     static bool suits(Store const&) { return false; } // of itself

@@ -32,11 +32,11 @@ public:
                 "Reports short circuits and floating islands. Looks only at circuits that have changed; "
                 "those in which nothing has a resistance, an EMF, a rating or a fuse are treated as two-wire "
                 "or single-cable.",
-        .cost = 3};
+        .rank = 3};
     static constexpr double leastCurrent = 1e-10; ///< A
     static constexpr double leastShare = 1e-9;
     static constexpr double leastPower = 0.01;
-    using CalledFor = NeedsAny<Conductor>;
+    using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
         leftOut("the analyses of circuits that have not changed; anew they come to the same");
     static std::string why(Store const& store) { return whyElectricalLevel(store); }

@@ -22,8 +22,8 @@ public:
         .level = "single-cable",
         .work = "An object is on while it is connected to a source of a network that "
                 "it may take part in. Looks only at circuits that have changed.",
-        .cost = 1};
-    using CalledFor = NeedsAny<Conductor>;
+        .rank = 1};
+    using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
         leftOut("the analyses of circuits that have not changed; anew they come to the same");
     /// In worlds that never had a return; see neverHadReturns().

@@ -29,8 +29,8 @@ public:
                                             "An object is on while it lies on a path from the source to the "
                                             "return of a network that it may take part in, one that uses no "
                                             "object twice. Looks only at circuits that have changed.",
-                                        .cost = 2};
-    using CalledFor = NeedsAny<Conductor>;
+                                        .rank = 2};
+    using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
         leftOut("the analyses of circuits that have not changed; anew they come to the same");
     /// Where nothing has a resistance, an EMF, a rating or a fuse.

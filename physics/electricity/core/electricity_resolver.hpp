@@ -27,7 +27,7 @@ public:
                 "pair of conductors, the connections of each caller and of the "
                 "level. Connections to objects, and of callers, that are gone go "
                 "with them. Blows fuses: what has blown has no connections."};
-    using CalledFor = NeedsAny<Conductor>;
+    using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
         leftOut("who was a conductor, and in which network, in the last advance, to see what changes");
     void advance(Access& access);

@@ -26,7 +26,7 @@ public:
                                         .work =
                                             "Connects any new colliding objects (if both are conductors) and "
                                             "disconnects any previous colliding objects."};
-    using CalledFor = NeedsAll<Conductor>;
+    using Activation = NeedsAll<Conductor>;
     /// What it has told, and will take back.
     void hashMemory(StateHash& hash) const { hash.members(told_); }
     void apply(Access& access);

@@ -21,7 +21,7 @@ public:
                                                 "most."};
     /// Overloads that differ by no more than this share are equal: they are the result of arithmetic.
     static constexpr double equality = 1e-9;
-    using CalledFor = NeedsAll<Fuse>;
+    using Activation = NeedsAll<Fuse>;
     void apply(Access& access);
 };
 

@@ -17,7 +17,7 @@ public:
                                         .effect = "electricity",
                                         .level = "",
                                         .work = "Removes one wire for every cut that the player made."};
-    using CalledFor = NeedsAll<Conductor>;
+    using Activation = NeedsAll<Conductor>;
     void apply(Access& access) {
         for (PlayerCommands::Cut const& cut : access.read<PlayerCommands>().cuts) {
             access.call(CutWire{cut.a, cut.b}, cut.event);

@@ -17,7 +17,7 @@ namespace trembler {
 struct ConductorCompletion final : Completion<ConductorCompletion, Reads<MadeOf, Without>, Adds<Conductor>> {
     static constexpr CompletionText text{
         .name = "Conductor", .work = "What is made of metal conducts, unless it is stated not to."};
-    using CalledFor = NeedsAll<MadeOf>;
+    using Activation = NeedsAll<MadeOf>;
     static void complete(Access& access) {
         if (conductsByMaterial(access.find<MadeOf>(), access.find<Without>())) {
             access.add(Conductor{});
@@ -29,7 +29,7 @@ struct VertexCompletion final : Completion<VertexCompletion, Reads<>, Adds<Elect
     static constexpr CompletionText text{
         .name = "Vertex",
         .work = "Every conductor is a vertex of the electricity graph, at first without connections."};
-    using CalledFor = NeedsAll<Conductor>;
+    using Activation = NeedsAll<Conductor>;
     static void complete(Access& access) { access.add(ElectricityGraph{}); }
 };
 

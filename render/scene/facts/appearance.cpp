@@ -21,27 +21,27 @@ bool isMetal(Substance substance) {
 Style styleOf(Substance substance) {
     switch (substance) {
     case Substance::steel:
-        return {.material = Material::Metal};
+        return {.pattern = Pattern::Metal};
     case Substance::iron:
-        return {.material = Material::Metal, .tint = iron};
+        return {.pattern = Pattern::Metal, .tint = iron};
     case Substance::copper:
-        return {.material = Material::Copper};
+        return {.pattern = Pattern::Copper};
     case Substance::gold:
-        return {.material = Material::Copper, .tint = gold};
+        return {.pattern = Pattern::Copper, .tint = gold};
     case Substance::wood:
-        return {.material = Material::Wood};
+        return {.pattern = Pattern::Wood};
     case Substance::glass:
-        return {.material = Material::Glass};
+        return {.pattern = Pattern::Glass};
     case Substance::rubber:
-        return {.material = Material::Rubber};
+        return {.pattern = Pattern::Rubber};
     case Substance::stone:
-        return {.material = Material::Stone, .tint = concrete, .grain = 0.32};
+        return {.pattern = Pattern::Stone, .tint = concrete, .grain = 0.32};
     case Substance::brick:
-        return {.material = Material::Stone, .tint = brick, .grain = 0.1};
+        return {.pattern = Pattern::Stone, .tint = brick, .grain = 0.1};
     case Substance::plastic:
-        return {.material = Material::Plastic};
+        return {.pattern = Pattern::Plastic};
     case Substance::water:
-        return {.material = Material::Water};
+        return {.pattern = Pattern::Water};
     }
     return {};
 }

@@ -9,7 +9,7 @@
 
 namespace trembler::render {
 
-/// What a thing is made of, in the words of the world; drawing's own Material is a pattern.
+/// What a thing is made of, in the words of the world; what it is drawn with is a Pattern.
 using Substance = trembler::Material;
 
 /// Metals are bolted down and carry windings; other fixed things are hatched like the ground.

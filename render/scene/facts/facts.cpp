@@ -27,7 +27,7 @@ bool has(ColumnBase const* column, ObjectId id) {
 void guessSubstance(Facts& facts) {
     bool const attracted = facts.strength != nullptr && facts.strength->susceptibility > 0;
     facts.fixed = facts.fixed || facts.liquid; // it stays where it is
-    if (facts.look != nullptr && facts.look->pattern != Pattern::own) {
+    if (facts.look != nullptr && facts.look->pattern != trembler::Pattern::own) {
         facts.substance = materialOf(facts.look->pattern);
     } else if (facts.madeOf != nullptr) {
         facts.substance = facts.madeOf->material;

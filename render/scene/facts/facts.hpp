@@ -1,5 +1,5 @@
 // What drawing looks at in an object: its properties, whether it stands in a world or is still a part on the
-// shelf.
+// catalog.
 #pragma once
 
 #include "physics/buoyancy/properties/liquid.hpp"

@@ -37,8 +37,8 @@ void dashed(Canvas& canvas, std::span<Point const> path, bool closed, double das
     if (!(total > 0) || !std::isfinite(total) || !(dash > 0) || !(gap > 0)) {
         return;
     }
-    double const wished = std::clamp(std::round(total / (dash + gap)), 1.0, mostDashes);
-    double const period = closed || wished == mostDashes ? total / wished : dash + gap;
+    double const requested = std::clamp(std::round(total / (dash + gap)), 1.0, mostDashes);
+    double const period = closed || requested == mostDashes ? total / requested : dash + gap;
     double const part = dash / (dash + gap) * period;
     auto const count = static_cast<int>(std::ceil(total / period - 1e-9));
     for (int i = 0; i < count; ++i) {

@@ -68,7 +68,7 @@ void drawSign(Canvas& canvas, Sign sign, Pose const& pose, double radius, Colour
 
 void drawBadge(Canvas& canvas, Sign sign, Pose const& pose, double radius, bool live, Style const& style) {
     Style disc = style;
-    disc.material = Material::Plain;
+    disc.pattern = Pattern::Plain;
     disc.tint = live ? mix(palette::live, palette::paperLight, 0.35F) : palette::paperLight;
     disc.outline = 1.8F;
     disc.height = 0.5F;

@@ -47,7 +47,7 @@ void drawPiece(Canvas& canvas, ShapePiece const& piece, Pose const& body, bool a
 // Pieces that only just meet have their rims between them: paints them over.
 void hideSeams(Canvas& canvas, Shape const& shape, Pose const& pose, Style const& style) {
     double const rim = canvas.metres(static_cast<double>(style.outline));
-    Colour const colour = style.tint.value_or(colourOf(style.material));
+    Colour const colour = style.tint.value_or(colourOf(style.pattern));
     Stroke const patch{.colour = style.hovered ? mix(colour, rgb(0xFFFFFF), 0.16F) : colour,
                        .width = 1.1 * rim};
     for (Segment const& seam : edgesOf(shape, rim).seams) {
@@ -69,7 +69,7 @@ void hideSeams(Canvas& canvas, Shape const& shape, Pose const& pose, Style const
 // What one sees through must not lie double where pieces overlap, nor show their rims inside.
 void drawTranslucent(Canvas& canvas, Shape const& shape, Pose const& pose, Style style) {
     double const pixels = static_cast<double>(style.outline);
-    Colour const tint = style.tint.value_or(colourOf(style.material));
+    Colour const tint = style.tint.value_or(colourOf(style.pattern));
     style.outline = 0;
     for (std::vector<Point> const& part : withoutOverlaps(shape)) {
         canvas.polygon(pose, part, style);
@@ -96,7 +96,7 @@ void drawShape(Canvas& canvas, Shape const& shape, Pose const& pose, Style style
         drawPiece(canvas, shape.pieces.front(), pose, true, style);
         return;
     }
-    Colour const tint = style.tint.value_or(colourOf(style.material));
+    Colour const tint = style.tint.value_or(colourOf(style.pattern));
     if (style.ghost || style.alpha < 1.F || tint.alpha < 255) {
         drawTranslucent(canvas, shape, pose, style);
         return;
@@ -122,7 +122,7 @@ Style styleOf(Facts const& facts) {
     Style style = styleOf(facts.substance);
     if (std::optional<Colour> const own = colourFrom(facts.look != nullptr ? facts.look->colour : "")) {
         // What one sees through stays that way in any colour.
-        Colour const usual = style.tint.value_or(colourOf(style.material));
+        Colour const usual = style.tint.value_or(colourOf(style.pattern));
         style.tint = Colour{own->red, own->green, own->blue, usual.alpha};
     }
     return style;

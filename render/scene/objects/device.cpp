@@ -60,7 +60,7 @@ void drawBolts(Canvas& canvas, Facts const& facts, Pose const& pose, Style const
             Point const offset = two ? side * away * (half.x >= half.y ? Point{1, 0} : Point{0, 1}) : Point{};
             Point const at = toWorld(inWorld, own.centre() + offset);
             Style screw = style;
-            screw.material = Material::Metal;
+            screw.pattern = Pattern::Metal;
             screw.tint = mix(palette::steel, palette::ink, 0.35F);
             screw.outline = 1.F;
             screw.height = 0.25F;
@@ -128,7 +128,7 @@ void drawBulb(Canvas& canvas, Facts const& facts, Pose const& pose, Style const&
         }
     }
     Style metal = style;
-    metal.material = Material::Metal;
+    metal.pattern = Pattern::Metal;
     metal.tint = brass;
     metal.glow = {};
     if (!socket.pieces.empty()) {

@@ -15,7 +15,7 @@ constexpr Colour ropeColour = rgb(0xB79B6C);
 constexpr double pulleyRadius = 0.12; // m
 
 Style metal(Colour tint, float height) {
-    return {.material = Material::Metal, .tint = tint, .outline = 1.3F, .height = height};
+    return {.pattern = Pattern::Metal, .tint = tint, .outline = 1.3F, .height = height};
 }
 
 void drawPin(Canvas& canvas, Point at, double angle, double radius = pinRadius) {

@@ -59,7 +59,7 @@ void drawMagnet(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
     Point const north = toPoint(facts.poles->north);
     Point const south = toPoint(facts.poles->south);
     Style enamel = style;
-    enamel.material = Material::Plastic;
+    enamel.pattern = Pattern::Plastic;
     enamel.height = 0;
     enamel.glow = {};
     enamel.selected = false;

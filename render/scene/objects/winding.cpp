@@ -80,7 +80,7 @@ void drawFace(Canvas& canvas, Facts const& facts, Pose const& pose, Style const&
     }
     auto const face = [&](Sign sign, Point end, Point outwards) {
         Style paint = style;
-        paint.material = Material::Plastic;
+        paint.pattern = Pattern::Plastic;
         paint.tint = sign == Sign::north ? palette::northPole : palette::southPole;
         paint.alpha = style.alpha * level;
         paint.height = 0;
@@ -117,7 +117,7 @@ void drawWinding(Canvas& canvas, Facts const& facts, Pose const& pose, Style con
     drawFace(canvas, facts, pose, style, winding, outline, level);
 
     Style wire = style;
-    wire.material = Material::Copper;
+    wire.pattern = Pattern::Copper;
     wire.tint = mix(palette::copper, palette::live, 0.55F * level);
     wire.outline = 1.2F;
     wire.height = 0.35F;
@@ -135,7 +135,7 @@ void drawWinding(Canvas& canvas, Facts const& facts, Pose const& pose, Style con
         }
     }
     Style flange = wire;
-    flange.material = Material::Plastic;
+    flange.pattern = Pattern::Plastic;
     flange.tint = flangeColour;
     flange.outline = 1.4F;
     flange.grain = 0;

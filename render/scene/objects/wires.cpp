@@ -73,7 +73,7 @@ void drawEnd(Canvas& canvas, Facts const& facts, Point at, bool live) {
         return; // signs need none, windings have their own
     }
     canvas.circle({at, 0}, std::min(0.85 * cableWidth, 0.45 * innerSize(facts)),
-                  {.material = Material::Copper,
+                  {.pattern = Pattern::Copper,
                    .tint = live ? mix(palette::copper, palette::live, 0.5F) : palette::copper,
                    .outline = 1.2F,
                    .height = 0.3F});

@@ -64,7 +64,7 @@ void drawHand(Canvas& canvas, World const& world, FactsReader const& reader, Pos
     canvas.line(from, to,
                 {.colour = palette::accent, .pixels = pixels, .outline = 1.1F, .round = true, .height = 1.F});
     canvas.circle({from, 0}, canvas.metres(5),
-                  {.material = Material::Plastic, .tint = palette::accent, .outline = 1.3F, .height = 0.6F});
+                  {.pattern = Pattern::Plastic, .tint = palette::accent, .outline = 1.3F, .height = 0.6F});
     canvas.ring(to, canvas.metres(10),
                 {.colour = palette::accent, .pixels = 3.F, .outline = 0.F, .alpha = 0.9F});
 }

@@ -69,11 +69,11 @@ public:
             started_ = true;
         }
     }
-    /// Runs until a blow is heard, at most `frames`; returns whether one was.
-    bool runToBlow(int frames = 600) {
+    /// Runs until an impact is heard, at most `frames`; returns whether one was.
+    bool runToImpact(int frames = 600) {
         for (int i = 0; i < frames; ++i) {
             run(1);
-            if (!sounds().blows.empty()) {
+            if (!sounds().impacts.empty()) {
                 return true;
             }
         }

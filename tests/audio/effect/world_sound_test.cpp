@@ -33,7 +33,7 @@ TEST(WorldSound, IsAbsentWhereNobodyListens) {
     EXPECT_TRUE(room.world->find<Impacts>()->impacts.empty()) << "not even worked out";
 }
 
-TEST(WorldSound, ABlowIsHeardInTheNextFrameAndDiesAway) {
+TEST(WorldSound, AnImpactIsHeardInTheNextFrameAndDiesAway) {
     ListeningRoom room;
     ObjectId const floor = addFloor(room);
     ObjectId const bar = room.body("bar", Material::steel, boxPiece(1, 0.05), {0, 0.5}, 0.1);
@@ -47,7 +47,7 @@ TEST(WorldSound, ABlowIsHeardInTheNextFrameAndDiesAway) {
     }
     ASSERT_NE(struckIn, 0U);
     room.run(1);
-    ASSERT_EQ(room.sounds().blows.size(), 2U) << "one for each body";
+    ASSERT_EQ(room.sounds().impacts.size(), 2U) << "one for each body";
     ASSERT_NE(room.sounding(bar), nullptr);
     ASSERT_NE(room.sounding(floor), nullptr);
     EXPECT_GT(room.sounding(bar)->loudness, meanSquareOf(60));
@@ -67,14 +67,14 @@ TEST(WorldSound, DecaysAsItsModesSay) {
     Subscription const wantedSounds = room.world->want<Sounds>();
     addFloor(room);
     ObjectId const bar = room.body("bar", Material::copper, boxPiece(0.8, 0.04), {0, 0.3}, 0.3);
-    ASSERT_TRUE(room.runToBlow());
+    ASSERT_TRUE(room.runToImpact());
     // Over every frame in which nothing excites it.
     int compared = 0;
     for (int frame = 0; frame < 240; ++frame) {
         ASSERT_NE(room.sounding(bar), nullptr);
         auto const before = room.sounding(bar)->rings;
         room.run(1);
-        if (!room.sounds().blows.empty() || !room.sounds().scrapes.empty()) {
+        if (!room.sounds().impacts.empty() || !room.sounds().scrapes.empty()) {
             continue;
         }
         for (std::size_t i = 0; i < before.size(); ++i) {
@@ -103,7 +103,7 @@ Heard thrown(double speed, Material ballMaterial = Material::steel,
     room.give(plate, hung);
     ObjectId const ball = room.body("ball", ballMaterial, circlePiece(0.05), {0.37, 0.5});
     room.give(ball, Velocity{{0, -speed}});
-    if (!room.runToBlow()) {
+    if (!room.runToImpact()) {
         return {};
     }
     return {levelOf(room.sounding(plate)->loudness), room.sounding(plate)->brightness};
@@ -256,7 +256,7 @@ TEST(WorldSound, RingingGoesOnWhenTheNumberOfModesIsSwapped) {
     Subscription const wantedSounds = room.world->want<Sounds>();
     addFloor(room);
     ObjectId const bar = room.body("bar", Material::steel, boxPiece(1, 0.05), {0, 0.4}, 0.2);
-    ASSERT_TRUE(room.runToBlow());
+    ASSERT_TRUE(room.runToImpact());
     room.run(120);
     ASSERT_NE(room.sounding(bar), nullptr);
     auto const rings = room.sounding(bar)->rings;
@@ -279,7 +279,7 @@ TEST(WorldSound, WhatIsGoneFallsSilent) {
     Subscription const wantedSounds = room.world->want<Sounds>();
     addFloor(room);
     ObjectId const bar = room.body("bar", Material::steel, boxPiece(1, 0.05), {0, 0.4}, 0.2);
-    ASSERT_TRUE(room.runToBlow());
+    ASSERT_TRUE(room.runToImpact());
     room.world->feed({.kind = PlayerInput::Kind::remove, .object = bar, .other = {}, .at = {}});
     room.run(4);
     EXPECT_EQ(room.sounding(bar), nullptr);
@@ -290,7 +290,7 @@ TEST(WorldSound, TheTraceLeadsFromTheTouchToTheStroke) {
     addFloor(room);
     room.body("ball", Material::steel, circlePiece(0.1), {0, 0.5});
     Subscription const wantedSounds = room.world->want<Sounds>();
-    ASSERT_TRUE(room.runToBlow());
+    ASSERT_TRUE(room.runToImpact());
     bool found = false;
     for (Event const& event : room.world->tracer()->events()) {
         if (event.event == "strike") {

@@ -88,7 +88,7 @@ TEST(ModalBank, MaskedModesComeBackInPhase) {
     }
 }
 
-TEST(ModalBank, BlowsAddUpWhateverTheirOrder) {
+TEST(ModalBank, ImpactsAddUpWhateverTheirOrder) {
     std::vector<double> const soft{0.1, 0.2, 0.3};
     std::vector<double> const hard{1, -1, 0.5};
     ModalBank forth(rate);

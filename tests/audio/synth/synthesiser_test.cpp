@@ -76,7 +76,7 @@ TEST(Synthesiser, AStruckBarHasTheFrequenciesOfEulerAndBernoulli) {
     }
 }
 
-TEST(Synthesiser, TheSameBlowOnHalfTheBarIsTwoOctavesHigher) {
+TEST(Synthesiser, TheSameImpactOnHalfTheBarIsTwoOctavesHigher) {
     Xylophone whole(0.8, 0.02, Material::steel, 4);
     Xylophone half(0.4, 0.02, Material::steel, 4);
     auto const low = listen(whole.room, 60, plain, whole.bar);
@@ -141,7 +141,7 @@ TEST(Synthesiser, MaterialsDieAwayAtTheirOwnPace) {
         Xylophone x(0.5, 0.02, material, 3);
         x.room.give(x.bar, Density{acousticMaterial(material).density});
         auto const out = listen(x.room, 90, plain, x.bar);
-        // After the tenth of a second in which higher modes, and the blow itself, die away.
+        // After the tenth of a second in which higher modes, and the impact itself, die away.
         auto const sound = fromFirst(out).subspan(4800);
         double const expected =
             x.room.sounding(x.bar) == nullptr ? 0 : x.room.sounding(x.bar)->rings[0].frequency;
@@ -261,7 +261,7 @@ TEST(Synthesiser, MaskingSavesModesAndCannotBeHeard) {
                     fullBand[from] * maskingShare(static_cast<double>(from) + 0.5, levelOf(fullBand[from]),
                                                   static_cast<double>(band) + 0.5);
             }
-            // A stretch is five blocks, and blows within it smear: 3 dB for that.
+            // A stretch is five blocks, and impacts within it smear: 3 dB for that.
             EXPECT_LE(lostBand[band], 2 * masked)
                 << "band " << band << " at " << static_cast<double>(at) / rate;
             checked += lostBand[band] > 0 ? 1 : 0;
@@ -331,7 +331,7 @@ TEST(Synthesiser, AMissingRecordingIsSilent) {
 TEST(Synthesiser, AFrameIsHeardOnceAndAPauseRingsOn) {
     Xylophone x(0.8, 0.02, Material::steel, 4);
     Subscription const wantedSounds = x.room.world->want<Sounds>();
-    ASSERT_TRUE(x.room.runToBlow());
+    ASSERT_TRUE(x.room.runToImpact());
     Synthesiser once(plain);
     once.hear(x.room.sounds(), {});
     double const first = once.render().front().power;

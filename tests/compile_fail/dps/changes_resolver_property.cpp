@@ -10,7 +10,7 @@ using Result = Provides<HotSpots>;
 #endif
 struct Shine final : Dps<Shine, Reads<Heat>, Result> {
     static constexpr ComponentText text{.name = "Shine", .effect = "heat", .level = "", .work = "Glows."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     void update(Access&) {}
 };
 

@@ -10,7 +10,7 @@ using Seen = Sparks;
 #endif
 struct Shine final : Dps<Shine, Reads<Seen>, Derives<Glow>> {
     static constexpr ComponentText text{.name = "Shine", .effect = "heat", .level = "", .work = "Glows."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     void update(Access& access) { access.derive<Glow>().watts.assign(access.read<Seen>().objects.size(), 1); }
 };
 template void Registry::component<Shine>();

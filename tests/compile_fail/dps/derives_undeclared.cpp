@@ -5,7 +5,7 @@ namespace trembler {
 
 struct Shine final : Dps<Shine, Reads<Heat>, Derives<Glow>> {
     static constexpr ComponentText text{.name = "Shine", .effect = "heat", .level = "", .work = "Glows."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     void update(Access& access) {
         access.derive<Glow>().watts.assign(access.read<Heat>().size(), 0);
 #ifndef TREMBLER_CONTROL

@@ -5,7 +5,7 @@ namespace trembler {
 
 struct Shine final : Dps<Shine, Reads<Heat>, Derives<Glow>> {
     static constexpr ComponentText text{.name = "Shine", .effect = "heat", .level = "", .work = "Glows."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
 #ifndef TREMBLER_CONTROL
     void bind(Store&, Channels&) override {}
 #endif

@@ -7,13 +7,13 @@
 namespace trembler {
 
 #ifdef TREMBLER_CONTROL
-using Wish = Reads<Heat, HotSpots>;
+using Request = Reads<Heat, HotSpots>;
 #else
-using Wish = std::tuple<Heat, Shadow>;
+using Request = std::tuple<Heat, Shadow>;
 #endif
-struct Shine final : Dps<Shine, Wish, Derives<Glow>> {
+struct Shine final : Dps<Shine, Request, Derives<Glow>> {
     static constexpr ComponentText text{.name = "Shine", .effect = "heat", .level = "", .work = "Glows."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     void update(Access& access) { access.derive<Glow>().watts.clear(); }
 };
 

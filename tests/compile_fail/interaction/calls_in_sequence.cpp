@@ -7,7 +7,7 @@ namespace trembler {
 struct PlayerFromGlow final : Interaction<PlayerFromGlow, PlayerRole, Reads<Glow>> {
     static constexpr ComponentText text{
         .name = "Player <- Glow", .effect = "player", .level = "", .work = "Plays."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access& access) {
 #ifndef TREMBLER_CONTROL
         access.call(PlayerInput{});

@@ -6,7 +6,7 @@ namespace trembler {
 struct HeatFromGlow final : Interaction<HeatFromGlow, HeatRole, Reads<Glow>> {
     static constexpr ComponentText text{
         .name = "Heat <- Glow", .effect = "heat", .level = "", .work = "Heats."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access& access) {
         access.call(AddHeat{ObjectId{0, 0}, static_cast<double>(access.read<Glow>().watts.size())});
 #ifndef TREMBLER_CONTROL

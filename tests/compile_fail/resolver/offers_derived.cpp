@@ -10,7 +10,7 @@ using Offer = Derives<Glow>;
 #endif
 struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>, Offer> {
     static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access&) {}
 };
 

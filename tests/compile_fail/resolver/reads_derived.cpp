@@ -4,13 +4,13 @@
 namespace trembler {
 
 #ifdef TREMBLER_CONTROL
-using Wish = Reads<Colour>;
+using Request = Reads<Colour>;
 #else
-using Wish = Reads<Colour, Glow>;
+using Request = Reads<Colour, Glow>;
 #endif
-struct Stove final : Resolver<Stove, HeatRole, Wish, Writes<Heat>> {
+struct Stove final : Resolver<Stove, HeatRole, Request, Writes<Heat>> {
     static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access&) {}
 };
 

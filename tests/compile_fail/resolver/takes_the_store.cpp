@@ -10,7 +10,7 @@ struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>> {
 #else
     static constexpr bool writesEverything = false;
 #endif
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void bindStore(Store&) {}
     void advance(Access&) {}
 };

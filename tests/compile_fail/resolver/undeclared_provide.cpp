@@ -10,7 +10,7 @@ struct Stove final
     : Resolver<Stove, HeatRole, Reads<>, Writes<Heat>> {
 #endif
     static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access& access) {
         access.template provide<HotSpots>().objects.clear();
     }

@@ -5,7 +5,7 @@ namespace trembler {
 
 struct Stove final : Resolver<Stove, HeatRole, Reads<>, Writes<Heat>> {
     static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access& access) {
         static_cast<void>(access.read<Heat>().size());
 #ifndef TREMBLER_CONTROL

@@ -5,7 +5,7 @@ namespace trembler {
 
 struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>> {
     static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access& access) {
         access.write<Heat>().set(ObjectId{0, 0}, {300});
 #ifndef TREMBLER_CONTROL

@@ -17,7 +17,7 @@ namespace trembler::budget {
 namespace {
 
 /// A disc of stars that turns, small enough for a test.
-LevelFile stars(Workshop const& workshop, int count, std::string const& more = {}) {
+LevelFile stars(GameData const& gameData, int count, std::string const& more = {}) {
     std::string text =
         R"({"version": 2, "title": "stars", "world": {"gravity_law": {"constant": 1, "softening": 0.5}},
         "objects": [)";
@@ -31,7 +31,7 @@ LevelFile stars(Workshop const& workshop, int count, std::string const& more = {
             R"( "radius": 0.05}}], "mass": {}, "velocity": [{}, {}]}}}})",
             i == 0 ? "" : ", ", i, at.x, at.y, 1 + i % 5, velocity.x, velocity.y);
     }
-    return readLevel(workshop.registry, JsonDocument::parse(text + "]" + more + "}", "stars.json"));
+    return readLevel(gameData.registry, JsonDocument::parse(text + "]" + more + "}", "stars.json"));
 }
 
 /// So many µs per turn, by title; others take one.
@@ -50,7 +50,7 @@ BudgetMode::Stopwatch clockOf(std::map<std::string, double> each) {
 class Budget : public Experiment {};
 
 TEST_F(Budget, EstimatesAgreeWithTheSumOverEverything) {
-    open(stars(workshop(), 300));
+    open(stars(gameData(), 300));
     Session& at = session();
     at.setDetail("gravity", "tree");
     for (int i = 0; i < 30; ++i) {
@@ -103,10 +103,10 @@ TEST_F(Budget, EstimatesAgreeWithTheSumOverEverything) {
 
 /// Where all stars are a second after the thirtieth frame, from which on these changes hold; and what was
 /// estimated then for the options of these names.
-std::vector<Vec2> aSecondLater(Workshop const& workshop, LevelFile const& level,
+std::vector<Vec2> aSecondLater(GameData const& gameData, LevelFile const& level,
                                std::vector<std::pair<std::string, std::string>> const& options,
                                double* estimate) {
-    Session session(workshop.registry, workshop.parts, level);
+    Session session(gameData.registry, gameData.parts, level);
     MotionLog log;
     for (int i = 0; i <= 30; ++i) {
         log.look(session.world());
@@ -149,17 +149,17 @@ std::vector<Vec2> aSecondLater(Workshop const& workshop, LevelFile const& level,
 
 // The one unit of all effects has to mean what it says.
 TEST_F(Budget, TheErrorIsWhatBodiesAreOffByAfterASecond) {
-    LevelFile level = stars(workshop(), 150);
+    LevelFile level = stars(gameData(), 150);
     DynamicsSettings settings;
     settings.substeps = 4;
     level.world.set(settings);
-    auto const right = aSecondLater(workshop(), level, {{"gravity", "real"}}, nullptr);
+    auto const right = aSecondLater(gameData(), level, {{"gravity", "real"}}, nullptr);
     using Options = std::vector<std::pair<std::string, std::string>>;
     for (Options const& options : {Options{{"dynamics", "16 steps"}, {"gravity", "tree, opening angle 0.7"}},
                                    Options{{"dynamics", "16 steps"}, {"gravity", "real, every 4 frames"}},
                                    Options{{"dynamics", "2 steps"}, {"gravity", "real"}}}) {
         double estimate = 0;
-        auto const found = aSecondLater(workshop(), level, options, &estimate);
+        auto const found = aSecondLater(gameData(), level, options, &estimate);
         ASSERT_EQ(found.size(), right.size());
         double squares = 0;
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -182,7 +182,7 @@ TEST_F(Budget, MagnetismKnowsItsLadderInASceneOfItsOwn) {
             R"({}{{"name": "magnet {:02}", "part": "bar magnet", "at": [{}, {}], "angle_deg": {}}})",
             i == 0 ? "" : ", ", i, radius * std::cos(angle), radius * std::sin(angle), 97 * i);
     }
-    open(readLevel(workshop().registry, JsonDocument::parse(text + "]}", "magnets.json")));
+    open(readLevel(gameData().registry, JsonDocument::parse(text + "]}", "magnets.json")));
     runTo(2);
     auto const knob = magnetismKnob(world());
     ASSERT_TRUE(knob);
@@ -202,7 +202,7 @@ TEST_F(Budget, MagnetismKnowsItsLadderInASceneOfItsOwn) {
 
 TEST_F(Budget, DynamicsErrsAsAFallingBodyDoes) {
     LevelFile const level = readLevel(
-        workshop().registry,
+        gameData().registry,
         JsonDocument::parse(
             R"({"version": 2, "title": "fall", "world": {"gravity": [0, -9.81], "solver": {"substeps": 4}}, "objects": [
         {"name": "ball", "at": [0, 0], "properties": {"shape": [{"form": "circle", "radius": 0.1}]}}]})",
@@ -292,7 +292,7 @@ TEST_F(Budget, LookingChangesNothing) {
     runTo(130);
     std::uint64_t const alone = world().stateHash();
     open("4-raft.json");
-    BudgetMode mode(workshop().registry);
+    BudgetMode mode(gameData().registry);
     mode.watch(true);
     for (int i = 0; i < 130; ++i) {
         mode.beforeStep(session());
@@ -324,14 +324,14 @@ std::vector<std::uint64_t> runWith(Session& session, BudgetMode* mode, int frame
 }
 
 TEST_F(Budget, IsKeptAndTheRecordingRepeatsBitForBitOnAnyNumberOfThreads) {
-    LevelFile level = stars(workshop(), 200);
+    LevelFile level = stars(gameData(), 200);
     DynamicsSettings settings; // what flies freely would get one step by itself
     settings.substeps = 4;
     level.world.set(settings);
-    BudgetMode mode(workshop().registry, clockOf(slow));
+    BudgetMode mode(gameData().registry, clockOf(slow));
     mode.setBudget(600);
     constexpr int frames = 420;
-    Session first(workshop().registry, workshop().parts, level);
+    Session first(gameData().registry, gameData().parts, level);
     std::vector<std::uint64_t> const hashes = runWith(first, &mode, frames);
     ASSERT_FALSE(mode.decisions().empty());
     EXPECT_EQ(mode.decisions().front().effect, "gravity");
@@ -349,26 +349,26 @@ TEST_F(Budget, IsKeptAndTheRecordingRepeatsBitForBitOnAnyNumberOfThreads) {
         WorldOptions options;
         options.threads = threads;
         options.rowsWorthThreads = 0;
-        Session again(workshop().registry, workshop().parts, level, options);
+        Session again(gameData().registry, gameData().parts, level, options);
         again.load(*solution);
         EXPECT_EQ(runWith(again, nullptr, frames), hashes) << threads << " threads";
     }
     // And without what was decided, it is another run.
-    Session without(workshop().registry, workshop().parts, level);
+    Session without(gameData().registry, gameData().parts, level);
     EXPECT_NE(runWith(without, nullptr, frames), hashes);
 }
 
 TEST_F(Budget, ThatIsAmpleBuysAccuracyAndOneThatIsTooSmallSaysSo) {
-    LevelFile const level = stars(workshop(), 120);
+    LevelFile const level = stars(gameData(), 120);
     WorldOptions options;
     options.detail["gravity"] = "tree";
-    Session rich(workshop().registry, workshop().parts, level, options);
-    BudgetMode mode(workshop().registry, clockOf(slow));
+    Session rich(gameData().registry, gameData().parts, level, options);
+    BudgetMode mode(gameData().registry, clockOf(slow));
     mode.setBudget(20000);
     (void)runWith(rich, &mode, 300);
     EXPECT_EQ(mode.knob("gravity")->options[mode.knob("gravity")->current].name, "real");
     EXPECT_LT(mode.error(), 0.02);
-    Session poor(workshop().registry, workshop().parts, level, options);
+    Session poor(gameData().registry, gameData().parts, level, options);
     mode.clear();
     mode.setBudget(20);
     (void)runWith(poor, &mode, 300);

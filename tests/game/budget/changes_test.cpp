@@ -105,11 +105,11 @@ TEST_F(ChangesInALevel, OfWhatThereIsNotAreRefusedByName) {
     std::vector<std::string> const says{"linear", "gravity", "Nobody", "solver", "substeps",
                                         "1000",   "whole",   "solver", "nan"};
     for (std::size_t i = 0; i < says.size(); ++i) {
-        auto const fault = faultIn(workshop().registry, changes[i]);
+        auto const fault = faultIn(gameData().registry, changes[i]);
         ASSERT_TRUE(fault) << inWords(changes[i]);
         EXPECT_NE(inWords(*fault).find(says[i]), std::string::npos) << inWords(*fault);
     }
-    EXPECT_FALSE(faultIn(workshop().registry, changes.back()));
+    EXPECT_FALSE(faultIn(gameData().registry, changes.back()));
     open("4-raft.json");
     Solution solution;
     solution.name = "bad";
@@ -125,14 +125,14 @@ TEST_F(ChangesInALevel, CountFromTheirFrameOnAndAreGoneWithTheRun) {
     for (int i = 0; i < 10; ++i) {
         step();
     }
-    EXPECT_FALSE(holds(workshop().registry, world(), change));
+    EXPECT_FALSE(holds(gameData().registry, world(), change));
     session().change(change);
-    EXPECT_TRUE(holds(workshop().registry, world(), change));
+    EXPECT_TRUE(holds(gameData().registry, world(), change));
     ASSERT_EQ(session().changes().size(), 1U);
     EXPECT_EQ(session().changes()[0].frame, 11U);
     EXPECT_EQ(world().store().findColumn<DynamicsSettings>()->values().front().substeps, 2);
     session().stop();
-    EXPECT_FALSE(holds(workshop().registry, world(), change));
+    EXPECT_FALSE(holds(gameData().registry, world(), change));
 }
 
 // What the player turns while it runs, and what was turned before it began, is part of what is kept.

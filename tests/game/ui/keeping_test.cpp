@@ -46,10 +46,10 @@ TEST(Keeping, whatWasPlayedIsSavedAndPlaysHeadless) {
     auto const file = player.films() / "1-first-contact-solution-1.json";
     ASSERT_TRUE(std::filesystem::exists(file));
 
-    LevelFile const level = loadLevel(workshop().registry, firstContact);
-    Solution const solution = findOrLoadSolution(workshop().registry, level, file.string());
+    LevelFile const level = loadLevel(gameData().registry, firstContact);
+    Solution const solution = findOrLoadSolution(gameData().registry, level, file.string());
     EXPECT_TRUE(solution.solves);
-    Session headless(workshop().registry, workshop().parts, level);
+    Session headless(gameData().registry, gameData().parts, level);
     headless.load(solution);
     while (headless.world().frame() < player.session().world().frame()) {
         headless.step();
@@ -79,7 +79,7 @@ TEST(Keeping, contactsHaveNormalsAndImpulsesAsSoonAsTheyAreShown) {
     }
     EXPECT_GT(impulse, 0);
     // Looking changes nothing: the same run without an onlooker ends in the same bits.
-    Session blind(workshop().registry, workshop().parts, loadLevel(workshop().registry, experiment));
+    Session blind(gameData().registry, gameData().parts, loadLevel(gameData().registry, experiment));
     while (blind.world().frame() < player.session().world().frame()) {
         blind.step();
     }

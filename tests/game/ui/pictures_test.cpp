@@ -125,8 +125,8 @@ TEST_P(Screens, menus) {
 
 TEST_P(Screens, everyLevel) {
     Player player(GetParam());
-    for (ShelfGroup const& group : player.app().desk().levels.groups()) {
-        for (ShelfEntry const& entry : group.levels) {
+    for (CatalogGroup const& group : player.app().context().levels.groups()) {
+        for (CatalogEntry const& entry : group.levels) {
             player.open(entry.file);
             ASSERT_NE(player.app().play(), nullptr) << entry.id;
             expectTidy(player, entry.id);

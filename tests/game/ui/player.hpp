@@ -2,7 +2,7 @@
 #pragma once
 
 #include "game/ui/app/app.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "render/window/synthetic_input.hpp"
 
 #include <SDL.h>
@@ -36,9 +36,9 @@ inline void closeWindow() {
     windowSlot().reset();
 }
 
-inline Workshop const& workshop() {
-    static Workshop const theWorkshop;
-    return theWorkshop;
+inline GameData const& gameData() {
+    static GameData const theGameData;
+    return theGameData;
 }
 
 inline std::filesystem::path levelsFolder() {
@@ -62,21 +62,21 @@ public:
         SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
         window().resize(size);
         films_ = pictureFolder() / "films";
-        app_ = std::make_unique<GameApp>(window(), workshop().registry, workshop().parts,
+        app_ = std::make_unique<GameApp>(window(), gameData().registry, gameData().parts,
                                          GameOptions{.levels = std::move(levels),
                                                      .pictures = films_,
                                                      .profile = std::move(profile),
                                                      .world = {},
                                                      .loudspeaker = loudspeaker,
                                                      .steady = true});
-        app_->desk().shadows = false; // half the time of a picture, on a computer without a graphics card
+        app_->context().shadows = false; // half the time of a picture, on a computer without a graphics card
         frames(3);
     }
 
     GameApp& app() { return *app_; }
     PlayScreen& play() { return *app_->play(); }
     Session& session() { return play().session(); }
-    Layout const& layout() { return app_->desk().layout; }
+    Layout const& layout() { return app_->context().layout; }
     std::filesystem::path const& films() const { return films_; }
 
     void open(std::filesystem::path const& level) {

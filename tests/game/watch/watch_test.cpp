@@ -47,14 +47,14 @@ double number(std::string const& cell) {
 class WatchTest : public Experiment {
 protected:
     static LevelFile level(std::string const& more, std::string const& objects) {
-        return readLevel(workshop().registry, JsonDocument::parse(R"({"version": 2, "title": "t", )" + more +
+        return readLevel(gameData().registry, JsonDocument::parse(R"({"version": 2, "title": "t", )" + more +
                                                                       R"("objects": [)" + objects + "]}",
                                                                   "watch.json"));
     }
     /// Runs what is open and returns the table as text.
     std::string watched(std::vector<std::string> const& what, int frames, std::uint64_t every = 1) {
         std::ostringstream out;
-        watch::WatchTable table(workshop().registry, world(), what, every, out);
+        watch::WatchTable table(gameData().registry, world(), what, every, out);
         table.look(world());
         for (int i = 0; i < frames; ++i) {
             step();
@@ -64,7 +64,7 @@ protected:
     }
     std::string refusalOf(std::string const& what) {
         try {
-            static_cast<void>(watch::find(world(), watch::catalogue(workshop().registry), what));
+            static_cast<void>(watch::find(world(), watch::catalogue(gameData().registry), what));
         } catch (std::invalid_argument const& error) {
             return error.what();
         }
@@ -142,13 +142,13 @@ TEST_F(WatchTest, ChangesNothingAndDependsOnNoOrderAndNoThreads) {
         WorldOptions options;
         options.threads = threads;
         options.rowsWorthThreads = 0;
-        Session session(workshop().registry, workshop().parts, load("4-raft.json"), options);
+        Session session(gameData().registry, gameData().parts, load("4-raft.json"), options);
         std::ostringstream out;
         std::vector<std::string> order = what;
         if (threads > 1) {
             std::reverse(order.begin(), order.end());
         }
-        watch::WatchTable table(workshop().registry, session.world(), order, 1, out);
+        watch::WatchTable table(gameData().registry, session.world(), order, 1, out);
         for (int i = 0; i < 120; ++i) {
             session.step();
             table.look(session.world());
@@ -163,7 +163,7 @@ TEST_F(WatchTest, ChangesNothingAndDependsOnNoOrderAndNoThreads) {
 TEST_F(WatchTest, WhatIsGoneIsAnEmptyCell) {
     open("1-switched-electromagnet.json");
     std::ostringstream out;
-    watch::WatchTable table(workshop().registry, world(), {"switch.position", "switch.mass"}, 1, out);
+    watch::WatchTable table(gameData().registry, world(), {"switch.position", "switch.mass"}, 1, out);
     table.look(world());
     session().start();
     session().feed({PlayerInput::Kind::remove, id("switch"), {}, {}});
@@ -200,7 +200,7 @@ TEST_F(WatchTest, WordsThatMeanNothingAreToldWithWhatIsNear) {
 
 // By descriptions alone: whatever a program has can be read in a world full of things.
 TEST_F(WatchTest, EveryFieldOfTheProgramCanBeRead) {
-    auto const fields = watch::catalogue(workshop().registry);
+    auto const fields = watch::catalogue(gameData().registry);
     EXPECT_GT(fields.size(), 80U);
     open("3d-motor-and-generator.json");
     runTo(30);

@@ -5,7 +5,7 @@
 #include "measure/accuracy/ladders/wiring.hpp"
 #include "measure/accuracy/plot.hpp"
 #include "measure/accuracy/report.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -18,13 +18,13 @@
 namespace trembler::accuracy {
 namespace {
 
-Workshop const& workshop() {
-    static Workshop const made;
+GameData const& gameData() {
+    static GameData const made;
     return made;
 }
 
 std::vector<Ladder> const& ladders() {
-    static std::vector<Ladder> const all = climb(workshop(), {}, {.brief = true, .runs = 1});
+    static std::vector<Ladder> const all = climb(gameData(), {}, {.brief = true, .runs = 1});
     return all;
 }
 
@@ -72,7 +72,7 @@ TEST(Accuracy, EveryLadderIsWhole) {
 }
 
 TEST(Accuracy, ErrorsAreTheSameEveryTime) {
-    auto const again = climb(workshop(), {"gravity", "dynamics", "electricity"}, {.brief = true, .runs = 1});
+    auto const again = climb(gameData(), {"gravity", "dynamics", "electricity"}, {.brief = true, .runs = 1});
     for (Ladder const& one : again) {
         Ladder const& first = ladder(one.effect, one.scene);
         for (std::size_t i = 0; i < one.rungs.size(); ++i) {
@@ -147,7 +147,7 @@ TEST(Accuracy, BuoyancysAndSoundsLadders) {
 // A level joins by being registered: nobody keeps a list.
 TEST(Accuracy, ElectricitysLevelsAreThoseOfTheRegistry) {
     std::set<std::string> registered;
-    for (Registration const& one : workshop().registry.components()) {
+    for (Registration const& one : gameData().registry.components()) {
         if (one.info->text.effect == "electricity" && one.info->kind == ComponentKind::dps &&
             !one.info->text.level.empty()) {
             registered.emplace(one.info->text.level);
@@ -345,7 +345,7 @@ TEST(AccuracyPlot, HasADotForEachLevelAndEscapesWhatXmlWouldRead) {
 
 TEST(Accuracy, AnUnknownEffectIsRefusedWithWhatThereIs) {
     try {
-        static_cast<void>(climb(workshop(), {"gravitty"}, {.brief = true, .runs = 1}));
+        static_cast<void>(climb(gameData(), {"gravitty"}, {.brief = true, .runs = 1}));
         FAIL();
     } catch (std::invalid_argument const& error) {
         EXPECT_EQ(std::string(error.what()),

@@ -80,7 +80,7 @@ struct Push final : Interaction<Push<N>, DynamicsRole, Reads<Mass>> {
                                         .effect = "test",
                                         .level = "",
                                         .work = "Pushes."};
-    using CalledFor = NeedsAll<Mass>;
+    using Activation = NeedsAll<Mass>;
     void apply(typename Base::Access& access) {
         auto const& masses = access.template read<Mass>();
         for (ObjectId const id : masses.owners()) {

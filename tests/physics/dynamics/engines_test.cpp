@@ -11,7 +11,7 @@ public:
                                         .effect = "dynamics",
                                         .level = "absent",
                                         .work = "Nothing.",
-                                        .cost = -1}; // the cheapest, and yet it must not be picked
+                                        .rank = -1}; // the cheapest, and yet it must not be picked
     static constexpr EngineMaker engineMaker = nullptr;
     static constexpr std::string_view missing = "this program was built without it";
 };

@@ -117,7 +117,7 @@ class DynamicsFromSpring final : public Interaction<DynamicsFromSpring, Dynamics
 public:
     static constexpr ComponentText text{
         .name = "Dynamics <- Spring", .effect = "test", .level = "", .work = "Pulls, and looks ahead."};
-    using CalledFor = NeedsAll<Spring>;
+    using Activation = NeedsAll<Spring>;
     void apply(Access& access) {
         auto const& springs = access.read<Spring>();
         for (std::size_t row = 0; row < springs.size(); ++row) {

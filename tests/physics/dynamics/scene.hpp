@@ -68,7 +68,7 @@ class DynamicsFromPull final : public Interaction<DynamicsFromPull, DynamicsRole
 public:
     static constexpr ComponentText text{
         .name = "Dynamics <- Pull", .effect = "test", .level = "", .work = "Applies pulls."};
-    using CalledFor = NeedsAll<Pull>;
+    using Activation = NeedsAll<Pull>;
     void apply(Access& access);
 };
 
@@ -78,7 +78,7 @@ public:
         .name = "Dynamics <- Kick", .effect = "test", .level = "", .work = "Applies kicks."};
     static constexpr Coverage memory =
         leftOut("which kicks have been given; a test compares no hashes of it");
-    using CalledFor = NeedsAll<Kick>;
+    using Activation = NeedsAll<Kick>;
     void apply(Access& access);
 
 private:

@@ -59,7 +59,7 @@ class ScriptedCollisions final
 public:
     static constexpr ComponentText text{
         .name = "Collisions", .effect = "test", .level = "", .work = "As told."};
-    using CalledFor = NeedsAll<Touching>;
+    using Activation = NeedsAll<Touching>;
     void advance(Access& access);
 };
 
@@ -70,7 +70,7 @@ class ElectricityFromScript final
 public:
     static constexpr ComponentText text{
         .name = "Electricity <- Script", .effect = "test", .level = "", .work = "As told."};
-    using CalledFor = NeedsAll<Script>;
+    using Activation = NeedsAll<Script>;
     static constexpr Coverage memory = leftOut("its number is its name's, and for the world's life");
     ElectricityFromScript(ComponentInfo const& info, std::size_t number)
         : Interaction(info), number_(number) {}
@@ -90,7 +90,7 @@ class PopulationFromScript final : public Interaction<PopulationFromScript, Popu
 public:
     static constexpr ComponentText text{
         .name = "Population <- Script", .effect = "test", .level = "", .work = "As told."};
-    using CalledFor = NeedsAll<Script>;
+    using Activation = NeedsAll<Script>;
     void apply(Access& access);
 };
 

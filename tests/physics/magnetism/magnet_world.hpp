@@ -33,7 +33,7 @@ struct MagneticsFromSwitch final : Interaction<MagneticsFromSwitch, MagneticsRol
                                         .effect = "test",
                                         .level = "",
                                         .work = "Keeps on what is switched on."};
-    using CalledFor = NeedsAll<Switch>;
+    using Activation = NeedsAll<Switch>;
     void apply(Access& access) {
         forEach(
             [&](ObjectId id, Switch const& s) {

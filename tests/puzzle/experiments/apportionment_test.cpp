@@ -129,7 +129,7 @@ std::map<std::string, std::string> onPurpose() {
 class Apportionment : public Experiment {
 protected:
     static ComponentInfo const* named(std::string const& wanted) {
-        for (Registration const& component : workshop().registry.components()) {
+        for (Registration const& component : gameData().registry.components()) {
             if (title(*component.info) == wanted) {
                 return component.info;
             }
@@ -166,7 +166,7 @@ TEST_F(Apportionment, IsTheThesissButForWhatTheTableSays) {
 }
 
 TEST_F(Apportionment, HasThePropertiesOfTheThesis) {
-    auto const properties = workshop().registry.objectProperties();
+    auto const properties = gameData().registry.objectProperties();
     for (std::string_view const name : thesisProperties) {
         auto const at = std::find_if(properties.begin(), properties.end(),
                                      [&](PropertyInfo const* info) { return info->text.name == name; });

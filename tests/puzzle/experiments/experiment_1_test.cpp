@@ -3,7 +3,7 @@
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/magnetism/properties.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
@@ -18,17 +18,17 @@ namespace {
 
 class ExperimentOne : public ::testing::Test {
 protected:
-    static Workshop const& workshop() {
-        static Workshop const shared;
+    static GameData const& gameData() {
+        static GameData const shared;
         return shared;
     }
     void open(std::string const& solution, bool trace = false) {
-        LevelFile level = loadLevel(workshop().registry,
-                                    workshop().home / "levels/experiments/1-switched-electromagnet.json");
+        LevelFile level = loadLevel(gameData().registry,
+                                    gameData().home / "levels/experiments/1-switched-electromagnet.json");
         WorldOptions options;
         options.trace = trace;
         session_ =
-            std::make_unique<Session>(workshop().registry, workshop().parts, std::move(level), options);
+            std::make_unique<Session>(gameData().registry, gameData().parts, std::move(level), options);
         if (!solution.empty()) {
             Solution const* const recorded = session_->level().findSolution(solution);
             ASSERT_NE(recorded, nullptr) << solution;

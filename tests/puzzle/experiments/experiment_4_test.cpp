@@ -26,14 +26,14 @@ protected:
 
     /// The level with one thing said otherwise.
     static LevelFile variant(std::string const& said, std::string const& instead) {
-        std::ifstream in(workshop().home / "levels/experiments" / file);
+        std::ifstream in(gameData().home / "levels/experiments" / file);
         std::stringstream all;
         all << in.rdbuf();
         std::string text = all.str();
         auto const at = text.find(said);
         EXPECT_NE(at, std::string::npos) << said;
         text.replace(at, said.size(), instead);
-        return readLevel(workshop().registry, JsonDocument::parse(text, file));
+        return readLevel(gameData().registry, JsonDocument::parse(text, file));
     }
     /// Where the middle of the floats should be with so much on board: what floats displaces its own weight.
     static double expectedHeight(double cargo) { return high / 2 - (raft + floats + cargo) / (water * beam); }

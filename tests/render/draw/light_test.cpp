@@ -87,7 +87,7 @@ TEST(Light, shadowsCanBeSwitchedOff) {
     auto const draw = [](bool shadows, float height) {
         return picture(size, palette::paper,
                        [&](Canvas& canvas) {
-                           canvas.box({}, {0.6, 0.4}, 0.05, {.material = Material::Wood, .height = height});
+                           canvas.box({}, {0.6, 0.4}, 0.05, {.pattern = Pattern::Wood, .height = height});
                        },
                        {.shadows = shadows});
     };
@@ -106,11 +106,11 @@ TEST(Light, shadowsCanBeSwitchedOff) {
 TEST(Light, shadowsOfOneSheetLieUnderAllOfItsShapes) {
     auto const draw = [](bool newSheet) {
         return picture(size, palette::paper, [&](Canvas& canvas) {
-            canvas.box({{0, -0.5}, 0}, {0.6, 0.3}, 0, {.material = Material::Plain});
+            canvas.box({{0, -0.5}, 0}, {0.6, 0.3}, 0, {.pattern = Pattern::Plain});
             if (newSheet) {
                 canvas.newSheet();
             }
-            canvas.box({{0, 0.1}, 0}, {0.6, 0.3}, 0, {.material = Material::Plain});
+            canvas.box({{0, 0.1}, 0}, {0.6, 0.3}, 0, {.pattern = Pattern::Plain});
         });
     };
     // Just below the edge where the upper box stands on the lower one, inside of the lower one's outline.
@@ -119,10 +119,10 @@ TEST(Light, shadowsOfOneSheetLieUnderAllOfItsShapes) {
 
 TEST(Light, materialsDiffer) {
     std::vector<Image> seen;
-    for (int i = 0; i <= static_cast<int>(Material::Water); ++i) {
+    for (int i = 0; i <= static_cast<int>(Pattern::Water); ++i) {
         // The same tint, so that only the pattern is left to tell them apart.
         auto image = picture(size, palette::paper, [&](Canvas& canvas) {
-            canvas.box({}, {0.6, 0.4}, 0, {.material = static_cast<Material>(i), .tint = rgb(0x8090A0)});
+            canvas.box({}, {0.6, 0.4}, 0, {.pattern = static_cast<Pattern>(i), .tint = rgb(0x8090A0)});
         });
         for (auto const& other : seen) {
             // Copper is steel with more shine; all others differ in pattern.
@@ -134,7 +134,7 @@ TEST(Light, materialsDiffer) {
 
 TEST(Light, statesAreSeen) {
     auto const draw = [](void (*change)(Style&)) {
-        Style style{.material = Material::Wood};
+        Style style{.pattern = Pattern::Wood};
         change(style);
         return picture(size, palette::paper, [&](Canvas& canvas) { canvas.box({}, {0.6, 0.4}, 0, style); });
     };

@@ -7,9 +7,9 @@
 namespace trembler::render::test {
 namespace {
 
-constexpr std::array allMaterials{Material::Plain,   Material::Metal,  Material::Wood,
-                                  Material::Glass,   Material::Rubber, Material::Stone,
-                                  Material::Plastic, Material::Copper, Material::Water};
+constexpr std::array allMaterials{Pattern::Plain,   Pattern::Metal,  Pattern::Wood,
+                                  Pattern::Glass,   Pattern::Rubber, Pattern::Stone,
+                                  Pattern::Plastic, Pattern::Copper, Pattern::Water};
 
 Camera sheetCamera(Size size) {
     Camera camera;
@@ -54,10 +54,9 @@ void drawLines(Canvas& canvas) {
     canvas.polyline(coil({3, 2.3}, {6, 2.3}, 0.22, 9),
                     Stroke{.colour = palette::steel, .width = 0.06, .outline = 1.4F, .height = 0.6F});
     // A bar magnet with its field lines.
-    canvas.box({{-4, 0.4}, 0}, {0.9, 0.28}, 0.04,
-               {.material = Material::Plastic, .tint = palette::southPole});
+    canvas.box({{-4, 0.4}, 0}, {0.9, 0.28}, 0.04, {.pattern = Pattern::Plastic, .tint = palette::southPole});
     canvas.box({{-3.55, 0.4}, 0}, {0.45, 0.28}, 0.04,
-               {.material = Material::Plastic, .tint = palette::northPole});
+               {.pattern = Pattern::Plastic, .tint = palette::northPole});
     for (int i = 1; i <= 3; ++i) {
         for (double const side : {1.0, -1.0}) {
             double const h = 0.7 * i * side;
@@ -80,26 +79,26 @@ void drawLines(Canvas& canvas) {
     canvas.arc({5, 0.4}, 0.7, 0.3, 4.2,
                {.colour = palette::accent, .width = 0.16, .outline = 1.6F, .round = true});
     canvas.glow({-5.3, -2.2}, 0.2, {palette::live, 0.8, 0.9F});
-    canvas.circle({{-5.3, -2.2}, 0}, 0.25, {.material = Material::Glass, .tint = palette::liveCore});
-    Style style{.material = Material::Wood};
+    canvas.circle({{-5.3, -2.2}, 0}, 0.25, {.pattern = Pattern::Glass, .tint = palette::liveCore});
+    Style style{.pattern = Pattern::Wood};
     style.selected = true;
     canvas.box({{-3.5, -2.2}, 0.15}, {0.7, 0.3}, 0.05, style);
-    style = {.material = Material::Metal};
+    style = {.pattern = Pattern::Metal};
     style.ghost = true;
     canvas.box({{-1.6, -2.2}, 0.15}, {0.7, 0.3}, 0.05, style);
     style.forbidden = true;
     canvas.box({{0.4, -2.2}, 0.15}, {0.7, 0.3}, 0.05, style);
-    style = {.material = Material::Copper};
+    style = {.pattern = Pattern::Copper};
     style.hovered = true;
     canvas.box({{2.4, -2.2}, 0.15}, {0.7, 0.3}, 0.05, style);
     for (auto const layer : {Layer::Rim, Layer::Inside}) {
-        style = {.material = Material::Metal};
+        style = {.pattern = Pattern::Metal};
         style.layer = layer;
         canvas.box({{4.6, -2.2}, 0.15}, {0.7, 0.12}, 0.05, style);
         canvas.circle({{5.2, -2.1}, 0.15}, 0.32, style);
         canvas.circle({{4.0, -2.3}, 0.15}, 0.25, style);
     }
-    style = {.material = Material::Metal};
+    style = {.pattern = Pattern::Metal};
     style.glow = {palette::live, 0.25, 0.8F};
     canvas.box({{6, -1.0}, 0.3}, {0.25, 0.25}, 0.05, style);
 }

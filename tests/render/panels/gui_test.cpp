@@ -254,12 +254,12 @@ std::unique_ptr<Framebuffer> partPicture(float scale, std::function<void(Canvas&
 
 void sampleWorld(Canvas& sheet) {
     sheet.paper();
-    sheet.box({{0, -2.6}, 0}, {5.2, 0.25}, 0.03, {.material = Material::Wood});
-    sheet.box({{-2.2, -1.75}, 0}, {0.8, 0.6}, 0.06, {.material = Material::Metal});
-    sheet.box({{-2.2, 0.1}, 0}, {0.35, 1.25}, 0.04, {.material = Material::Metal});
+    sheet.box({{0, -2.6}, 0}, {5.2, 0.25}, 0.03, {.pattern = Pattern::Wood});
+    sheet.box({{-2.2, -1.75}, 0}, {0.8, 0.6}, 0.06, {.pattern = Pattern::Metal});
+    sheet.box({{-2.2, 0.1}, 0}, {0.35, 1.25}, 0.04, {.pattern = Pattern::Metal});
     for (int i = 0; i < 9; ++i) {
         double const y = -0.9 + 0.22 * i;
-        sheet.capsule({-2.62, y}, {-1.78, y + 0.1}, 0.085, {.material = Material::Copper, .outline = 1.4F});
+        sheet.capsule({-2.62, y}, {-1.78, y + 0.1}, 0.085, {.pattern = Pattern::Copper, .outline = 1.4F});
     }
     Stroke wire{.colour = palette::live, .width = 0.09, .outline = 1.5F, .round = true, .height = 1.F};
     wire.glow = {palette::live, 0.22, 0.8F};
@@ -267,13 +267,13 @@ void sampleWorld(Canvas& sheet) {
     sheet.polyline(live, wire);
     sheet.beads(live, 0.28, 0.3, 0.03, palette::liveCore);
     sheet.box({{2.1, -2.05}, 0}, {0.55, 0.3}, 0.05,
-              {.material = Material::Plastic, .glow = {palette::live, 0.2, 0.7F}});
+              {.pattern = Pattern::Plastic, .glow = {palette::live, 0.2, 0.7F}});
     sheet.newSheet();
-    Style bar{.material = Material::Metal};
+    Style bar{.pattern = Pattern::Metal};
     bar.selected = true;
     sheet.box({{-2.1, 2.2}, 0.12}, {0.9, 0.13}, 0.04, bar);
     sheet.arrow({-2.1, 2.0}, {-2.1, 1.55}, {.colour = palette::force, .pixels = 5.F, .outline = 1.2F});
-    sheet.circle({{3.4, -1.9}, 0.4}, 0.45, {.material = Material::Rubber});
+    sheet.circle({{3.4, -1.9}, 0.4}, 0.45, {.pattern = Pattern::Rubber});
 }
 
 TEST_F(Panels, sampleScreen) {
@@ -283,19 +283,19 @@ TEST_F(Panels, sampleScreen) {
         std::array const pictures{
             partPicture(scale,
                         [](Canvas& c) {
-                            c.box({{0, 0}, 0.5}, {0.9, 0.14}, 0.03, {.material = Material::Metal});
+                            c.box({{0, 0}, 0.5}, {0.9, 0.14}, 0.03, {.pattern = Pattern::Metal});
                         }),
             partPicture(scale,
                         [](Canvas& c) {
-                            c.box({{0, 0}, 0.5}, {0.9, 0.14}, 0.03, {.material = Material::Wood});
+                            c.box({{0, 0}, 0.5}, {0.9, 0.14}, 0.03, {.pattern = Pattern::Wood});
                         }),
             partPicture(scale,
                         [](Canvas& c) {
-                            c.circle({{0, 0}, 0.5}, 0.6, {.material = Material::Rubber});
+                            c.circle({{0, 0}, 0.5}, 0.6, {.pattern = Pattern::Rubber});
                         }),
             partPicture(scale,
                         [](Canvas& c) {
-                            c.circle({{0, 0}, 0.5}, 0.6, {.material = Material::Glass});
+                            c.circle({{0, 0}, 0.5}, 0.6, {.pattern = Pattern::Glass});
                         }),
         };
         Toasts toasts;

@@ -90,7 +90,7 @@ TEST(Windows, twoKeepApart) {
 TEST(Pictures, comeBackFromPngAsTheyWere) {
     auto const image = picture({320, 200}, palette::paper, [](Canvas& canvas) {
         canvas.paper();
-        canvas.circle({{0.5, 0.5}, 0}, 0.4, {.material = Material::Copper});
+        canvas.circle({{0.5, 0.5}, 0}, 0.4, {.pattern = Pattern::Copper});
     });
     auto const file = pictureFolder() / "round-trip.png";
     writePng(image, file);

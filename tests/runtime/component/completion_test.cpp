@@ -33,7 +33,7 @@ template <std::size_t n>
 struct NextStage final : Completion<NextStage<n>, Reads<Stage<n - 1>>, Adds<Stage<n>>> {
     using Base = Completion<NextStage, Reads<Stage<n - 1>>, Adds<Stage<n>>>;
     static constexpr CompletionText text{.name = stageNames[n], .work = "One more."};
-    using CalledFor = NeedsAll<Stage<n - 1>>;
+    using Activation = NeedsAll<Stage<n - 1>>;
     static void complete(typename Base::Access& access) {
         auto const* const before = access.template find<Stage<n - 1>>();
         access.add(Stage<n>{before->value + 1, {}});
@@ -77,7 +77,7 @@ TEST(Completions, RunInTheOrderOfWhatTheyNeedHoweverTheyAreRegistered) {
 // Reads another object's stage 1, which that one gets by completion as well.
 struct Companion final : Completion<Companion, Reads<Stage<0>, Stage<1>>, Adds<Stage<2>>> {
     static constexpr CompletionText text{.name = "Companion", .work = "The other one's stage."};
-    using CalledFor = NeedsAll<Stage<0>>;
+    using Activation = NeedsAll<Stage<0>>;
     static void complete(Access& access) {
         auto const* const theirs = access.find<Stage<1>>(access.find<Stage<0>>()->other);
         access.add(Stage<2>{theirs == nullptr ? -1 : theirs->value, {}});
@@ -100,17 +100,17 @@ TEST(Completions, DoNotDependOnTheOrderOfObjects) {
 
 struct BackToTheStart final : Completion<BackToTheStart, Reads<Stage<2>>, Adds<Stage<0>>> {
     static constexpr CompletionText text{.name = "Back to the start", .work = "A circle."};
-    using CalledFor = NeedsAll<Stage<2>>;
+    using Activation = NeedsAll<Stage<2>>;
     static void complete(Access& access) { access.add(Stage<0>{}); }
 };
 struct Rival final : Completion<Rival, Reads<>, Adds<Stage<1>>> {
     static constexpr CompletionText text{.name = "Rival", .work = "Adds what another one adds."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     static void complete(Access& access) { access.add(Stage<1>{}); }
 };
 struct SameName final : Completion<SameName, Reads<>, Adds<Stage<3>>> {
     static constexpr CompletionText text{.name = "Stage 1", .work = "Has another one's name."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     static void complete(Access&) {}
 };
 
@@ -172,7 +172,7 @@ TEST(Completions, TheNotationPrintsThemInTheirOrder) {
 struct HeatFromFuelAtOnce final : Interaction<HeatFromFuelAtOnce, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Heat <- Fuel at once", .effect = "heat", .level = "", .work = "Burns."};
-    using CalledFor = NeedsAll<Fuel, Heat>;
+    using Activation = NeedsAll<Fuel, Heat>;
     static constexpr bool inSetup = true;
     void apply(Access& access) {
         forEach([&](ObjectId id, Fuel const& f) { access.call(AddHeat{id, f.rate}); }, access.read<Fuel>());

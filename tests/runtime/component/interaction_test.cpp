@@ -60,7 +60,7 @@ TEST(InteractionCalls, AreHeldWhileTheInteractionSleeps) {
 struct StrikeFromFuel final : Interaction<StrikeFromFuel, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Strike <- Fuel", .effect = "heat", .level = "", .work = "Strikes."};
-    using CalledFor = NeedsAll<Fuel>;
+    using Activation = NeedsAll<Fuel>;
     void apply(Access& access) {
         forEach([&](ObjectId id, Fuel const&) { access.call(Strike{id, 1}); }, access.read<Fuel>());
     }
@@ -113,7 +113,7 @@ TEST(InteractionCalls, OfASleepingResolverWakeIt) {
 struct HeatFromFuelLeft final : Interaction<HeatFromFuelLeft, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Heat <- Fuel left", .effect = "heat", .level = "", .work = "Burns."};
-    using CalledFor = NeedsAll<Fuel>;
+    using Activation = NeedsAll<Fuel>;
     void apply(Access& access) {
         forEach(
             [&](ObjectId id, Fuel const& fuel) {
@@ -160,7 +160,7 @@ struct Ember {
 struct HeatFromEmber final : Interaction<HeatFromEmber, HeatRole, Reads<Ember>> {
     static constexpr ComponentText text{
         .name = "Heat <- Ember", .effect = "heat", .level = "", .work = "Keeps warm."};
-    using CalledFor = NeedsAll<Ember>;
+    using Activation = NeedsAll<Ember>;
     void apply(Access& access) {
         forEach([&](ObjectId id, Ember const&) { access.call(AddHeat{id, 1}); }, access.read<Ember>());
     }
@@ -197,7 +197,7 @@ struct Trail {
 struct Recorder final : Resolver<Recorder, HeatRole, Reads<>, Writes<Heat>, Provides<Trail>> {
     static constexpr ComponentText text{
         .name = "Recorder", .effect = "heat", .level = "", .work = "Records."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access& access) {
         auto& energies = access.provide<Trail>().energies;
         energies.clear();
@@ -208,7 +208,7 @@ struct Recorder final : Resolver<Recorder, HeatRole, Reads<>, Writes<Heat>, Prov
 struct ManyStrikes final : Interaction<ManyStrikes, HeatRole, Reads<Heat>> {
     static constexpr ComponentText text{
         .name = "Strike <- Heat", .effect = "heat", .level = "", .work = "Strikes."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void apply(Access& access) {
         access.call(Strike{ObjectId{}, -1});
         auto const& heat = access.read<Heat>();
@@ -254,7 +254,7 @@ TEST(InteractionCallsParallel, ComeOutInTheSameOrderForAnyNumberOfThreads) {
 struct FirstTimes final : Interaction<FirstTimes, HeatRole, Reads<Heat>> {
     static constexpr ComponentText text{
         .name = "First <- Heat", .effect = "heat", .level = "", .work = "Asks."};
-    using CalledFor = NeedsAll<Fuel>;
+    using Activation = NeedsAll<Fuel>;
     void apply(Access& access) {
         if (access.firstTime()) {
             access.call(Strike{ObjectId{}, 100});

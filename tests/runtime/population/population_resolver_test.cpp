@@ -33,7 +33,7 @@ struct FromOrders final : Interaction<FromOrders<n>, PopulationRole, Reads<Order
                                         .effect = "population",
                                         .level = "",
                                         .work = "Passes the orders on."};
-    using CalledFor = NeedsAll<Orders>;
+    using Activation = NeedsAll<Orders>;
     using Access = typename Interaction<FromOrders, PopulationRole, Reads<Orders>>::Access;
     using Caller = typename Interaction<FromOrders, PopulationRole, Reads<Orders>>::Caller;
     void apply(Access& access) {
@@ -188,7 +188,7 @@ struct BadBirth final : Interaction<BadBirth, PopulationRole, Reads<Orders>> {
                                         .effect = "population",
                                         .level = "",
                                         .work = "Asks for the impossible."};
-    using CalledFor = NeedsAll<Orders>;
+    using Activation = NeedsAll<Orders>;
     void apply(Access& access) {
         double const nan = std::numeric_limits<double>::quiet_NaN();
         double const infinity = std::numeric_limits<double>::infinity();

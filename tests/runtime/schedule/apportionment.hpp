@@ -97,7 +97,7 @@ struct Dynamics final : Resolver<Dynamics, DynamicsRole,
         .work = "Performs both collision detection and rigid body simulation. The 'Liquid' property is read "
                 "so that "
                 "collision detection is not performed between liquid and solid objects."};
-    using CalledFor = NeedsAll<Position, Shape>;
+    using Activation = NeedsAll<Position, Shape>;
     void advance(Access&) {}
 };
 struct Electricity final
@@ -106,7 +106,7 @@ struct Electricity final
                                         .effect = "electricity",
                                         .level = "",
                                         .work = "Manipulate the electricity graph as instructed."};
-    using CalledFor = NeedsAny<Conductor>;
+    using Activation = NeedsAny<Conductor>;
     void advance(Access&) {}
 };
 struct Magnetics final : Resolver<Magnetics, MagneticsRole, Reads<>, Writes<MagnetOn>> {
@@ -115,7 +115,7 @@ struct Magnetics final : Resolver<Magnetics, MagneticsRole, Reads<>, Writes<Magn
         .effect = "magnetism",
         .level = "",
         .work = "Change the properties as requested by the interaction functions."};
-    using CalledFor = NeedsAny<MagneticPoles>;
+    using Activation = NeedsAny<MagneticPoles>;
     void advance(Access&) {}
 };
 struct Buoyancy final : Resolver<Buoyancy, BuoyancyRole, Reads<Position, Rotation, Shape, Density, Liquid>,
@@ -124,7 +124,7 @@ struct Buoyancy final : Resolver<Buoyancy, BuoyancyRole, Reads<Position, Rotatio
                                         .effect = "buoyancy",
                                         .level = "",
                                         .work = "Calculate the centre of buoyancy and F_B."};
-    using CalledFor = NeedsAll<Liquid>;
+    using Activation = NeedsAll<Liquid>;
     void advance(Access&) {}
 };
 
@@ -132,7 +132,7 @@ struct Buoyancy final : Resolver<Buoyancy, BuoyancyRole, Reads<Position, Rotatio
 struct ElectricityState final : Dps<ElectricityState, Reads<ElectricityGraph>, Derives<ElectricalState>> {
     static constexpr ComponentText text{
         .name = "Electricity", .effect = "electricity", .level = "two-wire", .work = "On or off."};
-    using CalledFor = NeedsAny<Conductor>;
+    using Activation = NeedsAny<Conductor>;
     void update(Access&) {}
 };
 struct MagneticForces final
@@ -140,13 +140,13 @@ struct MagneticForces final
           Derives<MagneticForce>> {
     static constexpr ComponentText text{
         .name = "Magnetic Forces", .effect = "magnetism", .level = "", .work = "For each pair of magnets."};
-    using CalledFor = NeedsAny<MagneticPoles>;
+    using Activation = NeedsAny<MagneticPoles>;
     void update(Access&) {}
 };
 struct LinearGravity final : Dps<LinearGravity, Reads<>, Derives<GravityForce>> {
     static constexpr ComponentText text{
         .name = "Linear Gravity", .effect = "gravity", .level = "linear", .work = "A force for each object."};
-    using CalledFor = NeedsAny<Mass>;
+    using Activation = NeedsAny<Mass>;
     void update(Access&) {}
 };
 struct RealGravity final : Dps<RealGravity, Reads<Position, Mass>, Derives<GravityForce>> {
@@ -154,8 +154,8 @@ struct RealGravity final : Dps<RealGravity, Reads<Position, Mass>, Derives<Gravi
                                         .effect = "gravity",
                                         .level = "real",
                                         .work = "A force for each object.",
-                                        .cost = 1};
-    using CalledFor = NeedsAny<Mass>;
+                                        .rank = 1};
+    using Activation = NeedsAny<Mass>;
     void update(Access&) {}
 };
 
@@ -166,7 +166,7 @@ struct DynamicsFromGravity final
                                         .effect = "gravity",
                                         .level = "",
                                         .work = "Applies the force due to gravity."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access&) {}
 };
 struct ElectricityFromDynamics final
@@ -175,7 +175,7 @@ struct ElectricityFromDynamics final
                                         .effect = "electricity",
                                         .level = "",
                                         .work = "Connects any new colliding objects."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access&) {}
 };
 

@@ -70,7 +70,7 @@ TEST(WorldTrace, LeadsFromAnEffectBackToItsCause) {
 struct BurnsOut final : Resolver<BurnsOut, HeatRole, Reads<>, Writes<Heat>> {
     static constexpr ComponentText text{
         .name = "Burns out", .effect = "heat", .level = "", .work = "Burns everything at once."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access& access) {
         std::vector<ObjectId> const all(access.read<Heat>().owners().begin(),
                                         access.read<Heat>().owners().end());

@@ -41,7 +41,7 @@ struct BellLog {
 };
 struct Bell final : Resolver<Bell, BellRole, Reads<Heat>, Writes<>, Provides<BellLog>> {
     static constexpr ComponentText text{.name = "Bell", .effect = "bell", .level = "", .work = "Rings."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access& access) {
         BellLog& log = access.provide<BellLog>();
         access.forCalls<Ring>([&](Ring const& call, CallOrigin const& origin) {
@@ -57,7 +57,7 @@ struct Bell final : Resolver<Bell, BellRole, Reads<Heat>, Writes<>, Provides<Bel
 struct BellFromHeat final : Interaction<BellFromHeat, BellRole, Reads<Heat>> {
     static constexpr ComponentText text{
         .name = "Bell <- Heat", .effect = "bell", .level = "", .work = "Chimes when heat changes."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void apply(Access& access) {
         for (ObjectId const id : access.read<Heat>().owners()) {
             access.call(Chime{id, 1});

@@ -90,7 +90,7 @@ struct HeatRole {
 struct Stove final : Resolver<Stove, HeatRole, Reads<>, Writes<Heat>, Provides<StoveLog>> {
     static constexpr ComponentText text{
         .name = "Stove", .effect = "heat", .level = "stove", .work = "Heats."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void advance(Access& access) { carryOut(access); }
 
     template <class Access>
@@ -120,8 +120,8 @@ struct Stove final : Resolver<Stove, HeatRole, Reads<>, Writes<Heat>, Provides<S
 /// The same, but burns in every frame.
 struct Furnace final : Resolver<Furnace, HeatRole, Reads<>, Writes<Heat>, Provides<StoveLog>> {
     static constexpr ComponentText text{
-        .name = "Furnace", .effect = "heat", .level = "furnace", .work = "Heats all the time.", .cost = 1};
-    using CalledFor = NeedsAny<Heat>;
+        .name = "Furnace", .effect = "heat", .level = "furnace", .work = "Heats all the time.", .rank = 1};
+    using Activation = NeedsAny<Heat>;
     [[nodiscard]] bool restless() const { return true; }
     void advance(Access& access) { Stove::carryOut(access); }
 };
@@ -134,8 +134,8 @@ double totalHeat(Access const& access) {
 }
 struct ExactGlow final : Dps<ExactGlow, Reads<Heat>, Derives<Glow>> {
     static constexpr ComponentText text{
-        .name = "Exact Glow", .effect = "glow", .level = "exact", .work = "Adds up all heat.", .cost = 2};
-    using CalledFor = NeedsAny<Heat>;
+        .name = "Exact Glow", .effect = "glow", .level = "exact", .work = "Adds up all heat.", .rank = 2};
+    using Activation = NeedsAny<Heat>;
     void update(Access& access) {
         Glow& glow = access.derive<Glow>();
         glow.total = totalHeat(access);
@@ -148,8 +148,8 @@ struct RoughGlow final : Dps<RoughGlow, Reads<Heat>, Derives<Glow>> {
                                         .effect = "glow",
                                         .level = "rough",
                                         .work = "Adds up all heat, roughly.",
-                                        .cost = 1};
-    using CalledFor = NeedsAny<Heat>;
+                                        .rank = 1};
+    using Activation = NeedsAny<Heat>;
     static bool suits(Store const& store) {
         auto const* const heat = store.findColumn<Heat>();
         return heat != nullptr && heat->size() <= 2;
@@ -165,7 +165,7 @@ struct RoughGlow final : Dps<RoughGlow, Reads<Heat>, Derives<Glow>> {
 struct HeatFromFuel final : Interaction<HeatFromFuel, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Heat <- Fuel", .effect = "heat", .level = "", .work = "Burns."};
-    using CalledFor = NeedsAll<Fuel, Heat>;
+    using Activation = NeedsAll<Fuel, Heat>;
     void apply(Access& access) {
         auto const& fuel = access.read<Fuel>();
         access.forChunks(fuel.size(), [&](Caller& caller, std::size_t begin, std::size_t end) {
@@ -182,7 +182,7 @@ struct HeatFromFuel final : Interaction<HeatFromFuel, HeatRole, Reads<Fuel>> {
 struct HeatFromGlow final : Interaction<HeatFromGlow, HeatRole, Reads<Glow, Heat>> {
     static constexpr ComponentText text{
         .name = "Heat <- Glow", .effect = "heat", .level = "", .work = "Strikes."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access& access) {
         forEach([&](ObjectId id, Heat const&) { access.call(Strike{id, 1}); }, access.read<Heat>());
     }

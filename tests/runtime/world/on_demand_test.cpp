@@ -33,7 +33,7 @@ struct ScribeRole {
 template <class Self>
 struct ScribeBase : Resolver<Self, ScribeRole, Reads<Heat>, Writes<>, Provides<Diary>> {
     static constexpr bool onDemand = true;
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     using Access = typename Resolver<Self, ScribeRole, Reads<Heat>, Writes<>, Provides<Diary>>::Access;
     void advance(Access& access) {
         access.template forCalls<Note>(
@@ -51,7 +51,7 @@ struct Poet final : ScribeBase<Poet> {
 struct ScribeFromHeat final : Interaction<ScribeFromHeat, ScribeRole, Reads<Heat>> {
     static constexpr ComponentText text{
         .name = "Scribe <- Heat", .effect = "scribe", .level = "", .work = "Tells of all heat."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     void apply(Access& access) {
         forEach([&](ObjectId id, Heat const&) { access.call(Note{id}); }, access.read<Heat>());
     }
@@ -67,13 +67,13 @@ struct Fame {
 struct FameByDiary final : Dps<FameByDiary, Reads<Diary>, Derives<Fame>> {
     static constexpr ComponentText text{.name = "Fame", .effect = "fame", .level = "", .work = "Doubles."};
     static constexpr bool onDemand = true;
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void update(Access& access) { access.derive<Fame>().twice = 2 * access.read<Diary>().entries; }
 };
 struct HeatFromFame final : Interaction<HeatFromFame, HeatRole, Reads<Fame>> {
     static constexpr ComponentText text{
         .name = "Heat <- Fame", .effect = "heat", .level = "", .work = "Nothing; it reads."};
-    using CalledFor = NeedsAll<Fuel>;
+    using Activation = NeedsAll<Fuel>;
     void apply(Access&) {}
 };
 

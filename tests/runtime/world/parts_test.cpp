@@ -46,7 +46,7 @@ struct MetronomeRole {
 struct Metronome final : Resolver<Metronome, MetronomeRole, Reads<Heat>, Writes<>, Provides<Beats>> {
     static constexpr ComponentText text{
         .name = "Metronome", .effect = "metronome", .level = "", .work = "Beats."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     static constexpr Coverage memory = leftOut("a test counts its turns");
     [[nodiscard]] bool restless() const { return left_ > 0 || told_; }
     void advance(Access& access) {
@@ -87,7 +87,7 @@ struct ListenerRole {
 struct Listener final : Resolver<Listener, ListenerRole, Reads<Heat>, Writes<>, Provides<Turns>> {
     static constexpr ComponentText text{
         .name = "Listener", .effect = "listener", .level = "", .work = "Listens."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     void advance(Access& access) { access.provide<Turns>().durations.push_back(access.duration()); }
 };
 
@@ -95,7 +95,7 @@ struct Listener final : Resolver<Listener, ListenerRole, Reads<Heat>, Writes<>, 
 struct FrameFromFuel final : Interaction<FrameFromFuel, FrameRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Frame <- Fuel", .effect = "frame", .level = "", .work = "Splits frames."};
-    using CalledFor = NeedsAll<Fuel>;
+    using Activation = NeedsAll<Fuel>;
     void apply(Access& access) {
         forEach([&](ObjectId, Fuel const& fuel) { access.call(SplitFrame{1 / fuel.rate}); },
                 access.read<Fuel>());

@@ -42,7 +42,7 @@ struct ResolverOf final
     : Resolver<ResolverOf<n, Writing, Providing, role>, RoleOf<role>, Reads<>, Writing, Providing> {
     static constexpr ComponentText text{
         .name = letter<n>, .effect = "test", .level = letter<n>, .work = "Nothing."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     using Access = typename Resolver<ResolverOf, RoleOf<role>, Reads<>, Writing, Providing>::Access;
     void advance(Access&) {}
 };
@@ -119,7 +119,7 @@ struct Aura {
 struct GlowAndAura final : Dps<GlowAndAura, Reads<Heat>, Derives<Glow, Aura>> {
     static constexpr ComponentText text{
         .name = "Glow and Aura", .effect = "glow", .level = "both", .work = "Both."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void update(Access&) {}
 };
 
@@ -133,7 +133,7 @@ TEST(RegistryRules, HalfOverlappingAlternativesAreRefused) {
 struct SameTitle final : Dps<SameTitle, Reads<Heat>, Derives<Glow>> {
     static constexpr ComponentText text{
         .name = "Exact Glow", .effect = "glow", .level = "again", .work = "Again."};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void update(Access&) {}
 };
 
@@ -166,7 +166,7 @@ struct SecondPopulation final : Resolver<SecondPopulation, RoleOf<9>, Reads<>, W
     static constexpr ComponentText text{
         .name = "Second Population", .effect = "test", .level = "", .work = "All."};
     static constexpr bool writesEverything = true;
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void advance(Access&) {}
 };
 

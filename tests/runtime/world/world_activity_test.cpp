@@ -184,7 +184,7 @@ TEST(WorldActivity, ComponentsAppearAndVanishWithTheirObjectsAndTheirSlotsAreRes
 
 struct AmbientHeat final : Completion<AmbientHeat, Reads<>, Adds<Heat>> {
     static constexpr CompletionText text{.name = "Ambient heat", .work = "What can burn is warm."};
-    using CalledFor = NeedsAll<Fuel>;
+    using Activation = NeedsAll<Fuel>;
     static void complete(Access& access) { access.add(Heat{}); }
 };
 
@@ -208,7 +208,7 @@ TEST(WorldActivity, StartCompletesObjects) {
 struct HeatFromTime final : Interaction<HeatFromTime, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Heat <- Time", .effect = "heat", .level = "", .work = "Tells the time."};
-    using CalledFor = NeedsAll<Fuel, Heat>;
+    using Activation = NeedsAll<Fuel, Heat>;
     void apply(Access& access) {
         forEach(
             [&](ObjectId id, Fuel const&) {

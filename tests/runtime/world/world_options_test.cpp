@@ -135,7 +135,7 @@ TEST(WorldOptions, UnknownComponentsAndPeriodsAreRefusedWithWhatThereIs) {
 
 struct StoveGlow final : Dps<StoveGlow, Reads<Fuel>, Derives<>> {
     static constexpr ComponentText text{.name = "Stove", .effect = "glow", .level = "", .work = "Nothing."};
-    using CalledFor = NeedsAll<Fuel>;
+    using Activation = NeedsAll<Fuel>;
     void update(Access&) {}
 };
 
@@ -162,7 +162,7 @@ struct NeedsGlowLog {
 struct CheapButBlind final : Dps<CheapButBlind, Reads<Heat, NeedsGlowLog>, Derives<Glow>> {
     static constexpr ComponentText text{
         .name = "Blind Glow", .effect = "glow", .level = "blind", .work = "Guesses.", .cost = -1};
-    using CalledFor = NeedsAny<Heat>;
+    using Activation = NeedsAny<Heat>;
     void update(Access& access) { access.derive<Glow>().total = -1; }
 };
 

@@ -95,13 +95,13 @@ struct Shade {
 };
 struct Shading final : Dps<Shading, Reads<Heat>, Derives<Shade>> {
     static constexpr ComponentText text{.name = "Shading", .effect = "shade", .level = "", .work = "Shades."};
-    using CalledFor = NeedsAll<Heat>;
+    using Activation = NeedsAll<Heat>;
     void update(Access&) {}
 };
 struct HeatFromBoth final : Interaction<HeatFromBoth, HeatRole, Reads<Glow, Shade>> {
     static constexpr ComponentText text{
         .name = "Heat <- Both", .effect = "heat", .level = "", .work = "Strikes."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access&) {}
 };
 

@@ -18,7 +18,7 @@ public:
         .level = "chipmunk",
         .work = "Performs both collision detection and rigid body simulation, with Chipmunk, in the world's "
                 "number of substeps; carries out the forces and impulses that were asked for.",
-        .cost = 10};
+        .rank = 10};
 #ifdef TREMBLER_HAS_CHIPMUNK
     static constexpr EngineMaker engineMaker = makeChipmunkEngine;
 #else

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "physics/dynamics/engines/substepped/joint_rows.hpp"
-#include "physics/dynamics/engines/substepped/plain_engine.hpp"
+#include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 
 #include <chipmunk/chipmunk.h>
 
@@ -14,7 +14,7 @@ namespace trembler {
 
 struct ChipmunkJoint;
 
-class ChipmunkEngine final : public PlainEngine {
+class ChipmunkEngine final : public SubsteppedEngine {
 public:
     ChipmunkEngine();
     ~ChipmunkEngine() override;

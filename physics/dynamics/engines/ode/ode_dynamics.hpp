@@ -19,7 +19,7 @@ public:
         .work = "Performs both collision detection and rigid body simulation, with the Open Dynamics Engine "
                 "kept in the plane, in the world's number of substeps; carries out the forces and impulses "
                 "that were asked for. Gears, pulleys and wheels are approximated.",
-        .cost = 20};
+        .rank = 20};
 #ifdef TREMBLER_HAS_ODE
     static constexpr EngineMaker engineMaker = makeOdeEngine;
 #else

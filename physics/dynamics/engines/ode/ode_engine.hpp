@@ -7,7 +7,7 @@
 
 #include "physics/dynamics/engines/ode/ode_handles.hpp"
 #include "physics/dynamics/engines/substepped/joint_rows.hpp"
-#include "physics/dynamics/engines/substepped/plain_engine.hpp"
+#include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 #include "physics/dynamics/engines/substepped/touch_finder.hpp"
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace trembler {
 
-class OdeEngine final : public PlainEngine {
+class OdeEngine final : public SubsteppedEngine {
 public:
     explicit OdeEngine(double scale);
     ~OdeEngine() override = default;

@@ -1,5 +1,5 @@
 // Islands of bodies that touch or are tied fall asleep, and wake, together.
-#include "physics/dynamics/engines/substepped/plain_engine.hpp"
+#include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,13 @@ constexpr double driftSpin = 1e-3;         // rad/s
 
 } // namespace
 
-void PlainEngine::noteAwake(SlotIndex slot) {
+void SubsteppedEngine::noteAwake(SlotIndex slot) {
     awake_[slot] = 1;
     bodies_[slot].idle = 0;
     anyAwake_ = true;
 }
 
-void PlainEngine::wake(SlotIndex slot) {
+void SubsteppedEngine::wake(SlotIndex slot) {
     if (!moves(slot)) {
         return;
     }
@@ -43,7 +43,7 @@ void PlainEngine::wake(SlotIndex slot) {
     }
 }
 
-std::vector<SlotIndex> const& PlainEngine::islands() {
+std::vector<SlotIndex> const& SubsteppedEngine::islands() {
     roots_.resize(bodies_.size());
     std::iota(roots_.begin(), roots_.end(), SlotIndex{0});
     auto const rootOf = [this](SlotIndex slot) {
@@ -73,7 +73,7 @@ std::vector<SlotIndex> const& PlainEngine::islands() {
     return roots_;
 }
 
-bool PlainEngine::idles(SlotIndex slot, Motion const& motion) const {
+bool SubsteppedEngine::idles(SlotIndex slot, Motion const& motion) const {
     BodyEntry const& entry = bodies_[slot];
     double const speed = length(motion.velocity);
     double const spin = std::abs(motion.spin);
@@ -85,7 +85,7 @@ bool PlainEngine::idles(SlotIndex slot, Motion const& motion) const {
                      spin <= driftSpin);
 }
 
-void PlainEngine::findRest(double duration) {
+void SubsteppedEngine::findRest(double duration) {
     touching_.assign(bodies_.size(), 0);
     for (PieceContact const& contact : touches_.contacts()) {
         touching_[contact.slotA] = touching_[contact.slotB] = 1;

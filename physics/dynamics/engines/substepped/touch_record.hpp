@@ -40,7 +40,7 @@ public:
 
     void noteImpacts(bool wanted);
     void startStep() { impacts_.clear(); }
-    /// Finds the blows of a substep that began `since` (s) after the frame did, after take(). `inverseMass`
+    /// Finds the impacts of a substep that began `since` (s) after the frame did, after take(). `inverseMass`
     /// is by slot.
     void findImpacts(double since, std::function<double(SlotIndex)> const& inverseMass);
     [[nodiscard]] std::span<Impact const> impacts() const { return impacts_; }

@@ -1,5 +1,5 @@
-// Which modes bodies have, and how blows excite them.
-#include "audio/effect/core/blow.hpp"
+// Which modes bodies have, and how impacts excite them.
+#include "audio/effect/core/contact_pulse.hpp"
 #include "audio/effect/core/mode_shapes.hpp"
 #include "audio/effect/core/sounding_body.hpp"
 #include "audio/effect/properties/decibel.hpp"
@@ -131,7 +131,7 @@ TEST(SoundingBody, AcousticsOverrideSizeAndMaterial) {
     EXPECT_NEAR(organ.modes()[2].frequency, 2640, 1e-6);
 }
 
-TEST(SoundingBody, WhatIsBuiltInAnswersOnlyAroundTheBlow) {
+TEST(SoundingBody, WhatIsBuiltInAnswersOnlyAroundTheImpact) {
     SoundingBody const floor = modelOf(boxPiece(8, 0.3), Material::stone, 600, 8, nullptr, true);
     SoundingBody const slab = modelOf(boxPiece(8, 0.3), Material::stone, 600, 8);
     EXPECT_GT(floor.modes()[0].frequency, 100);
@@ -141,7 +141,7 @@ TEST(SoundingBody, WhatIsBuiltInAnswersOnlyAroundTheBlow) {
     EXPECT_EQ(floor.movedAir(), 0);
 }
 
-TEST(Blow, ContactTimeIsThatOfHertz) {
+TEST(Impact, ContactTimeIsThatOfHertz) {
     // A ball on a half space: m a = -4/3 E* sqrt(R) d^(3/2), integrated in tiny steps.
     double const mass = 0.5;
     double const radius = 0.04;
@@ -165,7 +165,7 @@ TEST(Blow, ContactTimeIsThatOfHertz) {
     }
 }
 
-TEST(Blow, HarderThingsAndBlowsAreShorterAndBrighter) {
+TEST(Impact, HarderThingsAndImpactsAreShorterAndBrighter) {
     double const gentle = contactTime(Material::steel, Material::stone, 0.1, 0, 1, 0.5);
     double const hard = contactTime(Material::steel, Material::stone, 0.1, 0, 1, 5);
     double const soft = contactTime(Material::rubber, Material::stone, 0.1, 0, 1, 5);
@@ -177,7 +177,7 @@ TEST(Blow, HarderThingsAndBlowsAreShorterAndBrighter) {
     EXPECT_GT(tilt(hard), 10 * tilt(soft));
 }
 
-TEST(Blow, SpectrumFollowsThatOfHalfASine) {
+TEST(Impact, SpectrumFollowsThatOfHalfASine) {
     // |F(f)| / J of a half sine of duration T, by integration; at its maxima the envelope must meet it.
     double const contact = 0.002;
     auto const exact = [&](double f) {

@@ -263,7 +263,7 @@ TEST(SoundSensor, KeepsCountWhenTheWorldSwapsLevels) {
     EXPECT_FALSE(connectionBetween(alarm.room.world->store(), alarm.left, alarm.right).any());
 }
 
-TEST(Recordings, AStruckObjectPlaysItsOwnOncePerBlow) {
+TEST(Recordings, AStruckObjectPlaysItsOwnOncePerImpact) {
     ListeningRoom room;
     Subscription const wantedSounds = room.world->want<Sounds>();
     room.fixed("floor", Material::stone, boxPiece(20, 0.4), {0, -0.2});
@@ -274,7 +274,7 @@ TEST(Recordings, AStruckObjectPlaysItsOwnOncePerBlow) {
     sample.duration = 0.5;
     sample.fullImpulse = 1e-3;
     room.give(duck, sample);
-    ASSERT_TRUE(room.runToBlow());
+    ASSERT_TRUE(room.runToImpact());
     ASSERT_EQ(room.sounds().recordings.size(), 1U);
     EXPECT_EQ(room.sounds().recordings[0].file, "quack.ogg");
     EXPECT_NEAR(room.sounds().recordings[0].meanSquare, meanSquareOf(70), 1e-9);

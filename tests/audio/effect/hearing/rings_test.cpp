@@ -7,17 +7,18 @@
 namespace trembler {
 namespace {
 
-Sounds::Blow blowAt(Vec2 at, double level) {
-    Sounds::Blow blow;
-    blow.at = at;
-    blow.meanSquare = meanSquareOf(level);
-    return blow;
+Sounds::Impact impactAt(Vec2 at, double level) {
+    Sounds::Impact impact;
+    impact.at = at;
+    impact.meanSquare = meanSquareOf(level);
+    return impact;
 }
 
 TEST(SoundRings, SpreadFadeAndGo) {
     Sounds sounds;
     sounds.frame = 1;
-    sounds.blows = {blowAt({1, 2}, 100), blowAt({1, 2}, 70), blowAt({3, 0}, 60), blowAt({5, 0}, 20)};
+    sounds.impacts = {impactAt({1, 2}, 100), impactAt({1, 2}, 70), impactAt({3, 0}, 60),
+                      impactAt({5, 0}, 20)};
     SoundRings rings;
     rings.hear(sounds);
     rings.hear(sounds);
@@ -38,7 +39,7 @@ TEST(SoundRings, KeepTheStrongest) {
     Sounds sounds;
     sounds.frame = 1;
     for (int i = 0; i < 200; ++i) {
-        sounds.blows.push_back(blowAt({1.0 * i, 0}, 50 + (i * 37) % 50));
+        sounds.impacts.push_back(impactAt({1.0 * i, 0}, 50 + (i * 37) % 50));
     }
     SoundRings rings;
     rings.hear(sounds);

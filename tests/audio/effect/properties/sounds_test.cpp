@@ -1,4 +1,4 @@
-// What a frame in several parts sounds like: the blows of all parts at their times, and as much noise.
+// What a frame in several parts sounds like: the impacts of all parts at their times, and as much noise.
 #include "audio/effect/properties/sounds.hpp"
 
 #include <gtest/gtest.h>
@@ -8,16 +8,17 @@
 namespace trembler {
 namespace {
 
-Sounds soundsOf(ObjectId blowOf, double since, ObjectId scrapeOf, double noise) {
+Sounds soundsOf(ObjectId impactOf, double since, ObjectId scrapeOf, double noise) {
     Sounds made;
-    made.blows.push_back({.object = blowOf, .other = {}, .at = {}, .since = since, .first = 0, .count = 2});
+    made.impacts.push_back(
+        {.object = impactOf, .other = {}, .at = {}, .since = since, .first = 0, .count = 2});
     made.amplitudes = {1, 2};
     made.scrapes.push_back({.object = scrapeOf, .other = {}, .at = {}, .first = 2, .count = 1});
     made.amplitudes.push_back(noise);
     return made;
 }
 
-TEST(Sounds, OfAFrameHaveTheBlowsOfAllPartsInTheirPlaces) {
+TEST(Sounds, OfAFrameHaveTheImpactsOfAllPartsInTheirPlaces) {
     ObjectId const bell{1, 1};
     ObjectId const plate{2, 1};
     Sounds frame;
@@ -26,13 +27,13 @@ TEST(Sounds, OfAFrameHaveTheBlowsOfAllPartsInTheirPlaces) {
     second.frame = 7;
     Sounds::gather(frame, first, {.first = true, .begin = 0, .share = 0.5});
     Sounds::gather(frame, second, {.first = false, .begin = 1.0 / 120, .share = 0.5});
-    ASSERT_EQ(frame.blows.size(), 2U);
-    EXPECT_EQ(frame.blows[0].object, bell);
-    EXPECT_DOUBLE_EQ(frame.blows[0].since, 0.001);
-    EXPECT_EQ(frame.blows[1].object, plate);
-    EXPECT_DOUBLE_EQ(frame.blows[1].since, 0.002 + 1.0 / 120);
-    EXPECT_EQ(frame.amplitudes[frame.blows[1].first], 1);
-    EXPECT_EQ(frame.amplitudes[frame.blows[1].first + 1], 2);
+    ASSERT_EQ(frame.impacts.size(), 2U);
+    EXPECT_EQ(frame.impacts[0].object, bell);
+    EXPECT_DOUBLE_EQ(frame.impacts[0].since, 0.001);
+    EXPECT_EQ(frame.impacts[1].object, plate);
+    EXPECT_DOUBLE_EQ(frame.impacts[1].since, 0.002 + 1.0 / 120);
+    EXPECT_EQ(frame.amplitudes[frame.impacts[1].first], 1);
+    EXPECT_EQ(frame.amplitudes[frame.impacts[1].first + 1], 2);
     ASSERT_EQ(frame.scrapes.size(), 2U);
     EXPECT_NEAR(frame.amplitudes[frame.scrapes[0].first], 3 / std::sqrt(2), 1e-12);
     EXPECT_NEAR(frame.amplitudes[frame.scrapes[1].first], 5 / std::sqrt(2), 1e-12);

@@ -37,7 +37,7 @@ TEST(Program, aLevelIsChosenOnTheTitleScreen) {
     EXPECT_EQ(player.app().play(), nullptr);
     player.clickItem("level first/1-first-contact.json");
     ASSERT_NE(player.app().play(), nullptr);
-    EXPECT_EQ(player.session().level().title, loadLevel(workshop().registry, firstContact).title);
+    EXPECT_EQ(player.session().level().title, loadLevel(gameData().registry, firstContact).title);
     player.key(SDLK_l);
     player.frames(2);
     player.clickItem("level experiments/1-switched-electromagnet.json");
@@ -61,14 +61,14 @@ TEST(Program, theWindowsCloseButtonEndsIt) {
     EXPECT_FALSE(player.frame());
 }
 
-TEST(Program, everyLevelIsOnTheShelf) {
-    LevelShelf const shelf(workshop().registry, levelsFolder());
-    EXPECT_EQ(shelf.size(), workshop().levels().size());
-    ASSERT_FALSE(shelf.groups().empty());
-    EXPECT_EQ(shelf.groups().front().title, words::firstSteps);
-    ASSERT_NE(shelf.after(firstContact), nullptr);
-    for (ShelfGroup const& group : shelf.groups()) {
-        for (ShelfEntry const& entry : group.levels) {
+TEST(Program, everyLevelIsInTheCatalog) {
+    LevelCatalog const catalog(gameData().registry, levelsFolder());
+    EXPECT_EQ(catalog.size(), gameData().levels().size());
+    ASSERT_FALSE(catalog.groups().empty());
+    EXPECT_EQ(catalog.groups().front().title, words::firstSteps);
+    ASSERT_NE(catalog.after(firstContact), nullptr);
+    for (CatalogGroup const& group : catalog.groups()) {
+        for (CatalogEntry const& entry : group.levels) {
             EXPECT_TRUE(entry.trouble.empty()) << entry.trouble;
         }
     }
@@ -79,16 +79,16 @@ TEST(Program, aBrokenLevelIsShownAndNothingIsLost) {
     std::ofstream(folder / "1-broken.json") << "{\"version\": 1, \"title\": ";
     std::ofstream(folder / "10-nonsense.json") << "[]";
     std::filesystem::copy(firstContact, folder / "2-good.json");
-    LevelShelf const shelf(workshop().registry, folder);
-    ASSERT_EQ(shelf.groups().size(), 1U);
-    auto const& levels = shelf.groups()[0].levels;
+    LevelCatalog const catalog(gameData().registry, folder);
+    ASSERT_EQ(catalog.groups().size(), 1U);
+    auto const& levels = catalog.groups()[0].levels;
     ASSERT_EQ(levels.size(), 3U);
     EXPECT_EQ(levels[0].id, "1-broken.json");
     EXPECT_EQ(levels[1].id, "2-good.json") << "numbers order as numbers";
     EXPECT_FALSE(levels[0].trouble.empty());
     EXPECT_TRUE(levels[1].trouble.empty());
-    EXPECT_EQ(shelf.after(levels[0].file), &levels[1]);
-    EXPECT_EQ(shelf.after(levels[1].file), nullptr) << "a level that cannot be played is no next level";
+    EXPECT_EQ(catalog.after(levels[0].file), &levels[1]);
+    EXPECT_EQ(catalog.after(levels[1].file), nullptr) << "a level that cannot be played is no next level";
     Player player({1280, 720}, {}, folder);
     player.clickItem("level 1-broken.json");
     EXPECT_EQ(player.app().play(), nullptr);
@@ -108,7 +108,7 @@ TEST(Program, settingsAndProgressAreKept) {
         float const before = window().uiScale();
         player.clickItem("115%");
         EXPECT_NEAR(window().uiScale() / before, 1.15F, 0.001F);
-        player.app().desk().profile.markSolved("first/1-first-contact.json");
+        player.app().context().profile.markSolved("first/1-first-contact.json");
     }
     Profile const kept(file);
     EXPECT_NEAR(kept.settings().uiScale, 1.15F, 0.001F);
@@ -120,7 +120,7 @@ TEST(Program, settingsAndProgressAreKept) {
     EXPECT_EQ(damaged.settings().uiScale, 1.F);
     EXPECT_FALSE(damaged.settings().shadows);
     EXPECT_TRUE(damaged.solved("kept"));
-    window().setUiScaleWish(1.F);
+    window().setUiScaleRequest(1.F);
 }
 
 TEST(Program, restartPutsAllPartsBack) {
@@ -180,7 +180,7 @@ TEST(Program, aScreenshotIsWrittenAndNotBlank) {
     options.picture.overlays.electricity = true;
     std::uint64_t told = 0;
     options.progress = [&](std::uint64_t frame) { told = frame; };
-    auto const drawn = screenshot(workshop(), options);
+    auto const drawn = screenshot(gameData(), options);
     EXPECT_EQ(told, 90U);
     render::writePng(drawn, folder / "experiment.png");
     auto const image = render::readPng(folder / "experiment.png");
@@ -188,9 +188,9 @@ TEST(Program, aScreenshotIsWrittenAndNotBlank) {
     EXPECT_EQ(image.size(), (render::Size{960, 540}));
     EXPECT_GT(colours(image), 500U);
     options.frame = 0;
-    EXPECT_NE(screenshot(workshop(), options), image);
+    EXPECT_NE(screenshot(gameData(), options), image);
     options.level = folder / "none.json";
-    EXPECT_THROW(static_cast<void>(screenshot(workshop(), options)), InputError);
+    EXPECT_THROW(static_cast<void>(screenshot(gameData(), options)), InputError);
 }
 
 TEST(Program, withoutADisplayTheRecordedSolutionIsPlayed) {
@@ -200,8 +200,8 @@ TEST(Program, withoutADisplayTheRecordedSolutionIsPlayed) {
     options.level = firstContact;
     options.picture = folder / "ended.png";
     std::ostringstream out;
-    int const status = playWithoutDisplay(workshop(), options, out);
-    LevelFile const level = loadLevel(workshop().registry, firstContact);
+    int const status = playWithoutDisplay(gameData(), options, out);
+    LevelFile const level = loadLevel(gameData().registry, firstContact);
     EXPECT_NE(out.str().find(level.title), std::string::npos) << out.str();
     EXPECT_NE(out.str().find((folder / "ended.png").string()), std::string::npos) << out.str();
     EXPECT_GT(colours(render::readPng(options.picture)), 500U);
@@ -215,12 +215,12 @@ TEST(Program, withoutADisplayTheRecordedSolutionIsPlayed) {
     elsewhere.level = firstContact;
     elsewhere.pictures = folder / "new" / "pictures";
     std::ostringstream third;
-    EXPECT_EQ(playWithoutDisplay(workshop(), elsewhere, third), status);
+    EXPECT_EQ(playWithoutDisplay(gameData(), elsewhere, third), status);
     EXPECT_GT(colours(render::readPng(elsewhere.pictures / "trembler-1-first-contact.png")), 500U);
     // Where the picture cannot be written it says so and still plays.
     options.picture = folder / "not" / "there.png";
     std::ostringstream second;
-    EXPECT_EQ(playWithoutDisplay(workshop(), options, second), status);
+    EXPECT_EQ(playWithoutDisplay(gameData(), options, second), status);
     EXPECT_NE(second.str().find("There is no picture"), std::string::npos) << second.str();
 }
 

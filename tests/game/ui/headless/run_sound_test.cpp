@@ -1,7 +1,7 @@
 // trembler run --sound: what the levels sound like, as files.
 #include "game/ui/headless/run_sound.hpp"
 #include "puzzle/data/effects.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/audio/device/wav.hpp"
@@ -32,14 +32,14 @@ protected:
     }
     void TearDown() override { fs::remove_all(folder); }
 
-    static Workshop const& workshop() {
-        static Workshop const shared;
+    static GameData const& gameData() {
+        static GameData const shared;
         return shared;
     }
     Wav hear(LevelFile level, std::string const& solution, std::uint64_t frames,
              std::uint64_t* hash = nullptr, std::vector<fs::path> const& recordings = {},
              std::vector<std::string>* told = nullptr) {
-        Session session(workshop().registry, workshop().parts, std::move(level));
+        Session session(gameData().registry, gameData().parts, std::move(level));
         if (!solution.empty()) {
             Solution const* const recorded = session.level().findSolution(solution);
             EXPECT_NE(recorded, nullptr) << solution;
@@ -68,7 +68,7 @@ protected:
         return Wav(file);
     }
     static LevelFile doorbell() {
-        return loadLevel(workshop().registry, workshop().home / "levels/experiments/2-doorbell.json");
+        return loadLevel(gameData().registry, gameData().home / "levels/experiments/2-doorbell.json");
     }
 
     fs::path folder;
@@ -124,7 +124,7 @@ TEST_F(RunSoundTest, aBellStruckHarderIsLouderAndBrighter) {
         }})",
                                              speed);
         Wav const heard =
-            hear(readLevel(workshop().registry, JsonDocument::parse(text, "bell.json")), "", 120);
+            hear(readLevel(gameData().registry, JsonDocument::parse(text, "bell.json")), "", 120);
         auto const begin = std::find_if(heard.left.begin(), heard.left.end(), [](float s) { return s != 0; });
         ASSERT_GT(heard.left.end() - begin, 24000) << speed;
         auto const sound = std::span(&*begin, 24000);
@@ -164,7 +164,7 @@ TEST_F(RunSoundTest, aLevelsOwnRecordingIsHeard) {
         ]
     })";
     auto const level = [&] {
-        return readLevel(workshop().registry, JsonDocument::parse(text, "level.json"));
+        return readLevel(gameData().registry, JsonDocument::parse(text, "level.json"));
     };
     auto const tone = [](Wav const& heard) {
         return std::abs(toneIn(std::span(heard.left).subspan(24000, 12000), 48000, 3137));
@@ -182,14 +182,14 @@ TEST_F(RunSoundTest, listeningIsTheSameEveryTimeAndChangesNothing) {
     Wav const once = hear(doorbell(), "", 120, &hash);
     Wav const again = hear(doorbell(), "", 120);
     EXPECT_EQ(once.bytes, again.bytes);
-    Session deaf(workshop().registry, workshop().parts, doorbell());
+    Session deaf(gameData().registry, gameData().parts, doorbell());
     RunOptions options;
     options.frames = 120;
     EXPECT_EQ(run(deaf, "a level", options).stateHash, hash);
 }
 
 TEST_F(RunSoundTest, aLevelInWhichNothingMovesIsSilent) {
-    LevelFile const level = readLevel(workshop().registry, JsonDocument::parse(R"({
+    LevelFile const level = readLevel(gameData().registry, JsonDocument::parse(R"({
         "version": 2, "title": "Still", "text": "Nothing happens.",
         "world": {"gravity": [0, -9.81]},
         "objects": [{"name": "bell", "part": "bell", "at": [0, 1]}]

@@ -33,7 +33,7 @@ TEST(Running, firstContactIsWonByMouse) {
     EXPECT_TRUE(player.session().solved());
     player.frames(3);
     EXPECT_TRUE(player.showsCard("success"));
-    EXPECT_TRUE(player.app().desk().profile.solved("first/1-first-contact.json"));
+    EXPECT_TRUE(player.app().context().profile.solved("first/1-first-contact.json"));
     player.look("success-720");
     player.clickItem("next level");
     EXPECT_EQ(player.play().file().filename(), "1-switched-electromagnet.json");
@@ -49,7 +49,7 @@ TEST(Running, aWoodenBarDoesNotWin) {
     EXPECT_GE(player.session().world().frame(), 900U);
     EXPECT_FALSE(player.session().solved());
     EXPECT_FALSE(player.showsCard("success"));
-    EXPECT_FALSE(player.app().desk().profile.solved("first/1-first-contact.json"));
+    EXPECT_FALSE(player.app().context().profile.solved("first/1-first-contact.json"));
 }
 
 TEST(Running, stopPutsEverythingBackExactly) {

@@ -1,7 +1,7 @@
 // What a frame of lag between simulations does to energy, against the theory of forces that come too late.
 #include "measure/accuracy/ladders/co_simulation.hpp"
 #include "puzzle/data/effects.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 namespace trembler::accuracy {
 namespace {
 
-Workshop const& workshop() {
-    static Workshop const made;
+GameData const& gameData() {
+    static GameData const made;
     return made;
 }
 
@@ -54,7 +54,7 @@ TEST(CoSimulation, AMagnetOnASpringGainsWhatTheLagPutsIn) {
     }
     double before = -1;
     for (int const substeps : {1, 2, 4, 8, 16}) {
-        Swing const found = magnetOnSpring(workshop(), substeps, false);
+        Swing const found = magnetOnSpring(gameData(), substeps, false);
         // Pushed by µ0/4π q²/r², softened, whose stiffness at 1 m is next to 2 F/r.
         double const softened = 1 + 0.05 * 0.05;
         double const late = 3.025 * (3 / softened - 1) / std::pow(softened, 1.5);
@@ -64,7 +64,7 @@ TEST(CoSimulation, AMagnetOnASpringGainsWhatTheLagPutsIn) {
         EXPECT_GT(found.growth, before) << "more substeps take away what makes up for the lag";
         before = found.growth;
         EXPECT_EQ(found.growth < 0, substeps == 1) << "one loses in the spring, the others gain by the lag";
-        Swing const ahead = magnetOnSpring(workshop(), substeps, true);
+        Swing const ahead = magnetOnSpring(gameData(), substeps, true);
         EXPECT_NEAR(ahead.growth, ahead.predicted, 0.05 * std::abs(ahead.predicted) + 2e-3)
             << "what is left is the spring's own loss";
     }
@@ -88,7 +88,7 @@ TEST(CoSimulation, PartsOfAFrameTakeTheLagAway) {
     double const late = 3.025 * (3 / softened - 1) / std::pow(softened, 1.5);
     double before = 0;
     for (int const parts : {1, 2, 4, 8}) {
-        Swing const found = magnetOnSpring(workshop(), 16, false, parts);
+        Swing const found = magnetOnSpring(gameData(), 16, false, parts);
         double const expected = growthInParts(late, 1, 16, parts);
         EXPECT_NEAR(found.growth, expected, 0.03 * std::abs(expected) + 5e-4) << parts;
         EXPECT_NEAR(found.predicted, expected, 0.03 * std::abs(expected) + 5e-4) << parts;
@@ -105,10 +105,10 @@ TEST(CoSimulation, AFloatOnASpringGainsItTooUnlessItLooksAhead) {
     }
     for (int const substeps : {1, 4, 16}) {
         double const expected = growthOfTheMap(9.81, 1, substeps); // g over the draught
-        Swing const late = floatOnSpring(workshop(), substeps, 1, false);
+        Swing const late = floatOnSpring(gameData(), substeps, 1, false);
         EXPECT_NEAR(late.growth, expected, 0.03 * std::abs(expected) + 5e-4) << substeps;
         // What is left is the spring's own loss.
-        Swing const ahead = floatOnSpring(workshop(), substeps, 1, true);
+        Swing const ahead = floatOnSpring(gameData(), substeps, 1, true);
         double const spring = -1 * 2 * 3.141592653589793 / std::sqrt(10.81) * frame / substeps;
         EXPECT_NEAR(std::log1p(ahead.growth), spring, 0.1 * std::abs(spring) + 2e-3) << substeps;
         EXPECT_LT(ahead.growth, 0) << "it never feeds the swing";
@@ -116,12 +116,12 @@ TEST(CoSimulation, AFloatOnASpringGainsItTooUnlessItLooksAhead) {
     }
     for (int const period : {2, 4}) {
         // A frame of the map is `period` frames long, with as many times the substeps.
-        Swing const late = floatOnSpring(workshop(), 4, period, false);
+        Swing const late = floatOnSpring(gameData(), 4, period, false);
         double const lag = period * frame / 2 * (1 - 1.0 / (4 * period));
         double const rate = 9.81 * lag - frame / 4; // 1/s
         EXPECT_NEAR(std::log1p(late.growth), rate * 2 * 3.141592653589793 / std::sqrt(10.81), 0.05 * rate * 2)
             << period;
-        Swing const ahead = floatOnSpring(workshop(), 4, period, true);
+        Swing const ahead = floatOnSpring(gameData(), 4, period, true);
         EXPECT_LT(ahead.growth, 0) << period;
         EXPECT_LT(-ahead.growth, 0.1 * late.growth) << period;
     }

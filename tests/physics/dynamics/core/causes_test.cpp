@@ -15,7 +15,7 @@ TREMBLER_ON_EVERY_ENGINE(Causes);
 struct ReadsCauses final : Interaction<ReadsCauses, DynamicsRole, Reads<MotionCauses>> {
     static constexpr ComponentText text{
         .name = "Dynamics <- Causes", .effect = "test", .level = "", .work = "Looks."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access&) {}
 };
 

@@ -13,7 +13,7 @@ TREMBLER_ON_EVERY_ENGINE(Breaking);
 struct ReadsJointForces final : Interaction<ReadsJointForces, DynamicsRole, Reads<JointForces>> {
     static constexpr ComponentText text{
         .name = "Dynamics <- Forces of joints", .effect = "test", .level = "", .work = "Looks."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access&) {}
 };
 

@@ -240,7 +240,7 @@ TEST_P(ContactsTest, EndWhenAnObjectGoesAndItsSleepingNeighboursWake) {
 struct ReadsPatches final : Interaction<ReadsPatches, DynamicsRole, Reads<ContactPatches>> {
     static constexpr ComponentText text{
         .name = "Dynamics <- Patches", .effect = "test", .level = "", .work = "Looks."};
-    using CalledFor = NeedsAll<>;
+    using Activation = NeedsAll<>;
     void apply(Access&) {}
 };
 
@@ -272,7 +272,7 @@ public:
                                         .effect = "dynamics",
                                         .level = "other",
                                         .work = "The same once more.",
-                                        .cost = 5};
+                                        .rank = 5};
     static constexpr EngineMaker engineMaker = makeBox2dEngine;
 };
 

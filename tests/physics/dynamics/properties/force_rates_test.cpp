@@ -25,7 +25,7 @@ class DynamicsFromVarying final : public Interaction<DynamicsFromVarying, Dynami
 public:
     static constexpr ComponentText text{
         .name = "Dynamics <- Varying", .effect = "test", .level = "", .work = "Tells rates."};
-    using CalledFor = NeedsAll<Varying>;
+    using Activation = NeedsAll<Varying>;
     void apply(Access& access) {
         auto const& all = access.read<Varying>();
         for (std::size_t row = 0; row < all.size(); ++row) {

@@ -1,4 +1,4 @@
-// Blows against the conservation of momentum.
+// Impacts against the conservation of momentum.
 #include "physics/dynamics/properties/impacts.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
@@ -16,7 +16,7 @@ using test::Scene;
 class ImpactsTest : public OnEveryEngine {};
 TREMBLER_ON_EVERY_ENGINE(ImpactsTest);
 
-std::vector<Impact> blowsIn(Scene& scene, int frames) {
+std::vector<Impact> impactsIn(Scene& scene, int frames) {
     std::vector<Impact> all;
     for (int i = 0; i < frames; ++i) {
         scene.run(1);
@@ -30,7 +30,7 @@ TEST_P(ImpactsTest, AreNotWorkedOutWhereNobodyReadsThem) {
     Scene scene;
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     scene.ball({0, 1});
-    EXPECT_TRUE(blowsIn(scene, 120).empty());
+    EXPECT_TRUE(impactsIn(scene, 120).empty());
 }
 
 TEST_P(ImpactsTest, ABouncingBallGetsTheImpulseThatTurnsItRound) {
@@ -40,26 +40,26 @@ TEST_P(ImpactsTest, ABouncingBallGetsTheImpulseThatTurnsItRound) {
     ObjectId const ball = scene.ball({0, 2});
     scene.give(ball, Restitution{0.8});
     Vec2 before;
-    std::vector<Impact> blows;
-    while (blows.empty()) {
+    std::vector<Impact> impacts;
+    while (impacts.empty()) {
         if (scene.world->frame() > 0) {
             before = scene.velocity(ball);
         }
-        blows = blowsIn(scene, 1);
+        impacts = impactsIn(scene, 1);
         ASSERT_LT(scene.world->frame(), 200U);
     }
-    ASSERT_EQ(blows.size(), 1U);
+    ASSERT_EQ(impacts.size(), 1U);
     double const gained = scene.mass(ball) * (scene.velocity(ball).y - before.y + scene.gravity / 60);
-    EXPECT_NEAR(blows[0].impulse, gained, 0.01 * gained);
-    EXPECT_EQ(std::min(floor, ball), blows[0].a);
-    EXPECT_EQ(std::max(floor, ball), blows[0].b);
-    EXPECT_NEAR(std::abs(blows[0].normal.y), 1, 1e-3);
-    EXPECT_NEAR(blows[0].point.y, 0, 0.02);
-    EXPECT_GE(blows[0].since, 0);
-    EXPECT_LT(blows[0].since, 1.0 / 60);
+    EXPECT_NEAR(impacts[0].impulse, gained, 0.01 * gained);
+    EXPECT_EQ(std::min(floor, ball), impacts[0].a);
+    EXPECT_EQ(std::max(floor, ball), impacts[0].b);
+    EXPECT_NEAR(std::abs(impacts[0].normal.y), 1, 1e-3);
+    EXPECT_NEAR(impacts[0].point.y, 0, 0.02);
+    EXPECT_GE(impacts[0].since, 0);
+    EXPECT_LT(impacts[0].since, 1.0 / 60);
 }
 
-TEST_P(ImpactsTest, TwoBallsThatMeetInTheAirShareOneBlow) {
+TEST_P(ImpactsTest, TwoBallsThatMeetInTheAirShareOneImpact) {
     Scene scene;
     scene.gravity = 0;
     Subscription const wantedImpacts = scene.world->want<Impacts>();
@@ -68,25 +68,25 @@ TEST_P(ImpactsTest, TwoBallsThatMeetInTheAirShareOneBlow) {
     scene.give(left, Velocity{{3, 0}});
     scene.give(right, Velocity{{-1, 0}});
     scene.give(left, Restitution{1});
-    std::vector<Impact> const blows = blowsIn(scene, 120);
-    ASSERT_EQ(blows.size(), 1U);
+    std::vector<Impact> const impacts = impactsIn(scene, 120);
+    ASSERT_EQ(impacts.size(), 1U);
     // Elastic: 2 μ v, μ the reduced mass, v the speed of approach.
     double const reduced = 1 / (1 / scene.mass(left) + 1 / scene.mass(right));
-    EXPECT_NEAR(blows[0].impulse, 2 * reduced * 4, 0.01 * reduced);
+    EXPECT_NEAR(impacts[0].impulse, 2 * reduced * 4, 0.01 * reduced);
 }
 
-TEST_P(ImpactsTest, PressureIsNoBlow) {
+TEST_P(ImpactsTest, PressureIsNoImpact) {
     Scene scene;
     Subscription const wantedImpacts = scene.world->want<Impacts>();
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     for (int i = 0; i < 8; ++i) {
         scene.body("box " + std::to_string(i), boxPiece(0.5, 0.5), {0, 0.25 + 0.5 * i});
     }
-    blowsIn(scene, 30); // they settle
-    EXPECT_TRUE(blowsIn(scene, 300).empty());
+    impactsIn(scene, 30); // they settle
+    EXPECT_TRUE(impactsIn(scene, 300).empty());
 }
 
-TEST_P(ImpactsTest, WhoComesLaterHearsOnlyNewBlows) {
+TEST_P(ImpactsTest, WhoComesLaterHearsOnlyNewImpacts) {
     Scene scene;
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     scene.body("box", boxPiece(0.5, 0.5), {0, 0.25});
@@ -95,13 +95,13 @@ TEST_P(ImpactsTest, WhoComesLaterHearsOnlyNewBlows) {
     scene.give(scene.world->store().find("world"), settings);
     scene.run(60);
     Subscription const wantedImpacts = scene.world->want<Impacts>();
-    EXPECT_TRUE(blowsIn(scene, 60).empty()) << "the box lies there as it did";
+    EXPECT_TRUE(impactsIn(scene, 60).empty()) << "the box lies there as it did";
     ObjectId const ball = scene.ball({0, 2});
     test::Pull weight;
     weight.acceleration = {0, -9.81};
     scene.give(ball, weight);
     scene.world->store().complete(ball);
-    EXPECT_FALSE(blowsIn(scene, 120).empty());
+    EXPECT_FALSE(impactsIn(scene, 120).empty());
 }
 
 TEST_P(ImpactsTest, WantingThemChangesNoBit) {

@@ -1,4 +1,4 @@
-#include "audio/effect/core/blow.hpp"
+#include "audio/effect/core/contact_pulse.hpp"
 
 #include "audio/effect/properties/decibel.hpp"
 

@@ -1,7 +1,7 @@
 // Only what a scene calls for, over every level: what is absent is never constructed, what is finished
 // sleeps, and what is at rest costs next to nothing. Work is counted in turns: no clock is read.
-#include "measure/called_for/called_for.hpp"
-#include "measure/called_for/report.hpp"
+#include "measure/activation/activation.hpp"
+#include "measure/activation/report.hpp"
 #include "physics/buoyancy/properties/results.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/properties/graph.hpp"
@@ -83,10 +83,10 @@ std::map<std::string, std::set<std::string>> const& triggers() {
     return all;
 }
 
-class CalledFor : public Experiment {
+class Activation : public Experiment {
 protected:
     static std::vector<LevelUse> const& plays() {
-        static std::vector<LevelUse> const all = playAllForCalls(workshop(), seconds);
+        static std::vector<LevelUse> const all = playAllForCalls(gameData(), seconds);
         return all;
     }
     static LevelUse const& play(std::string const& level, std::string const& solution) {
@@ -107,11 +107,11 @@ protected:
     }
 };
 
-TEST_F(CalledFor, AllLevelsAreInTheTable) {
+TEST_F(Activation, AllLevelsAreInTheTable) {
     std::set<std::string> levels;
     for (LevelUse const& one : plays()) {
         levels.insert(one.level);
-        EXPECT_EQ(one.components.size(), workshop().registry.components().size());
+        EXPECT_EQ(one.components.size(), gameData().registry.components().size());
         EXPECT_EQ(one.frames, seconds * framesPerSecond);
         std::uint64_t last = 0;
         for (ComponentUse const& each : one.components) {
@@ -123,14 +123,14 @@ TEST_F(CalledFor, AllLevelsAreInTheTable) {
         EXPECT_LE(one.lastSecond, one.busiestSecond);
         EXPECT_GT(one.busiestSecond, 0U);
     }
-    EXPECT_EQ(levels.size(), workshop().levels().size());
+    EXPECT_EQ(levels.size(), gameData().levels().size());
 }
 
-TEST_F(CalledFor, WhatIsAbsentIsNeverConstructed) {
-    PartLibrary const parts = loadParts(countedRegistry(), workshop().home / "assets" / "parts");
+TEST_F(Activation, WhatIsAbsentIsNeverConstructed) {
+    PartLibrary const parts = loadParts(countedRegistry(), gameData().home / "assets" / "parts");
     std::map<std::string, int> with;
     std::map<std::string, int> without;
-    for (std::filesystem::path const& path : workshop().levels()) {
+    for (std::filesystem::path const& path : gameData().levels()) {
         SCOPED_TRACE(path);
         LevelFile const level = loadLevel(countedRegistry(), path);
         made.fill(0);
@@ -184,7 +184,7 @@ TEST_F(CalledFor, WhatIsAbsentIsNeverConstructed) {
     }
 }
 
-TEST_F(CalledFor, ALevelAtRestDoesAtMostATwentiethOfWhatItDoesInMotion) {
+TEST_F(Activation, ALevelAtRestDoesAtMostATwentiethOfWhatItDoesInMotion) {
     int atRest = 0;
     std::set<std::string> restless;
     for (LevelUse const& one : plays()) {
@@ -209,7 +209,7 @@ TEST_F(CalledFor, ALevelAtRestDoesAtMostATwentiethOfWhatItDoesInMotion) {
 
 #ifndef TREMBLER_WITHOUT_ELECTRICITY
 
-TEST_F(CalledFor, AFinishedCircuitsDpsSleeps) {
+TEST_F(Activation, AFinishedCircuitsDpsSleeps) {
     // The magnet holds what it lifted: current flows, and nobody computes it anew.
     open("1-switched-electromagnet.json", "hands off");
     runTo(900);
@@ -232,7 +232,7 @@ TEST_F(CalledFor, AFinishedCircuitsDpsSleeps) {
 }
 
 // In a doorbell, which never rests, it has a turn when the graph has changed, and only then.
-TEST_F(CalledFor, ElectricityIsComputedWhenItsGraphHasChangedOnly) {
+TEST_F(Activation, ElectricityIsComputedWhenItsGraphHasChangedOnly) {
     open("2-doorbell.json");
     std::uint64_t version = 0;
     std::uint64_t changes = 0;
@@ -255,7 +255,7 @@ TEST_F(CalledFor, ElectricityIsComputedWhenItsGraphHasChangedOnly) {
 
 #endif
 
-TEST_F(CalledFor, TheRaftRestsAndTheDoorbellDoesNot) {
+TEST_F(Activation, TheRaftRestsAndTheDoorbellDoesNot) {
 #if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
     LevelUse const& raft = play("4-raft", "hands off");
     EXPECT_TRUE(raft.atRest);
@@ -272,8 +272,8 @@ TEST_F(CalledFor, TheRaftRestsAndTheDoorbellDoesNot) {
 #endif
 }
 
-TEST_F(CalledFor, TheReportsHaveEveryPlayAndNoTimes) {
-    auto const json = nlohmann::json::parse(calledForJson(plays()).dump());
+TEST_F(Activation, TheReportsHaveEveryPlayAndNoTimes) {
+    auto const json = nlohmann::json::parse(activationJson(plays()).dump());
     ASSERT_EQ(json.at("plays").size(), plays().size());
     std::uint64_t updates = 0;
     for (auto const& component : json.at("plays").at(0).at("components")) {
@@ -284,17 +284,17 @@ TEST_F(CalledFor, TheReportsHaveEveryPlayAndNoTimes) {
         counted += each.updates;
     }
     EXPECT_EQ(updates, counted);
-    std::string const markdown = calledForMarkdown(plays());
+    std::string const markdown = activationMarkdown(plays());
     for (LevelUse const& one : plays()) {
         EXPECT_NE(markdown.find("| " + one.level + " | "), std::string::npos);
     }
     EXPECT_EQ(markdown.find(" us"), std::string::npos);
     // The same every time.
-    LevelFile const level = loadLevel(workshop().registry, workshop().levels().front());
+    LevelFile const level = loadLevel(gameData().registry, gameData().levels().front());
     Solution const* const first = level.solutions.empty() ? nullptr : &level.solutions.front();
-    LevelUse again = playForCalls(workshop(), level, first, seconds);
+    LevelUse again = playForCalls(gameData(), level, first, seconds);
     again.level = plays().front().level;
-    EXPECT_EQ(calledForText({again}), calledForText({plays().front()}));
+    EXPECT_EQ(activationText({again}), activationText({plays().front()}));
 }
 
 } // namespace

@@ -13,9 +13,9 @@ namespace trembler::ui {
 
 /// Follows one level. Without a loudspeaker it does nothing, and what it does never reaches the world. Window
 /// thread only; the loudspeaker must outlive it.
-class Ears {
+class LevelAudio {
 public:
-    explicit Ears(Loudspeaker* loudspeaker) : loudspeaker_(loudspeaker) {}
+    explicit LevelAudio(Loudspeaker* loudspeaker) : loudspeaker_(loudspeaker) {}
 
     /// A run begins.
     void enter(World const& world);

@@ -10,13 +10,13 @@
 
 namespace trembler {
 
-struct Shelf {
-    Shelf();
+struct Catalog {
+    Catalog();
     Registry registry;
     PartLibrary parts;
 };
 
-[[nodiscard]] Shelf const& shelf();
+[[nodiscard]] Catalog const& catalog();
 /// A level that has something of everything.
 [[nodiscard]] std::string sampleLevel();
 /// Every level file that is shipped.

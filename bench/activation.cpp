@@ -2,12 +2,12 @@
 // calls for none, beside one that knows dynamics alone and beside bare Box2D, turn by turn in blocks of
 // frames. Second: every level that comes to rest, its frames at rest against its frames in motion. CPU time
 // of this thread, medians.
-#include "measure/called_for/called_for.hpp"
+#include "measure/activation/activation.hpp"
 
 #include "bench/box2d_scenes.hpp"
 #include "bench/measure.hpp"
 #include "puzzle/data/effects.hpp"
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -24,7 +24,7 @@ constexpr int warmUpFrames = 60;
 constexpr double mostOverhead = 5; // %
 constexpr double mostAtRest = 0.05;
 
-bool noneCalledFor(Registry const& all, Registry const& dynamicsAlone, bench::SceneOf const& scene,
+bool noneActivated(Registry const& all, Registry const& dynamicsAlone, bench::SceneOf const& scene,
                    int repetitions) {
     std::array<Series, 3> times; // bare, dynamics alone, all
     Series overhead;
@@ -79,9 +79,9 @@ bool noneCalledFor(Registry const& all, Registry const& dynamicsAlone, bench::Sc
 }
 
 /// Frames of one play by the second, in s per frame.
-std::vector<double> secondsOf(Workshop const& workshop, LevelFile const& level, Solution const* solution,
+std::vector<double> secondsOf(GameData const& gameData, LevelFile const& level, Solution const* solution,
                               int seconds) {
-    Session session(workshop.registry, workshop.parts, level,
+    Session session(gameData.registry, gameData.parts, level,
                     WorldOptions{.threads = 1, .detail = level.detail, .periods = {}});
     if (solution != nullptr) {
         session.load(*solution);
@@ -99,20 +99,20 @@ std::vector<double> secondsOf(Workshop const& workshop, LevelFile const& level, 
     return times;
 }
 
-bool atRest(Workshop const& workshop, int repetitions) {
+bool atRest(GameData const& gameData, int repetitions) {
     constexpr int seconds = 20;
     double worst = 0;
     bench::Table table(
         "Levels that come to rest within 20 s: a frame at rest against one of the busiest second");
-    for (std::filesystem::path const& path : workshop.levels()) {
-        LevelFile const level = loadLevel(workshop.registry, path);
+    for (std::filesystem::path const& path : gameData.levels()) {
+        LevelFile const level = loadLevel(gameData.registry, path);
         Solution const* const solution = level.solutions.empty() ? nullptr : &level.solutions.front();
-        if (!playForCalls(workshop, level, solution, seconds).atRest) {
+        if (!playForCalls(gameData, level, solution, seconds).atRest) {
             continue;
         }
         std::vector<Series> bySecond(seconds);
         for (int repetition = 0; repetition < 3 * repetitions; ++repetition) {
-            std::vector<double> const times = secondsOf(workshop, level, solution, seconds);
+            std::vector<double> const times = secondsOf(gameData, level, solution, seconds);
             for (std::size_t i = 0; i < times.size(); ++i) {
                 bySecond[i].add(times[i]);
             }
@@ -134,7 +134,7 @@ bool atRest(Workshop const& workshop, int repetitions) {
 
 } // namespace
 
-// bench_called_for [repetitions]; ends with 1 if a limit is missed.
+// bench_activation [repetitions]; ends with 1 if a limit is missed.
 int main(int argc, char** argv) {
     int const repetitions = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
     Registry all;
@@ -144,9 +144,9 @@ int main(int argc, char** argv) {
     bool held = true;
     for (bench::SceneOf scene : {bench::largePyramid(), bench::tumbler()}) {
         scene.gravity = 0;
-        held = noneCalledFor(all, dynamicsAlone, scene, repetitions) && held;
+        held = noneActivated(all, dynamicsAlone, scene, repetitions) && held;
     }
-    Workshop const workshop;
-    held = atRest(workshop, repetitions) && held;
+    GameData const gameData;
+    held = atRest(gameData, repetitions) && held;
     return held ? 0 : 1;
 }

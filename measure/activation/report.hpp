@@ -1,18 +1,18 @@
 // What levels call for as tables: for people, for programs, for the documentation.
 #pragma once
 
-#include "measure/called_for/called_for.hpp"
+#include "measure/activation/activation.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace trembler {
 
 /// For a terminal: each play, and the components that are there.
-[[nodiscard]] std::string calledForText(std::vector<LevelUse> const& plays);
+[[nodiscard]] std::string activationText(std::vector<LevelUse> const& plays);
 /// {"plays": [{"level", "title", "solution", "frames", "at_rest", "busiest_second", "last_second",
 /// "components": [{"component", "state", "updates", "updates_in_last_second"}]}]}
-[[nodiscard]] nlohmann::ordered_json calledForJson(std::vector<LevelUse> const& plays);
-/// docs/called-for.md as a whole: every play in short, and the first one of each level by component.
-[[nodiscard]] std::string calledForMarkdown(std::vector<LevelUse> const& plays);
+[[nodiscard]] nlohmann::ordered_json activationJson(std::vector<LevelUse> const& plays);
+/// docs/activation.md as a whole: every play in short, and the first one of each level by component.
+[[nodiscard]] std::string activationMarkdown(std::vector<LevelUse> const& plays);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-#include "game/ui/shared/part_shelf.hpp"
+#include "game/ui/shared/part_catalog.hpp"
 
 #include "render/panels/toolbox_tile.hpp"
 #include "render/scene/objects/body.hpp"
@@ -8,7 +8,7 @@
 
 namespace trembler::ui {
 
-std::string PartShelf::titleOf(std::string const& part) const {
+std::string PartCatalog::titleOf(std::string const& part) const {
     PartDefinition const* const found = parts_.find(part);
     std::string title = found == nullptr || found->title.empty() ? part : found->title;
     if (!title.empty()) {
@@ -17,12 +17,12 @@ std::string PartShelf::titleOf(std::string const& part) const {
     return title;
 }
 
-std::string PartShelf::textOf(std::string const& part) const {
+std::string PartCatalog::textOf(std::string const& part) const {
     PartDefinition const* const found = parts_.find(part);
     return found == nullptr ? std::string() : found->text;
 }
 
-Prototype const* PartShelf::prototype(std::string const& part) {
+Prototype const* PartCatalog::prototype(std::string const& part) {
     if (auto const known = prototypes_.find(part); known != prototypes_.end()) {
         return &known->second;
     }
@@ -30,7 +30,7 @@ Prototype const* PartShelf::prototype(std::string const& part) {
     return found == nullptr ? nullptr : &prototypes_.emplace(part, found->prototype()).first->second;
 }
 
-unsigned PartShelf::picture(std::string const& part, int pixels) {
+unsigned PartCatalog::picture(std::string const& part, int pixels) {
     Prototype const* const known = prototype(part);
     if (known == nullptr || pixels <= 0) {
         return 0;
@@ -58,7 +58,7 @@ unsigned PartShelf::picture(std::string const& part, int pixels) {
     return made.target->texture();
 }
 
-double PartShelf::radius(std::string const& part) {
+double PartCatalog::radius(std::string const& part) {
     Prototype const* const known = prototype(part);
     render::Extent const extent = known == nullptr ? render::Extent{} : render::extentOf(*known, {});
     return extent.empty() ? 0.0 : std::max(length(extent.lower), length(extent.upper));

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "game/ui/shared/layout.hpp"
-#include "game/ui/shared/level_shelf.hpp"
-#include "game/ui/shared/part_shelf.hpp"
+#include "game/ui/shared/level_catalog.hpp"
+#include "game/ui/shared/part_catalog.hpp"
 #include "game/ui/shared/profile.hpp"
 #include "game/ui/shared/recorder.hpp"
 #include "render/panels/gui.hpp"
@@ -17,7 +17,7 @@ class Loudspeaker;
 namespace trembler::ui {
 
 /// Everything that lives as long as the program; GameApp owns it. Window thread only.
-struct Desk {
+struct UiContext {
     render::Window& window;
     Registry const& registry;
     PartLibrary const& parts;
@@ -26,8 +26,8 @@ struct Desk {
     render::Canvas canvas;
     render::Toasts toasts;
     Layout layout;
-    PartShelf shelf;
-    LevelShelf levels;
+    PartCatalog catalog;
+    LevelCatalog levels;
     Profile profile;
     Recorder recorder;
     Loudspeaker* loudspeaker = nullptr; ///< nullptr: nobody listens

@@ -1,4 +1,4 @@
-#include "game/ui/play/ears.hpp"
+#include "game/ui/play/level_audio.hpp"
 
 #include "audio/device/loudspeaker.hpp"
 
@@ -15,26 +15,26 @@ Listener listenerOf(render::Camera const& camera) {
 
 } // namespace
 
-void Ears::enter(World const& world) {
+void LevelAudio::enter(World const& world) {
     if (loudspeaker_ != nullptr) {
         loudspeaker_->enter(world);
         clock_.reset();
     }
 }
 
-void Ears::leave() {
+void LevelAudio::leave() {
     if (loudspeaker_ != nullptr) {
         loudspeaker_->leave();
     }
 }
 
-void Ears::frame(World const& world, render::Camera const& camera) {
+void LevelAudio::frame(World const& world, render::Camera const& camera) {
     if (loudspeaker_ != nullptr) {
         loudspeaker_->frame(world, listenerOf(camera));
     }
 }
 
-void Ears::pause(double seconds, render::Camera const& camera) {
+void LevelAudio::pause(double seconds, render::Camera const& camera) {
     if (loudspeaker_ != nullptr) {
         for (int due = clock_.due(seconds); due > 0; --due) {
             loudspeaker_->pause(listenerOf(camera));

@@ -1,12 +1,12 @@
 // A frame of an engine around a library: its substeps, and what has come of them.
-#include "physics/dynamics/engines/substepped/plain_engine.hpp"
+#include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace trembler {
 
-void PlainEngine::step(double duration, DynamicsSettings const& settings) {
+void SubsteppedEngine::step(double duration, DynamicsSettings const& settings) {
     FailureGuard const guard;
     if (!settings.sleeping) {
         for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
@@ -31,7 +31,7 @@ void PlainEngine::step(double duration, DynamicsSettings const& settings) {
     noteMoved();
 }
 
-void PlainEngine::substep(double h, DynamicsSettings const& settings) {
+void SubsteppedEngine::substep(double h, DynamicsSettings const& settings) {
     move(h, settings, found_);
     checkMotion();
     // A touch wakes; what is left is asleep on both sides.
@@ -59,7 +59,7 @@ void PlainEngine::substep(double h, DynamicsSettings const& settings) {
 // What a substep has found to touch are the places at its beginning. Those of fast bodies are others by now:
 // what has met may have parted, and may lie deep in something else, and the frame's end is what the world
 // sees.
-void PlainEngine::lookAtFast(double h) {
+void SubsteppedEngine::lookAtFast(double h) {
     constexpr double far = 0.01; // m in a substep
     std::vector<SlotIndex> fast;
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
@@ -90,7 +90,7 @@ void PlainEngine::lookAtFast(double h) {
 }
 
 // The library has not looked at what it made of them yet.
-void PlainEngine::checkMotion() const {
+void SubsteppedEngine::checkMotion() const {
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (awake_[slot] != 0) {
             Motion const motion = motionOf(slot);

@@ -11,7 +11,7 @@
 
 namespace trembler {
 
-struct Workshop;
+struct GameData;
 
 /// One component in one play.
 struct ComponentUse {
@@ -40,10 +40,10 @@ inline constexpr std::uint64_t framesPerSecond = 60;
 
 /// Plays a level, hands off if `solution` is null, on one thread for that many whole seconds, at least one.
 /// Throws InputError if the level or the solution does not fit.
-[[nodiscard]] LevelUse playForCalls(Workshop const& workshop, LevelFile const& level,
+[[nodiscard]] LevelUse playForCalls(GameData const& gameData, LevelFile const& level,
                                     Solution const* solution, int seconds);
 
 /// Every level with every recorded solution, in order of path; a level that has none is played hands off.
-[[nodiscard]] std::vector<LevelUse> playAllForCalls(Workshop const& workshop, int seconds);
+[[nodiscard]] std::vector<LevelUse> playAllForCalls(GameData const& gameData, int seconds);
 
 } // namespace trembler

@@ -1,6 +1,6 @@
-#include "measure/called_for/called_for.hpp"
+#include "measure/activation/activation.hpp"
 
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -25,9 +25,9 @@ std::size_t LevelUse::constructed() const {
                       [](ComponentUse const& use) { return use.atEnd != Activity::absent; }));
 }
 
-LevelUse playForCalls(Workshop const& workshop, LevelFile const& level, Solution const* solution,
+LevelUse playForCalls(GameData const& gameData, LevelFile const& level, Solution const* solution,
                       int seconds) {
-    Session session(workshop.registry, workshop.parts, level,
+    Session session(gameData.registry, gameData.parts, level,
                     WorldOptions{.threads = 1, .detail = level.detail, .periods = {}});
     if (solution != nullptr) {
         session.load(*solution);
@@ -57,10 +57,10 @@ LevelUse playForCalls(Workshop const& workshop, LevelFile const& level, Solution
     return play;
 }
 
-std::vector<LevelUse> playAllForCalls(Workshop const& workshop, int seconds) {
+std::vector<LevelUse> playAllForCalls(GameData const& gameData, int seconds) {
     std::vector<LevelUse> plays;
-    for (std::filesystem::path const& path : workshop.levels()) {
-        LevelFile const level = loadLevel(workshop.registry, path);
+    for (std::filesystem::path const& path : gameData.levels()) {
+        LevelFile const level = loadLevel(gameData.registry, path);
         std::vector<Solution const*> solutions;
         for (Solution const& solution : level.solutions) {
             solutions.push_back(&solution);
@@ -69,8 +69,8 @@ std::vector<LevelUse> playAllForCalls(Workshop const& workshop, int seconds) {
             solutions.push_back(nullptr);
         }
         for (Solution const* const solution : solutions) {
-            plays.push_back(playForCalls(workshop, level, solution, seconds));
-            plays.back().level = workshop.shortName(path);
+            plays.push_back(playForCalls(gameData, level, solution, seconds));
+            plays.back().level = gameData.shortName(path);
         }
     }
     return plays;

@@ -11,7 +11,7 @@
 
 namespace trembler::ui {
 
-struct ShelfEntry {
+struct CatalogEntry {
     std::filesystem::path file;
     std::string id;      ///< path below the levels' folder, for example "first/1-first-contact.json"
     std::string title;   ///< from the file; the file's name if it cannot be read
@@ -19,28 +19,28 @@ struct ShelfEntry {
 };
 
 /// One folder of levels.
-struct ShelfGroup {
+struct CatalogGroup {
     std::string title; ///< for example "First"
-    std::vector<ShelfEntry> levels;
+    std::vector<CatalogEntry> levels;
 };
 
 /// Read once, when it is made. Never throws because of a level.
-class LevelShelf {
+class LevelCatalog {
 public:
-    LevelShelf() = default;
+    LevelCatalog() = default;
     /// Every *.json below `folder`, grouped by its folder; a number at the start of a name orders it. "first"
     /// comes first. A schema file (*.schema.json) is no level.
-    LevelShelf(Registry const& registry, std::filesystem::path const& folder);
+    LevelCatalog(Registry const& registry, std::filesystem::path const& folder);
 
-    [[nodiscard]] std::vector<ShelfGroup> const& groups() const { return groups_; }
+    [[nodiscard]] std::vector<CatalogGroup> const& groups() const { return groups_; }
     [[nodiscard]] std::size_t size() const;
-    /// The level in that file, or nullptr if it is not on the shelf.
-    [[nodiscard]] ShelfEntry const* find(std::filesystem::path const& file) const;
+    /// The level in that file, or nullptr if it is not in the catalog.
+    [[nodiscard]] CatalogEntry const* find(std::filesystem::path const& file) const;
     /// The playable level after it, in its group or the next, or nullptr.
-    [[nodiscard]] ShelfEntry const* after(std::filesystem::path const& file) const;
+    [[nodiscard]] CatalogEntry const* after(std::filesystem::path const& file) const;
 
 private:
-    std::vector<ShelfGroup> groups_;
+    std::vector<CatalogGroup> groups_;
 };
 
 /// True if `a` stands before `b` where digits count as numbers ("2-x" before "10-x").

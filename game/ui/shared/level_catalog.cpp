@@ -1,4 +1,4 @@
-#include "game/ui/shared/level_shelf.hpp"
+#include "game/ui/shared/level_catalog.hpp"
 
 #include "game/ui/shared/words.hpp"
 #include "runtime/level/json/diagnostic.hpp"
@@ -33,8 +33,8 @@ std::string titleFrom(std::string name) {
     return name;
 }
 
-ShelfEntry entryFor(Registry const& registry, fs::path const& file, fs::path const& folder) {
-    ShelfEntry entry{
+CatalogEntry entryFor(Registry const& registry, fs::path const& file, fs::path const& folder) {
+    CatalogEntry entry{
         file, file.lexically_relative(folder).generic_string(), titleFrom(file.stem().string()), {}};
     try {
         LevelFile const level = loadLevel(registry, file);
@@ -99,7 +99,7 @@ bool naturallyBefore(std::string_view a, std::string_view b) {
     return a.size() - i < b.size() - j;
 }
 
-LevelShelf::LevelShelf(Registry const& registry, fs::path const& folder) {
+LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder) {
     std::map<std::string, std::vector<fs::path>> byFolder;
     for (fs::path const& file : jsonBelow(folder)) {
         byFolder[file.parent_path().lexically_relative(folder).generic_string()].push_back(file);
@@ -117,9 +117,9 @@ LevelShelf::LevelShelf(Registry const& registry, fs::path const& folder) {
         return firstA != firstB ? firstA : naturallyBefore(a, b);
     });
     for (std::string const& name : names) {
-        ShelfGroup group{name == "." ? std::string(words::looseLevels)
-                                     : titleFrom(fs::path(name).filename().string()),
-                         {}};
+        CatalogGroup group{name == "." ? std::string(words::looseLevels)
+                                       : titleFrom(fs::path(name).filename().string()),
+                           {}};
         if (name == "first") {
             group.title = words::firstSteps;
         }
@@ -130,18 +130,18 @@ LevelShelf::LevelShelf(Registry const& registry, fs::path const& folder) {
     }
 }
 
-std::size_t LevelShelf::size() const {
+std::size_t LevelCatalog::size() const {
     std::size_t count = 0;
-    for (ShelfGroup const& group : groups_) {
+    for (CatalogGroup const& group : groups_) {
         count += group.levels.size();
     }
     return count;
 }
 
-ShelfEntry const* LevelShelf::find(fs::path const& file) const {
+CatalogEntry const* LevelCatalog::find(fs::path const& file) const {
     std::error_code ignored;
-    for (ShelfGroup const& group : groups_) {
-        for (ShelfEntry const& entry : group.levels) {
+    for (CatalogGroup const& group : groups_) {
+        for (CatalogEntry const& entry : group.levels) {
             if (fs::equivalent(entry.file, file, ignored)) {
                 return &entry;
             }
@@ -150,11 +150,11 @@ ShelfEntry const* LevelShelf::find(fs::path const& file) const {
     return nullptr;
 }
 
-ShelfEntry const* LevelShelf::after(fs::path const& file) const {
-    ShelfEntry const* const here = find(file);
+CatalogEntry const* LevelCatalog::after(fs::path const& file) const {
+    CatalogEntry const* const here = find(file);
     bool passed = false;
-    for (ShelfGroup const& group : groups_) {
-        for (ShelfEntry const& entry : group.levels) {
+    for (CatalogGroup const& group : groups_) {
+        for (CatalogEntry const& entry : group.levels) {
             if (passed && entry.trouble.empty()) {
                 return &entry;
             }

@@ -15,15 +15,15 @@ namespace trembler {
 /// the program was built from.
 [[nodiscard]] std::filesystem::path homeFolder();
 
-struct Workshop {
+struct GameData {
     Registry registry;
     PartLibrary parts;
     std::filesystem::path home;
 
     /// Registers every effect and reads every part. Throws InputError if a part definition is wrong.
-    Workshop();
-    Workshop(Workshop const&) = delete;
-    Workshop& operator=(Workshop const&) = delete;
+    GameData();
+    GameData(GameData const&) = delete;
+    GameData& operator=(GameData const&) = delete;
 
     /// Every level file under levels/, in order of path.
     [[nodiscard]] std::vector<std::filesystem::path> levels() const;

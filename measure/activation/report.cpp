@@ -1,4 +1,4 @@
-#include "measure/called_for/report.hpp"
+#include "measure/activation/report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -45,17 +45,17 @@ constexpr std::string_view intro = R"(# Only what a scene calls for
 A component is constructed only if objects in the scene call for it, and has a turn only if something that it reads has
 changed. This page counts both, for every level in the repository:
 
-    build/trembler components --levels --markdown >docs/called-for.md
+    build/trembler components --levels --markdown >docs/activation.md
 
 It holds no times: turns are the same on every machine. What a turn, a sleeping component and an absent one cost is
 measured in [performance.md](performance.md). Tests check that what is absent here is never constructed, that sleeping
-components have no turns, and that a level at rest does at most 5 % of what it does in motion (`CalledFor.*`).
+components have no turns, and that a level at rest does at most 5 % of what it does in motion (`Activation.*`).
 
 )";
 
 } // namespace
 
-std::string calledForText(std::vector<LevelUse> const& plays) {
+std::string activationText(std::vector<LevelUse> const& plays) {
     std::string text;
     for (LevelUse const& play : plays) {
         text += fmt::format("{}, {}: {} components of {}, {} asleep after {} frames\n"
@@ -73,7 +73,7 @@ std::string calledForText(std::vector<LevelUse> const& plays) {
     return text;
 }
 
-nlohmann::ordered_json calledForJson(std::vector<LevelUse> const& plays) {
+nlohmann::ordered_json activationJson(std::vector<LevelUse> const& plays) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (LevelUse const& play : plays) {
         nlohmann::ordered_json components = nlohmann::ordered_json::array();
@@ -97,7 +97,7 @@ nlohmann::ordered_json calledForJson(std::vector<LevelUse> const& plays) {
     return result;
 }
 
-std::string calledForMarkdown(std::vector<LevelUse> const& plays) {
+std::string activationMarkdown(std::vector<LevelUse> const& plays) {
     std::string text(intro);
     if (plays.empty()) {
         return text;

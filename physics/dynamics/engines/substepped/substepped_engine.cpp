@@ -1,4 +1,4 @@
-#include "physics/dynamics/engines/substepped/plain_engine.hpp"
+#include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ bool near(Vec2 x, Vec2 y) {
 
 } // namespace
 
-void PlainEngine::addBody(SlotIndex slot, BodySpec const& spec) {
+void SubsteppedEngine::addBody(SlotIndex slot, BodySpec const& spec) {
     FailureGuard const guard;
     if (bodies_.size() <= slot) {
         bodies_.resize(slot + std::size_t{1});
@@ -43,7 +43,7 @@ void PlainEngine::addBody(SlotIndex slot, BodySpec const& spec) {
     }
 }
 
-void PlainEngine::removeBody(SlotIndex slot) {
+void SubsteppedEngine::removeBody(SlotIndex slot) {
     FailureGuard const guard;
     std::vector<SlotIndex> neighbours;
     for (PieceContact const& contact : touches_.contacts()) {
@@ -64,7 +64,7 @@ void PlainEngine::removeBody(SlotIndex slot) {
     }
 }
 
-void PlainEngine::addJoint(SlotIndex slot, JointSpec const& spec) {
+void SubsteppedEngine::addJoint(SlotIndex slot, JointSpec const& spec) {
     FailureGuard const guard;
     if (joints_.size() <= slot) {
         joints_.resize(slot + std::size_t{1});
@@ -87,7 +87,7 @@ void PlainEngine::addJoint(SlotIndex slot, JointSpec const& spec) {
     }
 }
 
-void PlainEngine::removeJoint(SlotIndex slot) {
+void SubsteppedEngine::removeJoint(SlotIndex slot) {
     FailureGuard const guard;
     JointEntry const entry = joints_[slot];
     for (SlotIndex const body : {entry.a, entry.b}) {
@@ -101,7 +101,7 @@ void PlainEngine::removeJoint(SlotIndex slot) {
     joints_[slot] = {};
 }
 
-void PlainEngine::place(SlotIndex slot, Motion const& motion) {
+void SubsteppedEngine::place(SlotIndex slot, Motion const& motion) {
     FailureGuard const guard;
     for (PieceContact const& contact : touches_.contacts()) {
         if (contact.slotA == slot || contact.slotB == slot) {
@@ -112,19 +112,19 @@ void PlainEngine::place(SlotIndex slot, Motion const& motion) {
     setMotion(slot, motion);
 }
 
-bool PlainEngine::isAt(SlotIndex slot, Motion const& motion) const {
+bool SubsteppedEngine::isAt(SlotIndex slot, Motion const& motion) const {
     Motion const now = motionOf(slot);
     return near(now.centre, motion.centre) && near(now.angle, motion.angle) &&
            (bodies_[slot].fixed || (near(now.velocity, motion.velocity) && near(now.spin, motion.spin)));
 }
 
-void PlainEngine::setLoads(std::span<Load const> loads) {
+void SubsteppedEngine::setLoads(std::span<Load const> loads) {
     for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
         bodies_[slot].load = slot < loads.size() ? loads[slot] : Load{};
     }
 }
 
-void PlainEngine::setDrags(std::span<Drag const> drags) {
+void SubsteppedEngine::setDrags(std::span<Drag const> drags) {
     dragged_.resize(drags.empty() ? 0 : bodies_.size());
     for (SlotIndex slot = 0; slot < dragged_.size(); ++slot) {
         if (slot < drags.size() && drags[slot].any() && moves(slot)) {
@@ -135,12 +135,12 @@ void PlainEngine::setDrags(std::span<Drag const> drags) {
     }
 }
 
-Twist PlainEngine::momentumOf(SlotIndex slot) const {
+Twist SubsteppedEngine::momentumOf(SlotIndex slot) const {
     Motion const motion = motionOf(slot);
     return {bodies_[slot].mass * motion.velocity, bodies_[slot].inertia * motion.spin};
 }
 
-void PlainEngine::accelerate(SlotIndex slot, Motion& motion, double h) {
+void SubsteppedEngine::accelerate(SlotIndex slot, Motion& motion, double h) {
     BodyEntry const& entry = bodies_[slot];
     Twist const load{h * entry.load.force, h * entry.load.torque};
     Twist push = load;
@@ -160,7 +160,7 @@ void PlainEngine::accelerate(SlotIndex slot, Motion& motion, double h) {
     motion.spin = std::clamp(motion.spin, -maximumSpeed, maximumSpeed);
 }
 
-double PlainEngine::bounceThreshold(SlotIndex a, SlotIndex b, double h) const {
+double SubsteppedEngine::bounceThreshold(SlotIndex a, SlotIndex b, double h) const {
     constexpr double slowest = 0.25; // m/s, Box2D's at its usual scale
     double gain = 0;
     for (SlotIndex const slot : {a, b}) {
@@ -171,15 +171,15 @@ double PlainEngine::bounceThreshold(SlotIndex a, SlotIndex b, double h) const {
     return std::max(slowest, 2 * gain);
 }
 
-double PlainEngine::frictionOf(SlotIndex a, SlotIndex b) const {
+double SubsteppedEngine::frictionOf(SlotIndex a, SlotIndex b) const {
     return std::sqrt(bodies_[a].friction * bodies_[b].friction);
 }
 
-double PlainEngine::restitutionOf(SlotIndex a, SlotIndex b) const {
+double SubsteppedEngine::restitutionOf(SlotIndex a, SlotIndex b) const {
     return std::max(bodies_[a].restitution, bodies_[b].restitution);
 }
 
-void PlainEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
+void SubsteppedEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
     FailureGuard const guard;
     wake(slot);
     BodyEntry const& entry = bodies_[slot];
@@ -197,7 +197,7 @@ void PlainEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
     setMotion(slot, motion);
 }
 
-void PlainEngine::noteMoved() {
+void SubsteppedEngine::noteMoved() {
     moved_.clear();
     anyAwake_ = false;
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
@@ -208,7 +208,7 @@ void PlainEngine::noteMoved() {
     }
 }
 
-void PlainEngine::addContactPatches(std::vector<ContactPatch>& patches) const {
+void SubsteppedEngine::addContactPatches(std::vector<ContactPatch>& patches) const {
     for (PieceContact const& contact : touches_.contacts()) {
         patches.push_back(contact.patch);
     }

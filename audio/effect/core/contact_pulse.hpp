@@ -1,4 +1,4 @@
-// From a blow to what it excites: how long it lasts, and which frequencies are in it.
+// From an impact to what it excites: how long it lasts, and which frequencies are in it.
 #pragma once
 
 #include "audio/effect/properties/acoustic_material.hpp"
@@ -9,18 +9,19 @@ namespace trembler {
 /// The radius of curvature, in m, where something round touches; 0 for what is flat or has corners.
 [[nodiscard]] double roundnessOf(Shape const& shape);
 
-/// How long two bodies stay in touch in a blow, in s, by Hertz (Johnson, Contact Mechanics, 1985,
+/// How long two bodies stay in touch in an impact, in s, by Hertz (Johnson, Contact Mechanics, 1985,
 /// Section 11.4): 2.87 (m² / (R E*² v))^(1/5). `mass` is the reduced mass of the two, in kg, `roundnessA` and
 /// `roundnessB` the radii where they touch (0: flat; two flat things touch with an edge of 5 mm), `speed`
-/// that of approach, in m/s. The harder the bodies and the blow, the shorter it is. Between 20 µs and 50 ms.
+/// that of approach, in m/s. The harder the bodies and the impact, the shorter it is. Between 20 µs and 50
+/// ms.
 [[nodiscard]] double contactTime(Material a, Material b, double roundnessA, double roundnessB, double mass,
                                  double speed);
 
-/// The share of a blow's impulse that a mode of that frequency feels: the envelope of the spectrum of half a
-/// sine that lasts `contact` (s). 1 for long waves, falls by 12 dB per octave above 1/(2 contact).
+/// The share of an impact's impulse that a mode of that frequency feels: the envelope of the spectrum of half
+/// a sine that lasts `contact` (s). 1 for long waves, falls by 12 dB per octave above 1/(2 contact).
 [[nodiscard]] double spectrumOf(double contact, double frequency);
 
-/// The sound pressure (Pa at 1 m) of a body that is jerked into motion, the click of a blow, over a whole
+/// The sound pressure (Pa at 1 m) of a body that is jerked into motion, the click of an impact, over a whole
 /// period of a sine that lasts as long as the contact. `movedAir` in m³, `mass` in kg, `impulse` in N s,
 /// `contact` in s. An accelerated body is an acoustic dipole: p = ρ V / (4π c r) da/dt along its motion
 /// (Chadwick, Zheng and James, Precomputed acceleration noise, ACM Trans. Graphics 31, 2012).

@@ -1,4 +1,4 @@
-#include "tests/levels/shelf.hpp"
+#include "tests/levels/catalog.hpp"
 
 #include "puzzle/data/effects.hpp"
 
@@ -6,13 +6,13 @@
 
 namespace trembler {
 
-Shelf::Shelf() {
+Catalog::Catalog() {
     registerEffects(registry);
     parts = loadParts(registry, sourceFolder() / "assets/parts");
 }
 
-Shelf const& shelf() {
-    static Shelf const all;
+Catalog const& catalog() {
+    static Catalog const all;
     return all;
 }
 

@@ -1,4 +1,4 @@
-#include "puzzle/data/workshop.hpp"
+#include "puzzle/data/game_data.hpp"
 
 #include "puzzle/data/effects.hpp"
 
@@ -35,12 +35,12 @@ fs::path homeFolder() {
     return TREMBLER_SOURCE_DIR;
 }
 
-Workshop::Workshop() : home(homeFolder()) {
+GameData::GameData() : home(homeFolder()) {
     registerEffects(registry);
     parts = loadParts(registry, home / "assets" / "parts");
 }
 
-std::vector<fs::path> Workshop::levels() const {
+std::vector<fs::path> GameData::levels() const {
     std::vector<fs::path> found;
     std::error_code error;
     for (fs::recursive_directory_iterator at(home / "levels", error), end; !error && at != end;
@@ -55,7 +55,7 @@ std::vector<fs::path> Workshop::levels() const {
     return found;
 }
 
-std::string Workshop::shortName(fs::path const& level) const {
+std::string GameData::shortName(fs::path const& level) const {
     std::error_code error;
     fs::path const relative = fs::relative(level, home, error);
     return error || relative.empty() || *relative.begin() == ".." ? level.string() : relative.string();

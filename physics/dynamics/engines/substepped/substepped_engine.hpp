@@ -1,5 +1,5 @@
 // What rigid-body libraries other than Box2D lack, or do in ways of their own: loads that stand, drag, rest
-// in islands, contacts that begin and end, blows, a limit of speed.
+// in islands, contacts that begin and end, impacts, a limit of speed.
 #pragma once
 
 #include "physics/dynamics/engines/body_core.hpp"
@@ -8,7 +8,7 @@
 namespace trembler {
 
 /// An engine around a library that can move bodies on by one substep.
-class PlainEngine : public Engine {
+class SubsteppedEngine : public Engine {
 public:
     void addBody(SlotIndex slot, BodySpec const& spec) final;
     void removeBody(SlotIndex slot) final;

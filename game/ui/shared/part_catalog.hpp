@@ -12,9 +12,9 @@
 namespace trembler::ui {
 
 /// Window thread only; the library and the canvas must outlive it.
-class PartShelf {
+class PartCatalog {
 public:
-    PartShelf(PartLibrary const& parts, render::Canvas& canvas) : parts_(parts), canvas_(canvas) {}
+    PartCatalog(PartLibrary const& parts, render::Canvas& canvas) : parts_(parts), canvas_(canvas) {}
 
     /// What the player calls a part.
     [[nodiscard]] std::string titleOf(std::string const& part) const;
