@@ -15,13 +15,33 @@ bool crowded(b2Body* body) {
 
 } // namespace
 
+bool CrowdFilter::isCrowded(b2Body* body) {
+    std::uintptr_t const number = body->GetUserData().pointer;
+    if (crowdedAt_.size() <= number) {
+        crowdedAt_.resize(number + 1, 0);
+    }
+    if (crowdedAt_[number] != turn_ && crowded(body)) {
+        crowdedAt_[number] = turn_;
+    }
+    return crowdedAt_[number] == turn_;
+}
+
 bool CrowdFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {
     if (!b2ContactFilter::ShouldCollide(fixtureA, fixtureB)) {
         return false;
     }
     b2Body* const a = fixtureA->GetBody();
     b2Body* const b = fixtureB->GetBody();
-    return a->GetType() != b2_dynamicBody || b->GetType() != b2_dynamicBody || !crowded(a) || !crowded(b);
+    // Nothing makes a contact without asking here, so as long as there are as many as expected none has gone,
+    // and who was crowded still is.
+    int32 const contacts = a->GetWorld()->GetContactCount();
+    if (contacts != expected_) {
+        ++turn_;
+    }
+    bool const may =
+        a->GetType() != b2_dynamicBody || b->GetType() != b2_dynamicBody || !isCrowded(a) || !isCrowded(b);
+    expected_ = contacts + (may ? 1 : 0);
+    return may;
 }
 
 } // namespace trembler

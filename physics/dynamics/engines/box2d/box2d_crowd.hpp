@@ -4,17 +4,30 @@
 
 #include <box2d/box2d.h>
 
+#include <cstdint>
+#include <vector>
+
 namespace trembler {
 
 /// Box2D's own rules for who may touch whom; but n bodies in one place would make n² contacts, which no
 /// memory holds: between two that move and have this many contacts with others that move, each, none is made.
 /// Bodies that do not lie inside of each other have far fewer. Hence at most this many contacts for each
 /// body, all in all.
+///
+/// In a crowd Box2D asks about nearly all pairs in each step. Which bodies are crowded is therefore kept
+/// until contacts may have gone; bodies carry small numbers of their own as user data.
 class CrowdFilter final : public b2ContactFilter {
 public:
     static constexpr int mostContacts = 64;
 
     bool ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) override;
+
+private:
+    bool isCrowded(b2Body* body);
+
+    std::vector<std::uint64_t> crowdedAt_; // by user data: the turn in which the body was found to be crowded
+    std::uint64_t turn_ = 1;
+    int32 expected_ = 0; // contacts, if none has gone since the last question
 };
 
 } // namespace trembler
