@@ -348,6 +348,7 @@ inline Json net(int n) {
             made["connections"].push_back({numbered("node", i - side), numbered("node", i)});
         }
     }
+    made["world"]["detail"] = {{"electricity", "nodal"}};
     made["connections"].push_back({"source", "node 0"});
     made["connections"].push_back({numbered("node", side * side - 1), "return"});
     return made;
@@ -371,9 +372,15 @@ inline Json motors(int n) {
     return made;
 }
 
-/// Boxes that land in one frame, heard.
+/// Boxes of steel that land in one frame, heard.
 inline Json heard(int n, int ears) {
     Json made = row(n, 0.5, 0.01);
+    for (Json& object : made["objects"]) {
+        if (!object["properties"].contains("fixed")) {
+            object["properties"]["material"] = "steel";
+            object["properties"]["velocity"] = {0, -2};
+        }
+    }
     for (int i = 0; i < ears; ++i) {
         add(made, numbered("ear", i), i, 1, {{"ear", true}});
     }
@@ -420,7 +427,8 @@ inline std::vector<GrowthRow> growthRows() {
         {"masses", "masses that attract each other", masses},
         {"heard", "boxes that land in one frame, for an ear", [](int n) { return heard(n, 1); }},
         {"ears", "ears, ten boxes land", [](int n) { return heard(10, n); }},
-        {"sounds-and-ears", "boxes that land, and as many ears", [](int n) { return heard(n, n); }},
+        {"sounds-and-ears", "boxes that land, and as many ears", [](int n) { return heard(n, n); }, false,
+         trembler::limits::objects / 2 - 1000},
         {"goals", "goals, each about a body of its own", goals, false, trembler::limits::conditions},
         {"touch-goal", "boxes in a goal that any two of them touch", touchGoal},
         {"solutions", "solutions", solutions, false, trembler::limits::solutions},
