@@ -61,7 +61,7 @@ TEST(CrowdFilter, RemembersOnlyWhatCountingWouldFind) {
     for (std::uintptr_t number = 0; number < 250; ++number) {
         bodies.push_back(add(number, 0.3F));
     }
-    for (int step = 0; step < 30; ++step) { // they burst apart, go, come and gather
+    for (int step = 0; step < 12; ++step) { // they burst apart, go, come and gather
         world.Step(1.0F / 60, 4, 2);
         std::size_t const which = random() % bodies.size();
         switch (random() % 4) {
