@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -18,6 +19,11 @@ using Json = nlohmann::json;
 
 /// Frames that are measured after the first one.
 constexpr int framesOfGrowth = 5;
+
+/// Parts that stand by themselves.
+constexpr std::array<char const*, 10> placed{"crate",        "brick",     "block",       "plank",
+                                             "steel ball",   "iron ball", "rubber ball", "wooden ball",
+                                             "wooden wedge", "wooden bar"};
 
 inline Json level(std::string const& title) {
     return Json{{"version", 1},
@@ -238,17 +244,19 @@ inline Json lamps(int n) {
     return made;
 }
 
-/// Crates out of the toolbox, each in a place where it is free.
+/// Parts out of the toolbox, each in a place where it is free. A part is there a thousand times at most.
 inline Json placements(int n) {
     Json made = level("placed");
     made["toolbox"] = Json::array();
     Json all = Json::array();
     int const side = static_cast<int>(std::ceil(std::sqrt(n)));
     for (int i = 0; i < n; ++i) {
+        std::string const part =
+            placed.at(static_cast<std::size_t>(i) / static_cast<std::size_t>(trembler::limits::toolboxCount));
         if (i % static_cast<int>(trembler::limits::toolboxCount) == 0) {
-            made["toolbox"].push_back({{"part", "crate"}, {"count", trembler::limits::toolboxCount}});
+            made["toolbox"].push_back({{"part", part}, {"count", trembler::limits::toolboxCount}});
         }
-        all.push_back({{"part", "crate"}, {"at", {2 * (i % side), 2 * (i / side)}}});
+        all.push_back({{"part", part}, {"at", {3 * (i % side), 3 * (i / side)}}});
     }
     made["solutions"] = {{{"name", "many"}, {"placements", all}}};
     return made;
@@ -433,7 +441,7 @@ inline std::vector<GrowthRow> growthRows() {
         {"touch-goal", "boxes in a goal that any two of them touch", touchGoal},
         {"solutions", "solutions", solutions, false, trembler::limits::solutions},
         {"inputs", "inputs of a solution", inputs},
-        {"placements", "placements", placements, false, trembler::limits::placements},
+        {"placements", "placements", placements, false, placed.size() * trembler::limits::toolboxCount},
         {"removed", "boxes that the player removes in one frame",
          [=](int n) {
              return atOnce(
