@@ -1,4 +1,4 @@
-#include "physics/dynamics/box2d/box2d_crowd.hpp"
+#include "physics/dynamics/engines/box2d/box2d_crowd.hpp"
 
 #include <gtest/gtest.h>
 
