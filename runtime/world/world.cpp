@@ -225,7 +225,7 @@ std::size_t World::pick(std::vector<std::size_t> const& alternatives) const {
     for (std::size_t const i : alternatives) {
         Registration const& r = *entries_[i].registration;
         bool const suits = r.missing.empty() && (r.suits == nullptr || r.suits(store_));
-        if (suits && (!found || r.info->text.rank < entries_[best].status.info->text.cost)) {
+        if (suits && (!found || r.info->text.rank < entries_[best].status.info->text.rank)) {
             best = i;
             found = true;
         }

@@ -353,14 +353,14 @@ private:
     }
 
     void updateImpacts(Access& access, bool moved) {
-        std::span<Impact const> const impacts =
+        std::span<Impact const> const found =
             moved ? simulation_.engine().impacts() : std::span<Impact const>{};
-        impactNews_ = !impacts.empty();
+        impactNews_ = !found.empty();
         if (!impactNews_ && access.template provided<Impacts>().impacts.empty()) {
             return;
         }
         auto& impacts = access.template provide<Impacts>().impacts;
-        impacts.assign(impacts.begin(), impacts.end());
+        impacts.assign(found.begin(), found.end());
         std::stable_sort(impacts.begin(), impacts.end(), [](Impact const& x, Impact const& y) {
             return std::tie(x.a, x.b, x.since) < std::tie(y.a, y.b, y.since);
         });
