@@ -1,7 +1,7 @@
 // How far apart two objects are, by every corner and every side: the oracle of what touches.
 #pragma once
 
-#include "physics/dynamics/shape.hpp"
+#include "physics/dynamics/properties/shape.hpp"
 
 namespace trembler::test {
 

@@ -14,6 +14,14 @@ ImpactBook::Key keyOf(b2Contact const* contact) {
 } // namespace
 
 void Box2dEngine::BeginContact(b2Contact* contact) {
+    if (watching_ && onTheWay(contact)) {
+        for (b2Fixture* const fixture : {contact->GetFixtureA(), contact->GetFixtureB()}) {
+            b2Body const& body = *fixture->GetBody();
+            if (body.GetType() == b2_dynamicBody) {
+                begunOnTheWay_.push_back({slotOf(&body), {body.GetPosition(), body.GetAngle()}});
+            }
+        }
+    }
     noteTouch(contact, 1);
     if (impactsWanted_) {
         pressures_.begin(keyOf(contact));

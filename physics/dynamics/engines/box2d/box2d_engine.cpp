@@ -57,7 +57,8 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
                      .force = b2Vec2_zero,
                      .torque = 0,
                      .restlessJoints = 0,
-                     .core = coreOf(spec)};
+                     .core = coreOf(spec),
+                     .extent = extentOf(spec)};
     b2FixtureDef fixture; // whose density stays 0: mass and moment are set for the body as a whole
     fixture.friction = static_cast<float>(spec.friction);
     fixture.restitution = static_cast<float>(spec.restitution);

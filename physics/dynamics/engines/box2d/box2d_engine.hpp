@@ -47,6 +47,7 @@ private:
         float torque = 0;
         int restlessJoints = 0; // motors that must not fall asleep
         BodyCore core;
+        double extent = 0; // m, of its farthest point from the centre of mass
     };
     struct Place { // in engine units
         b2Vec2 centre = b2Vec2_zero;
@@ -70,6 +71,10 @@ private:
     [[nodiscard]] float freeShare(BodyEntry const& entry, Place const& start, b2Vec2 way) const;
     /// Whether Box2D has gone back on a body's way within the substep, and is looking at contacts there.
     [[nodiscard]] bool onTheWay(b2Contact* contact) const;
+    /// Whether something that may touch has moved far since noteStart(), or since a touch began on its way,
+    /// so that what touches is not known.
+    [[nodiscard]] bool movedFar() const;
+    [[nodiscard]] bool isFarFrom(SlotIndex slot, Place const& place) const;
 
     void BeginContact(b2Contact* contact) override;
     void EndContact(b2Contact* contact) override;
@@ -122,6 +127,7 @@ private:
     std::vector<Place> start_;   // by slot: where what is awake began the substep
     bool watching_ = false;      // start_ is to be compared with
     bool endedOnTheWay_ = false; // a touch ended where its bodies were on their way only
+    std::vector<std::pair<SlotIndex, Place>> begunOnTheWay_; // where bodies were when a touch began there
     bool impactsWanted_ = false;
     ImpactBook pressures_;
     std::vector<Impact> impacts_;

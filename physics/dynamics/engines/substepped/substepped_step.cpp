@@ -60,12 +60,11 @@ void SubsteppedEngine::substep(double h, DynamicsSettings const& settings) {
 // what has met may have parted, and may lie deep in something else, and the frame's end is what the world
 // sees.
 void SubsteppedEngine::lookAtFast(double h) {
-    constexpr double far = 0.01; // m in a substep
     std::vector<SlotIndex> fast;
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (awake_[slot] != 0) {
             Motion const motion = motionOf(slot);
-            if (h * (length(motion.velocity) + std::abs(motion.spin) * bodies_[slot].extent) > far) {
+            if (h * (length(motion.velocity) + std::abs(motion.spin) * bodies_[slot].extent) > farInSubstep) {
                 fast.push_back(slot);
             }
         }
