@@ -82,13 +82,13 @@ void Box2dEngine::PostSolve(b2Contact* contact, b2ContactImpulse const* impulse)
     for (int i = 0; i < impulse->count; ++i) {
         sum += impulse->normalImpulses[i];
     }
-    double const impact = pressures_.press(keyOf(contact), static_cast<double>(sum));
+    double const newImpulse = pressures_.press(keyOf(contact), static_cast<double>(sum));
     b2Body const* const a = contact->GetFixtureA()->GetBody();
     b2Body const* const b = contact->GetFixtureB()->GetBody();
     auto const inverse = [](b2Body const* body) {
         return body->GetMass() > 0 ? 1 / static_cast<double>(body->GetMass()) : 0;
     };
-    if (!(impact * (inverse(a) + inverse(b)) > faintestImpact * scale_)) {
+    if (!(newImpulse * (inverse(a) + inverse(b)) > faintestImpact * scale_)) {
         return;
     }
     b2WorldManifold world;
@@ -105,7 +105,7 @@ void Box2dEngine::PostSolve(b2Contact* contact, b2ContactImpulse const* impulse)
         double const share = static_cast<double>(impulse->normalImpulses[i]) / static_cast<double>(sum);
         impact.point += share * fromEngine(world.points[i]);
     }
-    impact.impulse = impact / scale_;
+    impact.impulse = newImpulse / scale_;
     impact.since = since_;
     impacts_.push_back(impact);
 }

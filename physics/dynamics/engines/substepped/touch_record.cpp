@@ -70,11 +70,11 @@ void TouchRecord::findImpacts(double since, std::function<double(SlotIndex)> con
         for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
             sum += patch.normalImpulse[i];
         }
-        double const impact = pressures_.press(contact.key, sum);
-        if (!(impact * (inverseMass(contact.slotA) + inverseMass(contact.slotB)) > faintestImpact)) {
+        double const newImpulse = pressures_.press(contact.key, sum);
+        if (!(newImpulse * (inverseMass(contact.slotA) + inverseMass(contact.slotB)) > faintestImpact)) {
             continue;
         }
-        Impact impact{patch.a, patch.b, {}, patch.normal, impact, since};
+        Impact impact{patch.a, patch.b, {}, patch.normal, newImpulse, since};
         for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
             impact.point += patch.normalImpulse[i] / sum * patch.points[i];
         }
