@@ -157,7 +157,7 @@ private:
     ObjectId director_;
 };
 
-/// The graph library over everything. The graph is kept between changes, only the analysis is done anew.
+/// The graph library over everything. The graph is kept between changes, only the analysis is done again.
 class WholeGraph {
 public:
     WholeGraph(Plan const& plan, bool twoWire)

@@ -1,7 +1,7 @@
 // How cost grows with everything that a level can state in number: processor time to load a level up to its
 // first frame, and per frame after that, for a hundred to a hundred thousand of each, and the exponent k of
-// n^k that fits the last three sizes best. Prints a table in Markdown, for docs/performance.md, and how far
-// it is to stderr.
+// n^k that fits the last three sizes best. Prints a table in Markdown, for docs/measurements/performance.md,
+// and how far it is to stderr.
 //
 //   bench_growth [ROW...] [--most N] [--engine E]
 //

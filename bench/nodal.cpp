@@ -1,4 +1,4 @@
-// What nodal analysis costs, by size of a circuit: all of it anew, with only the numbers new, with only the
+// What nodal analysis costs, by size of a circuit: all of it again, with only the numbers new, with only the
 // EMF new; and what of that the refinement and the bookkeeping around Eigen's factorisation are. Beside it
 // two-wire and flow on the same circuits.
 #include "bench/measure.hpp"
@@ -72,7 +72,7 @@ Sample sampleOf(std::uint32_t objects, bool sheet) {
 
 void measure(std::uint32_t objects, bool sheet) {
     Sample sample = sampleOf(objects, sheet);
-    bench::Series anew;
+    bench::Series again;
     bench::Series numbers;
     bench::Series emf;
     bench::Series twoWire;
@@ -81,7 +81,7 @@ void measure(std::uint32_t objects, bool sheet) {
     (void)kept.solve(sample.netlist);
     int const repetitions = objects > 5000 ? 15 : 101;
     for (int i = 0; i < repetitions; ++i) {
-        anew.time([&] {
+        again.time([&] {
             NodalAnalysis fresh;
             bench::keep(fresh.solve(sample.netlist).largest);
         });
@@ -104,7 +104,7 @@ void measure(std::uint32_t objects, bool sheet) {
         }
     }
     bench::Table table(std::to_string(objects) + (sheet ? " objects, a sheet" : " objects, a house"));
-    table.row("nodal, everything anew", 1e6 * anew.median(), "us");
+    table.row("nodal, everything again", 1e6 * again.median(), "us");
     table.row("nodal, other resistances", 1e6 * numbers.median(), "us");
     table.row("nodal, other EMF", 1e6 * emf.median(), "us");
     table.row("two-wire", 1e6 * twoWire.median(), "us");

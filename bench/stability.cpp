@@ -1,5 +1,5 @@
 // The hard cases of measure/stability/ over many jittered seeds: what is reached with the automatic settings,
-// and the cheapest fixed setting that holds. It makes the tables of docs/stability.md:
+// and the cheapest fixed setting that holds. It makes the tables of docs/measurements/stability.md:
 //
 //   bench_stability --markdown > table.md
 //
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     app.add_option("--iterations", setting.solver.velocityIterations);
     app.add_option("--position-iterations", setting.solver.positionIterations);
     app.add_flag("!--no-search", search, "Leave out the search for the cheapest setting");
-    app.add_flag("--markdown", markdown, "The table of docs/stability.md");
+    app.add_flag("--markdown", markdown, "The table of docs/measurements/stability.md");
     CLI11_PARSE(app, argc, argv);
     if (markdown) {
         fmt::print("| case | must hold | reached with automatic settings, worst of {} seeds | holds | "

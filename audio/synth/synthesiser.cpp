@@ -10,7 +10,7 @@ namespace {
 
 constexpr double fading = 40;                                      // 1/s, by which what is gone dies away
 constexpr std::uint64_t recordingStream = std::uint64_t{1} << 63U; // above all objects
-// A stream that falls below the others goes on for a while, as ending and beginning anew takes longer.
+// A stream that falls below the others goes on for a while, as ending and beginning again takes longer.
 constexpr int patience = 6; // blocks
 
 } // namespace

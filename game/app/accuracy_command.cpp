@@ -30,8 +30,8 @@ struct AccuracyArguments {
     int runs = 1;
 };
 
-// Where plots lie as seen from docs/, for the page that is made for it.
-std::string fromDocs(std::optional<std::string> const& plot) {
+// Where plots lie as seen from docs/measurements/, for the page that is made for it.
+std::string fromMeasurements(std::optional<std::string> const& plot) {
     if (!plot) {
         return "";
     }
@@ -40,7 +40,7 @@ std::string fromDocs(std::optional<std::string> const& plot) {
     while (!text.empty() && text.back() == '/') {
         text.pop_back();
     }
-    return text.starts_with("docs/") ? text.substr(5) : text;
+    return text.starts_with("docs/") ? "../" + text.substr(5) : text;
 }
 
 void makeFolder(std::string const& option, std::string const& folder) {
@@ -78,7 +78,7 @@ int report(AccuracyArguments const& arguments) {
         json->stream() << escapedJson(accuracy::asJson(ladders).dump(2)) << "\n";
     }
     if (markdown != nullptr) {
-        markdown->stream() << accuracy::asMarkdown(ladders, fromDocs(arguments.plot));
+        markdown->stream() << accuracy::asMarkdown(ladders, fromMeasurements(arguments.plot));
     }
     outputs.finish();
     if (!outputs.terminalTaken()) {
@@ -100,7 +100,7 @@ void addAccuracyCommand(CLI::App& program, int& result) {
                      "Folder for plots of the error over the time per frame, one SVG per ladder")
         ->type_name("DIR");
     addOptionalFile(*command, "--markdown", arguments->markdown,
-                    "Write the table as the page docs/accuracy.md instead");
+                    "Write the table as the page docs/measurements/accuracy.md instead");
     addNumber(*command, "--runs", arguments->runs, 1, 100,
               "Measure everything so many times and keep the least times, against what else the machine does "
               "(default: 1)");

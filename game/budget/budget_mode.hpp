@@ -48,7 +48,7 @@ public:
 
     /// To be called directly before each Session::step. Without `decide` it only measures and estimates.
     void beforeStep(Session& session, bool decide = true);
-    /// Estimates anew at once; the world need not run.
+    /// Estimates again at once; the world need not run.
     void look(World const& world);
     /// Whether the knobs are those of another run, or of none, or of before something was changed.
     [[nodiscard]] bool stale(World const& world) const;

@@ -163,7 +163,7 @@ private:
     std::vector<double> shiftedStiffness_;
 };
 
-// µs per body on the machine of docs/accuracy.md.
+// µs per body on the machine of docs/measurements/accuracy.md.
 constexpr double workOfExact = 0.083;
 double workOfParticles(int count) {
     return 0.04 + 0.017 * count;

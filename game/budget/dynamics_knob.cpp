@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::string_view effect = "dynamics";
 
-// µs for one small body, on the machine of docs/accuracy.md.
+// µs for one small body, on the machine of docs/measurements/accuracy.md.
 double workOf(int steps) {
     return 0.19 + 0.52 * steps;
 }
 
-// Too long a step tears a chain and topples a stack (docs/accuracy.md): no small error but another course of
-// things.
+// Too long a step tears a chain and topples a stack (docs/measurements/accuracy.md): no small error but
+// another course of things.
 int fewestSteps(World const& world, int stated) {
     auto const* const joints = world.store().findColumn<Joint>();
     bool const jointed = joints != nullptr && !joints->empty();

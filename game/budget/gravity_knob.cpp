@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view effect = "gravity";
 
-// µs on the machine of docs/accuracy.md; only how they compare matters.
+// µs on the machine of docs/measurements/accuracy.md; only how they compare matters.
 double workOfPairs(double n) {
     return 2.1e-3 * n * n;
 }

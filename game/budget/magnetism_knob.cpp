@@ -79,7 +79,7 @@ double neighbours(Scene const& scene, double cutoff) {
     return receivers > 0 ? found / receivers : 0;
 }
 
-// µs on the machine of docs/accuracy.md, 2000 poles; only how they compare matters.
+// µs on the machine of docs/measurements/accuracy.md, 2000 poles; only how they compare matters.
 double workOfPairs(double n) {
     return 0.1 + 2.5e-3 * n * n;
 }

@@ -44,14 +44,14 @@ std::vector<std::size_t> bestPlan(std::span<std::vector<Choice> const> knobs, do
             }
         }
         keepFront(longer);
-        // Costs only grow: what is too dear now stays so, but for the cheapest, which is taken if nothing
-        // fits.
+        // Costs only grow: what is too expensive now stays so, but for the cheapest, which is taken if
+        // nothing fits.
         auto const tooDear = std::find_if(longer.begin() + 1, longer.end(),
                                           [&](Combination const& c) { return c.cost > budget; });
         longer.erase(tooDear, longer.end());
         front = std::move(longer);
     }
-    // Ascending by cost, falling by error: the dearest that fits is the best.
+    // Ascending by cost, falling by error: the most expensive that fits is the best.
     return front.back().cost <= budget ? front.back().choices : front.front().choices;
 }
 

@@ -49,7 +49,8 @@ std::optional<Knob> soundKnob(World const& world) {
     Knob knob;
     knob.effect = effect;
     knob.of = "of the pitch";
-    knob.source = "Calibrated: what the level was off by in docs/accuracy.md. It moves nothing, so it counts "
+    knob.source = "Calibrated: what the level was off by in docs/measurements/accuracy.md. It moves nothing, "
+                  "so it counts "
                   "for little.";
     double const frequency = meanFrequency(world);
     for (ComponentStatus const& level : levels) {

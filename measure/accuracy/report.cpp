@@ -66,7 +66,7 @@ constexpr std::string_view intro = R"(# What accuracy costs
 Every effect has detail levels that offer the same properties, so that a level, the command line (`--detail`) or the
 running game can swap one for another. This page says how far each of them is off and what it costs:
 
-    build/trembler accuracy --runs 5 --markdown --plot docs/pictures/accuracy >docs/accuracy.md
+    build/trembler accuracy --runs 5 --markdown --plot docs/pictures/accuracy >docs/measurements/accuracy.md
 
 A *ladder* is one effect in one scene. Its error is measured against something that is independent of the level: a
 closed form, a sum over everything in more digits, or the level that has converged. Its time is the median over the

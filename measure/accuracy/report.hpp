@@ -12,7 +12,8 @@ namespace trembler::accuracy {
 /// {"ladders": [{"effect", "scene", "unit", "error", "reference", "rivals", "remark", "levels": [{"level",
 /// "us_per_frame", "error", "front", "beaten_by", "cannot_tell"}]}]}. An error without bound is null.
 [[nodiscard]] nlohmann::ordered_json asJson(std::vector<Ladder> const& ladders);
-/// docs/accuracy.md as a whole; `pictures` is the folder of the plots as seen from there, "" for none.
+/// docs/measurements/accuracy.md as a whole; `pictures` is the folder of the plots as seen from there, "" for
+/// none.
 [[nodiscard]] std::string asMarkdown(std::vector<Ladder> const& ladders, std::string const& pictures);
 
 /// A file name for the ladder, without an ending: "accuracy-gravity-a-disc-of-stars". Numbers that depend on

@@ -45,7 +45,7 @@ constexpr std::string_view intro = R"(# Only what a scene calls for
 A component is constructed only if objects in the scene call for it, and has a turn only if something that it reads has
 changed. This page counts both, for every level in the repository:
 
-    build/trembler components --levels --markdown >docs/activation.md
+    build/trembler components --levels --markdown >docs/measurements/activation.md
 
 It holds no times: turns are the same on every machine. What a turn, a sleeping component and an absent one cost is
 measured in [performance.md](performance.md). Tests check that what is absent here is never constructed, that sleeping

@@ -12,7 +12,8 @@ namespace trembler {
 /// {"plays": [{"level", "title", "solution", "frames", "at_rest", "busiest_second", "last_second",
 /// "components": [{"component", "state", "updates", "updates_in_last_second"}]}]}
 [[nodiscard]] nlohmann::ordered_json activationJson(std::vector<LevelUse> const& plays);
-/// docs/activation.md as a whole: every play in short, and the first one of each level by component.
+/// docs/measurements/activation.md as a whole: every play in short, and the first one of each level by
+/// component.
 [[nodiscard]] std::string activationMarkdown(std::vector<LevelUse> const& plays);
 
 } // namespace trembler

@@ -13,8 +13,8 @@ namespace trembler {
 class Store;
 
 /// The law of Real Gravity with far clusters taken as wholes (see inverse_square::Tree): O(n log n) instead
-/// of O(n²). GravityLaw's opening angle says which are far; docs/accuracy.md, what that costs. Action
-/// equals reaction only as nearly as the forces are right.
+/// of O(n²). GravityLaw's opening angle says which are far; docs/measurements/accuracy.md, what that costs.
+/// Action equals reaction only as nearly as the forces are right.
 class TreeGravity final : public Dps<TreeGravity, Reads<GravityLaw, Position, Mass>, Derives<GravityForce>> {
 public:
     static constexpr ComponentText text{
@@ -25,7 +25,7 @@ public:
         .rank = -1}; // where it suits it is cheaper than Real Gravity
     using Activation = NeedsAll<GravityLaw, Mass, Position>;
     static constexpr int longestPeriod = 4; // a force that stands for longer is another force
-    static constexpr Coverage memory = leftOut("filled anew in each update");
+    static constexpr Coverage memory = leftOut("filled again in each update");
     /// From here on it is three times as fast as Real Gravity; it overtakes it at about 500
     /// (bench_many_bodies).
     static constexpr std::size_t worthwhile = 2000;

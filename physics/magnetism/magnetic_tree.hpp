@@ -12,7 +12,7 @@ class Store;
 
 /// The forces of MagneticForces by a tree (see inverse_square::Tree). Clusters hold poles of both signs: what
 /// cancels in their sum still acts by its dipole and its second moments. The settings' opening angle says
-/// which clusters are far; docs/accuracy.md, what that costs.
+/// which clusters are far; docs/measurements/accuracy.md, what that costs.
 class MagneticTree final : public MagneticLevel<MagneticTree> {
 public:
     static constexpr ComponentText text{

@@ -100,8 +100,8 @@ public:
     void change(RecordedChange change);
     /// All such changes of this run, those of setDetail() and setPeriod() among them.
     [[nodiscard]] std::span<RecordedChange const> changes() const { return changes_; }
-    /// Ends the run, if one goes on, and begins it, or the last one, anew with the levels and periods that it
-    /// began with.
+    /// Ends the run, if one goes on, and begins it, or the last one, again with the levels and periods that
+    /// it began with.
     void startAgain();
 
     [[nodiscard]] bool solved() const;

@@ -27,7 +27,7 @@ public:
         return static_cast<Channel<Role>&>(*channel);
     }
 
-    /// Forgets who calls, before all interactions are bound anew in registration order.
+    /// Forgets who calls, before all interactions are bound again in registration order.
     void clearSources() {
         for (auto& [role, channel] : channels_) {
             channel->clearSources();

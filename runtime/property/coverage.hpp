@@ -15,8 +15,8 @@ struct Coverage {
 
 /// Every member is hashed, but for the events of the trace, which lead to nothing.
 inline constexpr Coverage hashed{};
-/// Worked out anew, by each turn of the component that provides it, from what is hashed: so it is hashed only
-/// where that component has a period and the value is one of earlier frames. The reason says from what.
+/// Worked out again, by each turn of the component that provides it, from what is hashed: so it is hashed
+/// only where that component has a period and the value is one of earlier frames. The reason says from what.
 [[nodiscard]] constexpr Coverage derivedFrom(std::string_view reason) {
     return {Coverage::Kind::derived, reason};
 }

@@ -1,4 +1,4 @@
-// docs/scripts.md links every behaviour to its test: to one that exists.
+// docs/measurements/scripts.md links every behaviour to its test: to one that exists.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -34,7 +34,7 @@ std::set<std::string> testsIn(std::filesystem::path const& folder) {
 }
 
 TEST(ScriptsPage, NamesTestsThatExist) {
-    std::string const page = contentOf(source / "docs/scripts.md");
+    std::string const page = contentOf(source / "docs/measurements/scripts.md");
     std::set<std::string> const tests = testsIn(source / "tests");
     ASSERT_GT(tests.size(), 100U);
     std::regex const name(R"(`([A-Z]\w+\.\w+)`)");
@@ -51,7 +51,7 @@ TEST(ScriptsPage, NamesTestsThatExist) {
         bool const experiment = test.starts_with("ExperimentOne.") || test.starts_with("ExperimentTwo.") ||
                                 test.starts_with("ExperimentThree.") || test.starts_with("ExperimentFour.");
         if (experiment && test != "ExperimentOne.ConstructsOnlyWhatItCallsFor") {
-            EXPECT_TRUE(linked.contains(test)) << test << " is missing from docs/scripts.md";
+            EXPECT_TRUE(linked.contains(test)) << test << " is missing from docs/measurements/scripts.md";
         }
     }
 }

@@ -106,7 +106,7 @@ public:
                                             "sound along a straight line: less with "
                                             "distance, through walls by their mass, and around each of them.",
                                         .rank = 1};
-    /// Where very much stands in the way, or very many listen, ways around it all are too dear.
+    /// Where very much stands in the way, or very many listen, ways around it all are too expensive.
     static bool suits(Store const& store);
 };
 

@@ -169,8 +169,8 @@ double shortestWay(std::span<Obstacle const* const> obstacles, Vec2 from, Vec2 t
         return std::none_of(obstacles.begin(), obstacles.end(),
                             [&](Obstacle const* obstacle) { return chordOf(*obstacle, a, b) > graze; });
     };
-    // A* over the visibility graph. Whether two nodes see each other is the dear question, so it is asked
-    // only of the steps that come first in the queue.
+    // A* over the visibility graph. Whether two nodes see each other is the expensive question, so it is
+    // asked only of the steps that come first in the queue.
     struct Step {
         double estimate = 0; // of the whole way
         double gone = 0;

@@ -106,7 +106,7 @@ Ladder climbPeriods(GameData const& gameData, Effort effort) {
     ladder.remark =
         "What is left from a period of five on is drag, which is computed in every frame: a longer one "
         "saves nothing worth its error. The error is not smooth over the period, as where the boxes "
-        "come to lie on the deck depends on when they land ([buoyancy.md](buoyancy.md)).";
+        "come to lie on the deck depends on when they land ([buoyancy.md](../buoyancy.md)).";
     return ladder;
 }
 

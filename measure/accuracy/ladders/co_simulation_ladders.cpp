@@ -67,7 +67,7 @@ Ladder climbMagnet(GameData const& gameData, Effort) {
         "frame is "
         "computed in several equal parts (`\"frame\": {\"parts\": 4}`), in each of which the force is "
         "computed "
-        "anew: t is a part, and so is the lag.");
+        "again: t is a part, and so is the lag.");
 }
 
 #endif
@@ -91,7 +91,7 @@ Ladder climbFloat(GameData const& gameData, Effort) {
     }
     return growth.finish(
         "*Late* are forces as in the thesis, with the same lag as the magnet's: one substep loses and "
-        "everything else gains. *Ahead* is the default, looking ahead ([buoyancy.md](buoyancy.md)), which "
+        "everything else gains. *Ahead* is the default, looking ahead ([buoyancy.md](../buoyancy.md)), which "
         "resists the float's motion with just what the force will have lost on average by the time when it "
         "is computed again. What is left is what the spring loses in the engine.");
 }

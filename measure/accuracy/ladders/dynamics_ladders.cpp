@@ -182,8 +182,8 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
     plans.push_back(enginesPlan(
         {"engines: a chain of 30 links under a hundred times a link's mass", gap, whole,
          "A scene gets Box2D; the others are there to be compared with it. Chipmunk tears the chain with 4 "
-         "substeps and holds it with 8; ODE, made for three dimensions, is the dearest by far. See "
-         "[engines.md](engines.md) for what else is different about them."},
+         "substeps and holds it with 8; ODE, made for three dimensions, is the most expensive by far. See "
+         "[engines.md](../engines.md) for what else is different about them."},
         chain, {300, 30}));
     plans.push_back(enginesPlan(
         {"engines: a stack of 10 boxes", "farthest that a box has moved sideways",

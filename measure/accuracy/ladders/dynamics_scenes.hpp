@@ -29,7 +29,7 @@ struct Solver {
     std::string engine; ///< "box2d"; empty: the one that the world picks
 };
 
-/// Makes the scene anew with a solver.
+/// Makes the scene again with a solver.
 using DynamicsSceneMaker = std::function<DynamicsScene(GameData const&, Solver const&)>;
 
 /// A ball thrown up at an angle: distance from the parabola.

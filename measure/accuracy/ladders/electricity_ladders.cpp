@@ -239,11 +239,11 @@ Ladder climbCircuits(std::vector<Wiring> const& circuits, std::string scene, Que
             ? "The simpler levels are not worse at their own task: they are told who is connected, not who "
               "glows. This is what is lost when they are asked all the same. Flow is beaten by two-wire, as "
               "it calls the same lamps on and costs more: no scene gets it unasked, and it is there for "
-              "what no other level tells, the bottlenecks ([electricity.md](electricity.md))."
+              "what no other level tells, the bottlenecks ([electricity.md](../electricity.md))."
             : "For flow every lamp states that it can carry its rated current, so it knows more than "
               "two-wire. It is "
               "beaten by nodal, which costs less and knows Ohm's law; its task is another one, bottlenecks "
-              "([electricity.md](electricity.md)).";
+              "([electricity.md](../electricity.md)).";
     return ladder;
 }
 

@@ -11,7 +11,8 @@ namespace trembler {
 namespace {
 
 // Semi-implicit Euler needs ω dt < 2. Twice as fine also keeps a zig-zag from swinging visibly; welds that an
-// engine solves one by one, and turns back by the hold of one point, need more. Measured: docs/stability.md.
+// engine solves one by one, and turns back by the hold of one point, need more. Measured:
+// docs/measurements/stability.md.
 constexpr double tautMargin = 2;
 constexpr double weldMargin = 6;
 // What rests on a body, as a multiple r of its mass: 0.9 √r substeps hold stacks of equals.

@@ -34,7 +34,7 @@ public:
     /// Brings bodies and joints into line with the columns. Cheap while these have not changed. Objects that
     /// are not sound are left out and returned, each time it has had to look at them.
     [[nodiscard]] std::vector<Refusal> follow(DynamicsColumns const& columns);
-    /// True if loads must be summed anew, because bodies came or went.
+    /// True if loads must be summed again, because bodies came or went.
     [[nodiscard]] bool loadsStale() const { return loadsStale_; }
     void startLoads() {
         loads_.clear(bodies_.bodies().size());

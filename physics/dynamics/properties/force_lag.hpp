@@ -11,8 +11,8 @@ namespace trembler {
 /// A force that stands for a time t acts, on average, t/2 after the moment that it belongs to. An engine that
 /// integrates it in steps of h by the semi-implicit Euler method makes up for h/2 of this, as that method
 /// moves bodies with the velocity that they will have. What is left, (t - h)/2, is the lag: it feeds every
-/// oscillation (docs/stability.md), and whoever adds forces can allow for it. Provided by Dynamics after
-/// every step that it takes; zero where nobody moves anything.
+/// oscillation (docs/measurements/stability.md), and whoever adds forces can allow for it. Provided by
+/// Dynamics after every step that it takes; zero where nobody moves anything.
 struct ForceLag {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Force lag", "force_lag",

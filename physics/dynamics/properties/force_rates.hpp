@@ -47,8 +47,8 @@ struct ForceRates {
 /// A force F = -k x that is found every t and acts on a mass m turns round by ω t = t √(k/m) in between. With
 /// looking ahead by ForceLag, and n steps of the engine in t, the motion is a map of determinant 1: it
 /// conserves (v² + ω² x²)/2 but for terms of ω t / 2n and (ω t)²/4, and so the energy ripples by these and
-/// grows by nothing. Without, or from about ω t = 2 on, it grows without end. See docs/stability.md for what
-/// was measured.
+/// grows by nothing. Without, or from about ω t = 2 on, it grows without end. See
+/// docs/measurements/stability.md for what was measured.
 inline constexpr double followedTurn = 0.6; ///< rad, in a part at most
 /// s: how long a part of a frame may be in which a force varies at `rate` (1/s, above 0).
 [[nodiscard]] constexpr double longestPart(double rate) {

@@ -1,4 +1,4 @@
-// Writing what the dearer detail levels of electricity found of the circuits that they looked at.
+// Writing what the more expensive detail levels of electricity found of the circuits that they looked at.
 #pragma once
 
 #include "physics/electricity/core/circuit.hpp"

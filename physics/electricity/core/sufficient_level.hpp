@@ -32,7 +32,7 @@ struct SufficientLevel {
 [[nodiscard]] SufficientLevel sufficientLevel(Circuit const& circuit, NodalColumns const& columns,
                                               Column<ElectricalReturn> const& returns);
 
-/// Of the whole scene: the dearest that any of its circuits may call for.
+/// Of the whole scene: the most expensive that any of its circuits may call for.
 [[nodiscard]] SufficientLevel sufficientLevel(Store const& store);
 
 /// Whether a level tells all that the scene has ever stated about its circuits, so that another such level

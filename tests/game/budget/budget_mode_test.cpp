@@ -265,7 +265,8 @@ TEST_F(Budget, OfTheRaftSaysThatExactIsExact) {
     EXPECT_LT(share.at("4 particles"), 0.5);
     EXPECT_GT(share.at("4 particles"), 0.001);
     EXPECT_LE(share.at("exact, every 2 frames"), share.at("exact, every 12 frames"));
-    // The raft rides a centimetre or two off by 64 particles (docs/accuracy.md): the water holds it.
+    // The raft rides a centimetre or two off by 64 particles (docs/measurements/accuracy.md): the water holds
+    // it.
     for (Option const& option : knob->options) {
         if (option.name == "64 particles") {
             EXPECT_GT(option.error.metres, 0.002);

@@ -1,5 +1,5 @@
-// trembler accuracy, with tiny scenes: that every ladder is whole, that dearer levels are right where they
-// must be, and that what is reported is what was measured. Never how long anything took.
+// trembler accuracy, with tiny scenes: that every ladder is whole, that more expensive levels are right where
+// they must be, and that what is reported is what was measured. Never how long anything took.
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/ngspice.hpp"
 #include "measure/accuracy/ladders/wiring.hpp"
@@ -261,8 +261,8 @@ Ladder threeRungs() {
     one.reference = "nothing";
     one.rungs = {{"cheap", 1, 0.5, "much", false, {}},
                  {"silly", 10, 0.6, "much | more", false, {}},
-                 {"dear", 100, 0, "little", false, {}},
-                 {"as dear", 102, 0, "little", false, {}},
+                 {"expensive", 100, 0, "little", false, {}},
+                 {"as expensive", 102, 0, "little", false, {}},
                  {"torn", 5, std::numeric_limits<double>::infinity(), "all", false, {}}};
     return one;
 }
@@ -306,7 +306,7 @@ TEST(AccuracyReport, MarkdownIsATableAndTextSaysWhoIsBeaten) {
     EXPECT_NE(markdown.find("(pictures/accuracy-gravity-a-made-up-scene-more.svg)"), std::string::npos);
     std::string const text = asText(all);
     EXPECT_NE(text.find("beaten by cheap"), std::string::npos);
-    EXPECT_NE(text.find("dear cannot tell little"), std::string::npos);
+    EXPECT_NE(text.find("expensive cannot tell little"), std::string::npos);
 }
 
 TEST(AccuracyReport, WhatNoLevelCanTellIsSaidOnce) {

@@ -210,7 +210,7 @@ TEST_F(Activation, ALevelAtRestDoesAtMostATwentiethOfWhatItDoesInMotion) {
 #ifndef TREMBLER_WITHOUT_ELECTRICITY
 
 TEST_F(Activation, AFinishedCircuitsDpsSleeps) {
-    // The magnet holds what it lifted: current flows, and nobody computes it anew.
+    // The magnet holds what it lifted: current flows, and nobody computes it again.
     open("1-switched-electromagnet.json", "hands off");
     runTo(900);
     ASSERT_TRUE(on("electromagnet"));

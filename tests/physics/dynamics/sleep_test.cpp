@@ -43,7 +43,7 @@ TEST_P(Sleep, APileComesToRest) {
 TEST_P(Sleep, TheSameForcesSaidAgainWakeNobody) {
     Rest rest;
     for (int frame = 0; frame < 20; ++frame) {
-        rest.scene.of<Pull>(rest.box).torque = 1e-9 * frame; // the interaction is applied anew
+        rest.scene.of<Pull>(rest.box).torque = 1e-9 * frame; // the interaction is applied again
         rest.scene.run(1);
     }
     Vec2 const at = rest.scene.at(rest.box);

@@ -113,7 +113,7 @@ TEST(Channel, NoVersionComesTwice) {
         std::set<std::uint64_t> seen{channel.version()};
         for (std::uint8_t const deed : deeds) {
             std::size_t const n = deed % sources.size();
-            if (deed & 0x80U) { // an interaction comes or goes: all are bound anew
+            if (deed & 0x80U) { // an interaction comes or goes: all are bound again
                 if (!present.erase(n)) {
                     present.insert(n);
                     sources[n].version = 1;

@@ -48,7 +48,7 @@ TEST(InteractionCalls, AreHeldWhileTheInteractionSleeps) {
     EXPECT_EQ(statusOf(world, "Heat <- Fuel").updates, 1U);
     EXPECT_EQ(statusOf(world, "Heat <- Fuel").activity, Activity::asleep);
     EXPECT_NEAR(world.find<Heat>(coal)->value, 50, 1e-9);
-    world.store().column<Fuel>().set(coal, {0}); // said anew: the old call must be gone
+    world.store().column<Fuel>().set(coal, {0}); // said again: the old call must be gone
     steps(world, 1);
     double const then = world.find<Heat>(coal)->value;
     steps(world, 10);

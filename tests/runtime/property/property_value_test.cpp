@@ -69,7 +69,7 @@ TEST(Store, FurnishesObjectsFromPrototypes) {
     EXPECT_TRUE(store.column<Speed>().has(id));
 
     Prototype other;
-    other.name = "bar"; // read anew: keeps its number
+    other.name = "bar"; // read again: keeps its number
     EXPECT_EQ(store.prototypes().add(std::move(other)), number);
     EXPECT_TRUE(store.prototypes().find(number)->values.empty());
 }

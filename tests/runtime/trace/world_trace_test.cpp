@@ -33,7 +33,7 @@ TEST(WorldTrace, TellsAHeldCallOnceForAsLongAsItIsHeld) {
     world.store().column<Fuel>().set(coal, {1});
     world.start();
     for (int i = 0; i < 5; ++i) {
-        world.store().column<Fuel>().set(coal, {1.0 + i}); // applied anew in every frame
+        world.store().column<Fuel>().set(coal, {1.0 + i}); // applied again in every frame
         world.step();
     }
     ASSERT_EQ(eventsNamed(world, "addHeat").size(), 1U);

@@ -132,7 +132,7 @@ TEST(FedFromOutside, WhatWasFedStaysWhenComponentsComeBeforeTheNextFrame) {
     porch.world->start();
     porch.world->step();
     porch.world->feed<BellRole>(Ring{7});
-    Subscription const log = porch.world->want<heat::StoveLog>(); // all are bound anew
+    Subscription const log = porch.world->want<heat::StoveLog>(); // all are bound again
     porch.world->step();
     EXPECT_EQ(porch.log().rings, std::vector<int>{7});
 }

@@ -178,7 +178,7 @@ struct HeatFromFuel final : Interaction<HeatFromFuel, HeatRole, Reads<Fuel>> {
         });
     }
 };
-/// Strikes everything hot once whenever the glow was worked out anew.
+/// Strikes everything hot once whenever the glow was worked out again.
 struct HeatFromGlow final : Interaction<HeatFromGlow, HeatRole, Reads<Glow, Heat>> {
     static constexpr ComponentText text{
         .name = "Heat <- Glow", .effect = "heat", .level = "", .work = "Strikes."};

@@ -1,6 +1,6 @@
 // How finely a scene asks to be computed: what follows from its bodies, joints, contacts and from the forces
 // that act, whichever effects they come from; never from a clock. The figures behind the automatic settings;
-// docs/stability.md measures whether they suffice.
+// docs/measurements/stability.md measures whether they suffice.
 #pragma once
 
 #include "physics/dynamics/core/bodies.hpp"

@@ -188,7 +188,7 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
             } else {
                 anyAwake_ = true;
                 if (last && settings.sleeping && drifts(entry)) {
-                    entry.body->SetAwake(true); // starts its time to fall asleep anew
+                    entry.body->SetAwake(true); // starts its time to fall asleep again
                 }
             }
         }

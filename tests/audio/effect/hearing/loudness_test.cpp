@@ -128,7 +128,7 @@ TEST(Loudness, AWallInBetweenMutesAndAGapLetsSoundAround) {
         EXPECT_LT(overTheWall, open - 10) << detail;
         EXPECT_GT(overTheWall, open - 27) << detail;
     }
-    // Closed to the roof: only through the wall. The dear level knows, and the cheap one does not.
+    // Closed to the roof: only through the wall. The expensive level knows, and the cheap one does not.
     EXPECT_LT(behindWalls("around", true, true), behindWalls("around", true, false) - 15);
     EXPECT_NEAR(behindWalls("straight", true, true), behindWalls("straight", true, false), 1e-9);
 }

@@ -124,7 +124,7 @@ TEST(ElectricitySufficientLevel, FollowsWhatComesAndGoes) {
     EXPECT_TRUE(circuit.quantities().byIndex.empty());
 }
 
-// The cheaper level says no less than the dearer: what it calls off is off to all of them.
+// The cheaper level says no less than the more expensive: what it calls off is off to all of them.
 TEST(ElectricitySufficientLevel, TheCheaperLevelsErrOnOneSideOnly) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         std::vector<std::vector<std::string>> on;
