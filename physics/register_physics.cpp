@@ -41,39 +41,18 @@ void knowElectricity(Registry& registry) {
 
 struct Effect {
     char const* name;
-    void (*registerAll)(Registry&); ///< nullptr: this program was built without it
+    void (*registerAll)(Registry&);
     void (*registerProperties)(Registry&);
 };
 
 // The order is part of the simulation.
 constexpr Effect effects[] = {
-#ifdef TREMBLER_WITHOUT_ELECTRICITY
-    {"electricity", nullptr, knowElectricity},
-#else
     {"electricity", registerElectricity, knowElectricity},
-#endif
-#ifdef TREMBLER_WITHOUT_GRAVITY
-    {"gravity", nullptr, registerOnly<GravityField, GravityLaw>},
-#else
     {"gravity", registerGravity, registerOnly<GravityField, GravityLaw>},
-#endif
-#ifdef TREMBLER_WITHOUT_MAGNETISM
-    {"magnetism", nullptr,
-     registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet, MagnetismSettings>},
-#else
     {"magnetism", registerMagnetism,
      registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet, MagnetismSettings>},
-#endif
-#ifdef TREMBLER_WITHOUT_BUOYANCY
-    {"buoyancy", nullptr, registerOnly<Liquid, BuoyancySettings>},
-#else
     {"buoyancy", registerBuoyancy, registerOnly<Liquid, BuoyancySettings>},
-#endif
-#ifdef TREMBLER_WITHOUT_MOTOR
-    {"motor", nullptr, registerOnly<ElectricMotor, Generator>},
-#else
     {"motor", registerMotors, registerOnly<ElectricMotor, Generator>},
-#endif
 };
 
 } // namespace
@@ -89,19 +68,6 @@ std::set<std::string> const& dispensableEffects() {
     return names;
 }
 
-std::set<std::string> const& effectsLeftOut() {
-    static std::set<std::string> const names = [] {
-        std::set<std::string> found;
-        for (Effect const& effect : effects) {
-            if (effect.registerAll == nullptr) {
-                found.insert(effect.name);
-            }
-        }
-        return found;
-    }();
-    return names;
-}
-
 void registerEverything(Registry& registry, std::set<std::string> const& without) {
     for (std::string const& name : without) {
         if (!dispensableEffects().contains(name)) {
@@ -111,8 +77,7 @@ void registerEverything(Registry& registry, std::set<std::string> const& without
     registerRuntime(registry);
     registerDynamics(registry);
     for (Effect const& effect : effects) {
-        bool const there = effect.registerAll != nullptr && !without.contains(effect.name);
-        (there ? effect.registerAll : effect.registerProperties)(registry);
+        (without.contains(effect.name) ? effect.registerProperties : effect.registerAll)(registry);
     }
     registerMaterial(registry);
     registerLook(registry);

@@ -35,9 +35,6 @@ int describe(ComponentsArguments const& arguments) {
     Registry registry;
     registerEffects(registry);
     registry.check();
-    for (std::string const& effect : gameEffectsLeftOut()) {
-        std::cerr << "This program was built without " << effect << ": only its properties are known.\n";
-    }
     std::vector<LevelUse> plays;
     if (arguments.levels) {
         GameData const gameData;

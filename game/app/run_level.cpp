@@ -83,17 +83,12 @@ void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const&
 
 /// The circuits as they are when the run is over.
 std::string netlistOf(Session const& session) {
-#ifdef TREMBLER_WITHOUT_ELECTRICITY
-    throw std::runtime_error(fmt::format("--export-spice: this program was built without electricity ({})",
-                                         session.level().title));
-#else
     std::string netlist = spiceNetlist(session.world().store(), session.level().title);
     if (netlist.empty()) {
         throw std::invalid_argument("--export-spice: the level has no circuit with a resistance, an EMF, a "
                                     "rated power or a fuse, so there are no volts to compute");
     }
     return netlist;
-#endif
 }
 
 std::string jsonOf(RunReport const& report, budget::BudgetMode const* mode) {
@@ -139,9 +134,6 @@ int runLevel(RunArguments const& arguments) {
         throw std::invalid_argument(
             "--budget: the solution was recorded with changes of its own; run it without "
             "--budget to repeat it");
-    }
-    if (arguments.sound && gameEffectsLeftOut().contains("sound")) {
-        throw std::invalid_argument("--sound: this build was made without the effect sound");
     }
     if (arguments.watch.empty() == arguments.csv.has_value()) {
         throw std::invalid_argument(

@@ -1,7 +1,6 @@
 // `trembler run --sound`, in programs with sound and in those without.
 #pragma once
 
-#include "puzzle/data/effects.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/run/runner.hpp"
 #ifndef TREMBLER_HEADLESS

@@ -12,25 +12,14 @@ std::string substepsName(int substeps) {
                          : fmt::format("{} substep{}", substeps, substeps == 1 ? "" : "s");
 }
 
-// Effects may be left out of a program; what falls needs gravity to do so.
 std::vector<Plan> plans() {
     std::vector<Plan> all;
-#ifndef TREMBLER_WITHOUT_GRAVITY
     addDynamicsPlans(all);
     addGravityPlans(all);
-#endif
-#ifndef TREMBLER_WITHOUT_ELECTRICITY
     addElectricityPlans(all);
-#endif
-#ifndef TREMBLER_WITHOUT_MAGNETISM
     addMagnetismPlans(all);
-#endif
-#if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
     addBuoyancyPlans(all);
-#endif
-#if !defined(TREMBLER_WITHOUT_SOUND) && !defined(TREMBLER_WITHOUT_GRAVITY)
     addSoundPlans(all);
-#endif
     addCoSimulationPlans(all);
     return all;
 }

@@ -9,11 +9,6 @@ namespace trembler {
 namespace {
 
 constexpr char const* sound = "sound";
-#ifdef TREMBLER_WITHOUT_SOUND
-constexpr bool builtWithSound = false;
-#else
-constexpr bool builtWithSound = true;
-#endif
 
 } // namespace
 
@@ -23,23 +18,13 @@ std::set<std::string> dispensableGameEffects() {
     return names;
 }
 
-std::set<std::string> gameEffectsLeftOut() {
-    std::set<std::string> names = effectsLeftOut();
-    if (!builtWithSound) {
-        names.insert(sound);
-    }
-    return names;
-}
-
 void registerEffects(Registry& registry, std::set<std::string> const& without) {
     std::set<std::string> physics = without;
     bool const silent = physics.erase(sound) > 0;
     registerEverything(registry, physics);
-    if constexpr (builtWithSound) {
-        if (!silent) {
-            registerSound(registry);
-            return;
-        }
+    if (!silent) {
+        registerSound(registry);
+        return;
     }
     registry.property<Acoustics>();
     registry.property<Sample>();

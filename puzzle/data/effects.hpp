@@ -10,11 +10,9 @@ class Registry;
 
 /// All that the game can do without: those of physics (see dispensableEffects()), and sound.
 [[nodiscard]] std::set<std::string> dispensableGameEffects();
-/// Those that this program was built without.
-[[nodiscard]] std::set<std::string> gameEffectsLeftOut();
 
 /// Registers the runtime's own components, physics and sound, in the order in which conflicting resolvers
 /// run. Of an effect in `without` only the properties are known, see registerEverything().
-void registerEffects(Registry& registry, std::set<std::string> const& without = gameEffectsLeftOut());
+void registerEffects(Registry& registry, std::set<std::string> const& without = {});
 
 } // namespace trembler

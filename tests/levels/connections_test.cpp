@@ -104,7 +104,7 @@ TEST(Connections, TheSchemaKnowsBothFormsAndAllKinds) {
     EXPECT_FALSE(faults(R"({"between": ["kettle", "pot"], "kind": "pipe", "bore": 1})").empty());
 }
 
-// A program that was built without electricity still knows which connections are wires.
+// A registry without electricity still knows which connections are wires.
 TEST(Connections, OfAnEffectThatIsLeftOutAreStillItsOwn) {
     Registry without;
     registerEverything(without, {"electricity"});

@@ -41,8 +41,6 @@ private:
     double worst_ = 0;
 };
 
-#ifndef TREMBLER_WITHOUT_MAGNETISM
-
 Ladder climbMagnet(GameData const& gameData, Effort) {
     Growth growth("a magnet on a spring, pushed by another");
     for (int const substeps : substepCounts) {
@@ -70,9 +68,6 @@ Ladder climbMagnet(GameData const& gameData, Effort) {
         "again: t is a part, and so is the lag.");
 }
 
-#endif
-#if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
-
 Ladder climbFloat(GameData const& gameData, Effort) {
     Growth growth("a float on a spring");
     for (int const substeps : substepCounts) {
@@ -96,18 +91,11 @@ Ladder climbFloat(GameData const& gameData, Effort) {
         "is computed again. What is left is what the spring loses in the engine.");
 }
 
-#endif
-
 } // namespace
 
 void addCoSimulationPlans(std::vector<Plan>& plans) {
-    static_cast<void>(plans); // in a program that has neither
-#ifndef TREMBLER_WITHOUT_MAGNETISM
     plans.push_back({"co-simulation", climbMagnet});
-#endif
-#if !defined(TREMBLER_WITHOUT_BUOYANCY) && !defined(TREMBLER_WITHOUT_GRAVITY)
     plans.push_back({"co-simulation", climbFloat});
-#endif
 }
 
 } // namespace trembler::accuracy

@@ -1,6 +1,5 @@
 // trembler run --sound: what the levels sound like, as files.
 #include "game/ui/headless/run_sound.hpp"
-#include "puzzle/data/effects.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -24,9 +23,6 @@ using trembler::test::Wav;
 class RunSoundTest : public testing::Test {
 protected:
     void SetUp() override {
-        if (gameEffectsLeftOut().contains("sound")) {
-            GTEST_SKIP() << "built without sound";
-        }
         folder = fs::path(testing::TempDir()) / ("run sound " + std::to_string(getpid()));
         fs::create_directories(folder);
     }

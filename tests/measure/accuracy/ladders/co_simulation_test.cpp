@@ -1,6 +1,5 @@
 // What a frame of lag between simulations does to energy, against the theory of forces that come too late.
 #include "measure/accuracy/ladders/co_simulation.hpp"
-#include "puzzle/data/effects.hpp"
 #include "puzzle/data/game_data.hpp"
 
 #include <gtest/gtest.h>
@@ -49,9 +48,6 @@ TEST(CoSimulation, TheTheoryIsTheFirstOrderOfTheFramesLinearMap) {
 }
 
 TEST(CoSimulation, AMagnetOnASpringGainsWhatTheLagPutsIn) {
-    if (gameEffectsLeftOut().contains("magnetism")) {
-        GTEST_SKIP() << "this program was built without magnetism";
-    }
     double before = -1;
     for (int const substeps : {1, 2, 4, 8, 16}) {
         Swing const found = magnetOnSpring(gameData(), substeps, false);
@@ -81,9 +77,6 @@ double growthInParts(double late, double own, int substeps, int parts) {
 }
 
 TEST(CoSimulation, PartsOfAFrameTakeTheLagAway) {
-    if (gameEffectsLeftOut().contains("magnetism")) {
-        GTEST_SKIP() << "this program was built without magnetism";
-    }
     double const softened = 1 + 0.05 * 0.05;
     double const late = 3.025 * (3 / softened - 1) / std::pow(softened, 1.5);
     double before = 0;
@@ -100,9 +93,6 @@ TEST(CoSimulation, PartsOfAFrameTakeTheLagAway) {
 }
 
 TEST(CoSimulation, AFloatOnASpringGainsItTooUnlessItLooksAhead) {
-    if (gameEffectsLeftOut().contains("buoyancy") || gameEffectsLeftOut().contains("gravity")) {
-        GTEST_SKIP() << "this program was built without buoyancy or gravity";
-    }
     for (int const substeps : {1, 4, 16}) {
         double const expected = growthOfTheMap(9.81, 1, substeps); // g over the draught
         Swing const late = floatOnSpring(gameData(), substeps, 1, false);
