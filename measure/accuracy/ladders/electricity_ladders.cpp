@@ -78,7 +78,7 @@ std::vector<std::string> levels(Registry const& registry) {
         }
     }
     std::stable_sort(found.begin(), found.end(),
-                     [](ComponentText const& a, ComponentText const& b) { return a.cost < b.cost; });
+                     [](ComponentText const& a, ComponentText const& b) { return a.rank < b.rank; });
     std::vector<std::string> names;
     names.reserve(found.size());
     for (ComponentText const& text : found) {
