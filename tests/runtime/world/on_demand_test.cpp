@@ -42,11 +42,11 @@ struct ScribeBase : Resolver<Self, ScribeRole, Reads<Heat>, Writes<>, Provides<D
 };
 struct Scribe final : ScribeBase<Scribe> {
     static constexpr ComponentText text{
-        .name = "Scribe", .effect = "scribe", .level = "plain", .work = "Writes.", .cost = 1};
+        .name = "Scribe", .effect = "scribe", .level = "plain", .work = "Writes.", .rank = 1};
 };
 struct Poet final : ScribeBase<Poet> {
     static constexpr ComponentText text{
-        .name = "Poet", .effect = "scribe", .level = "fine", .work = "Writes finely.", .cost = 2};
+        .name = "Poet", .effect = "scribe", .level = "fine", .work = "Writes finely.", .rank = 2};
 };
 struct ScribeFromHeat final : Interaction<ScribeFromHeat, ScribeRole, Reads<Heat>> {
     static constexpr ComponentText text{

@@ -161,7 +161,7 @@ struct NeedsGlowLog {
 };
 struct CheapButBlind final : Dps<CheapButBlind, Reads<Heat, NeedsGlowLog>, Derives<Glow>> {
     static constexpr ComponentText text{
-        .name = "Blind Glow", .effect = "glow", .level = "blind", .work = "Guesses.", .cost = -1};
+        .name = "Blind Glow", .effect = "glow", .level = "blind", .work = "Guesses.", .rank = -1};
     using Activation = NeedsAny<Heat>;
     void update(Access& access) { access.derive<Glow>().total = -1; }
 };
