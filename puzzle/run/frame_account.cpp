@@ -154,7 +154,7 @@ std::string propertiesOf(PropertySet const& stated, PartDefinition const* part) 
 std::string cell(std::string_view words) {
     std::string text = visible(words);
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
-        text.insert(at, "\\");
+        text.insert(at, 1, '\\');
     }
     return text;
 }

@@ -13,7 +13,7 @@ namespace {
 
 std::string const leaf = R"({"on": "ball"})";
 
-std::string levelWith(std::string const& goals) {
+std::string levelWithGoals(std::string const& goals) {
     return R"({"version": 2, "title": "t", "objects": [{"name": "ball"}], "goals": )" + goals + "}";
 }
 
@@ -34,14 +34,15 @@ std::string listOf(std::string const& kind, std::size_t count, std::string const
     return "{\"" + kind + "\": [" + condition + repeated(", " + condition, count - 1) + "]}";
 }
 
-struct Outcome {
+struct Verdict {
     std::optional<Condition> goals;
     std::vector<Diagnostic> problems; ///< by place
 };
-Outcome outcomeOf(std::string const& goals) {
+Verdict outcomeOf(std::string const& goals) {
     try {
-        return {readGoals(readLevel(catalog().registry, JsonDocument::parse(levelWith(goals), "l.json"))),
-                {}};
+        return {
+            readGoals(readLevel(catalog().registry, JsonDocument::parse(levelWithGoals(goals), "l.json"))),
+            {}};
     } catch (InputError const& error) {
         return {std::nullopt, {error.diagnostics().begin(), error.diagnostics().end()}};
     }
@@ -59,7 +60,7 @@ std::size_t countOf(Condition const& condition) {
 constexpr std::size_t deepest = limits::depth - 2;
 
 TEST(GoalSize, GoalsMayNestAsDeepAsAFileMay) {
-    Outcome const read = outcomeOf(nested(deepest));
+    Verdict const read = outcomeOf(nested(deepest));
     ASSERT_TRUE(read.goals.has_value()) << read.problems.at(0).message;
     EXPECT_EQ(countOf(*read.goals), deepest + 1);
     Condition const* innermost = &*read.goals;
@@ -75,15 +76,15 @@ TEST(GoalSize, GoalsThatNestTooDeepAreRefusedAtTheirPlace) {
     // A million of them unclosed, too: what is told must not depend on what comes behind.
     for (std::string const& goals :
          {nested(deepest + 1), nested(1'000'000), repeated(R"({"not": )", 1'000'000)}) {
-        Outcome const read = outcomeOf(goals);
+        Verdict const read = outcomeOf(goals);
         ASSERT_EQ(read.problems.size(), 1U);
         EXPECT_EQ(read.problems[0].message, "nested too deeply");
         EXPECT_EQ(read.problems[0].path, "/goals" + repeated("/not", deepest + 1));
         EXPECT_EQ(read.problems[0].line, 1U);
         EXPECT_EQ(read.problems[0].column,
-                  levelWith("").size() + (deepest + 1) * std::string(R"({"not": )").size());
+                  levelWithGoals("").size() + (deepest + 1) * std::string(R"({"not": )").size());
     }
-    Outcome const lists = outcomeOf(repeated(R"({"all": [)", 1'000'000) + leaf + repeated("]}", 1'000'000));
+    Verdict const lists = outcomeOf(repeated(R"({"all": [)", 1'000'000) + leaf + repeated("]}", 1'000'000));
     ASSERT_EQ(lists.problems.size(), 1U);
     EXPECT_EQ(lists.problems[0].message, "nested too deeply");
     EXPECT_EQ(lists.problems[0].path.substr(0, 13), "/goals/all/0/");
@@ -91,39 +92,39 @@ TEST(GoalSize, GoalsThatNestTooDeepAreRefusedAtTheirPlace) {
 
 TEST(GoalSize, AsManyConditionsAsTheLimitAreRead) {
     for (char const* kind : {"all", "any", "sequence"}) {
-        Outcome const read = outcomeOf(listOf(kind, limits::conditions - 1)); // and the list itself
+        Verdict const read = outcomeOf(listOf(kind, limits::conditions - 1)); // and the list itself
         ASSERT_TRUE(read.goals.has_value()) << read.problems.at(0).message;
         EXPECT_EQ(countOf(*read.goals), limits::conditions);
     }
     // Inside one another they count alike: 1 + 2 * (1 + 100 * 49) + (1 + 196).
     static_assert(limits::conditions == 10'000);
     std::string const most = listOf("any", 100, nested(48));
-    Outcome const read = outcomeOf(R"({"all": [)" + most + ", " + most + ", " + listOf("any", 196) + "]}");
+    Verdict const read = outcomeOf(R"({"all": [)" + most + ", " + most + ", " + listOf("any", 196) + "]}");
     ASSERT_TRUE(read.goals.has_value()) << read.problems.at(0).message;
     EXPECT_EQ(countOf(*read.goals), limits::conditions);
 }
 
 TEST(GoalSize, OneConditionTooManyIsRefusedAtItsPlace) {
-    Outcome const list = outcomeOf(listOf("all", limits::conditions));
+    Verdict const list = outcomeOf(listOf("all", limits::conditions));
     ASSERT_EQ(list.problems.size(), 1U);
     EXPECT_EQ(list.problems[0].path, "/goals/all/9999");
     EXPECT_EQ(list.problems[0].message, "is one condition too many");
     EXPECT_EQ(list.problems[0].expected, "at most 10000");
     EXPECT_EQ(list.problems[0].column,
-              levelWith("").size() + std::string(R"({"all": [)").size() + 9999 * (leaf.size() + 2));
+              levelWithGoals("").size() + std::string(R"({"all": [)").size() + 9999 * (leaf.size() + 2));
     // The last of many inside one another: 5000 pairs and the list itself are one too many.
-    Outcome const pairs = outcomeOf(listOf("any", limits::conditions / 2, nested(1)));
+    Verdict const pairs = outcomeOf(listOf("any", limits::conditions / 2, nested(1)));
     ASSERT_EQ(pairs.problems.size(), 1U);
     EXPECT_EQ(pairs.problems[0].path, "/goals/any/4999/not");
 }
 
 TEST(GoalSize, HowManyTooManyThereAreMakesNoDifference) {
-    Outcome const wide = outcomeOf(listOf("all", 100'000));
+    Verdict const wide = outcomeOf(listOf("all", 100'000));
     ASSERT_EQ(wide.problems.size(), 1U);
     EXPECT_EQ(wide.problems[0].path, "/goals/all");
     EXPECT_EQ(wide.problems[0].message, "has 100000 entries");
     // No list of these is too long by itself.
-    Outcome const lists = outcomeOf(listOf("all", 20, listOf("any", limits::conditions - 1)));
+    Verdict const lists = outcomeOf(listOf("all", 20, listOf("any", limits::conditions - 1)));
     ASSERT_EQ(lists.problems.size(), 1U);
     EXPECT_EQ(lists.problems[0].path, "/goals/all/0/any/9998");
     EXPECT_EQ(lists.problems[0].message, "is one condition too many");
@@ -132,7 +133,7 @@ TEST(GoalSize, HowManyTooManyThereAreMakesNoDifference) {
 TEST(GoalSize, TheSchemaStatesTheSameLength) {
     nlohmann::json const schema = levelSchema(catalog().registry);
     auto const faults = [&](std::size_t count) {
-        return validate(schema, nlohmann::json::parse(levelWith(listOf("sequence", count))));
+        return validate(schema, nlohmann::json::parse(levelWithGoals(listOf("sequence", count))));
     };
     EXPECT_TRUE(faults(limits::conditions).empty());
     EXPECT_FALSE(faults(limits::conditions + 1).empty());

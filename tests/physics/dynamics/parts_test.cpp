@@ -104,22 +104,23 @@ TEST_P(PartsTest, SubstepsAreThoseOfAFrame) {
 }
 
 /// A weight on a spring that a test holds: F = -k x, told once a part. It says how fast it varies.
-struct Spring {
+struct StatedSpring {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Spring", "test_spring", "A spring to the origin, for tests."};
+    static constexpr PropertyText text{"StatedSpring", "test_spring", "A spring to the origin, for tests."};
     double rate = 0; ///< rad/s
 
     template <class Self, class Visitor>
     static void describe(Self&, Visitor&&) {}
 };
-class DynamicsFromSpring final : public Interaction<DynamicsFromSpring, DynamicsRole,
-                                                    Reads<Spring, Mass, Position, Velocity, ForceLag>> {
+class DynamicsFromStatedSpring final
+    : public Interaction<DynamicsFromStatedSpring, DynamicsRole,
+                         Reads<StatedSpring, Mass, Position, Velocity, ForceLag>> {
 public:
     static constexpr ComponentText text{
-        .name = "Dynamics <- Spring", .effect = "test", .level = "", .work = "Pulls, and looks ahead."};
-    using Activation = NeedsAll<Spring>;
+        .name = "Dynamics <- StatedSpring", .effect = "test", .level = "", .work = "Pulls, and looks ahead."};
+    using Activation = NeedsAll<StatedSpring>;
     void apply(Access& access) {
-        auto const& springs = access.read<Spring>();
+        auto const& springs = access.read<StatedSpring>();
         for (std::size_t row = 0; row < springs.size(); ++row) {
             ObjectId const id = springs.owners()[row];
             double const rate = springs.values()[row].rate;
@@ -152,13 +153,13 @@ void swingOnPaper(double rate, ForceLag const& lag, int substeps, double& x, dou
 
 Swung swing(double rate, std::int32_t parts) {
     Scene::Options options;
-    options.extend = [](Registry& registry) { registry.component<DynamicsFromSpring>(); };
+    options.extend = [](Registry& registry) { registry.component<DynamicsFromStatedSpring>(); };
     options.solver.sleeping = false;
     Scene scene(options);
     inParts(scene, parts);
     scene.gravity = 0;
     ObjectId const ball = scene.ball({0, 0});
-    scene.give(ball, Spring{rate});
+    scene.give(ball, StatedSpring{rate});
     scene.give(ball, Velocity{{1, 0}});
     auto const energyOf = [&](double x, double v) { return (v * v + rate * rate * x * x) / 2; };
     Swung found;

@@ -10,7 +10,7 @@ namespace {
 
 using sample::Everything;
 
-Everything full() {
+Everything filled() {
     return {.flag = true,
             .count = 3,
             .ratio = 0.25,
@@ -24,24 +24,24 @@ Everything full() {
 }
 
 TEST(IdleVisitor, LeavesEveryFieldAsItIs) {
-    Everything visited = full();
+    Everything visited = filled();
     IdleVisitor idle;
     visitFields(visited, idle);
     auto const all = [](Everything const& e) {
         return std::tuple(e.flag, e.count, e.ratio, e.point, e.label, e.other, e.mood, e.numbers, e.words,
                           e.parts.size(), e.parts.at(0).size, e.parts.at(0).mood);
     };
-    EXPECT_EQ(all(visited), all(full()));
+    EXPECT_EQ(all(visited), all(filled()));
 }
 
 TEST(IdleVisitor, ShowsWhatIsOverridden) {
     struct Doubler final : IdleVisitor {
         void number(FieldInfo const&, double& value) override { value *= 2; }
     } doubler;
-    Everything visited = full();
+    Everything visited = filled();
     visitFields(visited, doubler);
     EXPECT_EQ(visited.ratio, 0.5);
-    EXPECT_EQ(visited.numbers, full().numbers) << "it does not look into lists";
+    EXPECT_EQ(visited.numbers, filled().numbers) << "it does not look into lists";
     EXPECT_EQ(visited.count, 3);
 }
 
