@@ -86,7 +86,7 @@ struct FrameCost {
 };
 struct Run {
     std::vector<FrameCost> frames;
-    std::size_t blows = 0; // in the worst frame
+    std::size_t impacts = 0; // in the worst frame
     std::size_t modes = 0;
     std::size_t rendered = 0;
     std::vector<float> mix; // at the listener's ear
@@ -131,7 +131,7 @@ Run runOnce(std::string const& level, bool masking) {
             }
         }
         run.mix.insert(run.mix.end(), mix.begin(), mix.end());
-        run.blows = std::max(run.blows, crash.sounds().blows.size());
+        run.impacts = std::max(run.impacts, crash.sounds().impacts.size());
         run.modes = std::max(run.modes, synthesiser.counts().modes);
         run.rendered = std::max(run.rendered, synthesiser.counts().rendered);
     }
@@ -190,8 +190,8 @@ double errorOf(std::vector<float> const& mix, std::vector<float> const& referenc
 int main() {
     Run const reference = medianRun("32-modes", false);
     bench::Table table(
-        fmt::format("{} bodies hit the floor at once: {} blows in the worst of frames of {:.0f} µs", things,
-                    reference.blows, frame));
+        fmt::format("{} bodies hit the floor at once: {} impacts in the worst of frames of {:.0f} µs", things,
+                    reference.impacts, frame));
     for (std::string const level : {"1-mode", "4-modes", "8-modes", "16-modes", "32-modes"}) {
         for (bool const masking : {true, false}) {
             Run const run = level == "32-modes" && !masking ? reference : medianRun(level, masking);
