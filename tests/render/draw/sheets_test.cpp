@@ -7,9 +7,9 @@
 namespace trembler::render::test {
 namespace {
 
-constexpr std::array allMaterials{Pattern::Plain,   Pattern::Metal,  Pattern::Wood,
-                                  Pattern::Glass,   Pattern::Rubber, Pattern::Stone,
-                                  Pattern::Plastic, Pattern::Copper, Pattern::Water};
+constexpr std::array allPatterns{Pattern::Plain,   Pattern::Metal,  Pattern::Wood,
+                                 Pattern::Glass,   Pattern::Rubber, Pattern::Stone,
+                                 Pattern::Plastic, Pattern::Copper, Pattern::Water};
 
 Camera sheetCamera(Size size) {
     Camera camera;
@@ -24,8 +24,8 @@ void drawMaterials(Canvas& canvas) {
                              Point{-0.5, 0}, Point{-0.25, -0.43}, Point{0.25, -0.43}};
     std::array const ramp{Point{-0.55, -0.35}, Point{0.55, -0.35}, Point{0.55, 0.35}};
     double x = -5.6;
-    for (auto const material : allMaterials) {
-        Style const style{.material = material};
+    for (auto const pattern : allPatterns) {
+        Style const style{.pattern = pattern};
         canvas.box({{x, 2.8}, 0}, {0.5, 0.4}, 0.06, style);
         canvas.circle({{x, 1.65}, 0.4}, 0.48, style);
         canvas.polygon({{x, 0.5}, 0.2}, hexagon, style);
