@@ -9,6 +9,7 @@ unset CXXFLAGS CPPFLAGS LDFLAGS # such as -march=native, which would change the 
 export NINJA_STATUS='[%f/%t] '
 export CCACHE_BASEDIR=$root # two clones share what they have in common
 export CCACHE_SLOPPINESS=pch_defines,time_macros # what it asks for where headers are precompiled
+export CCACHE_COMMENTS=true                         # precompiled headers know their files by every byte, comments too
 
 # progress LOG: appends its input to LOG and shows only how far it is ("[3/80] ..." or "3/80 Test ...").
 progress() {
