@@ -1,7 +1,7 @@
 // How cost grows with everything that a level can state in number: processor time to load a level up to its
 // first frame, and per frame after that, for a hundred to a hundred thousand of each, and the exponent k of
 // n^k that fits the last three sizes best. Prints a table in Markdown, for docs/measurements/performance.md,
-// and how far it is to stderr.
+// and how far it is to stderr. Ends with 1 if an exponent is above the row's limit.
 //
 //   bench_growth [ROW...] [--most N] [--engine E]
 //
@@ -112,7 +112,7 @@ Measured measure(GameData const& gameData, GrowthRow const& row, int n, std::str
 
 /// The exponent of n that fits the last three sizes best: the slope of a line through the logarithms. Times
 /// that the clock hardly sees do not count; what a level costs that states nothing hides in small sizes.
-std::string exponent(std::vector<Measured> const& all, double Measured::*time) {
+std::optional<double> exponent(std::vector<Measured> const& all, double Measured::*time) {
     constexpr double least = 2e-4; // s
     double const largest = all.empty() ? 0 : all.back().n;
     double count = 0;
@@ -128,24 +128,33 @@ std::string exponent(std::vector<Measured> const& all, double Measured::*time) {
         }
     }
     double const spread = count * sumXX - sumX * sumX;
-    return spread > 0 ? fmt::format("{:.2f}", (count * sumXY - sumX * sumY) / spread) : "–";
+    return spread > 0 ? std::optional((count * sumXY - sumX * sumY) / spread) : std::nullopt;
 }
 
 std::string milliseconds(double seconds) {
     return seconds >= 0.1 ? fmt::format("{:.0f}", 1000 * seconds) : fmt::format("{:.2g}", 1000 * seconds);
 }
 
-void print(GrowthRow const& row, std::vector<Measured> const& all, std::vector<int> const& sizes,
-           char const* what, double Measured::*time) {
+/// False if it grows by a greater exponent than `most`.
+bool print(GrowthRow const& row, std::vector<Measured> const& all, std::vector<int> const& sizes,
+           char const* what, double Measured::*time, double most) {
     std::string line = fmt::format("| {} | {} |", row.what, what);
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         line += i < all.size() ? fmt::format(" {} |", milliseconds(all[i].*time)) : " – |";
     }
-    std::puts((line + " " + exponent(all, time) + " |").c_str());
+    std::optional<double> const found = exponent(all, time);
+    std::puts((line + " " + (found ? fmt::format("{:.2f}", *found) : "–") + " |").c_str());
     std::fflush(stdout);
+    if (found && *found > most) {
+        std::fprintf(stderr, "%s, %s: grows as n^%.2f, MISSED the limit of n^%.2f\n", row.key.c_str(), what,
+                     *found, most);
+        return false;
+    }
+    return true;
 }
 
-void printRow(GameData const& gameData, GrowthRow const& row, std::vector<int> const& sizes,
+/// False if a limit is missed.
+bool printRow(GameData const& gameData, GrowthRow const& row, std::vector<int> const& sizes,
               std::string const& engine) {
     std::vector<Measured> all;
     for (int const n : sizes) {
@@ -162,10 +171,8 @@ void printRow(GameData const& gameData, GrowthRow const& row, std::vector<int> c
         }
         all.push_back(measure(gameData, row, n, engine));
     }
-    print(row, all, sizes, "load", &Measured::load);
-    if (!row.refused) {
-        print(row, all, sizes, "frame", &Measured::frame);
-    }
+    bool const load = print(row, all, sizes, "load", &Measured::load, row.mostOfLoad);
+    return (row.refused || print(row, all, sizes, "frame", &Measured::frame, row.mostOfFrame)) && load;
 }
 
 } // namespace
@@ -196,7 +203,7 @@ int main(int argc, char** argv) {
             continue;
         }
         try {
-            printRow(gameData, row, sizes, engine);
+            all = printRow(gameData, row, sizes, engine) && all;
         } catch (std::exception const& error) {
             std::fprintf(stderr, "%s: %s\n", row.key.c_str(), error.what());
             all = false;
