@@ -1,6 +1,6 @@
-// What nodal analysis costs, by size of a circuit: all of it again, with only the numbers new, with only the
-// EMF new; and what of that the refinement and the bookkeeping around Eigen's factorisation are. Beside it
-// two-wire and flow on the same circuits.
+// What nodal analysis costs, by size of a circuit: all of it from scratch, with only the numbers new, with
+// only the EMF new; and what of that the refinement and the bookkeeping around Eigen's factorisation are.
+// Beside it two-wire and flow on the same circuits.
 #include "bench/measure.hpp"
 #include "physics/electricity/analyses/max_flow.hpp"
 #include "physics/electricity/analyses/nodal_analysis.hpp"
@@ -104,7 +104,7 @@ void measure(std::uint32_t objects, bool sheet) {
         }
     }
     bench::Table table(std::to_string(objects) + (sheet ? " objects, a sheet" : " objects, a house"));
-    table.row("nodal, everything again", 1e6 * again.median(), "us");
+    table.row("nodal, everything from scratch", 1e6 * again.median(), "us");
     table.row("nodal, other resistances", 1e6 * numbers.median(), "us");
     table.row("nodal, other EMF", 1e6 * emf.median(), "us");
     table.row("two-wire", 1e6 * twoWire.median(), "us");

@@ -32,7 +32,7 @@ struct Draft {
 };
 
 // What a node misses of Kirchhoff's first law, of what passes it: worst of all nodes that more passes than
-// rounding. Reckoned again from the currents.
+// rounding. Recomputed from the currents.
 double residualOf(Netlist const& netlist, NodalSolution const& solution) {
     std::vector<long double> balance(netlist.objects.size() + 1, 0);
     std::vector<long double> passing(netlist.objects.size() + 1, 0);

@@ -21,7 +21,7 @@ public:
                                         .rank = 0}; // a world that states a law of gravity means it
     using Activation = NeedsAll<GravityLaw, Mass, Position>;
     static constexpr int longestPeriod = 4; // a force that stands for longer is another force
-    static constexpr Coverage memory = leftOut("filled again in each update");
+    static constexpr Coverage memory = leftOut("refilled in each update");
     void update(Access& access);
 
 private:

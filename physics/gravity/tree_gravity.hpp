@@ -25,7 +25,7 @@ public:
         .rank = -1}; // where it suits it is cheaper than Real Gravity
     using Activation = NeedsAll<GravityLaw, Mass, Position>;
     static constexpr int longestPeriod = 4; // a force that stands for longer is another force
-    static constexpr Coverage memory = leftOut("filled again in each update");
+    static constexpr Coverage memory = leftOut("refilled in each update");
     /// From here on it is three times as fast as Real Gravity; it overtakes it at about 500
     /// (bench_many_bodies).
     static constexpr std::size_t worthwhile = 2000;

@@ -27,7 +27,7 @@ public:
     using Access = typename detail::MagneticBase<Self, More...>::Access;
     using Activation = NeedsAll<Magnet, MagneticStrength, Position>;
     static constexpr int longestPeriod = 4; // a force that stands for longer is another force
-    static constexpr Coverage memory = leftOut("filled again in each update");
+    static constexpr Coverage memory = leftOut("refilled in each update");
 
     void update(Access& access) {
         auto const& settings = access.template read<MagnetismSettings>();

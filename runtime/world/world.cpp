@@ -211,7 +211,8 @@ bool World::hasProvider(PropertyInfo const& property, std::vector<bool> const& c
     return false;
 }
 
-// Among components that serve the same need: the one asked for, else the cheapest that suits the scene.
+// Among components that serve the same need: the one asked for, else the one of least rank that suits the
+// scene.
 std::size_t World::pick(std::vector<std::size_t> const& alternatives) const {
     for (std::size_t const i : alternatives) {
         ComponentText const& text = entries_[i].status.info->text;

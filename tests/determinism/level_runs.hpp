@@ -14,7 +14,7 @@ namespace trembler::determinism {
 inline constexpr std::uint64_t frames = 600;
 inline constexpr std::uint64_t every = 60;
 
-/// One gameData for the whole test program.
+/// One GameData for the whole test program.
 [[nodiscard]] GameData const& gameData();
 /// Hashes at every 60th frame of one run.
 struct RunHashes {

@@ -67,7 +67,7 @@ std::vector<ObjectFault> checkCrowds(Store const& store, std::size_t most) {
     std::size_t nearest = 0;
     std::size_t crowded = 0; // the piece that is near so many
     for (std::size_t i = 0; i < pieces.boxes.size() && sum <= 2 * most; ++i) {
-        std::size_t const near = tree.count(pieces.boxes[i]) - 1; // itself
+        std::size_t const near = std::max<std::size_t>(1, tree.count(pieces.boxes[i])) - 1; // itself
         sum += near;
         if (near > nearest) {
             nearest = near;
@@ -77,10 +77,11 @@ std::vector<ObjectFault> checkCrowds(Store const& store, std::size_t most) {
     if (sum <= 2 * most) {
         return {};
     }
-    return {{pieces.bodies[crowded],
-             fmt::format("too many bodies lie in one place, it near {} pieces of others or itself; expected "
-                         "at most {} pairs of pieces of which the surrounding boxes meet",
-                         nearest, most)}};
+    return {
+        {pieces.bodies[crowded], fmt::format("too many bodies lie in one place: the box around one of its "
+                                             "pieces meets those around {} others; expected "
+                                             "at most {} pairs of pieces of which the surrounding boxes meet",
+                                             nearest, most)}};
 }
 
 std::vector<ObjectFault> checkCrowds(Store const& store) {

@@ -32,7 +32,7 @@ public:
         .rank = 4};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
-        leftOut("the analyses of circuits that have not changed; again they come to the same");
+        leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
     static bool suits(Store const&) { return false; } // of itself
     /// Capacities count for it alone, and its fuses never blow.
     static bool faithful(Store const& store) { return isFaithful(ElectricalLevel::flow, store); }

@@ -1,4 +1,4 @@
-// Electricity's expensive detail level, nodal: real direct current, in volts, amperes and watts.
+// Electricity's detail level nodal: real direct current, in volts, amperes and watts.
 #pragma once
 
 #include "physics/electricity/analyses/kept_analyses.hpp"
@@ -38,7 +38,7 @@ public:
     static constexpr double leastPower = 0.01;
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
-        leftOut("the analyses of circuits that have not changed; again they come to the same");
+        leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
     static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access);
 

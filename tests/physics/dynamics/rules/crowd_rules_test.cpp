@@ -88,9 +88,9 @@ TEST(CrowdRules, TellOfTheBodyThatIsNearMost) {
     auto const faults = checkCrowds(bodies.store, 3);
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_EQ(faults.front().object, floor);
-    EXPECT_EQ(faults.front().text,
-              "too many bodies lie in one place, it near 4 pieces of others or itself; expected at most 3 "
-              "pairs of pieces of which the surrounding boxes meet");
+    EXPECT_EQ(faults.front().text, "too many bodies lie in one place: the box around one of its pieces meets "
+                                   "those around 4 others; expected at most 3 "
+                                   "pairs of pieces of which the surrounding boxes meet");
 }
 
 TEST(CrowdRules, LeaveOutWhatIsNoBody) {

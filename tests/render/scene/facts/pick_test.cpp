@@ -14,7 +14,7 @@ double between(double lower, double upper) {
     return lower + (upper - lower) * *rc::gen::inRange(0, 1000001) / 1e6;
 }
 
-// Depth of a point in a piece by its definition, written again for the test: positive inside.
+// Depth of a point in a piece by its definition, written independently for the test: positive inside.
 double depthIn(ShapePiece const& piece, Vec2 local) {
     Vec2 const p = rotated(local - piece.at, -piece.angle);
     switch (piece.form) {
