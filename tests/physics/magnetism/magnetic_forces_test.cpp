@@ -1,5 +1,5 @@
-// Forces between magnets against formulas worked out here independently: Coulomb's law for poles, the far field of a
-// dipole, Newton's third law.
+// Forces between magnets against formulas worked out here independently: Coulomb's law for poles, the far
+// field of a dipole, Newton's third law.
 #include "tests/physics/magnetism/magnet_world.hpp"
 
 #include <gtest/gtest.h>
