@@ -15,16 +15,20 @@ ImpactBook::Key keyOf(b2Contact const* contact) {
 
 void Box2dEngine::BeginContact(b2Contact* contact) {
     if (watching_ && onTheWay(contact)) {
-        for (b2Fixture* const fixture : {contact->GetFixtureA(), contact->GetFixtureB()}) {
-            b2Body const& body = *fixture->GetBody();
-            if (body.GetType() == b2_dynamicBody) {
-                begunOnTheWay_.push_back({slotOf(&body), {body.GetPosition(), body.GetAngle()}});
-            }
-        }
+        noteOnTheWay(contact, false);
     }
     noteTouch(contact, 1);
     if (impactsWanted_) {
         pressures_.begin(keyOf(contact));
+    }
+}
+
+void Box2dEngine::noteOnTheWay(b2Contact* contact, bool ended) {
+    for (b2Fixture* const fixture : {contact->GetFixtureA(), contact->GetFixtureB()}) {
+        b2Body const& body = *fixture->GetBody();
+        if (body.GetType() == b2_dynamicBody) {
+            changedOnTheWay_.push_back({slotOf(&body), {body.GetPosition(), body.GetAngle()}, ended});
+        }
     }
 }
 
@@ -44,7 +48,7 @@ bool Box2dEngine::onTheWay(b2Contact* contact) const {
 void Box2dEngine::EndContact(b2Contact* contact) {
     if (watching_ && !contact->IsTouching() &&
         onTheWay(contact)) { // a contact that goes away still touches here
-        endedOnTheWay_ = true;
+        noteOnTheWay(contact, true);
     }
     noteTouch(contact, -1);
     pressures_.end(keyOf(contact));
@@ -110,12 +114,18 @@ void Box2dEngine::PostSolve(b2Contact* contact, b2ContactImpulse const* impulse)
     impacts_.push_back(impact);
 }
 
+TouchChange Box2dEngine::changeOf(b2Contact* contact, int delta) const {
+    ObjectId const a = bodies_[slotOf(contact->GetFixtureA()->GetBody())].object;
+    ObjectId const b = bodies_[slotOf(contact->GetFixtureB()->GetBody())].object;
+    return a < b ? TouchChange{a, b, delta} : TouchChange{b, a, delta};
+}
+
 void Box2dEngine::noteTouch(b2Contact* contact, int delta) {
-    b2Body* const bodies[2] = {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()};
-    ObjectId const a = bodies_[slotOf(bodies[0])].object;
-    ObjectId const b = bodies_[slotOf(bodies[1])].object;
-    touches_.push_back(a < b ? TouchChange{a, b, delta} : TouchChange{b, a, delta});
-    for (b2Body* const body : bodies) {
+    TouchChange const change = changeOf(contact, delta);
+    if (!takeReported(contact, change)) {
+        touches_.push_back(change);
+    }
+    for (b2Body* const body : {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()}) {
         if (body->IsAwake()) {
             wakeAll(body); // Box2D has just woken it: a touch has begun or ended
         }
@@ -123,14 +133,19 @@ void Box2dEngine::noteTouch(b2Contact* contact, int delta) {
 }
 
 void Box2dEngine::addContactPatches(std::vector<ContactPatch>& patches) const {
-    for (b2Contact const* contact = world_.GetContactList(); contact != nullptr;
+    // Box2D gives no other access to the contacts of a world that is const.
+    for (b2Contact* contact = const_cast<b2World&>(world_).GetContactList(); contact != nullptr;
          contact = contact->GetNext()) {
-        b2Manifold const& manifold = *contact->GetManifold();
-        if (!contact->IsTouching() || manifold.pointCount == 0) {
+        std::optional<b2Manifold> const touching = manifoldNow(contact);
+        if (!touching || touching->pointCount == 0) {
             continue;
         }
+        b2Manifold const& manifold = *touching;
         b2WorldManifold world;
-        contact->GetWorldManifold(&world);
+        world.Initialize(&manifold, contact->GetFixtureA()->GetBody()->GetTransform(),
+                         contact->GetFixtureA()->GetShape()->m_radius,
+                         contact->GetFixtureB()->GetBody()->GetTransform(),
+                         contact->GetFixtureB()->GetShape()->m_radius);
         ContactPatch patch;
         patch.a = bodies_[slotOf(contact->GetFixtureA()->GetBody())].object;
         patch.b = bodies_[slotOf(contact->GetFixtureB()->GetBody())].object;

@@ -82,6 +82,7 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
 
 void Box2dEngine::removeBody(SlotIndex slot) {
     world_.DestroyBody(bodies_[slot].body);
+    forgetReported(slot);
     bodies_[slot] = {};
     awake_[slot] = 0;
     disturbed_ = true; // Box2D has woken those that touched it

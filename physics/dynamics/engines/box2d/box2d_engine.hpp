@@ -10,6 +10,8 @@
 
 #include <box2d/box2d.h>
 
+#include <optional>
+
 namespace trembler {
 
 class Box2dEngine final : public Engine, private b2ContactListener {
@@ -53,6 +55,12 @@ private:
         b2Vec2 centre = b2Vec2_zero;
         float angle = 0;
     };
+    /// A touch began or ended while Box2D went back on a body's way.
+    struct OnTheWay {
+        SlotIndex slot = noSlot;
+        Place place; // of the body then
+        bool ended = false;
+    };
     struct JointEntry {
         b2Joint* joint = nullptr;
         SlotIndex a = noSlot;
@@ -71,16 +79,46 @@ private:
     [[nodiscard]] float freeShare(BodyEntry const& entry, Place const& start, b2Vec2 way) const;
     /// Whether Box2D has gone back on a body's way within the substep, and is looking at contacts there.
     [[nodiscard]] bool onTheWay(b2Contact* contact) const;
-    /// Whether something that may touch has moved far since noteStart(), or since a touch began on its way,
-    /// so that what touches is not known.
-    [[nodiscard]] bool movedFar() const;
-    [[nodiscard]] bool isFarFrom(SlotIndex slot, Place const& place) const;
+    void noteOnTheWay(b2Contact* contact, bool ended);
+
+    // What touches at a frame's end, see box2d_frame_end.cpp.
+    /// A touch that was reported as begun or ended before Box2D said so.
+    struct Reported {
+        b2Contact const* contact = nullptr; // to be compared with only: Box2D may have destroyed it
+        TouchChange change;
+        SlotIndex slot = noSlot;
+        SlotIndex other = noSlot;
+    };
+    /// How a body moved in the last substep, in engine units.
+    struct Way {
+        b2Vec2 from = b2Vec2_zero;
+        b2Vec2 by = b2Vec2_zero;
+        float turn = 0;
+        float extent = 0; // of its farthest point
+    };
+    [[nodiscard]] Way wayFrom(SlotIndex slot, Place const& start) const;
+    /// Whether any of its points may have moved farther than touches may be late.
+    [[nodiscard]] bool isFar(Way const& way) const;
+    /// Whether any point of the smaller body has, as seen from the larger one.
+    [[nodiscard]] bool isFarApart(Way const& a, Way const& b) const;
+    /// Reports the touches of bodies that have moved far, where they are not what Box2D takes them for.
+    void reportStaleTouches();
+    /// Whether the change has been reported already. It is then Box2D's, too, and no longer remembered.
+    [[nodiscard]] bool takeReported(b2Contact const* contact, TouchChange const& change);
+    /// Takes back what Box2D, when it looked, did not find.
+    void settleReported();
+    /// Takes back what was reported of a body that goes.
+    void forgetReported(SlotIndex slot);
+    void takeBack(Reported const& reported);
+    /// How a contact touches at the frame's end; nothing if it does not.
+    [[nodiscard]] std::optional<b2Manifold> manifoldNow(b2Contact* contact) const;
 
     void BeginContact(b2Contact* contact) override;
     void EndContact(b2Contact* contact) override;
     void PreSolve(b2Contact* contact, b2Manifold const* before) override;
     void PostSolve(b2Contact* contact, b2ContactImpulse const* impulse) override;
     void noteTouch(b2Contact* contact, int delta);
+    [[nodiscard]] TouchChange changeOf(b2Contact* contact, int delta) const;
     /// Wakes the body and all that it rests on or is tied to, as Box2D itself does within its step, but with
     /// their loads, which Box2D drops when a body falls asleep.
     void wakeAll(b2Body* body);
@@ -123,11 +161,15 @@ private:
     std::vector<std::uint8_t> movedMarks_;
     std::vector<TouchChange> touches_;
     std::vector<b2Body*> wakeStack_;
-    int added_ = 0;              // bodies since the last step
-    std::vector<Place> start_;   // by slot: where what is awake began the substep
-    bool watching_ = false;      // start_ is to be compared with
-    bool endedOnTheWay_ = false; // a touch ended where its bodies were on their way only
-    std::vector<std::pair<SlotIndex, Place>> begunOnTheWay_; // where bodies were when a touch began there
+    int added_ = 0;            // bodies since the last step
+    std::vector<Place> start_; // by slot: where what is awake began the substep
+    bool watching_ = false;    // start_ is to be compared with
+    std::vector<OnTheWay> changedOnTheWay_;
+    /// In the last substep: far enough for touches to be stale, or brought to a stop on its way.
+    enum class Moved : std::uint8_t { little, far, stopped };
+    std::vector<Moved> movedFar_;    // by slot
+    std::vector<Way> ways_; // by slot
+    std::vector<Reported> reported_; // since the end of the last frame
     bool impactsWanted_ = false;
     ImpactBook pressures_;
     std::vector<Impact> impacts_;

@@ -71,26 +71,6 @@ void Box2dEngine::noteStart() {
     }
 }
 
-bool Box2dEngine::isFarFrom(SlotIndex slot, Place const& place) const {
-    b2Body const& body = *bodies_[slot].body;
-    double const turn = std::abs(static_cast<double>(body.GetAngle() - place.angle));
-    return length(fromEngine(body.GetPosition() - place.centre)) + turn * bodies_[slot].extent > farInSubstep;
-}
-
-// By their places, not by their speeds: what is jammed is thrown about by Box2D's correction of overlaps,
-// which is no speed, and may even be thrown back to where it began the substep.
-bool Box2dEngine::movedFar() const {
-    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
-        b2Body* const body = bodies_[slot].body;
-        if (awake_[slot] != 0 && body != nullptr && body->GetContactList() != nullptr &&
-            isFarFrom(slot, start_[slot])) {
-            return true;
-        }
-    }
-    return std::any_of(begunOnTheWay_.begin(), begunOnTheWay_.end(),
-                       [this](auto const& begun) { return isFarFrom(begun.first, begun.second); });
-}
-
 void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last) {
     if (double const added = std::exchange(added_, 0); added * added > mostLooks) {
         // Box2D finds out what touches what is new in a step only. One without time does nothing else.
@@ -102,18 +82,15 @@ void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last)
     }
     world_.SetContinuousPhysics(!many);
     watching_ = last;
-    endedOnTheWay_ = false;
-    begunOnTheWay_.clear();
+    changedOnTheWay_.clear();
     guardBox2d([&] { world_.Step(h, settings.velocityIterations, settings.positionIterations); });
     watching_ = false;
+    settleReported();
     if (many) {
         holdBack();
     }
-    if (std::exchange(endedOnTheWay_, false) || (last && movedFar())) {
-        // Box2D has looked at contacts where bodies began the substep, and at some where they were on the
-        // way, not where they are now. A step without time only looks at all of them again, as the next step
-        // would begin with.
-        guardBox2d([&] { world_.Step(0, settings.velocityIterations, settings.positionIterations); });
+    if (last) {
+        reportStaleTouches();
     }
 }
 
