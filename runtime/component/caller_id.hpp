@@ -28,19 +28,19 @@ public:
         return known_ == nullptr ? std::string_view() : known_->name;
     }
     [[nodiscard]] explicit operator bool() const { return known_ != nullptr; }
-    friend bool operator==(CallerId x, CallerId y) { return x.rank() == y.rank(); }
-    friend std::strong_ordering operator<=>(CallerId x, CallerId y) { return x.rank() <=> y.rank(); }
+    friend bool operator==(CallerId x, CallerId y) { return x.order() == y.order(); }
+    friend std::strong_ordering operator<=>(CallerId x, CallerId y) { return x.order() <=> y.order(); }
 
 private:
     friend class Callers;
     struct Known {
-        std::uint32_t rank; // nobody has 0
+        std::uint32_t order; // its place among the callers; the caller that is nobody has 0
         std::string name;
     };
     explicit CallerId(Known const& known) : known_(&known) {}
-    [[nodiscard]] std::uint32_t rank() const { return known_ == nullptr ? 0 : known_->rank; }
+    [[nodiscard]] std::uint32_t order() const { return known_ == nullptr ? 0 : known_->order; }
 
-    Known const* known_ = nullptr; // for its rank and name; the address itself decides nothing
+    Known const* known_ = nullptr; // for its order and name; the address itself decides nothing
 };
 
 /// The callers of one world. Components never see it.
@@ -53,20 +53,20 @@ public:
 
 private:
     friend class CallerId;
-    static constexpr std::uint32_t levelRank = 1;
+    static constexpr std::uint32_t levelOrder = 1;
     static constexpr std::uint32_t firstInteraction = 1024;
 
-    CallerId make(std::uint32_t rank, std::string_view name) {
-        return CallerId(known_.emplace_back(CallerId::Known{rank, std::string(name)}));
+    CallerId make(std::uint32_t order, std::string_view name) {
+        return CallerId(known_.emplace_back(CallerId::Known{order, std::string(name)}));
     }
 
     std::deque<CallerId::Known> known_; // a deque: callers hold on to theirs while more are added
-    std::uint32_t nextOutside_ = levelRank + 1;
+    std::uint32_t nextOutside_ = levelOrder + 1;
     std::uint32_t next_ = firstInteraction;
 };
 
 inline CallerId CallerId::level() {
-    static Known const known{Callers::levelRank, "level"};
+    static Known const known{Callers::levelOrder, "level"};
     return CallerId(known);
 }
 

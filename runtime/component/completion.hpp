@@ -51,11 +51,11 @@ template <template <class...> class List, class... P, class Other>
 inline constexpr bool disjoint<List<P...>, Other> = (!listed<P, Other> && ...);
 
 template <class... P>
-[[nodiscard]] bool activation(Store const& store, ObjectId id, NeedsAll<P...> const&) {
+[[nodiscard]] bool isCalledForBy(Store const& store, ObjectId id, NeedsAll<P...> const&) {
     return (store.has<P>(id) && ...);
 }
 template <class... P>
-[[nodiscard]] bool activation(Store const& store, ObjectId id, NeedsAny<P...> const&) {
+[[nodiscard]] bool isCalledForBy(Store const& store, ObjectId id, NeedsAny<P...> const&) {
     return (store.has<P>(id) || ...);
 }
 
@@ -174,7 +174,7 @@ public:
                 typename Access::Columns columns{Access::template Pointers<ReadsList>::of(store),
                                                  Access::template Pointers<AddsList>::of(store)};
                 for (ObjectId const object : objects) { // ascending, see Store::complete()
-                    if (detail::activation(store, object, typename Self::Activation{})) {
+                    if (detail::isCalledForBy(store, object, typename Self::Activation{})) {
                         Access access(columns, object);
                         Self::complete(access);
                     }

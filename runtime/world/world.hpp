@@ -5,6 +5,7 @@
 #include "runtime/component/component.hpp"
 #include "runtime/input/player_input.hpp"
 #include "runtime/world/registry.hpp"
+#include "runtime/world/selection.hpp"
 #include "runtime/world/store.hpp"
 #include "runtime/world/subscription.hpp"
 
@@ -32,6 +33,8 @@ struct WorldOptions {
 struct ComponentStatus {
     ComponentInfo const* info = nullptr;
     Activity activity = Activity::absent;
+    Choice
+        choice; ///< why it is there or not, as of the last selection; numbers are places in World::status()
     int period = 1;
     int longestPeriod = 1; ///< see Registration
     std::uint64_t updates = 0;
@@ -148,8 +151,8 @@ private:
         std::unique_ptr<Component> component;
         bool own = false; // it would be there without onlookers, too
         ComponentStatus status;
-        CallerId caller; // of an interaction, for the world's life
-        std::uint32_t rank = 0;
+        CallerId caller;                    // of an interaction, for the world's life
+        std::uint32_t index = 0;            // in entries_
         std::vector<std::size_t> insideOf;  // the entries of the DPS, alternatives, that it is a shortcut in
         std::vector<std::size_t> shortcuts; // the entries that run inside this one
         std::uint64_t lastTick = 0;         // at the end of its last turn, or of one that it slept through
@@ -157,15 +160,11 @@ private:
     };
 
     [[nodiscard]] bool readHere(PropertyInfo const& property) const;
+    void addEntries();
+    void linkShortcuts();
     void select();
+    void construct(Entry& entry);
     void setUp();
-    [[nodiscard]] std::vector<bool> wanted(bool byOnlookers) const;
-    [[nodiscard]] std::vector<bool> wantedWithout(std::vector<bool> const& unread) const;
-    [[nodiscard]] bool isRead(ComponentInfo const& info, std::vector<bool> const& chosen,
-                              bool byOnlookers) const;
-    [[nodiscard]] bool activation(ComponentInfo const& info) const;
-    [[nodiscard]] bool hasProvider(PropertyInfo const& property, std::vector<bool> const& chosen) const;
-    [[nodiscard]] std::size_t pick(std::vector<std::size_t> const& alternatives) const;
     void bindAll();
     [[nodiscard]] static double secondsIn(std::uint64_t ticks) {
         return frameDuration * (static_cast<double>(ticks) / ticksPerFrame);
@@ -190,6 +189,7 @@ private:
     std::unique_ptr<Tracer> tracer_;
     std::shared_ptr<Wants> wants_ = std::make_shared<Wants>(); // by those outside: no part of its state
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each
+    ComponentGraph graph_;       // of the entries: component n is entry n
     std::optional<std::size_t> divider_; // the entry that says in how many parts a frame is computed
     std::vector<SlotBase*> news_;        // the slots of what tells news
     Moment now_;
