@@ -86,7 +86,7 @@ void World::start() {
     setUp();
 }
 
-// What resolvers must know in their first advance is told to them in frame 0.
+// Interactions of the setup call in frame 0, so that their resolvers have these calls in their first advance.
 void World::setUp() {
     for (Entry& entry : entries_) {
         if (entry.component && entry.status.info->inSetup) {

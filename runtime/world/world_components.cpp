@@ -1,4 +1,4 @@
-// Which components are there: constructed, bound to their data, or gone.
+// Constructing, binding and destroying components, as the selection says.
 #include "runtime/world/world.hpp"
 
 #include <map>
@@ -37,7 +37,7 @@ void World::select() {
             entry.component.reset();
             entry.status.activity = Activity::absent;
             changed = true;
-            if (!choice.alternative) { // else that one offers the same, and goes on with it
+            if (!choice.alternative) { // otherwise the alternative goes on with the same slots
                 for (PropertyInfo const* offer : entry.status.info->offers) {
                     store_.slot(*offer).reset();
                 }

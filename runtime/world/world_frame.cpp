@@ -9,7 +9,7 @@ namespace {
 
 static_assert(World::ticksPerFrame == mostParts);
 
-/// Sets a flag, and takes it back at the end, however that comes about.
+/// Sets a flag for its own lifetime.
 class Raised {
 public:
     explicit Raised(bool& flag) : flag_(flag) { flag_ = true; }
@@ -26,7 +26,7 @@ private:
 void World::step(PartLook const& look) {
     if (knownStructure_ != 0 && wants_->takeChanged()) {
         select();
-        bindAll(); // even where nobody came or went, the number of readers is another one
+        bindAll(); // the numbers of readers have changed, even if no component came or went
     }
     Raised const raised(underWay_);
     now_ = {now_.frame + 1, 1, 1, now_.step + 1};
@@ -47,13 +47,13 @@ void World::step(PartLook const& look) {
         if (now_.part == now_.parts) {
             return;
         }
-        // Where nobody had anything to do, nothing is going to change in the parts to come, but in the last
-        // one, in which those with a period have their turn.
+        // If no component had work in this part, nothing changes in the following parts before the last one,
+        // in which components with a period have their turn.
         if (anybodyRan()) {
             ++now_.part;
         } else {
-            // Whoever slept in this part sleeps through them too: woken in the last one, it has had a turn in
-            // the one before.
+            // A component that slept in this part sleeps through the skipped ones as well: if it wakes in the
+            // last one, its turn covers the time of that part only.
             std::uint64_t const skipped =
                 (now_.parts - now_.part - 1) * std::uint64_t{ticksPerFrame / now_.parts};
             for (Entry& entry : entries_) {
@@ -65,8 +65,8 @@ void World::step(PartLook const& look) {
     }
 }
 
-// Who says in how many parts a frame is computed has a turn of its own before the first of them, and so sees
-// what interactions had told at the end of the frame before.
+// The component that decides in how many parts a frame is computed has a turn of its own before the first
+// part, and so gets the calls that interactions made at the end of the frame before.
 std::uint32_t World::chooseParts() {
     if (!divider_ || !entries_[*divider_].component) {
         return 1;
@@ -95,10 +95,10 @@ void World::runPart() {
     notes_ = 0;
     runPhase(ComponentKind::resolver);
     if (tracer_) {
-        gatherTrace(); // now, as components, and their events with them, may go in select()
+        gatherTrace(); // before select(), which may destroy components with their events
     }
     if (store_.structureVersion() != knownStructure_) {
-        select(); // objects came or went: other components may be called for, or none
+        select(); // objects came or went: the scene may call for other components
     }
     runPhase(ComponentKind::dps);
     runPhase(ComponentKind::interaction);

@@ -1,4 +1,4 @@
-// What may be asked of a world between two frames: detail levels and periods.
+// Changing detail levels and periods between two frames.
 #include "runtime/world/world.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// One phase of a part of a frame: which components have a turn, and what happens in it.
+// The turns of components in one phase (resolvers, derived property sets or interactions) of a part of a
+// frame.
 #include "runtime/schedule/schedule.hpp"
 #include "runtime/world/world.hpp"
 
@@ -9,7 +10,7 @@ namespace trembler {
 
 bool World::due(Entry const& entry) const {
     if (divider_ && &entry == &entries_[*divider_]) {
-        return false; // its turn was before the frame
+        return false; // it has had its turn before the first part
     }
     auto const period = static_cast<std::uint64_t>(entry.status.period);
     return period == 1 || (now_.part == now_.parts && (now_.frame - 1) % period == 0);
@@ -37,7 +38,7 @@ bool World::runsInside(Entry const& entry) const {
                        [this](std::size_t outer) { return entries_[outer].component != nullptr; });
 }
 
-// Runs a component, or lets it sleep if there is nothing for it to do.
+// Runs a component if it has work, else lets it sleep.
 void World::giveTurn(Entry& entry) {
     if (now_.part == 1 || entry.status.period > 1) { // its first turn in this frame
         entry.status.activity = Activity::asleep;
@@ -48,7 +49,7 @@ void World::giveTurn(Entry& entry) {
         entry.status.activity = Activity::active;
         return;
     }
-    entry.lastTick = ticks_; // it slept through this time, there is none to catch up
+    entry.lastTick = ticks_; // time that it sleeps through is not part of its next turn
 }
 
 void World::runPhase(ComponentKind kind) {
@@ -58,7 +59,7 @@ void World::runPhase(ComponentKind kind) {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         Entry& entry = entries_[i];
         if (entry.status.info->kind != kind || !entry.component || runsInside(entry)) {
-            continue; // what runs inside a derived property set has its turns there
+            continue; // an interaction inside a derived property set has its turn with it
         }
         bool runs = false;
         auto const consider = [&](Entry& candidate) {
@@ -69,8 +70,7 @@ void World::runPhase(ComponentKind kind) {
                 rows += candidate.component->workload();
                 runs = true;
             } else if (kind == ComponentKind::resolver) {
-                runs = true; // it may be given work by one that runs before it, so it decides when its turn
-                             // comes
+                runs = true; // a resolver that runs before it may give it work: decided at its turn
             } else {
                 giveTurn(candidate);
             }
