@@ -1,6 +1,7 @@
 #include "runtime/world/component_graph.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string_view>
 #include <typeindex>

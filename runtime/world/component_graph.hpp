@@ -1,4 +1,4 @@
-// Which component needs, reads, offers and calls what, by number: made once of the descriptions, so that
+// The needs, reads, offers and calls of components as numbers: made once of the descriptions, so that
 // selecting components, which happens whenever objects come or go, compares no names and searches no lists.
 #pragma once
 
@@ -20,8 +20,8 @@ struct ComponentGraph {
         ComponentInfo const* info = nullptr;
         Numbers neededAll; ///< object properties
         Numbers neededAny; ///< object properties
-        Numbers reads;  ///< offered properties; those of objects are there whether anybody offers them or not
-        Numbers offers; ///< offered properties
+        Numbers reads;     ///< offered properties; no object properties, which need no provider
+        Numbers offers;    ///< offered properties
         std::size_t group = 0;
         std::optional<std::size_t> resolvers{}; ///< of an interaction: the group of resolvers that it calls
     };
@@ -33,16 +33,17 @@ struct ComponentGraph {
         Numbers providers; ///< components, ascending
     };
 
-    /// Components of which a world has one at most: see areAlternatives(). An interaction has a group of its
-    /// own.
+    /// Alternatives (see areAlternatives()), of which a world has one at most. Each interaction is a group of
+    /// its own.
     struct Group {
         Numbers members; ///< ascending
         Numbers callers; ///< of resolvers: the interactions that call them, ascending
     };
 
     ComponentGraph() = default;
-    /// `components` must outlive the graph. Alternatives must offer the same properties, and nobody else may
-    /// offer one of those: Registry::check() sees to it. O(n log n) in the properties that all of them name.
+    /// `components` must outlive the graph. Alternatives must offer the same properties, and no other
+    /// component may offer one of these, as Registry::check() makes sure. O(n log n) in the number of
+    /// properties that the components name.
     explicit ComponentGraph(std::span<ComponentInfo const* const> components);
 
     std::vector<Component> components;

@@ -1,6 +1,7 @@
 #include "runtime/world/selection.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -46,8 +47,8 @@ private:
                (any.empty() || std::any_of(any.begin(), any.end(), inhabited));
     }
 
-    // Each component waits for what it reads and for its resolver; one that waits for nothing is a candidate
-    // and ends the waiting of others. Those that wait for each other stay where they are.
+    // Each component waits for the properties that it reads and for its resolver. One that waits for nothing
+    // is a candidate, and others wait for one thing less. Components in a circle wait for ever.
     void findCandidates() {
         Numbers waitsFor(graph_.components.size());
         Numbers ready;
@@ -129,9 +130,9 @@ private:
         choices_[number].reason = reason;
     }
 
-    // Taking a component away can only take readers away: what is chosen has what it reads, as that is read,
-    // and the choice among candidates does not change when one that was not chosen is no longer there. So no
-    // component comes in instead, and none needs to be looked at again but the providers of what it read.
+    // A removal can only lower numbers of readers. The providers of a chosen component stay, as it reads
+    // them, and the choice among candidates does not depend on those that were not chosen. So no component
+    // comes in instead of a removed one, and only the providers of its reads need to be looked at again.
     void removeUnread() {
         readers_.assign(graph_.offered.size(), 0);
         for (std::size_t property = 0; property < readers_.size(); ++property) {
@@ -222,10 +223,10 @@ private:
     Flags inhabited_;                                  // of object properties
     Flags available_;                                  // of offered properties: a candidate offers it
     Flags groupThere_;                                 // of groups: a candidate is in it
-    Flags groupUnread_;                                // of groups: nobody reads what it offers
+    Flags groupUnread_;                                // of groups: nobody reads its properties
     std::vector<std::optional<std::size_t>> chosenOf_; // of groups
     Numbers candidates_;                               // of the group that is being chosen from
-    Numbers readers_; // of offered properties: how many chosen components and onlookers read it
+    Numbers readers_; // of offered properties: how many chosen components and subscriptions read it
 };
 
 } // namespace

@@ -8,6 +8,9 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
+#include <typeindex>
+#include <utility>
 #include <vector>
 
 namespace trembler::descriptions {
@@ -31,6 +34,10 @@ public:
         bool onDemand = false;
     };
 
+    Descriptions() = default;
+    Descriptions(Descriptions&&) = default; // a copy would point into the original
+    Descriptions& operator=(Descriptions&&) = delete;
+
     std::size_t resolver(Stated const& stated) { return add(ComponentKind::resolver, stated); }
     std::size_t dps(Stated const& stated) { return add(ComponentKind::dps, stated); }
     std::size_t interaction(Stated const& stated) { return add(ComponentKind::interaction, stated); }
@@ -52,6 +59,9 @@ public:
             .type = typeid(void),
             .kind = name.front() == 'o' ? PropertyKind::object : PropertyKind::resolver,
             .text = {keep(name), keep(name), ""},
+            .makeColumn = nullptr,
+            .makeSlot = nullptr,
+            .makeValue = nullptr,
         });
     }
 
