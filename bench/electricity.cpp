@@ -157,7 +157,8 @@ private:
     ObjectId director_;
 };
 
-/// The graph library over everything. The graph is kept between changes, only the analysis is done again.
+/// The graph library over everything. The graph is kept between changes, only the analysis starts from
+/// scratch.
 class WholeGraph {
 public:
     WholeGraph(Plan const& plan, bool twoWire)

@@ -1,4 +1,5 @@
-// Where things are and how they move: what a level file states of every placed object, whatever its physics.
+// Positions, angles and velocities: properties that a level file states of every placed object, whatever its
+// physics.
 #pragma once
 
 #include "runtime/property/description.hpp"

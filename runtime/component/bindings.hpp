@@ -59,7 +59,7 @@ void forRanges(Executor& executor, std::size_t count, F&& f, std::size_t rows = 
         chunks, [&](std::size_t chunk) { f(chunk, chunk * rows, std::min(count, (chunk + 1) * rows)); });
 }
 
-/// What the three kinds of access have in common.
+/// The common part of the three kinds of access.
 class AccessBase {
 public:
     explicit AccessBase(FrameContext const& context, std::deque<EventSink>& sinks)
@@ -69,7 +69,7 @@ public:
     /// Time since the component's last turn, in s: a part of a frame, a frame, or as many as its period says.
     [[nodiscard]] double duration() const { return context_.duration; }
     [[nodiscard]] bool tracing() const { return context_.tracing; }
-    /// Records an event, or does nothing and returns no event while nobody traces. Not inside forRanges().
+    /// Records an event; without a trace, does nothing and returns no event. Not inside forRanges().
     EventId event(std::string_view what, std::initializer_list<ObjectId> objects,
                   std::initializer_list<EventId> causes) {
         return event(what, std::span(objects.begin(), objects.size()),
@@ -79,8 +79,8 @@ public:
         return sinks_.empty() ? EventId{} : sinks_.front().record(what, objects, causes);
     }
     /// Calls f(begin, end) for consecutive ranges that cover [0, count), perhaps at the same time. f must
-    /// write only what belongs to its range. `rows` > 0 is the length of a range: a constant of the
-    /// component, less where each row is much work (some microseconds a range are worth a thread's while).
+    /// write only data of its range. `rows` > 0 is the length of a range: a constant of the component,
+    /// smaller where each row is much work (a range of some microseconds is worth the overhead of a thread).
     template <class F>
     void forRanges(std::size_t count, F&& f, std::size_t rows = chunkRows) {
         detail::forRanges(
@@ -93,7 +93,7 @@ protected:
     std::deque<EventSink>& sinks_;
 };
 
-/// Whether a component says how the state hash covers what it keeps in members of its own.
+/// Whether a component states how the state hash covers its data members.
 template <class Self>
 inline constexpr bool hashesMemory = requires(Self const& self, StateHash& hash) {
     self.hashMemory(hash);
@@ -113,7 +113,7 @@ void copyMemory(ComponentInfo& info) {
     }
 }
 
-/// Fills in what calls for a component.
+/// Fills in the properties whose objects call for a component.
 template <class... P>
 void copyNeeds(NeedsAll<P...> const&, ComponentInfo& info) {
     info.neededAll = {&propertyInfo<P>()...};

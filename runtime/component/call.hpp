@@ -20,23 +20,23 @@
 
 namespace trembler {
 
-/// What a call does to those beside it. There is none in which the last writer wins.
+/// How a call combines with other calls. None is such that the last one wins.
 enum class Algebra {
-    sumOfRates,   ///< held: contributions add up for as long as the interaction stands by them (forces)
+    sumOfRates,   ///< held: contributions add up for as long as the interaction holds them (forces)
     sumOfAmounts, ///< once: contributions add up (impulses)
-    anyOf,        ///< held: true while anybody says so
+    anyOf,        ///< held: true while any call says so
     least,        ///< held: the smallest value counts
     greatest,     ///< held: the largest value counts
     countedSet, ///< once: +1 or -1 on a key, counted for each caller by itself (CallerCounts); the key is in
                 ///< the set while any count is above zero
     create,     ///< once: equal keys create one object
     destroy,    ///< once: destroying twice is destroying once
-    sequence,   ///< once, from outside the world only: carried out in the order in which they came. There is
-                ///< one who calls, so there is no other order that could matter
+    sequence,   ///< once, from outside the world only: carried out in the order in which they came. They have
+                ///< one caller, so their order is well defined
 };
 
-/// Held calls stand until the interaction is applied again, so one whose inputs did not change can sleep and
-/// still pull. The others are carried out once.
+/// Held calls stand until the interaction is applied again, so the forces of an interaction that sleeps, as
+/// its inputs do not change, go on. Other calls are carried out once.
 [[nodiscard]] constexpr bool isHeld(Algebra a) {
     return a == Algebra::sumOfRates || a == Algebra::anyOf || a == Algebra::least || a == Algebra::greatest;
 }
@@ -66,7 +66,8 @@ concept InteractionCall = std::is_trivially_copyable_v<C> && requires(C const& c
 
 namespace detail {
 
-/// Says in words what a call lacks; InteractionCall alone would only say that it is none.
+/// Refuses a type that is no call with a message that names the missing part; InteractionCall alone would
+/// only say that it is none.
 template <class C>
 constexpr bool checkCall() {
     static_assert(std::is_trivially_copyable_v<C>,
@@ -135,20 +136,21 @@ concept ResolverRole = requires {
     requires detail::checkRole<R>();
 };
 
-/// A role that is called from outside the world too, as by the player: `fedBy` names who does, and
-/// World::feed() is the way in. Such calls are recorded, drained and ordered like those of an interaction
+/// A role that is called from outside the world too: `fedBy` names the caller, for example the player, and
+/// World::feed() makes the calls. Such calls are recorded, drained and ordered like those of an interaction
 /// that is registered before all others.
 template <class R>
 concept FedFromOutside = ResolverRole<R> && requires {
     { R::fedBy } -> std::convertible_to<std::string_view>;
 };
 
-/// The calls of one kind by one chunk of one interaction. Written by one thread at a time; no locks.
+/// Records the calls of one type that one chunk of an interaction's work makes. Written by one thread at a
+/// time; no locks.
 template <InteractionCall C>
 class CallBuffer {
 public:
     void push(C const& call) { calls_.push_back(call); }
-    /// Of the call that was pushed last. There must be one.
+    /// Sets the cause of the call that was recorded last. There must be one.
     void setCauseOfLast(EventId cause) {
         causes_.resize(calls_.size());
         causes_.back() = cause;
@@ -162,7 +164,7 @@ public:
 
 private:
     std::vector<C> calls_;
-    std::vector<EventId> causes_; // shorter than calls_ while nobody traces
+    std::vector<EventId> causes_; // shorter than calls_ without a trace
 };
 
 namespace detail {
@@ -178,20 +180,22 @@ template <class C, class... D>
 inline constexpr bool callListed<C, CallList<D...>> = (std::is_same_v<C, D> || ...);
 } // namespace detail
 
-/// All that one interaction has said to its resolver, by chunk of its work.
+/// The records of all calls of one interaction (or of the caller outside), in one CallBuffer per call type
+/// for each chunk of its work.
 template <ResolverRole Role>
 struct CallSource {
     using Buffers = typename detail::BuffersOf<typename Role::Calls>::Type;
 
-    CallerId caller; ///< whose calls they are
-    /// Chunks never depend on the number of threads. A deque, as callers hold on to theirs while more are
-    /// added.
+    CallerId caller; ///< the interaction that makes the calls
+    /// Chunks never depend on the number of threads. A deque, as references to chunks must stay valid while
+    /// more are added.
     std::deque<Buffers> chunks = std::deque<Buffers>(1);
-    std::uint64_t version = 1; ///< counts up with every apply, but for those that say nothing after nothing
+    /// Counts up with every apply that makes calls or withdraws held ones.
+    std::uint64_t version = 1;
 
     void clearHeld() { clearWhere(true); }
     void clearOnce() { clearWhere(false); }
-    /// Whether no call stands or waits.
+    /// Whether it records no call, neither a held one nor one that waits to be carried out.
     [[nodiscard]] bool empty() const {
         return std::all_of(chunks.begin(), chunks.end(), [](Buffers const& chunk) {
             return std::apply([](auto const&... buffer) { return (buffer.calls().empty() && ...); }, chunk);
@@ -218,10 +222,10 @@ private:
     }
 };
 
-/// Who calls, told to the resolver beside each call.
+/// The caller and the cause of a call, which the resolver gets beside it.
 struct CallOrigin {
     CallerId caller;
-    EventId cause; ///< what made it call; none while nobody traces
+    EventId cause; ///< the event that led to the call; none without a trace
 };
 
 class ChannelBase {
@@ -232,8 +236,8 @@ public:
     virtual void clearSources() = 0;
 };
 
-/// What connects the interactions of one role to its resolver: their sources in registration order, which is
-/// the order in which calls are drained. What is fed from outside comes before them.
+/// Connects the interactions of one role to its resolver: holds their sources in registration order, the
+/// order in which calls are drained. Calls from outside come before those of interactions.
 template <ResolverRole Role>
 class Channel final : public ChannelBase {
 public:
@@ -242,7 +246,7 @@ public:
         callers_.push_back(source->caller);
         ++changes_;
     }
-    /// Says that there is a resolver, which takes what is fed.
+    /// To be called when a resolver is bound: from then on, calls from outside are recorded.
     void attachResolver() { resolverThere_ = true; }
     void clearSources() override {
         sources_.clear();
@@ -254,17 +258,17 @@ public:
         }
     }
     [[nodiscard]] std::span<CallSource<Role>* const> sources() const { return sources_; }
-    /// Who may call at present: ascending if they were added in registration order.
+    /// The callers of the sources: ascending if the sources were added in registration order.
     [[nodiscard]] std::span<CallerId const> callers() const { return callers_; }
 
-    /// Opens the way in for whoever is outside, under that identity. Once, before any source is added.
+    /// Accepts calls from outside, under that identity. Once, before any source is added.
     void openToOutside(CallerId caller) requires FedFromOutside<Role> {
         outside_ = std::make_unique<CallSource<Role>>();
         outside_->caller = caller;
         add(outside_.get());
     }
-    /// Records a call from outside for the next advance. Between frames only. Without a resolver, or if the
-    /// way in is not open, it is lost.
+    /// Records a call from outside for the next advance. Between frames only. Without a resolver, or before
+    /// openToOutside(), it is lost.
     template <InteractionCall C>
     void feed(C const& call) requires FedFromOutside<Role> {
         static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this role");
@@ -273,14 +277,14 @@ public:
             ++outside_->version;
         }
     }
-    /// Whether any call stands or waits.
+    /// Whether no source records a call.
     [[nodiscard]] bool empty() const {
         return std::all_of(sources_.begin(), sources_.end(),
                            [](CallSource<Role> const* source) { return source->empty(); });
     }
 
-    /// Differs whenever any source has said anything, or taken anything back, or the set of sources is
-    /// another one. The two must not be added up: a source that goes takes its count along, and the sum could
+    /// Differs whenever a source has made or withdrawn calls or the set of sources has changed. The count of
+    /// such changes has bits of its own: a source that is removed takes its count out of the sum, which could
     /// come out as before.
     [[nodiscard]] std::uint64_t version() const override {
         std::uint64_t sum = changes_ << 40U;
@@ -294,7 +298,7 @@ public:
             source->clearOnce();
         }
     }
-    /// Hashes every call that stands or waits, by who makes it, whatever the order of registration.
+    /// Hashes every recorded call with its caller's name, independently of the order of registration.
     void hash(StateHash& hash) const {
         std::vector<CallSource<Role> const*> sorted(sources_.begin(), sources_.end());
         std::sort(sorted.begin(), sorted.end(),
@@ -323,7 +327,7 @@ public:
 
 private:
     std::vector<CallSource<Role>*> sources_;
-    std::vector<CallerId> callers_; // theirs
+    std::vector<CallerId> callers_; // of sources_
     std::unique_ptr<CallSource<Role>> outside_;
     bool resolverThere_ = false;
     std::uint64_t changes_ = 1;

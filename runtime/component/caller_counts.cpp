@@ -10,7 +10,7 @@ namespace {
 
 std::int32_t changed(std::int32_t count, std::int64_t change) {
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-    // The change first: far beyond what a count can be, the sum of both could overflow.
+    // The change is clamped first: far outside the range of counts it could make the sum overflow.
     return static_cast<std::int32_t>(
         std::clamp<std::int64_t>(count + std::clamp<std::int64_t>(change, -most, most), 0, most));
 }
@@ -68,7 +68,7 @@ std::string CallerCounts::names() const {
 }
 
 void CallerCounts::add(CallerId caller, std::int64_t change) {
-    if (!rest_ && (!any() || first_.caller == caller)) { // by far the most frequent
+    if (!rest_ && (!any() || first_.caller == caller)) { // by far the most frequent case
         first_.count = changed(first_.count, change);
         first_.caller = any() ? caller : CallerId();
         return;

@@ -1,4 +1,4 @@
-// What a counted set (5.7.2) knows of one key: how often each caller has added it.
+// One key of a counted set (5.7.2): how often each caller has added it.
 #pragma once
 
 #include "runtime/component/caller_id.hpp"
@@ -13,9 +13,9 @@ namespace trembler {
 
 class StateHash;
 
-/// The key is in the set while any caller's count is above zero. What one caller takes away is its own: it
-/// never touches what another has added, and of nothing it takes nothing. Mostly there is one caller, for
-/// whom nothing is allocated. Thread-safe while nobody changes it.
+/// The key is in the set while any caller's count is above zero. A removal lowers the
+/// remover's own count only, and not below zero. Usually there is one caller, for which nothing is allocated.
+/// Reads are thread-safe while nothing changes it.
 class CallerCounts {
 public:
     struct Entry {
@@ -41,21 +41,22 @@ public:
 
     /// How often that caller has added; never below zero.
     [[nodiscard]] std::int32_t of(CallerId caller) const;
-    /// Whether anybody has.
+    /// Whether any caller's count is above zero.
     [[nodiscard]] bool any() const { return first_.count > 0; }
-    /// Those with a count above zero, ascending by caller.
+    /// The callers with a count above zero, ascending by caller.
     [[nodiscard]] std::vector<Entry> entries() const;
     /// The names of those callers, in that order, for people: "level, Electricity <- Dynamics".
     [[nodiscard]] std::string names() const;
 
-    /// All that one caller has to say at one time, added up. What is left is at least 0 and at most 2^31 - 1.
+    /// Adds `change` to the caller's count: all its additions and removals of one turn, summed. The count
+    /// stays within 0 and 2^31 - 1.
     void add(CallerId caller, std::int64_t change);
-    /// Whether all that was added is by the level or by callers among `present` (ascending).
+    /// Whether only the level and callers among `present` (ascending) have counts above zero.
     [[nodiscard]] bool onlyBy(std::span<CallerId const> present) const;
-    /// Drops the rest: those who added it are gone, so they can never take it back.
+    /// Drops the counts of all other callers: they are gone, so they can never remove what they have added.
     void keepOnly(std::span<CallerId const> present);
 
-    /// Hashes who has added how often, by the callers' names.
+    /// Hashes the counts with the names of their callers.
     void hash(StateHash& hash) const;
 
     friend bool operator==(CallerCounts const& x, CallerCounts const& y);
@@ -63,8 +64,8 @@ public:
 private:
     void assign(std::vector<Entry> entries);
 
-    Entry first_;                              // of the lowest caller; its count is 0 if there is none
-    std::unique_ptr<std::vector<Entry>> rest_; // ascending; mostly nothing
+    Entry first_; // of the first caller in order; its count is 0 if there is none
+    std::unique_ptr<std::vector<Entry>> rest_; // ascending; usually null
 };
 
 } // namespace trembler

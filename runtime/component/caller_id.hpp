@@ -1,4 +1,4 @@
-// Who calls: the identity by which a resolver tells the interactions that call it from one another.
+// The identity by which a resolver distinguishes the interactions that call it.
 #pragma once
 
 #include <compare>
@@ -9,64 +9,64 @@
 
 namespace trembler {
 
-/// One caller of a world: an interaction by its place in the order of registration, the level, or whoever
-/// stands outside. It belongs to the registration, not to the C++ type, so several interactions of one type
-/// are several callers, and it stays the same while interactions come and go.
+/// One caller of a world: an interaction, the level, or a role's feeder outside the world. An interaction's
+/// identity belongs to its registration, not to its C++ type, so several interactions of one type are several
+/// callers, and it stays the same while interactions come and go.
 ///
-/// No call carries one: a resolver gets it from the channel, beside the call (CallOrigin), so nobody can call
-/// in another's name. Ordered by registration, after the level and what is outside. Valid while its world
-/// lives.
+/// Calls do not contain it: a resolver gets it from the channel, beside the call (CallOrigin), so no
+/// interaction can call in the name of another. In order: the level, the callers outside, the interactions as
+/// registered. Valid while its world lives.
 class CallerId {
 public:
-    /// Nobody.
+    /// No caller.
     CallerId() = default;
-    /// The level: what a world starts with, before anybody has called.
+    /// The level: the caller of all that exists before the first call.
     [[nodiscard]] static CallerId level();
 
-    /// The interaction's name, for example "Electricity <- Dynamics", or "level"; empty for nobody.
+    /// The interaction's name, for example "Electricity <- Dynamics", or "level"; empty for no caller.
     [[nodiscard]] std::string_view name() const {
         return known_ == nullptr ? std::string_view() : known_->name;
     }
     [[nodiscard]] explicit operator bool() const { return known_ != nullptr; }
-    friend bool operator==(CallerId x, CallerId y) { return x.rank() == y.rank(); }
-    friend std::strong_ordering operator<=>(CallerId x, CallerId y) { return x.rank() <=> y.rank(); }
+    friend bool operator==(CallerId x, CallerId y) { return x.order() == y.order(); }
+    friend std::strong_ordering operator<=>(CallerId x, CallerId y) { return x.order() <=> y.order(); }
 
 private:
     friend class Callers;
     struct Known {
-        std::uint32_t rank; // nobody has 0
+        std::uint32_t order; // its place among the callers; 0: no caller
         std::string name;
     };
     explicit CallerId(Known const& known) : known_(&known) {}
-    [[nodiscard]] std::uint32_t rank() const { return known_ == nullptr ? 0 : known_->rank; }
+    [[nodiscard]] std::uint32_t order() const { return known_ == nullptr ? 0 : known_->order; }
 
-    Known const* known_ = nullptr; // for its rank and name; the address itself decides nothing
+    Known const* known_ = nullptr; // for its order and name; the address itself decides nothing
 };
 
-/// The callers of one world. Components never see it.
+/// The callers of one world. Components have no access to it.
 class Callers {
 public:
     /// An interaction, after all that were added before it.
     CallerId add(std::string_view name) { return make(next_++, name); }
-    /// Somebody outside the world, who comes before all interactions.
+    /// A caller outside the world, before all interactions.
     CallerId addOutside(std::string_view name) { return make(nextOutside_++, name); }
 
 private:
     friend class CallerId;
-    static constexpr std::uint32_t levelRank = 1;
+    static constexpr std::uint32_t levelOrder = 1;
     static constexpr std::uint32_t firstInteraction = 1024;
 
-    CallerId make(std::uint32_t rank, std::string_view name) {
-        return CallerId(known_.emplace_back(CallerId::Known{rank, std::string(name)}));
+    CallerId make(std::uint32_t order, std::string_view name) {
+        return CallerId(known_.emplace_back(CallerId::Known{order, std::string(name)}));
     }
 
     std::deque<CallerId::Known> known_; // a deque: callers hold on to theirs while more are added
-    std::uint32_t nextOutside_ = levelRank + 1;
+    std::uint32_t nextOutside_ = levelOrder + 1;
     std::uint32_t next_ = firstInteraction;
 };
 
 inline CallerId CallerId::level() {
-    static Known const known{Callers::levelRank, "level"};
+    static Known const known{Callers::levelOrder, "level"};
     return CallerId(known);
 }
 

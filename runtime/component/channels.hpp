@@ -11,7 +11,7 @@ namespace trembler {
 
 class Channels {
 public:
-    /// `callers` gives those a name who stand outside and feed a role; it must outlive the channels.
+    /// `callers` gives callers outside, which feed a role, their identities; it must outlive the channels.
     explicit Channels(Callers& callers) : callers_(callers) {}
 
     template <ResolverRole Role>
@@ -27,7 +27,7 @@ public:
         return static_cast<Channel<Role>&>(*channel);
     }
 
-    /// Forgets who calls, before all interactions are bound again in registration order.
+    /// Removes all sources, before the interactions present are bound in registration order.
     void clearSources() {
         for (auto& [role, channel] : channels_) {
             channel->clearSources();

@@ -1,6 +1,6 @@
-// What an effect adds to an object that has just got its stated properties: what follows from them (a mass
-// from a density), what a simulation needs besides (a velocity). Declared like everything else: a completion
-// is handed exactly what it says that it reads and adds.
+// Properties that an effect adds to an object that has just got its stated ones: those that follow from them
+// (a mass from a density) and those that a simulation needs besides (a velocity). A completion has access to
+// exactly the properties that it declares to read and add.
 #pragma once
 
 #include "runtime/component/declarations.hpp"
@@ -51,11 +51,11 @@ template <template <class...> class List, class... P, class Other>
 inline constexpr bool disjoint<List<P...>, Other> = (!listed<P, Other> && ...);
 
 template <class... P>
-[[nodiscard]] bool activation(Store const& store, ObjectId id, NeedsAll<P...> const&) {
+[[nodiscard]] bool isCalledForBy(Store const& store, ObjectId id, NeedsAll<P...> const&) {
     return (store.has<P>(id) && ...);
 }
 template <class... P>
-[[nodiscard]] bool activation(Store const& store, ObjectId id, NeedsAny<P...> const&) {
+[[nodiscard]] bool isCalledForBy(Store const& store, ObjectId id, NeedsAny<P...> const&) {
     return (store.has<P>(id) || ...);
 }
 
@@ -65,10 +65,10 @@ template <class... P>
 /// (which objects it completes), `static void complete(Access&)`, and no data: nothing is remembered from one
 /// object to the next.
 ///
-/// What is stated is never overwritten: add() leaves a value that the object already has, so whoever states
-/// a property, a file or a part, is right. All objects that come at the same time get what one completion
-/// adds before the next one has its turn, and those that add a property have theirs before those that read
-/// it, so that neither the order of objects nor that of registration matters.
+/// Stated values are never overwritten: add() leaves a value that the object already has, whether a level
+/// file or a part states it. Each completion has its turn with all objects that come at the same time before
+/// the next one has its turn, and completions that add a property come before those that read it. So neither
+/// the order of objects nor that of registration matters.
 template <class Self, class ReadsList, class AddsList>
 class Completion {
     static_assert(detail::isReads<ReadsList> && detail::isAdds<AddsList>,
@@ -96,7 +96,7 @@ public:
                           "undeclared read: the property is not in Reads<> of this completion");
             return std::get<Column<P> const*>(columns_.read)->find(other);
         }
-        /// Whether the object has a property; what it may add it may also ask for.
+        /// Whether the object has a property that the completion declares to read or to add.
         template <class P>
         [[nodiscard]] bool has() const {
             static_assert(
@@ -109,7 +109,7 @@ public:
                 return std::get<Column<P> const*>(columns_.read)->has(object_);
             }
         }
-        /// Gives the object the property, unless it has it: what is stated stays.
+        /// Gives the object the property, unless it has it already.
         template <class P>
         void add(P value) {
             static_assert(detail::listed<P, AddsList>,
@@ -123,7 +123,8 @@ public:
 
     private:
         friend Completion;
-        /// What is to be added to one column: all at once at the end, as one by one would be quadratic.
+        /// The additions to one column: inserted together at the end, as single insertions would be
+        /// quadratic.
         template <class P>
         struct Addition {
             Column<P>* column;
@@ -174,7 +175,7 @@ public:
                 typename Access::Columns columns{Access::template Pointers<ReadsList>::of(store),
                                                  Access::template Pointers<AddsList>::of(store)};
                 for (ObjectId const object : objects) { // ascending, see Store::complete()
-                    if (detail::activation(store, object, typename Self::Activation{})) {
+                    if (detail::isCalledForBy(store, object, typename Self::Activation{})) {
                         Access access(columns, object);
                         Self::complete(access);
                     }
@@ -199,8 +200,8 @@ private:
 
 namespace detail {
 
-/// The description that the base class of a completion makes; nothing that a class merely calls
-/// describeSelf() gets into a registry.
+/// The description that the base class of a completion makes. A class that is not derived from it has none,
+/// even if it has a function called describeSelf().
 template <class Self, class ReadsList, class AddsList>
 [[nodiscard]] CompletionInfo const& describeCompletion(Completion<Self, ReadsList, AddsList> const*) {
     return Completion<Self, ReadsList, AddsList>::describeSelf();
@@ -213,9 +214,9 @@ concept DerivedFromCompletion = requires(C const* c) {
 
 } // namespace detail
 
-/// The order in which completions have their turns: whoever adds a property before whoever reads it or is
-/// called for by it, otherwise as registered. Throws RuleBroken, naming them, if there is none, if two add
-/// the same property (the first would win), or if two have the same name.
+/// The order in which completions have their turns: one that adds a property before those that read it or are
+/// called for by it, otherwise as registered. Throws RuleBroken, naming the completions, if there is no such
+/// order, if two add the same property (the first would win), or if two have the same name.
 [[nodiscard]] std::vector<CompletionInfo const*>
 completionOrder(std::span<CompletionInfo const* const> completions);
 

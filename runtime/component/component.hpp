@@ -1,4 +1,4 @@
-// What the world sees of a running component, whatever its kind.
+// The interface of a running component, whatever its kind, to the world.
 #pragma once
 
 #include "runtime/component/info.hpp"
@@ -13,26 +13,25 @@ class Store;
 class Channels;
 class StateHash;
 
-/// Length of a frame, in seconds. Fixed: a replay must not depend on how fast anybody's machine is. It is not
-/// the time that a component's turn covers, which may be a part of a frame, or several frames: that is
-/// AccessBase::duration().
+/// Length of a frame, in seconds. Fixed: a replay must not depend on the speed of a machine. A component's
+/// turn may cover a part of a frame or several frames: that time is AccessBase::duration().
 inline constexpr double frameDuration = 1.0 / 60.0;
 
 enum class Activity : std::uint8_t {
-    absent, ///< not constructed: no object calls for it
+    absent, ///< not constructed: see ChoiceReason for the reasons
     asleep, ///< nothing that it reads has changed since it last ran
     active,
 };
 [[nodiscard]] std::string_view nameOf(Activity activity);
 
-/// What one component is given for one turn: in one part of a frame.
+/// The world's data for one turn of one component, in one part of a frame.
 struct FrameContext {
     Moment when;
     double duration = frameDuration; ///< s since the component's last turn
     Executor* executor = nullptr;
     Store const* store = nullptr;
     bool tracing = false;
-    std::uint32_t component = 0; ///< its place in the order of registration
+    std::uint32_t component = 0; ///< its index: resolvers, then derived property sets, then interactions
 };
 
 class Component {
@@ -47,10 +46,10 @@ public:
     virtual void bind(Store& store, Channels& channels) = 0;
     /// Whether running it now could have any effect.
     [[nodiscard]] virtual bool hasWork() const = 0;
-    /// Rows that it reads: tells the world whether threads are worth their overhead.
+    /// The number of rows that it reads, by which the world judges whether threads are worth their overhead.
     [[nodiscard]] virtual std::size_t workload() const = 0;
     virtual void run(FrameContext const& context) = 0;
-    /// Hashes what it keeps from one turn to the next and what waits for its next one. Between frames.
+    /// Hashes the data that it keeps between turns and the calls that stand or wait for it. Between frames.
     virtual void hashState(StateHash& hash) const = 0;
     /// The sinks of its last run, in order of chunks.
     [[nodiscard]] std::deque<EventSink>& sinks() { return sinks_; }
@@ -58,14 +57,14 @@ public:
 protected:
     void openSinks(FrameContext const& context, std::size_t chunks, Phase phase);
 
-    /// Who it is to those whom it calls.
+    /// Its identity as a caller; an interaction's only.
     [[nodiscard]] CallerId caller() const { return caller_; }
 
     ComponentInfo const& info_;
-    std::deque<EventSink> sinks_; // a deque: callers hold on to theirs while more are added
+    std::deque<EventSink> sinks_; // a deque: references to sinks stay valid while more are added
 
 private:
-    friend class World; // which says who it is, before it binds it
+    friend class World; // sets caller_ before it binds the component
     CallerId caller_;
 };
 

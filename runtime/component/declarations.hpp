@@ -1,5 +1,5 @@
-// The words with which a component declares what it touches. A declaration is the access: the core hands a
-// component nothing else, and the schedule and the notation are made from the same types.
+// The type lists with which a component declares the properties that it reads and changes. A component gets
+// access to these only, and the schedule and the notation are made from the same types.
 #pragma once
 
 #include "runtime/property/property_info.hpp"
@@ -12,7 +12,7 @@ namespace trembler {
 /// Properties that a component reads.
 template <Property... P>
 struct Reads {};
-/// Object properties that a resolver changes. What it may change it may also read.
+/// Object properties that a resolver changes, and may read.
 template <ObjectProperty... P>
 struct Writes {};
 /// Resolver properties that a resolver offers (5.4).
@@ -36,8 +36,9 @@ inline constexpr bool listed = false;
 template <class P, template <class...> class List, class... Q>
 inline constexpr bool listed<P, List<Q...>> = (std::is_same_v<P, Q> || ...);
 
-// Each place in a component's base takes its own word and no other list that happens to hold the same types:
-// a Provides<> where Derives<> belongs would let a derived property set change what a resolver owns.
+// Each position in the arguments of a component's base takes its own kind of list, and no other list of the
+// same types: Provides<> in the place of Derives<> would let a derived property set change the properties of
+// a resolver.
 template <class List>
 inline constexpr bool isReads = false;
 template <class... P>

@@ -9,14 +9,15 @@
 namespace trembler {
 
 /// Base of every derived property set. `Self` has `static constexpr ComponentText text`,
-/// `using Activation = ...` and a `void update(Access&)`. It runs only when something that it reads has
-/// changed. With `static constexpr bool onDemand = true` it is absent while nobody reads what it derives.
+/// `using Activation = ...` and a `void update(Access&)`. It runs only when a property that it reads has
+/// changed. With `static constexpr bool onDemand = true` it is absent while no component that is there and no
+/// subscription (World::want) reads the properties that it derives.
 template <class Self, class ReadsList, class DerivesList>
 class Dps : public Component {
     static_assert(detail::isReads<ReadsList> && detail::isDerives<DerivesList>,
                   "a derived property set declares Reads<...>, Derives<...>, and changes nothing else (5.5)");
     static_assert(!detail::anyDerived<ReadsList>, "a derived property set never reads another one (5.5)");
-    // What follows from what stands stands too. What follows from news may be over in the next part.
+    // Properties derived from states are states. Those derived from news may hold for one part only.
     static_assert(detail::allSayWhatAFrameMakes<
                   std::conditional_t<detail::anyTellsNews<ReadsList>, DerivesList, Derives<>>>);
 
@@ -40,8 +41,8 @@ public:
         void write() {
             static_assert(sizeof(P) == 0, "a derived property set changes no property (5.5)");
         }
-        /// One of its derived properties, for filling in. It still holds what the last update, perhaps by
-        /// another component that offers the same, left there.
+        /// One of its derived properties, for filling in. It still holds the value of the last update, which
+        /// may have been one by an alternative of this component.
         template <class P>
         [[nodiscard]] P& derive() {
             static_assert(
@@ -52,8 +53,8 @@ public:
             return slot.value();
         }
 
-        /// One of its derived properties as it stands, without marking it as changed: for finding out whether
-        /// there is anything to change.
+        /// One of its derived properties with its current value, without marking it as changed: for finding
+        /// out whether it needs to change.
         template <class P>
         [[nodiscard]] P const& derived() const {
             static_assert(

@@ -1,4 +1,4 @@
-// What is known of a component without naming its type: printed as notation, used to derive the schedule.
+// The description of a component without its C++ type: printed as notation, used to derive the schedule.
 #pragma once
 
 #include "runtime/component/call.hpp"
@@ -20,8 +20,8 @@ struct ComponentText {
     std::string_view effect; ///< for example "gravity": what --detail names
     std::string_view
         level;             ///< for example "linear": one of the effect's detail levels, "" if it has only one
-    std::string_view work; ///< what it does on advance, update or apply
-    int rank = 0; ///< a preference: of alternatives that suit a scene the one of the least rank is picked
+    std::string_view work; ///< its work on advance, update or apply
+    int rank = 0; ///< a preference: of alternatives that suit a scene the one of the least rank is chosen
 };
 
 struct CallInfo {
@@ -44,9 +44,9 @@ struct ComponentInfo {
     std::vector<CallInfo> calls{}; ///< of a resolver: its interaction functions
     std::vector<PropertyInfo const*> neededAll{};
     std::vector<PropertyInfo const*> neededAny{};
-    bool onDemand = false;            ///< constructed only while somebody reads what it offers
-    std::optional<Coverage> memory{}; ///< of what it keeps in members of its own, if it has any
-    bool hashesMemory = false;        ///< all of that, or what `memory` does not speak of
+    bool onDemand = false;            ///< constructed only while a property that it offers is read
+    std::optional<Coverage> memory{}; ///< of its data members, if it has any
+    bool hashesMemory = false;        ///< it hashes its data members, or those that `memory` leaves open
     bool inSetup = false; ///< an interaction that is applied in frame 0 as well, before the first advance
 };
 

@@ -1,4 +1,4 @@
-// Layer 4 (5.6): an interaction is glue. It reads from all layers and calls functions of exactly one
+// Layer 4 (5.6): an interaction connects effects. It reads from all layers and calls functions of exactly one
 // resolver.
 #pragma once
 
@@ -13,10 +13,10 @@ namespace trembler {
 /// Base of every interaction. `Self` has `static constexpr ComponentText text`, `using Activation = ...` and
 /// a `void apply(Access&)`.
 ///
-/// It is applied in every frame in which something that it reads has changed. In the others its held calls
-/// stand as they are, so to apply it again would change nothing. With `static constexpr bool inSetup = true`
-/// it is applied in frame 0, too, the setup before the first advance (6.8.3: "global properties, such as the
-/// gravity vector, will also be set"); it then reads nothing but object properties.
+/// It is applied whenever a property that it reads has changed. Otherwise its held calls stand as they are,
+/// so applying it again would change nothing. With `static constexpr bool inSetup = true` it is applied in
+/// frame 0, too, the setup before the first advance (6.8.3: "global properties, such as the gravity vector,
+/// will also be set"); it then reads nothing but object properties.
 template <class Self, ResolverRole RoleType, class ReadsList>
 class Interaction : public Component {
     static_assert(detail::isReads<ReadsList>, "an interaction declares Reads<...> and changes nothing (5.6)");
@@ -28,7 +28,7 @@ public:
     /// Records the calls of one chunk. Used by one thread at a time.
     class Caller {
     public:
-        /// Records a call. `cause` is the event that leads to it, none while nobody traces. O(1), no locks.
+        /// Records a call. `cause` is the event that leads to it, none without a trace. O(1), no locks.
         template <class C>
         void call(C const& c, EventId cause = {}) {
             static_assert(detail::callListed<C, typename Role::Calls>,
@@ -47,9 +47,9 @@ public:
             : self_(self), buffers_(self.source_.chunks[chunk]),
               sink_(self.sinks_.empty() ? nullptr : &self.sinks_[chunk]), chunk_(chunk) {}
 
-        // Out of line, and from the call as it was recorded: if the trace used the argument of call(), the
-        // compiler would write that to the stack member by member and read it back in larger pieces, for
-        // which the processor waits. An untraced call took twice as long.
+        // Out of line, and from the recorded call: if the trace used the argument of call(), the compiler
+        // would write that to the stack member by member and read it back in larger pieces, a
+        // store-forwarding stall that made an untraced call take twice as long.
         template <class C>
         [[gnu::noinline, gnu::cold]] void traceLast(EventId cause) {
             auto& buffer = std::get<CallBuffer<C>>(buffers_);
@@ -82,10 +82,10 @@ public:
         void write() {
             static_assert(sizeof(P) == 0, "an interaction changes no property; it calls its resolver (5.6)");
         }
-        /// True when the component has just been constructed: changes since the last frame are then not
-        /// enough, it must look at everything.
+        /// True in the first turn after the component was constructed: it must then look at all objects, not
+        /// only at changes since the last frame.
         [[nodiscard]] bool firstTime() const { return self_.first_; }
-        /// Who it is to its resolver: what it has itself added to a counted set stands there under this id.
+        /// Its identity as a caller, under which the resolver counts its additions to a counted set.
         [[nodiscard]] CallerId caller() const { return self_.source_.caller; }
         /// Records a call; see Caller::call.
         template <class C>
@@ -132,7 +132,7 @@ public:
         for (auto& chunk : newTold_) {
             told_.merge(chunk);
         }
-        if (stood || !source_.empty()) { // else its resolver need not so much as look
+        if (stood || !source_.empty()) { // otherwise nothing has changed for the resolver
             ++source_.version;
         }
         reads_.markSeen();
@@ -163,8 +163,8 @@ public:
     }
 
 protected:
-    /// For a type that is registered several times, each with words of its own (Registry::component): `info`
-    /// is a copy of describeSelf() with another name.
+    /// For a type that is registered several times under different names (Registry::component): `info` is a
+    /// copy of describeSelf() with another name.
     explicit Interaction(ComponentInfo const& info) : Component(info) {}
 
 private:

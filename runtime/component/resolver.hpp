@@ -9,11 +9,11 @@
 namespace trembler {
 
 /// Base of every resolver. `Self` has `static constexpr ComponentText text`, `using Activation = ...`, a
-/// `void advance(Access&)`, and may have `bool restless() const`: true while it has work of its own to go on
-/// with although nothing around it changed (bodies that still move). With `static constexpr bool onDemand =
-/// true` it is absent while nobody reads what it provides: neither a component that is there nor anybody
-/// outside (World::want). It may also be advanced although nothing has changed, when components came or
-/// went: it must then come to the same result.
+/// `void advance(Access&)`, and may have `bool restless() const`: true while it has work to do
+/// although none of its inputs has changed (bodies that still move). With `static constexpr bool onDemand =
+/// true` it is absent while no component that is there and no subscription (World::want) reads the properties
+/// that it provides. It may be advanced without any change of its inputs when components come or go: its
+/// result must then be the same.
 template <class Self, ResolverRole RoleType, class ReadsList, class WritesList,
           class ProvidesList = Provides<>>
 class Resolver : public Component {
@@ -43,7 +43,7 @@ public:
                 return self_.reads_.template get<P>();
             }
         }
-        /// The column, for changing. Marks it as changed: call it only when something will be.
+        /// The column, for changing. Marks it as changed, so call it only to change something.
         template <class P>
         [[nodiscard]] auto& write() {
             static_assert(detail::listed<P, WritesList>,
@@ -52,7 +52,7 @@ public:
             column.touch();
             return column;
         }
-        /// One of its own resolver properties as it stands.
+        /// One of its own resolver properties with its current value.
         template <class P>
         [[nodiscard]] P const& provided() const {
             static_assert(detail::listed<P, ProvidesList>,
@@ -68,23 +68,25 @@ public:
             slot.touch();
             return slot.value();
         }
-        /// Whether any component reads one of its resolver properties; if not, it need not be computed.
+        /// Whether any component or subscription reads one of its resolver properties; if none does, it need
+        /// not be computed.
         template <class P>
         [[nodiscard]] bool wanted() const {
             return self_.provides_.template get<P>().readers() > 0;
         }
         /// Calls f(call, origin) for every pending call of kind C, always in the same order. An object in a
-        /// held call may be gone: the interaction hears of it only after this advance.
+        /// held call may have been destroyed: the interaction learns of that only after this advance.
         template <InteractionCall C, class F>
         void forCalls(F&& f) const {
             static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this resolver's role");
             self_.channel_->template forCalls<C>(std::forward<F>(f));
         }
-        /// Whether any interaction has called, or taken calls back, since the last advance. If not, held
-        /// calls stand as they did, and there are none to be carried out once.
+        /// Whether calls were made or withdrawn since the last advance. If not, the held calls are the same
+        /// as then, and there are no others.
         [[nodiscard]] bool callsChanged() const { return self_.channel_->version() != self_.seenCalls_; }
-        /// Who may call this resolver at present, ascending. An interaction that is absent is not among them:
-        /// its held calls are gone with it, and it can never take back what it added to a counted set.
+        /// The callers that may call this resolver at present, ascending. An interaction that is absent is
+        /// not among them: its held calls are gone with it, and it can never remove what it has added to a
+        /// counted set.
         [[nodiscard]] std::span<CallerId const> callers() const { return self_.channel_->callers(); }
 
     private:

@@ -1,11 +1,11 @@
-// What is thrown where the methodology's rules are broken in a way that types alone cannot see.
+// The exception for breaches of the methodology's rules that the type system cannot detect.
 #pragma once
 
 #include <stdexcept>
 
 namespace trembler {
 
-/// Names what breaks the rule, and which one.
+/// Its text names the component and the rule that it breaks.
 class RuleBroken : public std::logic_error {
 public:
     using std::logic_error::logic_error;

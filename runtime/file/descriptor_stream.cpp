@@ -35,7 +35,7 @@ bool DescriptorBuffer::writeOut(bool last) {
     std::string_view pending(pbase(), static_cast<std::size_t>(pptr() - pbase()));
     std::string kept;
     if (filter_ == Filter::visible) {
-        if (!last) { // half a character waits for its other half
+        if (!last) { // an incomplete character waits for the rest of its bytes
             std::size_t const tail = unfinishedCharacter(pending);
             kept = pending.substr(pending.size() - tail);
             pending.remove_suffix(tail);

@@ -1,4 +1,4 @@
-// Writing to a file descriptor with an ordinary stream that knows why writing failed.
+// Writing to a file descriptor through an ordinary stream that keeps the reason of a failure.
 #pragma once
 
 #include <array>
@@ -7,21 +7,21 @@
 
 namespace trembler {
 
-/// Buffers what is written and hands it to a descriptor, which it does not own. After a failure nothing more
-/// is written, the stream goes bad and the reason is kept. One thread at a time.
+/// Buffers output and writes it to a descriptor, which it does not own. After a failure nothing more is
+/// written, the stream goes bad and the reason is kept. One thread at a time.
 class DescriptorBuffer final : public std::streambuf {
 public:
     enum class Filter {
         none,
-        visible, ///< through visibleLines(): for what may be a terminal
+        visible, ///< through visibleLines(): for descriptors that may be a terminal
     };
     explicit DescriptorBuffer(int descriptor, Filter filter = Filter::none);
-    /// Writes what is left; a failure is then lost, so flush and ask before.
+    /// Writes the rest of the buffer. A failure in it is lost, so flush and ask for failures before.
     ~DescriptorBuffer() override;
     DescriptorBuffer(DescriptorBuffer const&) = delete;
     DescriptorBuffer& operator=(DescriptorBuffer const&) = delete;
 
-    /// The errno of the first write that failed; 0: none did.
+    /// The errno of the first write that failed; 0 if none has.
     [[nodiscard]] int error() const { return error_; }
 
 protected:

@@ -24,12 +24,12 @@ fs::path folderOf(fs::path const& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// What an open file is called where the kernel lists them.
+/// The path under which the kernel lists an open file.
 std::string descriptorPath(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-/// Opens a file without a name; -1 where the file system has none, or nobody could name it later.
+/// Opens a file without a name; -1 where the file system has no such files, or none that can be named later.
 int openUnnamed(fs::path const& folder) {
 #ifdef O_TMPFILE
     int const made = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode);
@@ -43,7 +43,7 @@ int openUnnamed(fs::path const& folder) {
 #endif
 }
 
-/// A name in the folder of `place` that nothing has.
+/// An unused name in the folder of `place`.
 fs::path nameBeside(fs::path const& place, unsigned attempt) {
     return folderOf(place) / fmt::format(".trembler-{}-{}.part", ::getpid(), attempt);
 }
@@ -64,7 +64,7 @@ OutputFile::OutputFile(fs::path target, Content content) : target_(std::move(tar
         throw OutputError("the name of an output file is empty; \"-\" is the terminal");
     }
     if (isStandardOutput()) {
-        std::cout.flush(); // what was said before comes first
+        std::cout.flush(); // earlier output comes first
         descriptor_ = STDOUT_FILENO;
         return;
     }
@@ -74,7 +74,7 @@ OutputFile::OutputFile(fs::path target, Content content) : target_(std::move(tar
     if (!there && errno != ENOENT) {
         refuse(errno);
     }
-    if (there && !S_ISREG(is.st_mode)) { // a pipe, a device; of a folder the system says what is wrong
+    if (there && !S_ISREG(is.st_mode)) { // a pipe or a device; for a folder open() reports the error
         descriptor_ = ::open(place.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
         if (descriptor_ < 0) {
             refuse(errno);
@@ -147,7 +147,7 @@ void OutputFile::commit() {
     if (isStandardOutput()) {
         return;
     }
-    // A pipe or a device may have nothing to store.
+    // A pipe or a device may have no storage to synchronise with.
     if (::fsync(descriptor_) != 0 && !place_.empty()) {
         refuse(errno);
     }
@@ -185,7 +185,7 @@ void OutputFile::refuse(int error) const {
 }
 
 fs::path fileBehind(fs::path path) {
-    constexpr int mostLinks = 40; // as the kernel has it
+    constexpr int mostLinks = 40; // the kernel's limit
     for (int links = 0; links < mostLinks; ++links) {
         std::error_code error;
         fs::path const next = fs::read_symlink(path, error);

@@ -17,20 +17,19 @@ struct Range {
 };
 
 /// Unicode 15: Cc; of Cf those that are not drawn; the separators Zl and Zp. Ascending.
-constexpr std::array<Range, 13> unseen{
-    {{0x00, 0x1F},
-     {0x7F, 0x9F},
-     {0xAD, 0xAD},         // soft hyphen
-     {0x61C, 0x61C},       // Arabic letter mark
-     {0x180E, 0x180E},     // Mongolian vowel separator
-     {0x200B, 0x200F},     // of no width; marks of direction
-     {0x2028, 0x202E},     // separators, embeddings, overrides
-     {0x2060, 0x206F},     // joiners, isolates, deprecated formats
-     {0xFEFF, 0xFEFF},     // byte order mark
-     {0xFFF9, 0xFFFB},     // annotations
-     {0x13430, 0x1343F},   // hieroglyph formats
-     {0x1D173, 0x1D17A},   // musical formats
-     {0xE0000, 0xE007F}}}; // tags // private use, whatever the font makes of it
+constexpr std::array<Range, 13> unseen{{{0x00, 0x1F},
+                                        {0x7F, 0x9F},
+                                        {0xAD, 0xAD},         // soft hyphen
+                                        {0x61C, 0x61C},       // Arabic letter mark
+                                        {0x180E, 0x180E},     // Mongolian vowel separator
+                                        {0x200B, 0x200F},     // of no width; marks of direction
+                                        {0x2028, 0x202E},     // separators, embeddings, overrides
+                                        {0x2060, 0x206F},     // joiners, isolates, deprecated formats
+                                        {0xFEFF, 0xFEFF},     // byte order mark
+                                        {0xFFF9, 0xFFFB},     // annotations
+                                        {0x13430, 0x1343F},   // hieroglyph formats
+                                        {0x1D173, 0x1D17A},   // musical formats
+                                        {0xE0000, 0xE007F}}}; // tags; private use is drawn by the font
 
 bool isUnseen(char32_t c) {
     auto const after =
@@ -54,7 +53,7 @@ bool mayFollow(unsigned char lead, unsigned char second) {
 
 struct Character {
     std::size_t length;           ///< bytes
-    std::optional<char32_t> code; ///< none: a byte that is no UTF-8
+    std::optional<char32_t> code; ///< nothing for a byte that is no UTF-8
 };
 
 Character characterAt(std::string_view text, std::size_t at) {

@@ -1,5 +1,5 @@
-// Text from outside made safe for a terminal: whatever would move its cursor, change its colours or the order
-// of its letters is shown as a code instead.
+// Text from outside made safe for a terminal: characters that would move its cursor, change its colours or
+// the order of its letters are shown as codes instead.
 #pragma once
 
 #include <string>
@@ -8,16 +8,15 @@
 namespace trembler {
 
 /// One line for people. Control characters (C0, DEL, C1), bidirectional overrides, embeddings and isolates,
-/// line and paragraph separators and the format characters that nobody sees become <U+001B> and the like;
-/// bytes that are no UTF-8 become <9B>. Everything else stays. The result is UTF-8, and visible() of it is
-/// itself. Line feeds and tabs are replaced, too: one name cannot pretend to be two lines. Any thread.
+/// line and paragraph separators and invisible format characters become <U+001B> and the like; bytes that are
+/// no UTF-8 become <9B>. All other text stays. The result is UTF-8, and visible() leaves it as it is. Line
+/// feeds and tabs are replaced as well, so that one name cannot look like two lines. Thread-safe.
 [[nodiscard]] std::string visible(std::string_view text);
 
 /// The same, but line feeds and tabs stay: for text that has lines of its own.
 [[nodiscard]] std::string visibleLines(std::string_view text);
 
-/// The bytes at the end of a text that may be the beginning of a character whose rest is still to come: 0
-/// to 3.
+/// How many bytes at the end of a text may be the beginning of an incomplete character: 0 to 3.
 [[nodiscard]] std::size_t unfinishedCharacter(std::string_view text);
 
 /// A JSON document, already printed, with the same characters as \u escapes: it means the same as before.

@@ -1,4 +1,4 @@
-// How a frame gets its parts: asked for from the interaction layer, as everything.
+// The call by which interactions ask for frames in parts.
 #pragma once
 
 #include "runtime/component/call.hpp"
@@ -7,8 +7,9 @@
 
 namespace trembler {
 
-/// Asks for the coming frames to be computed in parts that are no longer than `longest`. While several ask,
-/// the shortest counts; there are at most mostParts. What is no positive number asks for nothing.
+/// Asks for the coming frames to be computed in parts that are no longer than `longest`. Of several such
+/// calls the one with the shortest parts counts; a frame has at most mostParts. A `longest` that is not above
+/// zero asks for nothing.
 struct SplitFrame {
     static constexpr CallText text{"splitFrame", "(longest)",
                                    "Asks for parts of a frame that are no longer than this (s)."};

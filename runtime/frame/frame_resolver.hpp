@@ -1,4 +1,4 @@
-// The resolver that says in how many parts a frame is computed.
+// The resolver that decides in how many parts a frame is computed.
 #pragma once
 
 #include "runtime/component/resolver.hpp"
@@ -8,7 +8,7 @@
 
 namespace trembler {
 
-/// In how many parts the frame that is under way, or was the last, is computed.
+/// The number of parts of the current frame; between frames, of the last one.
 struct FrameParts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Frame parts", "frame_parts",
@@ -23,10 +23,10 @@ struct FrameParts {
     }
 };
 
-/// Has its turn before the first part of each frame, and none within it, so parts change between frames only
-/// (World::step()). The world's stated number counts; if it is automatic, the longest parts that suit all who
-/// ask, whose calls stand since they were last applied. So it follows from the state at the end of the frame
-/// before alone.
+/// Has its turn before the first part of each frame, and none within it, so the number of parts changes
+/// between frames only (World::step()). The number that the world states counts. If that is automatic, frames
+/// have the longest parts that no splitFrame() call forbids; these calls are held. So the number follows from
+/// the state at the end of the frame before alone.
 class FrameResolver final
     : public Resolver<FrameResolver, FrameRole, Reads<FrameSettings>, Writes<>, Provides<FrameParts>> {
 public:

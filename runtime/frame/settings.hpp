@@ -8,14 +8,14 @@ namespace trembler {
 /// The most parts of a frame. Each of 1, 2, 4 and 8 divides it, so times are exact.
 inline constexpr int mostParts = 8;
 
-/// A frame is the step in which simulations see each other. What varies faster needs shorter steps: in a
-/// frame of n equal parts every resolver advances, every derived property set updates and every interaction
-/// applies n times.
+/// A frame is the time step at which simulations exchange data. Coupled quantities that vary faster need
+/// shorter steps: in a frame of n equal parts every resolver advances, every derived property set updates and
+/// every interaction applies n times.
 struct FrameSettings {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Frame", "frame", "How finely the simulations are coupled.",
                                        PropertyPlace::world};
-    static constexpr std::int32_t automatic = 0; ///< as many as somebody asks for: see SplitFrame
+    static constexpr std::int32_t automatic = 0; ///< as many as interactions ask for: see SplitFrame
     std::int32_t parts = automatic;
 
     template <class Self, class Visitor>

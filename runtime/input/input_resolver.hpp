@@ -1,4 +1,4 @@
-// What the player does to a running world.
+// The player's hand and commands, as resolver properties that other components read.
 #pragma once
 
 #include "runtime/component/resolver.hpp"
@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// What the player's hand holds.
+/// The object in the player's hand.
 struct Hand {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Hand", "hand",
@@ -19,7 +19,7 @@ struct Hand {
     static constexpr std::string_view standing = "what is held, and where it is pulled to";
 
     ObjectId object; ///< invalid: the hand is empty
-    Vec2 localPoint; ///< m, where it is held, in the object's own frame
+    Vec2 localPoint; ///< m, the point where it is held, in the object's own frame
     Vec2 target;     ///< m, in the world
     EventId event;   ///< the grab
 
@@ -32,7 +32,7 @@ struct Hand {
     }
 };
 
-/// What the player did with tools before this frame, told in its first part.
+/// The player's commands (cut, remove) since the last frame, present in the first part of a frame.
 struct PlayerCommands {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
@@ -59,7 +59,7 @@ struct PlayerCommands {
     static void describe(Self&, Visitor&&) {}
 };
 
-/// Takes over what was fed since the last frame.
+/// Carries out the input that was fed since the last frame.
 class InputResolver final : public Resolver<InputResolver, PlayerRole, Reads<Position, Rotation>, Writes<>,
                                             Provides<Hand, PlayerCommands>> {
 public:
@@ -73,12 +73,12 @@ public:
     static constexpr Coverage memory = leftOut("whether there are Player commands, which are hashed");
 
     [[nodiscard]] bool restless() const { return isCalled() || commandsStand_; }
-    /// Only what was fed makes work: objects that move by themselves do not concern the hand.
+    /// Only fed input gives it work: the hand does not depend on how objects move.
     [[nodiscard]] bool hasWork() const override { return restless(); }
     void advance(Access& access);
 
 private:
-    bool commandsStand_ = false; // the last frame's commands must be taken back
+    bool commandsStand_ = false; // PlayerCommands still holds those of the last turn, to be cleared
 };
 
 } // namespace trembler

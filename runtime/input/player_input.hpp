@@ -1,4 +1,4 @@
-// What a player can do to a running world. Recorded by frame, it makes a run repeatable.
+// The player's input to a running world. Recorded with its frames, it makes a run repeatable.
 #pragma once
 
 #include "runtime/component/call.hpp"
@@ -16,7 +16,7 @@ struct PlayerInput {
         "The player grabs, moves, releases, cuts or removes: from outside, never from an "
         "interaction. One at no finite position is ignored."};
     static constexpr Algebra algebra =
-        Algebra::sequence; // to move is another thing before a grab than after it
+        Algebra::sequence; // a move before a grab means something else than after it
     enum class Kind : std::uint8_t {
         grab,    ///< takes hold of `object` at the world point `at`
         move,    ///< moves the hold to `at`
@@ -35,7 +35,8 @@ struct PlayerInput {
 /// The names of the kinds, as files spell them, in order.
 inline constexpr std::string_view playerInputNames[] = {"grab", "move", "release", "cut", "remove"};
 
-/// What the player does reaches a world through this role alone. No interaction calls it; people do.
+/// The player's input reaches a world through this role alone: it is fed from outside, no interaction calls
+/// it.
 struct PlayerRole {
     static constexpr std::string_view name = "Player";
     static constexpr std::string_view fedBy = "the player";

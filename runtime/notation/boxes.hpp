@@ -20,18 +20,19 @@ struct NotationBox {
     std::span<CallInfo const> calls{};
 };
 
-/// All that a component reads: what it only reads, and, first, what it also writes.
+/// All properties that a component reads: first those that it also writes, then those that it only reads.
 [[nodiscard]] std::vector<PropertyInfo const*> allRead(ComponentInfo const& info);
 /// Names in braces, or the empty set.
 [[nodiscard]] std::string propertySet(std::vector<PropertyInfo const*> const& properties);
 
-/// A component. Where a resolver writes just what it reads, this is said as the thesis does: "≡ read(...)".
+/// A component. Where a resolver writes exactly the properties that it reads, the box says so in the thesis's
+/// words: "≡ read(...)".
 [[nodiscard]] NotationBox boxOf(Registry const& registry, ComponentInfo const& info);
 [[nodiscard]] NotationBox boxOf(CompletionInfo const& info);
-/// A property (5.3): what it is, and its fields.
+/// A property (5.3): its meaning and its fields.
 [[nodiscard]] NotationBox boxOf(PropertyInfo const& info);
 
-/// What in a scene calls for a component, in words.
+/// The objects of a scene that call for a component, in words.
 [[nodiscard]] std::string activation(ComponentInfo const& info);
 /// In which derived property sets an interaction runs (5.7.3), in words; empty if in none.
 [[nodiscard]] std::string shortcutNote(Registry const& registry, ComponentInfo const& info);

@@ -11,11 +11,11 @@ namespace trembler {
 
 /// The box of one component, as plain text.
 [[nodiscard]] std::string notationBox(Registry const& registry, Registration const& component);
-/// What a completion reads and adds, in the same form.
+/// The box of a completion, in the same form.
 [[nodiscard]] std::string notationBox(CompletionInfo const& completion);
 /// The box of a property (5.3).
 [[nodiscard]] std::string notationBox(PropertyInfo const& property);
-/// All boxes, the derived schedule and what the state hash covers, as plain text.
+/// All boxes, the derived schedule and the coverage of the state hash, as plain text.
 [[nodiscard]] std::string notationText(Registry const& registry);
 /// The same as Markdown tables.
 [[nodiscard]] std::string notationMarkdown(Registry const& registry);

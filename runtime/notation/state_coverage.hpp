@@ -1,4 +1,4 @@
-// The list of what the state hash covers, and of what it leaves out and why.
+// The list of data that the state hash covers, and of data that it leaves out, with reasons.
 #pragma once
 
 #include "runtime/world/registry.hpp"
@@ -11,10 +11,10 @@ namespace trembler {
 struct CoverageLine {
     std::string what;
     std::string covered; ///< "hashed", "derived" or "left out"
-    std::string reason;  ///< empty for what is hashed
+    std::string reason;  ///< empty for hashed data
 };
 
-/// Everything that a world with these components keeps between frames, one line each.
+/// All data that a world with these components keeps between frames, one line each.
 [[nodiscard]] std::vector<CoverageLine> stateCoverage(Registry const& registry);
 
 } // namespace trembler

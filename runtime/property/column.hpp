@@ -16,7 +16,7 @@
 
 namespace trembler {
 
-/// What can be done with a column without knowing its property type.
+/// The operations on a column that do not need its property type.
 ///
 /// Rows are always in the order of object indices. So two columns with the same set of owners have the same
 /// row order, which lets forEach() run through them in lock-step, and every walk is in canonical order.
@@ -44,8 +44,8 @@ public:
         return r != absent && owners_[r].generation == id.generation ? r : absent;
     }
 
-    /// Counts up whenever a value may have changed; whoever read an equal version before has nothing new to
-    /// see.
+    /// Counts up whenever a value may have changed. A reader that has seen the same version before has seen
+    /// all values.
     [[nodiscard]] std::uint64_t version() const { return version_; }
     /// Counts up when rows come or go.
     [[nodiscard]] std::uint64_t structureVersion() const { return structureVersion_; }
@@ -69,9 +69,9 @@ public:
     virtual void hash(StateHash& hash) const = 0;
 
 protected:
-    /// Makes room for a row and returns where; rows above move up by one.
+    /// Makes room for a row and returns its position; rows above move up by one.
     std::uint32_t insertOwner(ObjectId id);
-    /// The same for many in one pass: `ids` are ascending, and none of them has a row.
+    /// The same for many objects in one pass: `ids` are ascending, and none of them has a row.
     void insertOwners(std::span<ObjectId const> ids);
     void eraseOwner(std::uint32_t row);
     /// Erases the owners in `ids` and returns the rows that stay, ascending; empty if nothing was erased.
@@ -192,7 +192,7 @@ public:
             hash.bytes(values_.data(), values_.size() * sizeof(P));
         } else {
             for (P const& value : values_) {
-                hash.members(value); // all of them, also what files never state
+                hash.members(value); // all of them, also those that files never state
             }
         }
     }
@@ -210,6 +210,6 @@ private:
 
 } // namespace trembler
 
-// propertyInfo() makes all three homes of a property, so whoever has one of them needs the others.
+// propertyInfo() makes columns, slots and single values, so a file that includes one of them needs all three.
 #include "runtime/property/property_value.hpp"
 #include "runtime/property/slot.hpp"

@@ -1,4 +1,4 @@
-// How the state hash covers what is not a column: stated beside each thing, checked and printed.
+// How the state hash covers data outside columns: stated beside the data, checked and printed.
 #pragma once
 
 #include <cstdint>
@@ -6,21 +6,23 @@
 
 namespace trembler {
 
-/// Equal hashes mean equal worlds: whatever decides what comes next is hashed, or it is said why not.
+/// How the state hash covers a property or a component's memory. Equal hashes mean equal worlds, so all data
+/// on which later frames depend are hashed, or the reason why they need not be is stated.
 struct Coverage {
     enum class Kind : std::uint8_t { hashed, derived, leftOut };
     Kind kind = Kind::hashed;
     std::string_view reason{}; ///< why it need not be hashed
 };
 
-/// Every member is hashed, but for the events of the trace, which lead to nothing.
+/// Every member is hashed, except ids of trace events, on which no computation depends.
 inline constexpr Coverage hashed{};
-/// Worked out again, by each turn of the component that provides it, from what is hashed: so it is hashed
-/// only where that component has a period and the value is one of earlier frames. The reason says from what.
+/// Computed from scratch in each turn of the component that provides it, from hashed data only. It is hashed
+/// only where that component has a period, as the value may then stem from an earlier frame. The reason names
+/// the data that it is computed from.
 [[nodiscard]] constexpr Coverage derivedFrom(std::string_view reason) {
     return {Coverage::Kind::derived, reason};
 }
-/// Never hashed. The reason says why nothing that comes next depends on it, or what hinders.
+/// Never hashed. The reason says why no later frame depends on it, or why it cannot be hashed.
 [[nodiscard]] constexpr Coverage leftOut(std::string_view reason) {
     return {Coverage::Kind::leftOut, reason};
 }

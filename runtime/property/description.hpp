@@ -15,12 +15,12 @@
 
 namespace trembler {
 
-/// Where a property belongs, which decides who may read and who may change it.
+/// Where a property belongs, which decides which components may read and change it.
 enum class PropertyKind {
     object,   ///< plain data of one object, one column each; changed by resolvers
-    resolver, ///< data of one resolver as a whole (5.4), for example who touches whom; changed by that
+    resolver, ///< data of one resolver as a whole (5.4), for example which objects touch; changed by that
               ///< resolver
-    derived,  ///< computed by one derived property set (5.5) from the other two
+    derived,  ///< computed by one derived property set (5.5) from object and resolver properties
 };
 
 /// Where a level file states an object property.
@@ -39,8 +39,8 @@ struct PropertyText {
     PropertyPlace place = PropertyPlace::properties;
 };
 
-/// Values of a number that decide only how exactly something is computed, never what: what a recorded
-/// solution, the components panel and a time budget may set. Empty unless it is stated.
+/// The values that a recorded solution, the components panel and a time budget may give to a number: all of
+/// them compute the same physics, more or less exactly. Empty unless it is stated.
 struct AccuracyRange {
     double from = 1;
     double to = 0;
@@ -62,7 +62,7 @@ struct FieldInfo {
     bool minimumExcluded = false; ///< for example a mass, which must be above zero
     bool required = false;        ///< files must state it; otherwise the member's initial value stands
     AccuracyRange accuracy{};     ///< stated only for accuracy settings; everything else is physics
-    bool adds = false;            ///< of an entry in a list: what several entries of one object state adds up
+    bool adds = false; ///< of an entry in a list: the values of several entries of one object add up
 };
 
 /// The names of an enumeration's values 0, 1, 2 ... as files spell them. Specialise for each

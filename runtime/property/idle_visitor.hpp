@@ -1,11 +1,12 @@
-// A visitor for those who care about some kinds of fields only.
+// A base for visitors that handle some kinds of fields only.
 #pragma once
 
 #include "runtime/property/field_visitor.hpp"
 
 namespace trembler {
 
-/// Leaves every field as it is, and does not look into lists. Override what matters.
+/// Leaves every field as it is, and does not look into lists. Override the functions for the kinds of fields
+/// that matter.
 class IdleVisitor : public FieldVisitor {
 public:
     void boolean(FieldInfo const&, bool&) override {}

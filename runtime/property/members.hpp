@@ -1,4 +1,4 @@
-// Every member of a plain struct, found by the compiler: what must leave nothing out is not written by hand.
+// Every member of a plain struct, found by the compiler, so that none can be forgotten in a list by hand.
 #pragma once
 
 #include <cstddef>

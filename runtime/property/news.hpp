@@ -1,5 +1,5 @@
-// What a frame in several parts makes of a property that tells what happened: whoever looks once a frame is
-// told of all of its parts.
+// How properties that report events (contacts that began, impacts) are gathered over a frame of several
+// parts, so that an observer who looks once per frame misses none.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -11,25 +11,26 @@ namespace trembler {
 
 /// Where a part lies in its frame.
 struct PartSpan {
-    bool first = true; ///< the first part of the frame that has something to tell
+    bool first = true; ///< the first part of the frame in which the property was written
     double begin = 0;  ///< s after the frame's beginning
     double share = 1;  ///< its share of the frame's length
 };
 
-/// A resolver or derived property that tells what happened since its last update, and not only how things
-/// stand. Components read it part by part. From outside, World::find() shows what this makes of a frame:
+/// A resolver or derived property that reports events since its last update, its news, and not only a state.
+/// Components read it part by part. From outside, World::find() shows the news of a whole frame, for which
+/// the property has
 ///
 ///     static void gather(P& frame, P const& part, PartSpan span);
 ///
-/// adds what a part tells to what the frame's earlier parts told, in order; in the first, `frame` is
-/// as new. A frame of one part is not gathered.
+/// It adds the news of a part to those of the frame's earlier parts, in order. For the first part `frame` has
+/// its initial value. In a frame of one part it is not called.
 template <class P>
 concept TellsNews = requires(P& frame, P const& part, PartSpan span) {
     P::gather(frame, part, span);
 };
 
-/// A resolver or derived property of which the last part's value is the frame's, as it tells how things
-/// stand:
+/// A resolver or derived property that reports a state, not events: the value of the last part is the value
+/// of the frame. It says so with
 ///
 ///     static constexpr std::string_view standing = "what stands, or why no part's news is lost";
 template <class P>
@@ -39,8 +40,8 @@ concept TellsWhatStands = requires {
 
 namespace detail {
 
-/// Refuses a property that a component offers if it does not say what a frame makes of its parts. One
-/// instance per property, so the compiler names the property beside the message.
+/// Refuses a property that a component offers if it states neither gather() nor `standing`. One instance per
+/// property, so the compiler names the property beside the message.
 template <class P>
 struct SaysWhatAFrameMakes {
     static constexpr bool value = true;

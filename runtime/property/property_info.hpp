@@ -26,8 +26,8 @@ struct PropertyInfo {
     Coverage coverage{};                           ///< by the state hash
 };
 
-/// How the state hash covers a property. Those of objects are always hashed; what is derived follows from
-/// what it is derived from (5.5); a resolver property says it itself.
+/// How the state hash covers a property. Object properties are always hashed; derived properties follow from
+/// the properties that their derived property set reads (5.5); a resolver property states its coverage.
 template <Property P>
 [[nodiscard]] constexpr Coverage coverageOf() {
     if constexpr (P::kind == PropertyKind::object) {

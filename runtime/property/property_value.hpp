@@ -1,4 +1,4 @@
-// A value of some property, outside any column: what a part definition or a level entry is made of.
+// A value of some property, outside any column: part definitions and level entries consist of these.
 #pragma once
 
 #include "runtime/property/column.hpp"

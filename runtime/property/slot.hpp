@@ -21,19 +21,18 @@ public:
     [[nodiscard]] PropertyInfo const& info() const { return info_; }
     [[nodiscard]] std::uint64_t version() const { return version_; }
     void touch() { ++version_; }
-    /// How many constructed components read it. A provider need not compute what nobody reads.
+    /// How many constructed components and subscriptions read it. At 0, its provider need not compute it.
     [[nodiscard]] int readers() const { return readers_; }
     void setReaders(int count) { readers_ = count; }
-    /// Back to the initial value: nobody provides the property any more.
+    /// Back to the initial value: no component provides the property any more.
     virtual void reset() = 0;
     /// Whether it tells news (see TellsNews), which frames of several parts must gather.
     [[nodiscard]] virtual bool tellsNews() const { return false; }
-    /// A frame begins: what was gathered in the last one is old.
+    /// A frame begins: discards the news gathered in the last one.
     virtual void beginFrame() {}
-    /// A part of a frame of several is done: adds what is new in it, if the property was written in it.
+    /// A part of a frame of several parts is done: adds its news, if the property was written in it.
     virtual void endPart(double /* begin, s */, double /* share */) {}
-    /// Visits a copy of the value as somebody sees it who looks at whole frames, so that the visitor can
-    /// change nothing.
+    /// Visits a copy of ofFrame(), so that the visitor can change nothing.
     virtual void visitCopy(FieldVisitor& visitor) const = 0;
     /// Hashes the value, unless the property is one that is always left out.
     virtual void hash(StateHash& hash) const = 0;
@@ -50,8 +49,8 @@ public:
     Slot() : SlotBase(propertyInfo<P>()) {}
     [[nodiscard]] P& value() { return value_; }
     [[nodiscard]] P const& value() const { return value_; }
-    /// The value as somebody sees it who looks at whole frames: what all parts of the last one told, if it
-    /// had several and this is news, else the value as it stands.
+    /// The value for observers of whole frames: the news of all parts of the last frame, if the property
+    /// tells news and the frame had several parts, else the current value.
     [[nodiscard]] P const& ofFrame() const {
         if constexpr (TellsNews<P>) {
             if (gathered_) {
@@ -72,7 +71,7 @@ public:
     void endPart(double begin, double share) override {
         if constexpr (TellsNews<P>) {
             if (version() == seen_) {
-                return; // as it stood before, so it tells nothing new
+                return; // not written in this part, so there are no news in it
             }
             seen_ = version();
             bool const first = !gathered_;
@@ -97,8 +96,8 @@ private:
     using Gathered = std::conditional_t<TellsNews<P>, P, Nothing>;
 
     P value_;
-    std::optional<Gathered> gathered_; // in a frame of several parts, once one of them has told something
-    std::uint64_t seen_ = 0;           // the version that is in it
+    std::optional<Gathered> gathered_; // in a frame of several parts, once it has been written in one of them
+    std::uint64_t seen_ = 0;           // the version that was gathered last
 };
 
 } // namespace trembler

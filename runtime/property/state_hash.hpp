@@ -18,8 +18,8 @@ namespace trembler {
 
 struct EventId;
 
-/// Feeds values into XXH3-64. Numbers go in by their bits, so 0.0 and -0.0 differ, as they may behave
-/// differently.
+/// Feeds values into XXH3-64. Numbers are hashed by their bits, so 0.0 and -0.0 differ, as computations can
+/// tell them apart.
 class StateHash {
 public:
     StateHash();
@@ -57,9 +57,10 @@ public:
             }
         }
     }
-    /// Hashes every member of a plain struct, of what is in it and of lists of such, but no event of the
-    /// trace: whether somebody traces must not show. Found by the compiler, so none can be forgotten. A
-    /// struct with a base class says that this has all its members: `using MembersOf = Base`.
+    /// Hashes every member of a plain struct, of the structs in it and of lists of structs, except ids of
+    /// trace events: the hash must not depend on whether a trace is recorded. The compiler finds the members,
+    /// so none can be forgotten. A struct whose members are all in its base class says so:
+    /// `using MembersOf = Base`.
     template <class T>
     void members(T const& v) {
         static_assert(!std::is_pointer_v<T>, "an address is another one in every run");
@@ -91,7 +92,7 @@ public:
             static_assert(sizeof(T) == sizeof(typename T::MembersOf), "its base has all its members");
             members(static_cast<typename T::MembersOf const&>(v));
         } else if constexpr (!std::is_aggregate_v<T>) {
-            value(v); // a class: what it hashes itself, or what its description shows
+            value(v); // a class: by its own hash(), or by the fields that it describes
         } else {
             forEachMember(v, [this](auto const& member) { this->members(member); });
         }
@@ -102,7 +103,7 @@ private:
     void flush();
     void update(void const* data, std::size_t size);
 
-    std::array<char, 1024> buffer_; // small pieces are gathered here
+    std::array<char, 1024> buffer_; // gathers small pieces
     std::size_t used_ = 0;
     struct Free {
         void operator()(XXH3_state_s* state) const;

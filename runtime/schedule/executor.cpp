@@ -12,8 +12,8 @@ namespace trembler {
 
 namespace {
 
-// More threads than cores are allowed on purpose: the determinism tests ask for 32 on two. oneTBB allows the
-// whole process what the most modest of its controls says, so there is only one, which grows with the largest
+// More threads than cores are allowed on purpose: the determinism tests ask for 32 on two. oneTBB limits the
+// whole process to the smallest of its global controls, so there is only one, which grows with the largest
 // executor.
 void allow(int threads) {
     static std::mutex mutex;
@@ -58,8 +58,8 @@ void Executor::runGraph(std::size_t count, std::span<std::pair<std::size_t, std:
         }
         return;
     }
-    // Whoever finishes the last predecessor of a node starts it. (A flow graph of oneTBB's does the same, but
-    // costs more, and its headers cast objects that are destroyed already, which sanitizers report.)
+    // The task that finishes the last predecessor of a node starts it. (A flow graph of oneTBB does the same,
+    // but costs more, and its headers cast objects that are destroyed already, which sanitizers report.)
     std::vector<std::vector<std::size_t>> successors(count);
     std::vector<std::atomic<std::size_t>> missing(count);
     for (auto const& [before, after] : edges) {

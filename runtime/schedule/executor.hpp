@@ -1,4 +1,4 @@
-// Runs work on threads, without ever letting their number show in a result.
+// Runs work on threads. No result depends on their number.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ public:
     /// first exception thrown by f is passed on.
     void forIndices(std::size_t count, std::function<void(std::size_t)> const& f);
     /// Calls f(i) for every node such that f(i) starts after f of all its predecessors has ended. `edges` are
-    /// pairs (before, after) with before < after. The first exception is passed on; what depends on the node
-    /// that threw it does not run, others may not.
+    /// pairs (before, after) with before < after. The first exception is passed on; the nodes that depend on
+    /// the one that threw it do not run, and other nodes may not run either.
     void runGraph(std::size_t count, std::span<std::pair<std::size_t, std::size_t> const> edges,
                   std::function<void(std::size_t)> const& f);
 

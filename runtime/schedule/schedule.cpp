@@ -48,8 +48,8 @@ void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b,
             fmt::format("the {} and the {} both write everything; objects come and go by one resolver",
                         title(a), title(b)));
     }
-    // The resolver that writes everything only gives objects their first values and takes them away with
-    // their last: at birth it hands every property over to whoever simulates it.
+    // The resolver that writes everything only creates objects with their first values and destroys them: on
+    // creation it hands every property over to the resolver that simulates it.
     for (PropertyInfo const* property : shared(a.writes, b.writes)) {
         bool const handedOver = std::any_of(handOvers.begin(), handOvers.end(), [&](HandOver const& h) {
             return h.property == property && ((h.first == a.text.name && h.second == b.text.name) ||

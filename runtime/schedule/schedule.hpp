@@ -20,7 +20,7 @@ struct Conflict {
         secondWritesRead, ///< write(B) and read(A) share a property
     };
     Kind kind;
-    PropertyInfo const* property; ///< nullptr: the one that writes everything
+    PropertyInfo const* property; ///< nullptr: one of the two writes every property
 };
 
 /// All conflicts between two resolvers; none exactly if the three conditions of 5.7.1 hold.
@@ -32,9 +32,9 @@ struct Conflict {
 /// Throws RuleBroken, with both names, if two resolvers write one property without a declared hand-over.
 void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b, std::span<HandOver const> handOvers);
 
-/// The order that a set of resolvers, given in registration order, must keep: pairs (earlier, later) for all
-/// that conflict. Whatever is not connected may run at the same time. Derived property sets and interactions
-/// have no edges among themselves (5.7.1).
+/// The order that a set of resolvers, given in registration order, must keep: pairs (earlier, later) of all
+/// that conflict. Resolvers that no pairs connect may run at the same time. Derived property sets and
+/// interactions have no edges among themselves (5.7.1).
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>>
 deriveEdges(std::span<ComponentInfo const* const> resolvers);
 

@@ -1,4 +1,4 @@
-// One line of the account that the machine gives of a run: what happened, and because of what.
+// One line of the trace of a run: an event and its causes.
 #pragma once
 
 #include <compare>
@@ -31,7 +31,7 @@ struct Moment {
         : frame(frame_), part(part_), parts(parts_), step(step_) {}
 };
 
-/// Where in a frame an event belongs; `goal` is what the game notes after the frame.
+/// Where in a frame an event belongs; `goal` is for events that the game notes after the frame.
 enum class Phase : std::uint8_t { resolver, dps, interaction, goal };
 
 struct Event {
@@ -42,7 +42,7 @@ struct Event {
     Phase phase = Phase::resolver;
     std::string component;
     std::string event;
-    std::vector<std::string> objects; ///< names, as objects may be gone when somebody reads
+    std::vector<std::string> objects; ///< names, as objects may be gone when the trace is read
     std::vector<EventId> causes;      ///< ascending, without repeats
 };
 

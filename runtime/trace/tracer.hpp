@@ -1,4 +1,4 @@
-// Gathers the events of a run. Off, it costs one test of a null pointer.
+// Gathers the events of a run. Where no trace is wanted, an event costs one test of a null pointer.
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] Event const* find(EventId id) const;
     /// The position of an event in the account, counted from 1: its id in files. 0 if there is none.
     [[nodiscard]] std::uint64_t number(EventId id) const;
-    /// Everything that led to an event, itself included, ascending.
+    /// All direct and indirect causes of an event, itself included, ascending.
     [[nodiscard]] std::vector<EventId> chain(EventId id) const;
     /// Writes events from position `from` on as JSON lines.
     void write(std::ostream& out, std::size_t from = 0) const;

@@ -28,7 +28,7 @@ public:
 
 private:
     std::vector<Prototype> all_;
-    std::unordered_map<std::string, std::uint32_t> numbers_; // looked up, never walked
+    std::unordered_map<std::string, std::uint32_t> numbers_; // looked up, never iterated over
 };
 
 } // namespace trembler

@@ -51,8 +51,8 @@ void checkShortcut(Registry const& registry, Shortcut const& shortcut) {
     }
 }
 
-// An interaction has one turn in a frame: it may be inside several derived property sets only if a world
-// never has more than one of them.
+// An interaction has one turn in each part of a frame: it may be inside several derived property sets only if
+// a world never has more than one of them.
 void checkShortcutsOfOne(Registry const& registry, Shortcut const& a, Shortcut const& b) {
     if (a.interaction != b.interaction) {
         return;
@@ -81,7 +81,7 @@ void checkKeys(std::span<PropertyInfo const* const> properties) {
     }
 }
 
-// A level knows what connects two objects by the kind, so a kind means one effect.
+// A level names the kind of a connection, not its effect, so a kind belongs to one effect.
 void checkConnectors(std::span<Connector const> connectors) {
     std::map<std::string_view, std::string_view> owners;
     for (Connector const& connector : connectors) {

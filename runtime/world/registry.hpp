@@ -1,4 +1,4 @@
-// What exists: every property and component that a program knows. One line per effect fills it.
+// Every property and component that a program knows. One line per effect fills it.
 #pragma once
 
 #include "runtime/component/completion.hpp"
@@ -22,18 +22,18 @@ struct Registration {
     std::function<std::unique_ptr<Component>()> make;
     bool (*suits)(Store const&); ///< whether this detail level can serve a scene; nullptr: any scene
     int period = 1;              ///< runs in every nth frame (6.12.5)
-    /// Up to which period it computes the same, only less exactly: a force that stands for a while. Of what
-    /// must not miss a frame, the period that it has.
+    /// The longest period with which it computes the same physics, less exactly: a force that is held for
+    /// several frames. A component that must not miss a frame has its own period here.
     int longestPeriod = 1;
-    /// Whether this detail level computes the physics that a scene states, however roughly: between two that
-    /// do lies only accuracy. nullptr: in any scene.
+    /// Whether this detail level computes the physics that a scene states, however roughly: two levels that
+    /// do differ in accuracy only. nullptr: in any scene.
     bool (*faithful)(Store const&) = nullptr;
-    std::string_view missing{}; ///< why this program knows it only by name, and what helps; mostly nothing
-    std::string (*why)(Store const&) = nullptr; ///< in words, what in a scene calls for which detail level
+    std::string_view missing{}; ///< why this program cannot construct it, and how to get it; empty if it can
+    std::string (*why)(Store const&) = nullptr; ///< why a scene calls for which detail level, in words
 };
 
-/// A declared hand-over (7.1.5): two resolvers may write one property, as every object belongs to one of them
-/// at a time and is passed on between frames.
+/// A declared hand-over (7.1.5): two resolvers may write one property, as each object belongs to one of them
+/// at a time and changes its owner between frames only.
 struct HandOver {
     PropertyInfo const* property;
     std::string first;
@@ -47,7 +47,7 @@ struct Shortcut {
     std::type_index dps;
 };
 
-/// What is wrong with an object, and what was expected, in words.
+/// An error in an object and the expected condition, in words.
 struct ObjectFault {
     ObjectId object;
     std::string text;
@@ -57,7 +57,7 @@ struct ObjectFault {
 /// It has one of the two functions.
 struct ObjectRule {
     PropertyInfo const* property; ///< whose entry in the file is at fault
-    /// Checks an object that has the property; returns what is wrong and what was expected, in words, or
+    /// Checks an object that has the property; returns the error and the expected condition, in words, or
     /// nothing.
     std::optional<std::string> (*check)(Store const&, ObjectId) = nullptr;
     /// For a condition that compares objects with each other: checks all that have the property at once, so
@@ -66,17 +66,17 @@ struct ObjectRule {
     std::vector<ObjectFault> (*checkAll)(Store const&) = nullptr;
 };
 
-/// An effect's hold on a kind of a level's "connections". A connection belongs to the effect whose kind it
-/// states or, if it states none, to the only one that does not refuse the two objects.
+/// A kind of a level's "connections" and the effect that lays them. A connection belongs to the effect whose
+/// kind it states or, if it states none, to the only effect that does not refuse the two objects.
 struct Connector {
     std::string_view kind;   ///< as files spell it, for example "wire": of one effect only
-    std::string_view effect; ///< whose it is
+    std::string_view effect; ///< the effect that it belongs to
     std::string_view meaning;
-    /// Why two objects cannot be connected in this way and what was expected, in words, or nothing. Either
-    /// may be no object at all.
+    /// Why two objects cannot be connected in this way and the expected condition, in words, or nothing.
+    /// Either id may be invalid.
     std::optional<std::string> (*refusal)(Store const&, ObjectId, ObjectId);
-    /// Connects two objects that refusal() has nothing against, before the first frame; the order of calls
-    /// does not matter.
+    /// Connects two objects that refusal() accepts, before the first frame; the order of calls does not
+    /// matter.
     void (*lay)(Store&, ObjectId, ObjectId);
 };
 
@@ -114,7 +114,7 @@ public:
         add(made);
     }
     /// A component that is described at run time: one of several of a C++ type, for example. `info` must
-    /// outlive the registry; what `make` makes must be described by it.
+    /// outlive the registry and describe the components that `make` makes.
     void component(ComponentInfo const& info, std::function<std::unique_ptr<Component>()> make) {
         add(Registration{&info, std::move(make), nullptr});
     }
@@ -130,7 +130,7 @@ public:
                               std::string(Second::text.name), std::move(why)});
     }
 
-    /// Adds what an effect gives to new objects: a class derived from Completion.
+    /// Adds a completion, a class derived from Completion: it gives new objects properties.
     template <class C>
     void completion() {
         static_assert(detail::DerivedFromCompletion<C>,

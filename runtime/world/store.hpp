@@ -86,15 +86,15 @@ public:
     /// runtime/component/completion.hpp.
     using Completion = void (*)(Store&, std::span<ObjectId const>);
     void setCompletions(std::vector<Completion> completions) { completions_ = std::move(completions); }
-    /// Adds to objects that have just got their stated properties what effects say follows from them. All
-    /// that come at the same time belong into one call.
+    /// Runs the completions for objects that have just got their stated properties. All objects that come at
+    /// the same time belong into one call.
     void complete(std::span<ObjectId const> ids);
     void complete(ObjectId id) { complete({&id, 1}); }
 
-    /// XXH3-64 over all columns in canonical order: what objects are, not all that comes next depends on; see
-    /// World::stateHash().
+    /// XXH3-64 over all columns in canonical order. It covers the objects only; later frames depend on more,
+    /// see World::stateHash().
     [[nodiscard]] std::uint64_t hash() const;
-    /// Adds the columns and which ids will be given next.
+    /// Adds the columns and the ids that the next objects will get.
     void hash(StateHash& hash) const;
     /// Counts up when any object gains or loses any property.
     [[nodiscard]] std::uint64_t structureVersion() const;
@@ -105,7 +105,7 @@ private:
     ObjectTable objects_;
     std::map<std::string_view, std::unique_ptr<ColumnBase>> columns_; // by key: the canonical order
     std::map<std::string_view, std::unique_ptr<SlotBase>> slots_;
-    std::unordered_map<std::string, ObjectId> byName_; // looked up, never walked
+    std::unordered_map<std::string, ObjectId> byName_; // looked up, never iterated over
     PrototypeLibrary prototypes_;
     std::vector<Completion> completions_;
 };

@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// What is wanted from outside, counted for each property. A world and its subscriptions share it.
+/// The number of subscriptions to each property. A world and its subscriptions share it.
 class Wants {
 public:
     [[nodiscard]] bool contains(PropertyInfo const& property) const {
@@ -19,7 +19,7 @@ public:
     void add(PropertyInfo const& property);
     /// Takes one add() back.
     void remove(PropertyInfo const& property);
-    /// Whether anything has changed since the last call.
+    /// Whether any number has changed since the last call.
     [[nodiscard]] bool takeChanged();
 
 private:
@@ -28,11 +28,11 @@ private:
 };
 
 /// While it lives, a resolver or derived property of a world counts as read, so that it is computed even if
-/// no component reads it; see World::want(). It ends itself, and may outlive its world. To be made, moved and
-/// ended between frames only, by one thread at a time.
+/// no component reads it; see World::want(). Its destructor ends it; it may outlive its world. It
+/// may be made, moved and ended between frames only, by one thread at a time.
 class [[nodiscard]] Subscription {
 public:
-    /// To nothing.
+    /// A subscription to no property.
     Subscription() = default;
     Subscription(std::shared_ptr<Wants> const& wants, PropertyInfo const& property);
     Subscription(Subscription&& other) noexcept;
@@ -41,9 +41,9 @@ public:
     Subscription& operator=(Subscription const&) = delete;
     ~Subscription() { end(); }
 
-    /// Does nothing if it has ended already, or the world has.
+    /// Does nothing if it has ended already or its world is gone.
     void end();
-    /// Whether it still counts: it has not ended, and its world is there.
+    /// Whether it still counts: it has not ended, and its world exists.
     [[nodiscard]] explicit operator bool() const { return !wants_.expired(); }
 
 private:

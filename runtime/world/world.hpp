@@ -1,10 +1,11 @@
-// A running world: its data, the components that its scene calls for, and the frame that moves it on.
+// A running world: its data, the components that its scene calls for, and its frames.
 #pragma once
 
 #include "runtime/component/channels.hpp"
 #include "runtime/component/component.hpp"
 #include "runtime/input/player_input.hpp"
 #include "runtime/world/registry.hpp"
+#include "runtime/world/selection.hpp"
 #include "runtime/world/store.hpp"
 #include "runtime/world/subscription.hpp"
 
@@ -20,7 +21,7 @@ namespace trembler {
 
 struct WorldOptions {
     int threads = 1;                           ///< >= 1; never changes a result
-    std::map<std::string, std::string> detail; ///< effect -> detail level; others are picked by the scene
+    std::map<std::string, std::string> detail; ///< effect -> detail level; of other effects the scene decides
     std::map<std::string, int> periods;        ///< component title -> every nth frame
     bool trace = false;                        ///< gather events
     /// Below this many rows in a phase, waking other threads costs more than they can save (measured: a loop
@@ -28,15 +29,17 @@ struct WorldOptions {
     std::size_t rowsWorthThreads = 4096;
 };
 
-/// How a component of the registry fares in a world.
+/// The state of a registered component in a world.
 struct ComponentStatus {
     ComponentInfo const* info = nullptr;
     Activity activity = Activity::absent;
+    Choice
+        choice; ///< why it is there or not, as of the last selection; numbers are places in World::status()
     int period = 1;
     int longestPeriod = 1; ///< see Registration
     std::uint64_t updates = 0;
-    double lastMicroseconds = 0;  ///< of its turns in the last frame in which it was due
-    double totalMicroseconds = 0; ///< over all turns; for people to look at, it never reaches the world
+    double lastMicroseconds = 0;  ///< of its turns in the last frame in which it had one
+    double totalMicroseconds = 0; ///< over all turns; for display, no result depends on it
 };
 
 /// Life of a world: fill store(), start(), step() as often as wanted. Not thread-safe from outside; inside,
@@ -53,17 +56,16 @@ public:
     [[nodiscard]] Store& store() { return store_; }
     [[nodiscard]] Store const& store() const { return store_; }
 
-    /// Completes the objects, constructs what the scene calls for and applies what speaks in the setup (frame
-    /// 0). The objects must be in canonical order.
+    /// Completes the objects, constructs the components that the scene calls for and applies the interactions
+    /// of the setup (frame 0). The objects must be in canonical order.
     void start();
     /// One frame, in 1, 2, 4 or 8 equal parts, as the resolver property Frame parts says before it begins. In
     /// each part: advance every resolver, update every derived property set, apply every interaction. A
     /// component whose period is not 1 has one turn in the frames that are its own, in their last part.
     void step() { step({}); }
-    /// The same for somebody to whom a state that lasts for a part only matters: a lamp that lights for less
-    /// than a frame. `look` is called after each part in which anything may have changed; what find() shows
-    /// it is of that part alone. Who looks after the frame need not do so to know what happened in it, as
-    /// find() then shows the news of all parts.
+    /// The same for observers of states that may last for one part only: a lamp that lights for less than a
+    /// frame. `look` is called after each part in which anything may have changed; in it, find() shows the
+    /// news of that part alone. After the frame, find() shows the news of all its parts.
     using PartLook = std::function<void(World const&)>;
     void step(PartLook const& look);
     /// Frames done so far; during step(), the one under way.
@@ -75,14 +77,14 @@ public:
     static constexpr std::uint64_t ticksPerFrame = 8;
     /// s
     [[nodiscard]] double time() const { return secondsIn(ticks_); }
-    /// XXH3-64 over all that decides what comes next, between frames. Equal hashes: equal worlds, bit for
-    /// bit, and equal futures; what is left out, and why, is in stateCoverage(). The number of threads,
-    /// whether anybody traces, and what is computed for onlookers alone never show.
+    /// XXH3-64 over all data on which later frames depend, between frames. Equal hashes mean equal worlds,
+    /// bit for bit, and equal later frames; stateCoverage() lists the data that are left out and why. The
+    /// hash does not depend on the number of threads, on whether events are traced, or on results that only
+    /// subscriptions read.
     [[nodiscard]] std::uint64_t stateHash() const;
 
     /// A call from outside, for the next frame: recorded, drained and ordered like those of an interaction.
-    /// Before start(), and where no component has that role, there is nobody to take it: it is lost. Between
-    /// frames only.
+    /// Before start(), and where no resolver has that role, it is lost. Between frames only.
     template <ResolverRole Role, InteractionCall C>
     void feed(C const& call) {
         static_assert(FedFromOutside<Role>,
@@ -91,37 +93,39 @@ public:
             channels_.of<Role>().feed(call);
         }
     }
-    /// What the player did.
+    /// An input of the player.
     void feed(PlayerInput const& input) { feed<PlayerRole>(input); }
 
-    /// Picks a detail level from the next frame on; "" leaves the choice to the scene again. Throws
-    /// std::invalid_argument, listing what there is, if the effect or the level is unknown. Between frames
+    /// Asks for a detail level from the next frame on; "" leaves the choice to the scene again. Throws
+    /// std::invalid_argument, listing those that exist, if the effect or the level is unknown. Between frames
     /// only.
     void setDetail(std::string const& effect, std::string const& level);
-    /// Runs a component in every nth frame only. Throws std::invalid_argument. Between frames only.
+    /// Runs a component in every nth frame only, 1 <= n <= 3600. Throws std::invalid_argument if the period
+    /// is another, or if no component or several have that title or name. Between frames only.
     void setPeriod(std::string const& componentTitle, int period);
     [[nodiscard]] WorldOptions const& options() const { return options_; }
 
     /// One entry per registered component: resolvers, then derived property sets, then interactions.
     [[nodiscard]] std::vector<ComponentStatus> status() const;
-    /// What in the scene calls for the detail level that an effect has if nobody asks for one, in words for
-    /// people; empty if its components do not say.
+    /// Why the scene calls for the detail level that an effect has if none is asked for, in words for people;
+    /// empty if its components do not say.
     [[nodiscard]] std::string why(std::string_view effect) const;
-    /// Counts somebody outside, a loudspeaker or an overlay, among the readers of a resolver or derived
-    /// property, so that it is computed even if no component reads it: from the next frame on, for as long as
-    /// what is returned lives. Changes no state of the world. Between frames only.
+    /// Counts a reader outside the world, such as a loudspeaker or an overlay, among the readers of a
+    /// resolver or derived property, so that it is computed even if no component reads it: from the next
+    /// frame on, for as long as the subscription lives. Changes no state of the world. Between frames only.
     template <Property P>
     [[nodiscard]] Subscription want() const {
         static_assert(!ObjectProperty<P>,
                       "properties of objects are there whether anybody reads them or not");
         return Subscription(wants_, propertyInfo<P>());
     }
-    /// The same by description; `property` is none of objects.
+    /// The same by description; `property` must not be an object property.
     [[nodiscard]] Subscription want(PropertyInfo const& property) const {
         return Subscription(wants_, property);
     }
-    /// The value of a resolver or derived property, or nullptr if no component has ever been bound to it. One
-    /// that tells news (see TellsNews) tells that of the whole last frame; during step(), of the part.
+    /// The value of a resolver or derived property, or nullptr if no component has ever been bound to it. Of
+    /// a property that tells news (see TellsNews), the news of the whole last frame; during step(), of the
+    /// part.
     template <Property P>
     [[nodiscard]] P const* find() const {
         auto const* const slot = store_.findSlot<P>();
@@ -135,37 +139,33 @@ public:
         auto const* const column = store_.findColumn<P>();
         return column == nullptr ? nullptr : column->find(id);
     }
-    /// Adds to the account, after a frame, what somebody outside found in it: a goal that was met. Does
-    /// nothing while nobody traces.
+    /// Adds to the trace, after a frame, an event that an observer outside found in it: a goal that was met.
+    /// Does nothing unless the options ask for a trace.
     EventId note(std::string_view component, std::string_view event, std::span<ObjectId const> objects,
                  std::span<EventId const> causes);
-    /// The account so far, or nullptr if the options do not ask for one.
+    /// The trace so far, or nullptr if the options do not ask for one.
     [[nodiscard]] Tracer const* tracer() const { return tracer_.get(); }
 
 private:
     struct Entry {
         Registration const* registration = nullptr;
         std::unique_ptr<Component> component;
-        bool own = false; // it would be there without onlookers, too
+        bool own = false; // it would be there without subscriptions as well
         ComponentStatus status;
-        CallerId caller; // of an interaction, for the world's life
-        std::uint32_t rank = 0;
-        std::vector<std::size_t> insideOf;  // the entries of the DPS, alternatives, that it is a shortcut in
-        std::vector<std::size_t> shortcuts; // the entries that run inside this one
-        std::uint64_t lastTick = 0;         // at the end of its last turn, or of one that it slept through
-        std::uint64_t ranTick = 0;          // at the end of its last turn
+        CallerId caller;                    // of an interaction, for the world's life
+        std::uint32_t index = 0;            // in entries_
+        std::vector<std::size_t> insideOf;  // of an interaction: the DPS, alternatives, inside which it runs
+        std::vector<std::size_t> shortcuts; // of a DPS: the interactions that run inside it
+        std::uint64_t lastTick = 0; // at the end of its last turn, or of the last that it slept through
+        std::uint64_t ranTick = 0;  // at the end of its last turn
     };
 
     [[nodiscard]] bool readHere(PropertyInfo const& property) const;
+    void addEntries();
+    void linkShortcuts();
     void select();
+    void construct(Entry& entry);
     void setUp();
-    [[nodiscard]] std::vector<bool> wanted(bool byOnlookers) const;
-    [[nodiscard]] std::vector<bool> wantedWithout(std::vector<bool> const& unread) const;
-    [[nodiscard]] bool isRead(ComponentInfo const& info, std::vector<bool> const& chosen,
-                              bool byOnlookers) const;
-    [[nodiscard]] bool activation(ComponentInfo const& info) const;
-    [[nodiscard]] bool hasProvider(PropertyInfo const& property, std::vector<bool> const& chosen) const;
-    [[nodiscard]] std::size_t pick(std::vector<std::size_t> const& alternatives) const;
     void bindAll();
     [[nodiscard]] static double secondsIn(std::uint64_t ticks) {
         return frameDuration * (static_cast<double>(ticks) / ticksPerFrame);
@@ -188,14 +188,15 @@ private:
     Channels channels_{callers_};
     Executor executor_;
     std::unique_ptr<Tracer> tracer_;
-    std::shared_ptr<Wants> wants_ = std::make_shared<Wants>(); // by those outside: no part of its state
+    std::shared_ptr<Wants> wants_ = std::make_shared<Wants>(); // not part of the world's state
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each
-    std::optional<std::size_t> divider_; // the entry that says in how many parts a frame is computed
-    std::vector<SlotBase*> news_;        // the slots of what tells news
+    ComponentGraph graph_;       // of the entries: component n is entry n
+    std::optional<std::size_t> divider_; // the entry that decides in how many parts a frame is computed
+    std::vector<SlotBase*> news_;        // the slots of properties that tell news
     Moment now_;
     std::uint64_t ticks_ = 0; // at the end of the part that is under way or was the last
-    bool underWay_ = false;   // a frame is
-    std::uint32_t notes_ = 0; // of this part
+    bool underWay_ = false;   // during step()
+    std::uint32_t notes_ = 0; // events that note() has added in this part
     std::uint64_t knownStructure_ = 0;
 };
 

@@ -1,11 +1,12 @@
-// What makes two worlds equal, bit for bit, in what they are and in all that will come of them.
+// The hash of a world's state: two worlds with equal hashes are equal bit for bit, and so are their later
+// frames.
 #include "runtime/world/world.hpp"
 
 #include <algorithm>
 
 namespace trembler {
 
-// Whether anybody but an onlooker reads it.
+// Whether a component that would be there without subscriptions reads the property.
 bool World::readHere(PropertyInfo const& property) const {
     return std::any_of(entries_.begin(), entries_.end(), [&](Entry const& entry) {
         auto const& reads = entry.status.info->reads;
@@ -17,13 +18,14 @@ bool World::readHere(PropertyInfo const& property) const {
 std::uint64_t World::stateHash() const {
     StateHash hash;
     store_.hash(hash);
-    // What was asked for counts beside what it comes to at present: another scene may make a difference.
+    // The levels asked for are hashed besides the components present: when the scene changes, two requests
+    // that lead to the same components now may lead to different ones.
     hash.integer(options_.detail.size());
     for (auto const& [effect, level] : options_.detail) {
         hash.value(effect);
         hash.value(level);
     }
-    std::vector<std::pair<std::string, Entry const*>> sorted; // the order of registration does not count here
+    std::vector<std::pair<std::string, Entry const*>> sorted; // independent of the order of registration
     for (Entry const& entry : entries_) {
         if (entry.component && entry.own) {
             sorted.emplace_back(title(*entry.status.info), &entry);

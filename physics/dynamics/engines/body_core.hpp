@@ -16,8 +16,9 @@ struct BodyCore {
 /// Of the piece that holds the largest circle.
 [[nodiscard]] BodyCore coreOf(BodySpec const& spec);
 
-/// How far a body's points may move in a step's last substep, in m, before what touches is looked for at its
-/// end: what a substep finds to touch are the places at its beginning, and the world sees those at its end.
+/// How far a body's points may move in the last substep of a step, in m, before contacts are detected at its
+/// end as well: a substep detects them at the positions at its beginning, and the world reads positions at
+/// its end.
 inline constexpr double farInSubstep = 0.01;
 
 /// The distance of its farthest point from the centre of mass, in m, or a little more.

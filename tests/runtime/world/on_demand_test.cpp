@@ -103,6 +103,8 @@ TEST(OnDemand, IsAbsentWithAllThatLivesOnItWhileNobodyReads) {
     for (char const* name : {"Scribe", "Poet", "Fame", "Scribe <- Heat"}) {
         EXPECT_EQ(s.of(name), Activity::absent) << name;
     }
+    EXPECT_EQ(statusOf(*s.world, "Scribe").choice.reason, ChoiceReason::notRead);
+    EXPECT_EQ(statusOf(*s.world, "Scribe <- Heat").choice.reason, ChoiceReason::noResolver);
     EXPECT_NE(s.of("Stove"), Activity::absent) << "what is not on demand does not care";
 }
 

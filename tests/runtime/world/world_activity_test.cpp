@@ -30,6 +30,7 @@ TEST(WorldActivity, WhatNoObjectCallsForIsNotConstructed) {
     steps(world, 3);
     for (ComponentStatus const& status : world.status()) {
         EXPECT_EQ(status.activity, Activity::absent) << status.info->text.name;
+        EXPECT_EQ(status.choice.reason, ChoiceReason::noObjects) << status.info->text.name;
         EXPECT_EQ(status.updates, 0U);
     }
     EXPECT_EQ(world.find<Glow>(), nullptr); // not even its slot was made
@@ -246,6 +247,8 @@ TEST(WorldActivity, ComponentsThatReadDerivedPropertiesWaitForTheirProvider) {
     world.start();
     steps(world, 2);
     EXPECT_EQ(statusOf(world, "Heat <- Glow").activity, Activity::absent);
+    EXPECT_EQ(statusOf(world, "Heat <- Glow").choice.reason, ChoiceReason::noProvider);
+    EXPECT_EQ(statusOf(world, "Heat <- Glow").choice.property, &propertyInfo<Glow>());
 }
 
 } // namespace

@@ -47,8 +47,13 @@ TEST(WorldOptions, TheCheapestLevelThatSuitsTheSceneIsPicked) {
     World world(levels());
     hotThing(world, "a", 1);
     hotThing(world, "b", 1);
+    EXPECT_EQ(statusOf(world, "Rough Glow").choice.reason, ChoiceReason::undecided);
     world.start();
     world.step();
+    EXPECT_EQ(statusOf(world, "Rough Glow").choice.reason, ChoiceReason::leastRank);
+    EXPECT_EQ(statusOf(world, "Exact Glow").choice.reason, ChoiceReason::alternativeChosen);
+    EXPECT_EQ(world.status().at(statusOf(world, "Exact Glow").choice.alternative.value()).info->text.name,
+              "Rough Glow");
     EXPECT_EQ(statusOf(world, "Rough Glow").activity, Activity::active);
     EXPECT_EQ(statusOf(world, "Exact Glow").activity, Activity::absent);
     EXPECT_EQ(statusOf(world, "Stove").updates, 1U);
@@ -107,6 +112,7 @@ TEST(WorldOptions, LevelsAskedForAtTheStartAreObeyed) {
     world.start();
     world.step();
     EXPECT_EQ(statusOf(world, "Exact Glow").updates, 1U);
+    EXPECT_EQ(statusOf(world, "Exact Glow").choice.reason, ChoiceReason::levelAskedFor);
     EXPECT_EQ(world.options().detail.at("glow"), "exact");
 }
 
@@ -149,6 +155,31 @@ TEST(WorldOptions, ANameOfTwoComponentsIsNoPeriodsName) {
     std::vector<ComponentStatus> const status = world.status();
     EXPECT_EQ(status[0].period, 1);
     EXPECT_EQ(status[1].period, 2);
+}
+
+struct ToldGlow final : Dps<ToldGlow, Reads<Heat>, Derives<Glow>> {
+    static constexpr ComponentText text{
+        .name = "Told Glow", .effect = "glow", .level = "told", .work = "Nothing.", .rank = 0};
+    using Activation = NeedsAny<Heat>;
+    static std::string why(Store const& store) {
+        return std::to_string(store.findColumn<Heat>()->size()) + " hot objects";
+    }
+    void update(Access&) {}
+};
+
+TEST(WorldOptions, WhyIsToldOfALevelThatIsThere) {
+    Registry registry;
+    registry.component<ToldGlow>();
+    registry.component<ExactGlow>();
+    World world(registry);
+    hotThing(world, "a", 1);
+    hotThing(world, "b", 1);
+    EXPECT_EQ(world.why("glow"), "") << "nothing is selected before the start";
+    world.start();
+    EXPECT_EQ(world.why("glow"), "2 hot objects");
+    EXPECT_EQ(world.why("heat"), "");
+    world.setDetail("glow", "exact");
+    EXPECT_EQ(world.why("glow"), "") << "the level that is there does not say";
 }
 
 // Alternatives of which only one can have what it reads.

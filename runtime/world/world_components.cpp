@@ -1,0 +1,85 @@
+// Constructing, binding and destroying components, as the selection says.
+#include "runtime/world/world.hpp"
+
+#include <map>
+#include <utility>
+
+namespace trembler {
+
+void World::select() {
+    SelectionFacts facts{
+        .inhabited = {}, .subscribed = {}, .detail = options_.detail, .suits = [this](std::size_t number) {
+            Registration const& r = *entries_[number].registration;
+            return r.missing.empty() && (r.suits == nullptr || r.suits(store_));
+        }};
+    for (ColumnBase const* const column : std::as_const(store_).columns()) {
+        if (!column->empty()) {
+            facts.inhabited.push_back(column->info().text.key);
+        }
+    }
+    for (auto const& [key, count] : wants_->counts()) {
+        facts.subscribed.push_back(key);
+    }
+    std::vector<Choice> const choices = selectComponents(graph_, facts);
+    bool const onlookers = !facts.subscribed.empty();
+    facts.subscribed.clear();
+    std::vector<Choice> const own = onlookers ? selectComponents(graph_, facts) : choices;
+    bool changed = knownStructure_ == 0;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        Entry& entry = entries_[i];
+        Choice const& choice = choices[i];
+        entry.status.choice = choice;
+        entry.own = own[i].chosen();
+        if (choice.chosen() && !entry.component) {
+            construct(entry);
+            changed = true;
+        } else if (!choice.chosen() && entry.component) {
+            entry.component.reset();
+            entry.status.activity = Activity::absent;
+            changed = true;
+            if (!choice.alternative) { // otherwise the alternative goes on with the same slots
+                for (PropertyInfo const* offer : entry.status.info->offers) {
+                    store_.slot(*offer).reset();
+                }
+            }
+        }
+    }
+    if (changed) {
+        bindAll();
+    }
+    knownStructure_ = store_.structureVersion();
+}
+
+void World::construct(Entry& entry) {
+    entry.component = entry.registration->make();
+    entry.component->caller_ = entry.caller;
+    entry.lastTick = ticks_;
+    entry.status.activity = Activity::asleep; // until its first turn
+}
+
+void World::bindAll() {
+    channels_.clearSources();
+    std::map<std::string_view, int> readers;
+    for (Entry& entry : entries_) {
+        if (!entry.component) {
+            continue;
+        }
+        entry.component->bind(store_, channels_);
+        for (PropertyInfo const* read : entry.status.info->reads) {
+            ++readers[read->text.key];
+        }
+    }
+    for (auto const& [key, count] : wants_->counts()) {
+        readers[key] += count;
+    }
+    news_.clear();
+    for (SlotBase* slot : store_.slots()) {
+        if (slot->tellsNews()) {
+            news_.push_back(slot);
+        }
+        auto const at = readers.find(slot->info().text.key);
+        slot->setReaders(at == readers.end() ? 0 : at->second);
+    }
+}
+
+} // namespace trembler
