@@ -4,11 +4,13 @@
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/model/part_library.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace trembler {
 
@@ -37,8 +39,11 @@ private:
     std::map<std::string, std::size_t, std::less<>> used_; // by part
 };
 
-/// The canonical order: by part, then x, y and angle. It decides ids and names, so that the order in which a
-/// player placed the same parts never matters.
+/// The canonical order: by part, then x, y and angle; equal placements keep their order. It decides ids and
+/// names, so that the order in which a player placed the same parts never matters. Returns the indices of
+/// `placements` in that order.
+[[nodiscard]] std::vector<std::size_t> canonicalOrder(std::span<Placement const> placements);
+/// The placements themselves in that order, with 0 for -0.
 [[nodiscard]] std::vector<Placement> inCanonicalOrder(std::span<Placement const> placements);
 
 /// The names of the objects that placements become, in canonical order: the part's name and a number, from 1,
