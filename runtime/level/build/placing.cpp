@@ -49,14 +49,10 @@ std::optional<std::string> check(LevelFile const& level, PartLibrary const& libr
 } // namespace
 
 std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary const& library,
-                                          std::span<Placement const> others, Placement const& candidate,
-                                          OverlapCheck const& overlap) {
+                                          std::span<Placement const> others, Placement const& candidate) {
     auto const used = std::count_if(others.begin(), others.end(),
                                     [&](Placement const& other) { return other.part == candidate.part; });
-    if (auto refusal = check(level, library, static_cast<std::size_t>(used), candidate)) {
-        return refusal;
-    }
-    return overlap ? overlap(candidate) : std::nullopt;
+    return check(level, library, static_cast<std::size_t>(used), candidate);
 }
 
 PlacementCount::PlacementCount(LevelFile const& level, PartLibrary const& library)

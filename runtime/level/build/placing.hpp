@@ -14,16 +14,13 @@
 
 namespace trembler {
 
-/// Tells in words what a placement would overlap, or nothing. Shapes are physics, so that is asked for.
-using OverlapCheck = std::function<std::optional<std::string>(Placement const&)>;
-
 /// Why `candidate` may not be placed beside the `others` that are already there, in words for the player;
 /// nothing if it may. Its part must exist and be left in the toolbox, and its centre must lie in one of the
-/// areas for placing (where none are stated, anywhere within the level's bounds).
+/// areas for placing (where none are stated, anywhere within the level's bounds). What it would overlap does
+/// not count here, as shapes are physics.
 [[nodiscard]] std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary const& library,
                                                         std::span<Placement const> others,
-                                                        Placement const& candidate,
-                                                        OverlapCheck const& overlap = {});
+                                                        Placement const& candidate);
 
 /// The same for many placements, each beside those before it that may be placed or not: their parts are
 /// counted, so that n of them cost n times as much as one. The level and the library must outlive it.
