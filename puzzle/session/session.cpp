@@ -47,7 +47,7 @@ bool Session::keep(std::optional<Placements::List> next) {
         return false; // no world can be built from it: everything stays as it was
     }
     placements_.keep(std::move(*next));
-    solution_ = {}; // a solution that was loaded is not the player's any more
+    solution_ = {}; // its inputs belong to the placements that it was loaded with
     return true;
 }
 

@@ -10,11 +10,12 @@ namespace trembler {
 /// What the store knows of an object from the moment it is created, so that nobody has to conclude it from
 /// the object's name or place.
 ///
-/// It is not a property: a component, completion or connector can only read what it declares, and an origin
-/// cannot be declared, so no simulation depends on it. A lamp shines because of its properties, not because
-/// it was made from a part called "lamp". For the same reason it is not part of the state hash
-/// (World::stateHash()): what comes next does not follow from it. Who looks at a world from outside (goals,
-/// the session, the window) reads it with Store::originOf().
+/// It is not a property: a component or a completion can read only what it declares, and an origin cannot be
+/// declared, so no simulation depends on it. A lamp shines because of its properties, not because it was made
+/// from a part called "lamp". For the same reason it is not part of the state hash (World::stateHash()): what
+/// comes next does not follow from it. Who looks at a world from outside (goals, the session, the window)
+/// reads it with Store::originOf(). Rules and connectors, which are handed the store before the first frame,
+/// must not: scripts/checks.d/origins.sh.
 struct Origin {
     enum class Kind : std::uint8_t {
         program,   ///< Store::create() was called with no origin: from no level, as in tests

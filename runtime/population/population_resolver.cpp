@@ -24,7 +24,7 @@ void PopulationResolver::advance(Access& access) {
     });
     std::vector<Birth> births;
     access.forCalls<CreateObject>([&](CreateObject const& call, CallOrigin origin) {
-        // Named now, as the maker may go in this very frame.
+        // The maker's name is looked up now, as the maker may be destroyed in this frame.
         births.push_back({call, origin.cause, store_->nameOf(call.maker)});
     });
     if (deaths.empty() && births.empty()) {

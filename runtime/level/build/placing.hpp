@@ -1,4 +1,4 @@
-// What a player may place, where, and what it is then called.
+// Which parts a player may place where, and what names they get.
 #pragma once
 
 #include "runtime/level/model/level.hpp"
