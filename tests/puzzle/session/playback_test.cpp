@@ -78,7 +78,7 @@ TEST_F(PlaybackTest, RepeatsARunToTheBit) {
     std::vector<std::uint64_t> hashes;
     Playback playback(inputs, {change});
     for (int times = 0; times < 2; ++times) {
-        Run run(gameData().registry, gameData().parts, level, {}, {});
+        LevelRun run(gameData().registry, gameData().parts, level, {}, {});
         run.begin();
         while (run.world().frame() < 90) {
             playback.feed(run);
@@ -91,7 +91,7 @@ TEST_F(PlaybackTest, RepeatsARunToTheBit) {
                             {run.changes().begin(), run.changes().end()});
     }
     EXPECT_EQ(hashes[1], hashes[0]);
-    Run untouched(gameData().registry, gameData().parts, level, {}, {});
+    LevelRun untouched(gameData().registry, gameData().parts, level, {}, {});
     untouched.begin();
     while (untouched.world().frame() < 90) {
         untouched.step();
@@ -101,7 +101,7 @@ TEST_F(PlaybackTest, RepeatsARunToTheBit) {
 
 TEST_F(PlaybackTest, LeavesOutWhatNamesNoObjectOfThisRun) {
     LevelFile const level = load("2-doorbell.json");
-    Run run(gameData().registry, gameData().parts, level, {}, {});
+    LevelRun run(gameData().registry, gameData().parts, level, {}, {});
     run.begin();
     RecordedInput cut = input(1, Kind::cut, "switch");
     cut.other = "nobody";

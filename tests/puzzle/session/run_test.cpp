@@ -1,5 +1,6 @@
 // One run: which object each placement became, and the log of what was done, which repeats it.
 #include "puzzle/session/run.hpp"
+#include "runtime/level/model/world_change.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/experiment.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 
 class RunTest : public Experiment {
 protected:
-    static Run runOf(LevelFile const& level, std::vector<Placement> const& placements = {}) {
+    static LevelRun runOf(LevelFile const& level, std::vector<Placement> const& placements = {}) {
         return {gameData().registry, gameData().parts, level, placements, {}};
     }
     static RecordedChange detail(std::string effect, std::string level) {
@@ -29,7 +30,7 @@ TEST_F(RunTest, KnowsWhichObjectEachPlacementBecame) {
                                             {"wooden ball", {2, 1.5}, 0, ""},
                                             {"cargo box", {-1, 1.5}, 0, ""},
                                             {"cargo box", {1, 1.5}, 0.25, ""}}; // equal to the second
-    Run run = runOf(level, placements);
+    LevelRun run = runOf(level, placements);
     std::set<ObjectId> different;
     for (std::size_t i = 0; i < placements.size(); ++i) {
         ObjectId const object = run.objectOf(i);
@@ -55,7 +56,7 @@ TEST_F(RunTest, KnowsWhichObjectEachPlacementBecame) {
 
 TEST_F(RunTest, LogsWhatIsDoneFromItsBeginning) {
     LevelFile const level = load("4-raft.json");
-    Run run = runOf(level);
+    LevelRun run = runOf(level);
     ObjectId const cargo = run.world().store().find("cargo 1");
     run.feed({PlayerInput::Kind::grab, cargo, {}, {0, 0}});
     run.change(detail("buoyancy", "particles"));
@@ -92,7 +93,7 @@ TEST_F(RunTest, LogsWhatIsDoneFromItsBeginning) {
 
 TEST_F(RunTest, TakesOverWhatAnotherRunBeganWith) {
     LevelFile const level = load("4-raft.json");
-    Run first = runOf(level);
+    LevelRun first = runOf(level);
     first.change(detail("buoyancy", "particles"));
     RecordedChange period;
     period.kind = RecordedChange::Kind::period;
@@ -100,7 +101,7 @@ TEST_F(RunTest, TakesOverWhatAnotherRunBeganWith) {
     period.value = 5;
     first.change(period);
     first.begin();
-    Run second = runOf(level);
+    LevelRun second = runOf(level);
     EXPECT_NE(second.world().stateHash(), first.world().stateHash());
     second.takeOver(first.begunWith());
     second.begin();
@@ -116,7 +117,7 @@ TEST_F(RunTest, TakesOverWhatAnotherRunBeganWith) {
 
 TEST_F(RunTest, TheJudgeSeesEveryFrame) {
     LevelFile const level = load("1-switched-electromagnet.json"); // solved with hands off
-    Run run = runOf(level);
+    LevelRun run = runOf(level);
     run.begin();
     while (!run.judge().solved() && run.world().frame() < 300) {
         run.step();

@@ -10,13 +10,11 @@
 namespace trembler {
 namespace {
 
-using Kind = Origin::Kind;
-
 TEST(Origin, IsThatOfTheObjectAndNotOfItsIndex) {
     Store store;
     ObjectId const placed =
-        store.create("a", {.kind = Kind::placement, .prototype = 3, .number = 7, .maker = {}});
-    EXPECT_EQ(store.originOf(placed), (Origin{Kind::placement, 3, 7, {}}));
+        store.create("a", {.kind = Origin::Kind::placement, .prototype = 3, .number = 7, .maker = {}});
+    EXPECT_EQ(store.originOf(placed), (Origin{Origin::Kind::placement, 3, 7, {}}));
     store.destroy({placed});
     EXPECT_EQ(store.originOf(placed), Origin{});
     ObjectId const next = store.create("a");
@@ -33,9 +31,9 @@ TEST(Origin, NamesThePartByItsNumber) {
     ball.name = "ball";
     std::uint32_t const number = store.prototypes().add(std::move(ball));
     ObjectId const made =
-        store.create("x", {.kind = Kind::object, .prototype = number, .number = 0, .maker = {}});
+        store.create("x", {.kind = Origin::Kind::object, .prototype = number, .number = 0, .maker = {}});
     ObjectId const free =
-        store.create("ball 1", {.kind = Kind::object, .prototype = {}, .number = 1, .maker = {}});
+        store.create("ball 1", {.kind = Origin::Kind::object, .prototype = {}, .number = 1, .maker = {}});
     ASSERT_NE(store.prototypeOf(made), nullptr);
     EXPECT_EQ(store.prototypeOf(made)->name, "ball");
     EXPECT_EQ(store.prototypeOf(free), nullptr) << "whatever it is called";
@@ -46,7 +44,7 @@ TEST(Origin, NamesThePartByItsNumber) {
 TEST(Origin, IsNotPartOfTheHash) {
     Store first;
     Store second;
-    (void)first.create("a", {.kind = Kind::placement, .prototype = 1, .number = 2, .maker = {}});
+    (void)first.create("a", {.kind = Origin::Kind::placement, .prototype = 1, .number = 2, .maker = {}});
     (void)second.create("a");
     EXPECT_EQ(first.hash(), second.hash());
 }
@@ -58,7 +56,7 @@ TEST(Origin, FollowsItsModelThroughAnySequence) {
         std::vector<ObjectId> ever;
         for (std::uint16_t const deed : deeds) {
             if (deed % 3 != 0 || ever.empty()) {
-                Origin const origin{static_cast<Kind>(deed % 6),
+                Origin const origin{static_cast<Origin::Kind>(deed % 6),
                                     deed % 5 == 0 ? std::nullopt : std::optional(deed % 7U), deed,
                                     ever.empty() ? ObjectId{} : ever[deed % ever.size()]};
                 ever.push_back(store.create("object " + std::to_string(ever.size()), origin));
