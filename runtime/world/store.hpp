@@ -113,9 +113,9 @@ private:
     std::map<std::string_view, std::unique_ptr<ColumnBase>> columns_; // by key: the canonical order
     std::map<std::string_view, std::unique_ptr<SlotBase>> slots_;
     std::unordered_map<std::string, ObjectId> byName_; // looked up, never walked
-    std::vector<Origin> origins_;                      // by index of the object
     PrototypeLibrary prototypes_;
     std::vector<Completion> completions_;
+    std::vector<Origin> origins_; // by index of the object
 };
 
 } // namespace trembler
