@@ -1,6 +1,7 @@
 #include "game/watch/watch.hpp"
 
 #include "runtime/level/json/suggestion.hpp"
+#include "runtime/population/birth_name.hpp"
 
 #include <fmt/format.h>
 
@@ -109,8 +110,8 @@ std::vector<std::string> objectNames(World const& world) {
     return names;
 }
 
-/// Names of objects may have points in them, so the longest that there is counts. What is born while the
-/// level runs is called "bullet of cannon 3".
+/// Names of objects may have points in them, so the longest that there is counts. One that does not exist may
+/// still be created while the level runs, if its name is one that such objects get.
 std::string objectIn(World const& world, std::string_view what) {
     for (std::size_t at = what.rfind('.'); at != std::string_view::npos && at > 0;
          at = what.rfind('.', at - 1)) {
@@ -127,7 +128,7 @@ std::string objectIn(World const& world, std::string_view what) {
                         what));
     }
     std::string name(what.substr(0, first));
-    if (name.find(" of ") != std::string::npos) {
+    if (isBirthName(name)) {
         return name;
     }
     auto const names = objectNames(world);

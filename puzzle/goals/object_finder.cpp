@@ -5,46 +5,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 namespace trembler {
 
 ObjectFinder::ObjectFinder(LevelFile const& level, World const& world, Problems& problems)
     : level_(level), world_(world), problems_(problems) {
-    std::map<std::string, std::string> parts; // by object name
-    for (LevelObject const& object : level.objects) {
-        parts[object.name] = object.part;
-    }
     Store const& store = world.store();
     for (std::uint32_t index = 0; index < store.objects().indexBound(); ++index) {
         ObjectId const id = store.objects().at(index);
-        if (!id.valid()) {
-            continue;
-        }
-        std::string const name = store.nameOf(id);
-        if (auto const known = parts.find(name); known != parts.end()) {
-            byPart_[known->second].push_back(id);
-            continue;
-        }
-        // What the player placed is named after its part and a number.
-        std::size_t const blank = name.rfind(' ');
-        bool const numbered = blank != std::string::npos && blank + 1 < name.size() &&
-                              name.find_first_not_of("0123456789", blank + 1) == std::string::npos;
-        if (numbered) {
-            byPart_[name.substr(0, blank)].push_back(id);
+        if (Origin const origin = store.originOf(id); origin.prototype) {
+            byPrototype_[*origin.prototype].push_back(id);
         }
     }
 }
 
 std::vector<ObjectId> ObjectFinder::find(Selector const& selector, ObjectId it) const {
+    Store const& store = world_.store();
     std::vector<ObjectId> found;
     for (std::string const& name : selector.names) {
-        if (ObjectId const id = world_.store().find(name); id.valid()) {
+        if (ObjectId const id = store.find(name); id.valid()) {
             found.push_back(id);
         }
     }
     for (std::string const& part : selector.parts) {
-        if (auto const made = byPart_.find(part); made != byPart_.end()) {
+        if (auto const made = byPrototype_.find(store.prototypes().numberOf(part));
+            made != byPrototype_.end()) {
             found.insert(found.end(), made->second.begin(), made->second.end());
         }
     }

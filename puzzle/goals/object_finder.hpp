@@ -1,22 +1,26 @@
-// The objects of a world that goals speak of.
+// From what a condition of a level speaks of to objects of a world.
 #pragma once
 
 #include "puzzle/goals/condition.hpp"
 #include "runtime/world/world.hpp"
 
 #include <map>
+#include <string_view>
 #include <vector>
 
 namespace trembler {
 
-/// Turns selectors into objects of a world and complains about what cannot be.
+/// Finds the objects of conditions in a world that was built from the level, and complains about conditions
+/// that cannot be. Knows the objects that exist when it is made.
 class ObjectFinder {
 public:
+    /// All three must outlive it.
     ObjectFinder(LevelFile const& level, World const& world, Problems& problems);
-    /// All objects that the selector names, ascending; `it` stands for "it".
+    /// All objects that the selector speaks of, ascending: those of its names, and those that the level or
+    /// the player made from its parts (Origin); `it` stands for "it".
     [[nodiscard]] std::vector<ObjectId> find(Selector const& selector, ObjectId it) const;
-    /// Complains if an object that is named outright does not have the property; `why` says what it lacks it
-    /// for.
+    /// Complains if an object that the selector names does not have the property; `why` says what it cannot
+    /// do without it.
     void mustHave(Selector const& selector, PropertyInfo const& property, std::string_view why) const;
     [[nodiscard]] World const& world() const { return world_; }
     /// Conditions that name many objects, each in many ways, are products of what a file states: a small file
@@ -30,7 +34,7 @@ private:
     LevelFile const& level_;
     World const& world_;
     Problems& problems_;
-    std::map<std::string, std::vector<ObjectId>> byPart_;
+    std::map<std::uint32_t, std::vector<ObjectId>> byPrototype_; // ascending
     mutable std::size_t taken_ = 0;
 };
 

@@ -41,7 +41,7 @@ std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const
             }
             if (!canHit(groups, groupsOf(world.find<CollisionGroups>(id))) ||
                 world.find<Liquid>(id) != nullptr) {
-                return; // a board behind everything, or water, is in nobody's way
+                return; // nothing can collide with a board in the background, or with water
             }
             Rotation const* const rotation = world.find<Rotation>(id);
             PlacedShape const there{other, position.value, rotation == nullptr ? 0 : rotation->angle};

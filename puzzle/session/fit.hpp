@@ -11,8 +11,8 @@
 
 namespace trembler {
 
-/// How far, in m, two parts may overlap where they are placed: what looks like touching must be allowed to
-/// touch.
+/// How far, in m, two parts may overlap where they are placed. Above zero, as a player who makes two parts
+/// touch cannot place them more exactly than this.
 inline constexpr double allowedOverlap = 0.01;
 
 /// Names what a part would overlap in the world as it stands, in words for the player; nothing if it has

@@ -1,11 +1,9 @@
 // One player at one level: placing parts, running the world, taking everything back.
 #pragma once
 
-#include "puzzle/goals/goal_judge.hpp"
-#include "puzzle/session/history.hpp"
-#include "runtime/level/model/level.hpp"
-#include "runtime/level/model/part_library.hpp"
-#include "runtime/world/world.hpp"
+#include "puzzle/session/placements.hpp"
+#include "puzzle/session/playback.hpp"
+#include "puzzle/session/run.hpp"
 
 #include <memory>
 #include <optional>
@@ -21,49 +19,28 @@ enum class SessionMode : std::uint8_t {
     paused,
 };
 
-/// A part that the player placed. The number names it for as long as the session lives, through undo and
-/// redo.
-struct PlacedPart {
-    int number = 0;
-    Placement placement;
-};
-
-/// One compartment of the toolbox.
-struct ToolboxSlot {
-    std::string part;
-    int total = 0;
-    int left = 0;
-};
-
-/// Whether a part may stand somewhere; if not, why, in words for the player.
-struct Verdict {
-    bool ok = true;
-    std::string why;
-};
-
-/// Headless: the window, the command line and the tests all play through it. The world is rebuilt from the
-/// level and the placements whenever these change, so stop() puts everything back exactly as it was placed.
-/// Not thread-safe.
+/// Headless: the window, the command line and the tests all play through it. It consists of the placements
+/// (Placements), a run (LevelRun) that is built from the level and the placements whenever these change, and
+/// what is fed to the run (Playback). So stop() puts everything back exactly as it was placed. Not
+/// thread-safe.
 class Session {
 public:
     /// `registry` and `parts` must outlive the session. Throws InputError if the level cannot be built.
     Session(Registry const& registry, PartLibrary const& parts, LevelFile level, WorldOptions options = {});
-    ~Session();
     Session(Session const&) = delete;
     Session& operator=(Session const&) = delete;
 
     [[nodiscard]] LevelFile const& level() const { return level_; }
     [[nodiscard]] PartLibrary const& parts() const { return parts_; }
-    [[nodiscard]] SessionMode mode() const { return mode_; }
+    [[nodiscard]] SessionMode mode() const;
     /// The world as it is now; while building, as it will start. Valid until the next call that changes
-    /// anything.
-    /// To be looked at, and subscribed to (World::want()). What changes it goes through feed() and change(),
-    /// which record it.
-    [[nodiscard]] World const& world() const { return *world_; }
+    /// anything. To be looked at, and subscribed to (World::want()). What changes it goes through feed() and
+    /// change(), which record it.
+    [[nodiscard]] World const& world() const { return run_->world(); }
 
     // Building. All of these do nothing, and say so, unless mode() is building.
-    [[nodiscard]] std::vector<PlacedPart> const& placed() const { return history_.now(); }
-    [[nodiscard]] std::vector<ToolboxSlot> toolbox() const;
+    [[nodiscard]] std::vector<PlacedPart> const& placed() const { return placements_.now(); }
+    [[nodiscard]] std::vector<ToolboxSlot> toolbox() const { return placements_.toolbox(); }
     /// The object in world() that a placed part became, or an invalid id.
     [[nodiscard]] ObjectId objectOf(int number) const;
     /// The placed part that an object in world() came from.
@@ -79,8 +56,8 @@ public:
     bool putAllBack();
     bool undo();
     bool redo();
-    [[nodiscard]] bool canUndo() const { return mode_ == SessionMode::building && history_.canUndo(); }
-    [[nodiscard]] bool canRedo() const { return mode_ == SessionMode::building && history_.canRedo(); }
+    [[nodiscard]] bool canUndo() const { return building() && placements_.canUndo(); }
+    [[nodiscard]] bool canRedo() const { return building() && placements_.canRedo(); }
 
     // Running.
     void start();
@@ -88,33 +65,43 @@ public:
     void resume();
     /// Ends the run: everything is back as it was placed.
     void stop();
-    /// One frame. Starts the run if it has not begun.
+    /// One frame, to which what a loaded solution, or play(), has for it is fed first. Starts the run if it
+    /// has not begun.
     void step();
     /// Passes on what the player does to the running world, and remembers it.
     void feed(PlayerInput const& input);
-    /// All inputs of this run, with the frame before which they came.
-    [[nodiscard]] std::span<RecordedInput const> inputs() const { return inputs_; }
+    /// All inputs of this run, with the frames that see them.
+    [[nodiscard]] std::span<RecordedInput const> inputs() const { return run_->inputs(); }
     /// Changes how exactly the running world is computed from its next frame on, and remembers it with that
     /// frame; later runs know nothing of it. Does nothing while building. Throws std::invalid_argument, see
     /// world_change.hpp.
     void change(RecordedChange change);
     /// All such changes of this run, those of setDetail() and setPeriod() among them.
-    [[nodiscard]] std::span<RecordedChange const> changes() const { return changes_; }
+    [[nodiscard]] std::span<RecordedChange const> changes() const { return run_->changes(); }
     /// Ends the run, if one goes on, and begins it, or the last one, again with the levels and periods that
     /// it began with.
     void startAgain();
+    /// Everything that was done in this run, by the player or by a solution, for play() in a run that repeats
+    /// it.
+    [[nodiscard]] Playback done() const;
+    /// Feeds this to the run that goes on, until it ends, in place of a loaded solution. Does nothing while
+    /// building.
+    void play(Playback playback);
+    /// Whether play() feeds this run.
+    [[nodiscard]] bool playing() const { return played_.has_value(); }
 
-    [[nodiscard]] bool solved() const;
-    [[nodiscard]] GoalJudge const& judge() const { return *judge_; }
+    [[nodiscard]] bool solved() const { return judge().solved(); }
+    [[nodiscard]] GoalJudge const& judge() const { return run_->judge(); }
 
     /// Why what the run began with cannot stand in a solution: a detail level, asked for on the command line,
     /// that is other physics, or a period that is no matter of accuracy. Nothing if it can.
-    [[nodiscard]] std::optional<std::string> whyNotRecorded() const;
+    [[nodiscard]] std::optional<std::string> whyNotRecorded() const { return run_->whyNotRecorded(); }
     /// Placements, inputs and changes so far, those among them that make the level's own levels and periods
     /// what the run began with, as a solution that can be recorded in the level.
     [[nodiscard]] Solution record(std::string name) const;
-    /// Places a solution's parts and will feed its inputs and make its changes at their frames. Throws
-    /// InputError if it does not fit.
+    /// Ends the run, places a solution's parts, and feeds its inputs and makes its changes in their frames of
+    /// every run until the player changes what is placed. Throws InputError if it does not fit; then
+    /// everything stays as it was placed.
     void load(Solution const& solution);
 
     /// Detail level and period of the running world, remembered as by change(), and of all later ones. Throw
@@ -126,31 +113,23 @@ public:
                                                           std::string const& level) const;
 
 private:
-    using Placed = std::vector<PlacedPart>;
-
-    void rebuild();
-    bool changePlaced(Placed placed);
-    void feedRecorded();
-    void remember(RecordedChange change);
-    void noteGoals();
-    [[nodiscard]] RecordedInput named(PlayerInput const& input) const;
-    [[nodiscard]] std::optional<PlayerInput> resolved(RecordedInput const& input) const;
+    [[nodiscard]] bool building() const { return !run_->begun(); }
+    [[nodiscard]] std::unique_ptr<LevelRun> runOf(Placements::List const& placed) const;
+    /// Makes an edit, if a world can be built from it.
+    bool keep(std::optional<Placements::List> next);
+    /// After undo and redo.
+    void placedOtherwise();
 
     Registry const& registry_;
     PartLibrary const& parts_;
     LevelFile level_;
-    WorldOptions options_;
-    SessionMode mode_ = SessionMode::building;
-    History<Placed> history_;
-    int nextNumber_ = 1;
-    std::unique_ptr<World> world_;
-    std::unique_ptr<GoalJudge> judge_;
-    std::vector<std::pair<int, ObjectId>> objects_; // of the placed parts
-    std::vector<RecordedInput> inputs_;
-    std::vector<RecordedChange> changes_;
-    std::optional<WorldOptions> startOptions_; // as they were when the run began
-    std::vector<RecordedInput> script_;        // inputs of a loaded solution
-    std::vector<RecordedChange> scriptChanges_;
+    WorldOptions options_; // of the next runs
+    Placements placements_;
+    std::unique_ptr<LevelRun> run_; // never null; one that has not begun while building
+    bool paused_ = false;
+    std::optional<WorldOptions> lastBegunWith_; // what the last run began with
+    Playback solution_;                         // of a loaded solution
+    std::optional<Playback> played_;            // of this run, in place of the solution's
 };
 
 } // namespace trembler

@@ -148,10 +148,10 @@ template <InteractionCall C>
 class CallBuffer {
 public:
     void push(C const& call) { calls_.push_back(call); }
-    void push(C const& call, EventId cause) {
+    /// Of the call that was pushed last. There must be one.
+    void setCauseOfLast(EventId cause) {
         causes_.resize(calls_.size());
-        calls_.push_back(call);
-        causes_.push_back(cause);
+        causes_.back() = cause;
     }
     void clear() {
         calls_.clear();

@@ -1,4 +1,4 @@
-// What people, files and traces call an object.
+// The name of an object, by which people, files and traces refer to it.
 #pragma once
 
 #include "runtime/property/description.hpp"

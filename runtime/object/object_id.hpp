@@ -1,4 +1,4 @@
-// The stable name of an object inside a running world.
+// What identifies an object inside a running world.
 #pragma once
 
 #include <compare>
@@ -8,7 +8,8 @@
 namespace trembler {
 
 /// Index and generation: an index is used again after its object is destroyed, with the next generation,
-/// so an id kept for too long is found to be stale instead of naming a stranger. Ordered by index first.
+/// so an id kept for too long is found to be stale instead of identifying another object. Ordered by index
+/// first.
 struct ObjectId {
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 

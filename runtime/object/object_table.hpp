@@ -15,7 +15,7 @@ class ObjectTable {
 public:
     /// A new id: the lowest free index, so that a world that creates and destroys for hours stays small.
     [[nodiscard]] ObjectId create();
-    /// Frees the id. Returns false, and does nothing, if it names no living object.
+    /// Frees the id. Returns false, and does nothing, if no object has it.
     bool destroy(ObjectId id);
     [[nodiscard]] bool alive(ObjectId id) const {
         return id.index < slots_.size() && slots_[id.index].alive &&
@@ -24,7 +24,7 @@ public:
     [[nodiscard]] std::size_t size() const { return living_; }
     /// One past the highest index ever used.
     [[nodiscard]] std::size_t indexBound() const { return slots_.size(); }
-    /// The living object at an index, or an invalid id.
+    /// The object that has an index now, or an invalid id.
     [[nodiscard]] ObjectId at(std::uint32_t index) const {
         return index < slots_.size() && slots_[index].alive ? ObjectId{index, slots_[index].generation}
                                                             : ObjectId{};

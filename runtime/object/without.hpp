@@ -1,4 +1,4 @@
-// What an object is stated to be without.
+// The properties that an object is stated not to have.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -9,8 +9,8 @@
 
 namespace trembler {
 
-/// The keys of the properties that a file takes away from an object ("conductor": false). What other
-/// properties would bring by themselves, as a material brings conduction, is not added to it then.
+/// The keys of the properties that a file takes away from an object ("conductor": false). A completion
+/// that would add one of them, as that of a material adds conduction, does not do so then.
 struct Without {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{

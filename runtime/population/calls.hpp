@@ -1,4 +1,4 @@
-// How objects come and go: always by a call from the interaction layer (7.1.3).
+// The calls that create and destroy objects while a world runs; interactions make them (7.1.3).
 #pragma once
 
 #include "runtime/component/call.hpp"
@@ -8,9 +8,9 @@
 
 namespace trembler {
 
-/// Makes an object from a prototype. `key` identifies the birth: two calls with one key make one object, and
-/// keys, not the order of calls, decide about ids. A call for an unknown prototype, or with a number that is
-/// not finite, makes nothing.
+/// Creates an object from a prototype, which is called its birth here. `key` identifies the birth: two calls
+/// with one key create one object, and ids follow from the keys, not from the order of calls. A call for an
+/// unknown prototype, or with a number that is not finite, creates nothing.
 struct CreateObject {
     static constexpr CallText text{"createObject", "(part, position, angle, velocity, spin, key)",
                                    "Makes an object from a part definition; equal keys make one object."};
@@ -20,14 +20,14 @@ struct CreateObject {
     double angle = 0;            ///< rad
     Vec2 velocity;               ///< m/s
     double spin = 0;             ///< rad/s
-    ObjectId maker;              ///< the object that brings it forth
+    ObjectId maker;              ///< the object on whose behalf it is created
     std::uint64_t number = 0;    ///< unique among the births by this maker
 
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {maker}; }
     [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> key() const { return {packed(maker), number}; }
 };
 
-/// Takes an object out of the world. Destroying twice is destroying once.
+/// Destroys an object. A second call for the same object has no effect.
 struct DestroyObject {
     static constexpr CallText text{"destroyObject", "(object)", "Takes the object out of the world."};
     static constexpr Algebra algebra = Algebra::destroy;

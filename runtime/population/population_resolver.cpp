@@ -2,9 +2,8 @@
 
 #include "runtime/frame/frame_resolver.hpp"
 #include "runtime/placement.hpp"
+#include "runtime/population/birth_name.hpp"
 #include "runtime/world/registry.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +24,7 @@ void PopulationResolver::advance(Access& access) {
     });
     std::vector<Birth> births;
     access.forCalls<CreateObject>([&](CreateObject const& call, CallOrigin origin) {
-        // Named now, as the maker may go in this very frame.
+        // The maker's name is looked up now, as the maker may be destroyed in this frame.
         births.push_back({call, origin.cause, store_->nameOf(call.maker)});
     });
     if (deaths.empty() && births.empty()) {
@@ -73,12 +72,14 @@ ObjectId PopulationResolver::create(Birth const& birth) {
         !isFinite(call.velocity) || !std::isfinite(call.spin)) {
         return {};
     }
-    std::string const stem = fmt::format("{} of {}", prototype->name, birth.maker);
-    std::string name = fmt::format("{} {}", stem, call.number);
-    for (int again = 2; store_->find(name).valid(); ++again) {
-        name = fmt::format("{} {} ({})", stem, call.number, again);
+    std::string name = birthName(prototype->name, birth.maker, call.number);
+    for (std::uint64_t attempt = 2; store_->find(name).valid(); ++attempt) {
+        name = birthName(prototype->name, birth.maker, call.number, attempt);
     }
-    ObjectId const id = store_->create(name);
+    ObjectId const id = store_->create(name, {.kind = Origin::Kind::birth,
+                                              .prototype = call.prototype,
+                                              .number = call.number,
+                                              .maker = call.maker});
     store_->furnish(id, *prototype);
     store_->column<Position>().set(id, {call.position});
     store_->column<Rotation>().set(id, {call.angle});

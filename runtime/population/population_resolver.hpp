@@ -1,4 +1,4 @@
-// The resolver behind which objects come and go.
+// The resolver that creates and destroys objects.
 #pragma once
 
 #include "runtime/component/interaction.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// Who came and who went in this frame.
+/// Which objects were created and which were destroyed in this frame, or this part of it.
 struct PopulationChanges {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
@@ -17,7 +17,7 @@ struct PopulationChanges {
         "The objects that were created and those that were destroyed in this frame, or this part of it."};
     static constexpr Coverage coverage = hashed;
     std::vector<ObjectId> created;
-    std::vector<ObjectId> destroyed; ///< ids that no longer name anything
+    std::vector<ObjectId> destroyed; ///< these ids are stale
 
     static void gather(PopulationChanges& frame, PopulationChanges const& part, PartSpan) {
         frame.created.insert(frame.created.end(), part.created.begin(), part.created.end());
@@ -27,8 +27,8 @@ struct PopulationChanges {
     static void describe(Self&, Visitor&&) {}
 };
 
-/// Writes everything: an object is born with all its properties and dies with them. All other resolvers run
-/// after it.
+/// Writes every property, as an object gets all of its own when it is created and loses them when it is
+/// destroyed. So all other resolvers run after it.
 class PopulationResolver final
     : public Resolver<PopulationResolver, PopulationRole, Reads<>, Writes<>, Provides<PopulationChanges>> {
 public:
@@ -60,7 +60,7 @@ private:
     bool changesStand_ = false;
 };
 
-/// What the player takes out of the world goes.
+/// Destroys what the player removed.
 class PopulationFromPlayer final
     : public Interaction<PopulationFromPlayer, PopulationRole, Reads<PlayerCommands>> {
 public:

@@ -8,7 +8,7 @@ namespace trembler {
 Store::Store() = default;
 Store::~Store() = default;
 
-ObjectId Store::create(std::string const& name) {
+ObjectId Store::create(std::string const& name, Origin const& origin) {
     if (name.empty()) {
         throw std::invalid_argument("an object needs a name");
     }
@@ -17,6 +17,8 @@ ObjectId Store::create(std::string const& name) {
     }
     ObjectId const id = objects_.create();
     byName_.emplace(name, id);
+    origins_.resize(objects_.indexBound());
+    origins_[id.index] = origin;
     column<Name>().set(id, {name});
     return id;
 }
@@ -48,6 +50,11 @@ std::string Store::nameOf(ObjectId id) const {
     auto const* const names = findColumn<Name>();
     auto const* const name = names == nullptr ? nullptr : names->find(id);
     return name == nullptr ? "(gone)" : name->value;
+}
+
+Prototype const* Store::prototypeOf(ObjectId id) const {
+    Origin const origin = originOf(id);
+    return origin.prototype ? prototypes_.find(*origin.prototype) : nullptr;
 }
 
 ColumnBase& Store::column(PropertyInfo const& info) {

@@ -3,6 +3,7 @@
 
 #include "runtime/object/name.hpp"
 #include "runtime/object/object_table.hpp"
+#include "runtime/object/origin.hpp"
 #include "runtime/property/column.hpp"
 #include "runtime/property/slot.hpp"
 #include "runtime/world/prototype.hpp"
@@ -28,8 +29,9 @@ public:
     Store(Store const&) = delete;
     Store& operator=(Store const&) = delete;
 
-    /// A new object with a unique name; throws std::invalid_argument if the name is taken or empty.
-    ObjectId create(std::string const& name);
+    /// A new object with a unique name; throws std::invalid_argument if the name is taken or empty. `origin`
+    /// stays as it is for the object's life.
+    ObjectId create(std::string const& name, Origin const& origin = {});
     /// Takes away objects with all their properties. Unknown and repeated ids are ignored.
     void destroy(std::vector<ObjectId> ids);
     [[nodiscard]] bool alive(ObjectId id) const { return objects_.alive(id); }
@@ -38,6 +40,11 @@ public:
     [[nodiscard]] ObjectId find(std::string const& name) const;
     /// An object's name; "(gone)" for one that no longer exists.
     [[nodiscard]] std::string nameOf(ObjectId id) const;
+    /// Where an object comes from; Origin{} for one that does not exist. Not in hash().
+    [[nodiscard]] Origin originOf(ObjectId id) const { return alive(id) ? origins_[id.index] : Origin{}; }
+    /// The part that an object is made from; nullptr if it is made from none or does not exist. Valid until a
+    /// prototype is added.
+    [[nodiscard]] Prototype const* prototypeOf(ObjectId id) const;
 
     template <ObjectProperty P>
     [[nodiscard]] Column<P>& column() {
@@ -108,6 +115,7 @@ private:
     std::unordered_map<std::string, ObjectId> byName_; // looked up, never walked
     PrototypeLibrary prototypes_;
     std::vector<Completion> completions_;
+    std::vector<Origin> origins_; // by index of the object
 };
 
 } // namespace trembler

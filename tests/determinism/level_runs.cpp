@@ -30,7 +30,7 @@ std::string motionHash(Store const& store) {
 
 } // namespace
 
-std::map<std::string, RunHashes> hashesOf(LevelFile const& level, int threads) {
+std::map<std::string, RunHashes> hashesOf(LevelFile const& level, int threads, std::uint64_t length) {
     std::map<std::string, RunHashes> all;
     auto const runWith = [&](Solution const* solution) {
         WorldOptions options;
@@ -41,7 +41,7 @@ std::map<std::string, RunHashes> hashesOf(LevelFile const& level, int threads) {
             session.load(*solution);
         }
         RunOptions run;
-        run.frames = frames;
+        run.frames = length;
         run.hashEvery = every;
         RunHashes hashes;
         run.frame = [&](World const& world) {

@@ -24,7 +24,9 @@ struct RunHashes {
     std::vector<std::string> motion;
     friend bool operator==(RunHashes const&, RunHashes const&) = default;
 };
-/// The hashes of a level, hands off or with a solution, by "hands off" or the solution's name.
-[[nodiscard]] std::map<std::string, RunHashes> hashesOf(LevelFile const& level, int threads = 1);
+/// The hashes of a level, hands off or with a solution, by "hands off" or the solution's name; each run has
+/// `length` frames.
+[[nodiscard]] std::map<std::string, RunHashes> hashesOf(LevelFile const& level, int threads = 1,
+                                                        std::uint64_t length = frames);
 
 } // namespace trembler::determinism

@@ -308,7 +308,9 @@ void checkCall() {
     auto const hashOf = [](C const* call, EventId cause) {
         CallSource<Role> source;
         if (call != nullptr) {
-            std::get<CallBuffer<C>>(source.chunks.front()).push(*call, cause);
+            auto& buffer = std::get<CallBuffer<C>>(source.chunks.front());
+            buffer.push(*call);
+            buffer.setCauseOfLast(cause);
         }
         StateHash hash;
         source.hash(hash);

@@ -155,7 +155,7 @@ void PlayScreen::usePlacing(Pointer const& pointer) {
 void PlayScreen::useHand(Pointer const& pointer, double seconds) {
     bool const free = hovered_.valid() && session_.world().find<Fixed>(hovered_) == nullptr;
     if (pointer.pressed) {
-        leftOnPaper_ = !pointer.overCard && !hand_.cutting() && (!free || replay_.loaded());
+        leftOnPaper_ = !pointer.overCard && !hand_.cutting() && (!free || session_.playing());
     }
     auto const clicked = hand_.update(pointer, hovered_, seconds);
     if (clicked) {
@@ -226,8 +226,7 @@ void PlayScreen::stepOnce() {
         patches_ = session_.world().want<ContactPatches>();
     }
     hand_.beforeStep();
-    replay_.beforeStep(session_);
-    budget_.beforeStep(session_, !replay_.loaded()); // what was decided then is being repeated
+    budget_.beforeStep(session_, !session_.playing()); // what was decided then is being repeated
     scene_.remember(session_.world());
     session_.step();
     // In fast motion every fourth frame is heard, at its own pitch.
@@ -255,7 +254,6 @@ void PlayScreen::stop() {
     audio_.leave();
     session_.stop();
     hand_.reset();
-    replay_.clear();
     clock_.reset();
     counted_ = state_.celebrating = state_.cutting = state_.fast = false;
     state_.solvedAt.reset();
@@ -286,11 +284,10 @@ void PlayScreen::begin(bool asBefore) {
 }
 
 void PlayScreen::watchAgain() {
-    std::vector<RecordedInput> inputs(session_.inputs().begin(), session_.inputs().end());
-    std::vector<RecordedChange> changes(session_.changes().begin(), session_.changes().end());
+    Playback done = session_.done();
     stop();
     begin(true);
-    replay_.load(std::move(inputs), std::move(changes));
+    session_.play(std::move(done));
 }
 
 void PlayScreen::restart() {

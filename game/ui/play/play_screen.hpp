@@ -7,7 +7,6 @@
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/play/goal_areas.hpp"
 #include "game/ui/play/level_audio.hpp"
-#include "game/ui/play/replay.hpp"
 #include "game/ui/shared/command.hpp"
 #include "game/ui/shared/frame_clock.hpp"
 #include "game/ui/shared/ui_context.hpp"
@@ -106,7 +105,6 @@ private:
     ComponentsPanel components_;
     CameraControl view_;
     FrameClock clock_;
-    Replay replay_;
     LevelAudio audio_;
     render::SceneView scene_;
     GoalAreas goals_;

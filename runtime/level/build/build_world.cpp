@@ -1,5 +1,6 @@
 #include "runtime/level/build/build_world.hpp"
 
+#include "runtime/level/build/effective_properties.hpp"
 #include "runtime/level/build/joint_names.hpp"
 #include "runtime/level/build/lay_connections.hpp"
 #include "runtime/level/build/references.hpp"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace trembler {
@@ -23,10 +25,13 @@ struct Made {
     PropertySet properties;           ///< effective
     std::vector<std::string> without; ///< keys that it is stated not to have, ascending
     PropertySet const* own = nullptr;
-    std::string path;     ///< in the level's file
-    bool inEntry = false; ///< its properties stand directly in its entry: joints and the world
-    bool isPlacement = false;
+    std::string path; ///< in the level's file
+    Origin::Kind kind = Origin::Kind::object;
+    std::size_t index = 0; ///< in the level's list of objects or joints, or among the placements
     ObjectId id;
+
+    /// Its properties are members of its entry, not of "properties" in it.
+    [[nodiscard]] bool inEntry() const { return kind == Origin::Kind::world || kind == Origin::Kind::joint; }
 };
 
 std::optional<std::string> faultOf(ObjectId id, std::span<ObjectFault const> ascending) {
@@ -34,6 +39,15 @@ std::optional<std::string> faultOf(ObjectId id, std::span<ObjectFault const> asc
         std::lower_bound(ascending.begin(), ascending.end(), id,
                          [](ObjectFault const& fault, ObjectId wanted) { return fault.object < wanted; });
     return found != ascending.end() && found->object == id ? std::optional(found->text) : std::nullopt;
+}
+
+/// The indices 0 to count - 1, sorted.
+template <class Less>
+std::vector<std::size_t> sortedIndices(std::size_t count, Less less) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), less);
+    return order;
 }
 
 class Builder {
@@ -47,58 +61,55 @@ public:
         made.properties = effectiveProperties({}, level_.world);
         made.own = &level_.world;
         made.path = "/world";
-        made.inEntry = true;
+        made.kind = Origin::Kind::world;
         made_.push_back(std::move(made));
     }
 
     void addObjects() {
-        std::vector<LevelObject const*> sorted;
-        for (LevelObject const& object : level_.objects) {
-            sorted.push_back(&object);
-        }
-        std::sort(sorted.begin(), sorted.end(),
-                  [](LevelObject const* a, LevelObject const* b) { return a->name < b->name; });
-        for (LevelObject const* object : sorted) {
+        for (std::size_t const i : sortedIndices(level_.objects.size(), [&](std::size_t a, std::size_t b) {
+                 return level_.objects[a].name < level_.objects[b].name;
+             })) {
+            LevelObject const& object = level_.objects[i];
             Made made;
-            made.name = object->name;
-            made.own = &object->properties;
-            made.path = object->path;
-            if (!object->part.empty()) {
-                made.part = library_.find(object->part);
+            made.name = object.name;
+            made.own = &object.properties;
+            made.path = object.path;
+            made.index = i;
+            if (!object.part.empty()) {
+                made.part = library_.find(object.part);
                 if (made.part == nullptr) {
-                    problem(object->path.empty() ? "" : object->path + "/part",
-                            fmt::format("there is no part '{}'{}", object->part,
-                                        didYouMean(object->part, library_.names())),
+                    problem(object.path.empty() ? "" : object.path + "/part",
+                            fmt::format("there is no part '{}'{}", object.part,
+                                        didYouMean(object.part, library_.names())),
                             listed(library_.names()));
                     continue;
                 }
             }
             PropertySet const part = made.part == nullptr ? PropertySet() : made.part->properties;
-            made.properties = effectiveProperties(part, object->properties);
-            made.without = statedAbsent(part, object->properties);
+            made.properties = effectiveProperties(part, object.properties);
+            made.without = statedAbsent(part, object.properties);
             made_.push_back(std::move(made));
         }
     }
 
     void addJoints() {
         std::vector<std::string> const names = jointNames(level_);
-        std::vector<std::size_t> order(names.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::sort(order.begin(), order.end(),
-                  [&](std::size_t a, std::size_t b) { return names[a] < names[b]; });
-        for (std::size_t const i : order) {
+        for (std::size_t const i :
+             sortedIndices(names.size(), [&](std::size_t a, std::size_t b) { return names[a] < names[b]; })) {
             Made made;
             made.name = names[i];
             made.own = &level_.joints[i].properties;
             made.properties = level_.joints[i].properties;
             made.path = level_.joints[i].path;
-            made.inEntry = true;
+            made.kind = Origin::Kind::joint;
+            made.index = i;
             made_.push_back(std::move(made));
         }
     }
 
     void addPlacements(std::span<Placement const> placements) {
         std::vector<Placement> const sorted = inCanonicalOrder(placements);
+        std::vector<std::size_t> const order = canonicalOrder(placements);
         std::vector<std::string> const names = placementNames(level_, placements);
         PlacementCount count(level_, library_);
         for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -115,7 +126,8 @@ public:
             made.properties.set(Position{placement.at});
             made.properties.set(Rotation{placement.angle});
             made.path = placement.path;
-            made.isPlacement = true;
+            made.kind = Origin::Kind::placement;
+            made.index = order[i];
             made_.push_back(std::move(made));
         }
     }
@@ -133,14 +145,14 @@ public:
 
     void create(Store& store) {
         for (PartDefinition const* part : library_.all()) {
-            store.prototypes().add(part->prototype());
+            numbers_.emplace(part, store.prototypes().add(part->prototype()));
         }
         for (Made& made : made_) {
             if (store.find(made.name).valid()) {
                 problem(made.path, fmt::format("the name '{}' is taken", made.name), "a name of its own");
                 continue;
             }
-            made.id = store.create(made.name);
+            made.id = store.create(made.name, originOf(made));
         }
         for (Made& made : made_) {
             if (made.id.valid()) {
@@ -177,18 +189,26 @@ public:
         }
     }
 
-    void checkOverlaps(Store const& store, OverlapTest const& overlap) {
-        for (std::size_t i = 0; i < made_.size(); ++i) {
-            for (std::size_t j = 0; made_[i].isPlacement && j < i; ++j) {
-                if (made_[i].id.valid() && made_[j].id.valid() && overlap(store, made_[i].id, made_[j].id)) {
-                    problem(made_[i].path, fmt::format("'{}' overlaps '{}'", made_[i].name, made_[j].name),
-                            "a place where it is free");
-                }
+    /// The objects of one kind that create() made, by index in their list of `count` entries.
+    [[nodiscard]] std::vector<ObjectId> created(Origin::Kind kind, std::size_t count) const {
+        std::vector<ObjectId> ids(count);
+        for (Made const& made : made_) {
+            if (made.kind == kind) {
+                ids[made.index] = made.id;
             }
         }
+        return ids;
     }
 
 private:
+    [[nodiscard]] Origin originOf(Made const& made) const {
+        Origin origin{.kind = made.kind, .prototype = {}, .number = made.index, .maker = {}};
+        if (made.part != nullptr) {
+            origin.prototype = numbers_.at(made.part);
+        }
+        return origin;
+    }
+
     void problem(std::string path, std::string message, std::string expected) {
         addProblem(problems_, [&] {
             return level_.diagnostic(std::move(path), std::move(message), std::move(expected));
@@ -211,8 +231,8 @@ private:
             return;
         }
         std::string path = made.path;
-        if (!path.empty() && !made.isPlacement && key != "joint") {
-            bool const direct = made.inEntry || info.text.place != PropertyPlace::properties;
+        if (!path.empty() && made.kind != Origin::Kind::placement && key != "joint") {
+            bool const direct = made.inEntry() || info.text.place != PropertyPlace::properties;
             path = pointerTo(direct ? path : path + "/properties", key);
         }
         problem(path + inside, std::move(message), std::move(expected));
@@ -250,48 +270,14 @@ private:
     LevelFile const& level_;
     PartLibrary const& library_;
     Problems& problems_;
-    std::vector<Made> made_;
+    std::vector<Made> made_;                                 ///< in the order in which they are created
+    std::map<PartDefinition const*, std::uint32_t> numbers_; ///< of prototypes; looked up, never walked
 };
 
 } // namespace
 
-PropertySet effectiveProperties(PropertySet const& part, PropertySet const& own) {
-    PropertySet all = part;
-    for (PropertySet::Entry const& entry : own.entries()) {
-        if (entry.value) {
-            all.set(entry.value->clone());
-        } else {
-            all.erase(*entry.info);
-        }
-    }
-    PropertySet present;
-    for (PropertySet::Entry const& entry : all.entries()) {
-        if (entry.value) {
-            present.set(entry.value->clone());
-        }
-    }
-    return present;
-}
-
-std::vector<std::string> statedAbsent(PropertySet const& part, PropertySet const& own) {
-    std::vector<std::string> keys;
-    for (PropertySet::Entry const& entry : part.entries()) {
-        if (!entry.value && !own.states(*entry.info)) {
-            keys.emplace_back(entry.info->text.key);
-        }
-    }
-    for (PropertySet::Entry const& entry : own.entries()) {
-        if (!entry.value) {
-            keys.emplace_back(entry.info->text.key);
-        }
-    }
-    std::sort(keys.begin(), keys.end());
-    return keys;
-}
-
-std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& level,
-                                  PartLibrary const& library, std::span<Placement const> placements,
-                                  WorldOptions options, OverlapTest const& overlap) {
+BuiltLevel buildLevel(Registry const& registry, LevelFile const& level, PartLibrary const& library,
+                      std::span<Placement const> placements, WorldOptions options) {
     Problems problems;
     Builder builder(registry, level, library, problems);
     builder.addWorld();
@@ -302,18 +288,25 @@ std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& lev
     for (auto const& [effect, detail] : level.detail) {
         options.detail.try_emplace(effect, detail);
     }
-    auto world = std::make_unique<World>(registry, std::move(options));
-    builder.create(world->store());
+    BuiltLevel built;
+    built.world = std::make_unique<World>(registry, std::move(options));
+    Store& store = built.world->store();
+    builder.create(store);
     problems.throwIfAny(); // rules may assume that references are good
-    builder.checkRules(world->store());
-    layConnections(registry, level, world->store(), problems);
-    problems.throwIfAny(); // and the completions, that rules are kept
-    world->start();
-    if (overlap) {
-        builder.checkOverlaps(world->store(), overlap);
-        problems.throwIfAny();
-    }
-    return world;
+    builder.checkRules(store);
+    layConnections(registry, level, store, problems);
+    problems.throwIfAny(); // and completions may assume that rules are kept
+    built.world->start();
+    built.objects = builder.created(Origin::Kind::object, level.objects.size());
+    built.joints = builder.created(Origin::Kind::joint, level.joints.size());
+    built.placements = builder.created(Origin::Kind::placement, placements.size());
+    return built;
+}
+
+std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& level,
+                                  PartLibrary const& library, std::span<Placement const> placements,
+                                  WorldOptions options) {
+    return buildLevel(registry, level, library, placements, std::move(options)).world;
 }
 
 } // namespace trembler

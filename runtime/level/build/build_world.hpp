@@ -6,10 +6,19 @@
 #include "runtime/level/model/part_library.hpp"
 #include "runtime/world/world.hpp"
 
+#include <memory>
+#include <span>
+#include <vector>
+
 namespace trembler {
 
-/// Whether two objects of a complete world overlap. Shapes are physics, so it is handed in.
-using OverlapTest = std::function<bool(Store const&, ObjectId, ObjectId)>;
+/// A world, and which of its objects each entry of the lists that it was built from became.
+struct BuiltLevel {
+    std::unique_ptr<World> world;     ///< started, at frame 0
+    std::vector<ObjectId> objects;    ///< by index in LevelFile::objects
+    std::vector<ObjectId> joints;     ///< by index in LevelFile::joints
+    std::vector<ObjectId> placements; ///< by index in the placements that were given
+};
 
 /// Builds and starts the world of a level with what the player placed. Throws InputError, with the places in
 /// the file, for whatever is wrong: unknown parts, references to objects that are not there, properties that
@@ -19,18 +28,15 @@ using OverlapTest = std::function<bool(Store const&, ObjectId, ObjectId)>;
 ///
 /// Objects are created in canonical order: "world", the level's objects by name, its joints by name, then the
 /// placements in their own canonical order. So neither the order of entries in the file nor the order of
-/// placing ever matters.
-///
-/// With an `overlap` test, a placement must not overlap anything that was there before it.
+/// placing ever matters. Each object's Origin says the same as BuiltLevel, the other way round.
+[[nodiscard]] BuiltLevel buildLevel(Registry const& registry, LevelFile const& level,
+                                    PartLibrary const& library, std::span<Placement const> placements = {},
+                                    WorldOptions options = {});
+
+/// The same, for callers who find objects by the names that the level states.
 [[nodiscard]] std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& level,
                                                 PartLibrary const& library,
                                                 std::span<Placement const> placements = {},
-                                                WorldOptions options = {}, OverlapTest const& overlap = {});
-
-/// The part's properties, those of the entry in their stead, and the taken-away ones left out.
-[[nodiscard]] PropertySet effectiveProperties(PropertySet const& part, PropertySet const& own);
-/// The keys of those that it is stated not to have, by itself or, where it says nothing, by its part;
-/// ascending.
-[[nodiscard]] std::vector<std::string> statedAbsent(PropertySet const& part, PropertySet const& own);
+                                                WorldOptions options = {});
 
 } // namespace trembler

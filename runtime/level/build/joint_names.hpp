@@ -1,4 +1,4 @@
-// What joints are called that the file gives no name.
+// The names of joints for which the file states none.
 #pragma once
 
 #include "runtime/level/model/level.hpp"

@@ -1,4 +1,4 @@
-// From a level's "connections" to what the effects make of them.
+// Laying the "connections" of a level, each by the effect that it belongs to.
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"

@@ -7,14 +7,14 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 
 namespace trembler {
-
 namespace {
 
-/// Beside `used` placements of the same part.
+/// Why `candidate` may not be placed beside `used` placements of the same part.
 std::optional<std::string> check(LevelFile const& level, PartLibrary const& library, std::size_t used,
                                  Placement const& candidate) {
     if (library.find(candidate.part) == nullptr) {
@@ -49,14 +49,10 @@ std::optional<std::string> check(LevelFile const& level, PartLibrary const& libr
 } // namespace
 
 std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary const& library,
-                                          std::span<Placement const> others, Placement const& candidate,
-                                          OverlapCheck const& overlap) {
+                                          std::span<Placement const> others, Placement const& candidate) {
     auto const used = std::count_if(others.begin(), others.end(),
                                     [&](Placement const& other) { return other.part == candidate.part; });
-    if (auto refusal = check(level, library, static_cast<std::size_t>(used), candidate)) {
-        return refusal;
-    }
-    return overlap ? overlap(candidate) : std::nullopt;
+    return check(level, library, static_cast<std::size_t>(used), candidate);
 }
 
 PlacementCount::PlacementCount(LevelFile const& level, PartLibrary const& library)
@@ -66,15 +62,25 @@ std::optional<std::string> PlacementCount::add(Placement const& candidate) {
     return check(level_, library_, used_[candidate.part]++, candidate);
 }
 
-std::vector<Placement> inCanonicalOrder(std::span<Placement const> placements) {
-    std::vector<Placement> sorted(placements.begin(), placements.end());
-    for (Placement& placement : sorted) {
-        placement.at += Vec2{0, 0}; // -0 becomes 0, or two equal places would differ in their bits
-        placement.angle += 0.0;
-    }
-    std::stable_sort(sorted.begin(), sorted.end(), [](Placement const& a, Placement const& b) {
+std::vector<std::size_t> canonicalOrder(std::span<Placement const> placements) {
+    std::vector<std::size_t> order(placements.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        Placement const& a = placements[i];
+        Placement const& b = placements[j];
         return std::tie(a.part, a.at.x, a.at.y, a.angle) < std::tie(b.part, b.at.x, b.at.y, b.angle);
     });
+    return order;
+}
+
+std::vector<Placement> inCanonicalOrder(std::span<Placement const> placements) {
+    std::vector<Placement> sorted;
+    sorted.reserve(placements.size());
+    for (std::size_t const i : canonicalOrder(placements)) {
+        sorted.push_back(placements[i]);
+        sorted.back().at += Vec2{0, 0}; // -0 becomes 0, or two equal places would differ in their bits
+        sorted.back().angle += 0.0;
+    }
     return sorted;
 }
 

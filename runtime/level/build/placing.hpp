@@ -1,27 +1,26 @@
-// What a player may place, where, and what it is then called.
+// Which parts a player may place where, and what names they get.
 #pragma once
 
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/model/part_library.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace trembler {
 
-/// Tells in words what a placement would overlap, or nothing. Shapes are physics, so that is asked for.
-using OverlapCheck = std::function<std::optional<std::string>(Placement const&)>;
-
 /// Why `candidate` may not be placed beside the `others` that are already there, in words for the player;
 /// nothing if it may. Its part must exist and be left in the toolbox, and its centre must lie in one of the
-/// areas for placing (where none are stated, anywhere within the level's bounds).
+/// areas for placing (where none are stated, anywhere within the level's bounds). What it would overlap does
+/// not count here, as shapes are physics.
 [[nodiscard]] std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary const& library,
                                                         std::span<Placement const> others,
-                                                        Placement const& candidate,
-                                                        OverlapCheck const& overlap = {});
+                                                        Placement const& candidate);
 
 /// The same for many placements, each beside those before it that may be placed or not: their parts are
 /// counted, so that n of them cost n times as much as one. The level and the library must outlive it.
@@ -37,8 +36,11 @@ private:
     std::map<std::string, std::size_t, std::less<>> used_; // by part
 };
 
-/// The canonical order: by part, then x, y and angle. It decides ids and names, so that the order in which a
-/// player placed the same parts never matters.
+/// The canonical order: by part, then x, y and angle; equal placements keep their order. It decides ids and
+/// names, so that the order in which a player placed the same parts never matters. Returns the indices of
+/// `placements` in that order.
+[[nodiscard]] std::vector<std::size_t> canonicalOrder(std::span<Placement const> placements);
+/// The placements themselves in that order, with 0 for -0.
 [[nodiscard]] std::vector<Placement> inCanonicalOrder(std::span<Placement const> placements);
 
 /// The names of the objects that placements become, in canonical order: the part's name and a number, from 1,

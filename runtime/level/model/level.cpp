@@ -44,4 +44,11 @@ Diagnostic LevelFile::diagnostic(std::string path, std::string message, std::str
     return made;
 }
 
+Diagnostic LevelFile::diagnostic(Solution const& solution, std::string path, std::string message,
+                                 std::string expected) const {
+    return solution.document
+               ? solution.document->diagnostic(std::move(path), std::move(message), std::move(expected))
+               : diagnostic(std::move(path), std::move(message), std::move(expected));
+}
+
 } // namespace trembler

@@ -125,6 +125,9 @@ struct LevelFile {
     [[nodiscard]] Solution const* findSolution(std::string const& name) const;
     /// A problem with the value at `path`, with its place if the level came from a file.
     [[nodiscard]] Diagnostic diagnostic(std::string path, std::string message, std::string expected) const;
+    /// The same with a value of a solution, which may have a file of its own.
+    [[nodiscard]] Diagnostic diagnostic(Solution const& solution, std::string path, std::string message,
+                                        std::string expected) const;
 };
 
 } // namespace trembler

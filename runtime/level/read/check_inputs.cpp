@@ -4,6 +4,7 @@
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/suggestion.hpp"
+#include "runtime/population/birth_name.hpp"
 
 #include <fmt/format.h>
 
@@ -61,8 +62,8 @@ public:
 
 private:
     bool isKnown(std::string const& name, std::string const& path) {
-        bool const born = name.find(" of ") != std::string::npos; // "bullet of cannon 3"
-        if (name.empty() || born || names_.contains(name) || placed_.contains(name)) {
+        // What is created during the run is not known yet; only how such objects are called.
+        if (name.empty() || names_.contains(name) || placed_.contains(name) || isBirthName(name)) {
             return true;
         }
         addProblem(problems_, [&] {

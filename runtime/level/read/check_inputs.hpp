@@ -9,15 +9,15 @@
 
 namespace trembler {
 
-/// Knows what a level's solutions may speak of; made once for all of them. The level must outlive it.
+/// Knows the objects and wires of a level; made once for all of its solutions. The level must outlive it.
 class InputCheck {
 public:
     explicit InputCheck(LevelFile const& level);
 
-    /// Complains about the inputs of a solution that name what neither the level has, nor the solution
-    /// places, nor such objects may bring forth; that cut where the level lays no wire, or cut one wire
-    /// twice; and about inputs and changes after the solution's last frame. `document` is where the solution
-    /// stands.
+    /// Complains about the inputs of a solution that name an object which the level does not have, the
+    /// solution does not place and the run cannot create (isBirthName()); about those that cut where the
+    /// level lays no wire, or cut one wire twice; and about inputs and changes after the solution's last
+    /// frame. `document` is the file in which the solution stands.
     void check(Solution const& solution, JsonDocument const& document, Problems& problems) const;
 
 private:

@@ -28,7 +28,8 @@ void fromDraft(nlohmann::json& document) {
     }
 }
 
-/// What an object without a part was made of stood in its look, and nothing but its sound followed from that.
+/// In version 1 an object without a part stated its material in its look, and only its sound followed from
+/// it.
 void ownMaterial(nlohmann::json& properties, nlohmann::json material) {
     auto const unlessStated = [&](char const* key, nlohmann::json value) {
         if (!properties.contains(key)) {

@@ -1,4 +1,4 @@
-// Old level files keep loading: each step turns one version of the format into the next.
+// How old level files are read: each step turns one version of the format into the next.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -9,7 +9,7 @@ namespace trembler {
 namespace {
 
 constexpr std::int64_t longestPeriod = 3600; // as World::setPeriod has it
-constexpr double anyNumber = 1e12;           // what a field takes is for the property to say
+constexpr double anyNumber = 1e12;           // the range of a field is checked by the property's description
 
 using Kind = RecordedChange::Kind;
 

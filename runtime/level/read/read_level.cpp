@@ -289,7 +289,7 @@ private:
         });
     }
 
-    /// That nothing is called so.
+    /// Complains that no object has that name.
     void complainAboutName(JsonNode const& root, std::string const& path, std::string const& name) {
         addProblem(root.problems(), [&] { // looking for what was meant costs a walk through all names
             std::vector<std::string> known;
@@ -332,7 +332,8 @@ private:
         }
     }
 
-    /// Two wires between the same two would look like one, of which a cut takes only one.
+    /// Complains about connections of one kind between the same two objects: they would look like one, but a
+    /// cut would take away only one of them.
     void checkTwice(JsonNode const& root) {
         std::map<std::tuple<std::string, std::string, std::string>, std::string> paths;
         for (LevelConnection const& connection : level_.connections) {

@@ -14,7 +14,7 @@
 namespace trembler {
 namespace {
 
-constexpr double mostDegrees = 1e6; // more turns than anybody makes
+constexpr double mostDegrees = 1e6; // about 2800 turns
 
 std::optional<Placement> readPlacement(JsonNode const& node) {
     MemberReader reader(node, "an object {\"part\", \"at\", \"angle_deg\"}");

@@ -195,7 +195,8 @@ TEST_F(WatchTest, WordsThatMeanNothingAreToldWithWhatIsNear) {
     EXPECT_EQ(refusalOf("raft body.position"), "");
     EXPECT_EQ(refusalOf("raft body.at"), "");
     EXPECT_EQ(refusalOf("raft body.electrical_quantities.current"), "") << "an empty column";
-    EXPECT_EQ(refusalOf("bullet of cannon 3.position"), "") << "may yet be born";
+    EXPECT_EQ(refusalOf("bullet of cannon 3.position"), "") << "may be created while it runs";
+    says("king of hearts.position", "there is no object 'king of hearts'");
 }
 
 // By descriptions alone: whatever a program has can be read in a world full of things.

@@ -95,6 +95,8 @@ TEST(Population, MakesOneObjectForEqualKeysFromThePrototypeAndTheCall) {
     EXPECT_EQ(world.find<Velocity>(ball)->value, (Vec2{0, 1}));
     EXPECT_EQ(world.find<Rotation>(ball)->angle, 0);
     EXPECT_EQ(world.find<PopulationChanges>()->created, std::vector{ball});
+    EXPECT_EQ(world.store().originOf(ball), (Origin{Origin::Kind::birth, 0, 4, gun}));
+    EXPECT_EQ(world.store().prototypeOf(ball)->name, "ball");
     world.step();
     EXPECT_TRUE(world.find<PopulationChanges>()->created.empty()) << "changes stand for one frame";
     EXPECT_EQ(world.store().objects().size(), 2U);
@@ -180,7 +182,9 @@ TEST(Population, ABirthKnowsAMakerThatGoesInTheSameFrame) {
     world.step();
     world.step();
     EXPECT_FALSE(world.store().alive(egg));
-    EXPECT_TRUE(world.store().find("ball of egg 1").valid());
+    ObjectId const ball = world.store().find("ball of egg 1");
+    ASSERT_TRUE(ball.valid());
+    EXPECT_EQ(world.store().originOf(ball).maker, egg) << "though there is no such object any more";
 }
 
 struct BadBirth final : Interaction<BadBirth, PopulationRole, Reads<Orders>> {

@@ -2,6 +2,7 @@
 // threads.
 #include "runtime/population/population_resolver.hpp"
 #include "tests/runtime/world/heat.hpp"
+#include "tests/support/sanitizer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -115,7 +116,9 @@ TEST(WorldTraceParallel, IsTheSameForAnyNumberOfThreads) {
     registry.component<HeatFromGlow>();
     std::string account;
     std::vector<std::uint64_t> hashes;
-    for (int const threads : {1, 2, 3, 8, 32}) {
+    // The thread sanitizer finds in two numbers of threads what it finds in four.
+    for (int const threads :
+         test::underThreadSanitizer ? std::vector{1, 3, 8} : std::vector{1, 2, 3, 8, 32}) {
         World world(registry,
                     {.threads = threads, .detail = {}, .periods = {{"Exact Glow", 2}}, .trace = true});
         constexpr std::uint32_t count = 5000; // five chunks

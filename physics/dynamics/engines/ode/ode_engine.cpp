@@ -14,9 +14,11 @@ constexpr double jointCorrection = 0.4;       // of an error of place, in one su
 constexpr double fastestOdeCorrection = 0.25; // m/s, of bodies that overlap: ODE's stays with them as speed
 constexpr std::size_t mostRowsSolvedExactly = 150;
 constexpr int sweepsPerIteration = 12; // ODE's relaxation has nothing to start from
-// Rows times sweeps in a substep: about 5 ms. Beyond, there are fewer sweeps, but so many all the same.
-constexpr std::size_t mostWork = 300000;
-constexpr std::size_t fewestSweeps = 16;
+// Rows times sweeps in a substep, about 5 ms, and in all substeps of a frame, about 50 ms. Beyond, there are
+// fewer sweeps, but so many all the same.
+constexpr double mostWork = 300000;
+constexpr double mostWorkInFrame = 3000000;
+constexpr double fewestSweeps = 16;
 
 } // namespace
 
@@ -101,7 +103,7 @@ void OdeEngine::move(double h, DynamicsSettings const& settings, std::vector<Pie
     if (largestIsland() <= mostRowsSolvedExactly) {
         world_.stepExactly(h);
     } else {
-        world_.stepQuickly(h, sweepsFor(settings.velocityIterations));
+        world_.stepQuickly(h, sweepsFor(settings.velocityIterations, h));
     }
     reportContacts(h, found);
     noteJointImpulses(h);
@@ -147,10 +149,11 @@ double OdeEngine::freeShare(SlotIndex slot, Motion const& from, Vec2 way) const 
                              });
 }
 
-int OdeEngine::sweepsFor(int iterations) const {
-    std::size_t const rows = std::accumulate(rowsOf_.begin(), rowsOf_.end(), std::size_t{1});
-    auto const wanted = static_cast<std::size_t>(sweepsPerIteration * iterations);
-    return static_cast<int>(std::min(wanted, std::max(mostWork / rows, fewestSweeps)));
+int OdeEngine::sweepsFor(int iterations, double h) const {
+    auto const rows = static_cast<double>(std::accumulate(rowsOf_.begin(), rowsOf_.end(), std::size_t{1}));
+    double const work = std::min(mostWork, mostWorkInFrame * h / frameDuration);
+    double const wanted = sweepsPerIteration * iterations;
+    return static_cast<int>(std::min(wanted, std::max(std::floor(work / rows), fewestSweeps)));
 }
 
 std::size_t OdeEngine::largestIsland() {

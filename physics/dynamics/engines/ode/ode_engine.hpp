@@ -76,7 +76,8 @@ private:
     /// Rows of the largest island: what an exact solution would cost.
     [[nodiscard]] std::size_t largestIsland();
     /// Sweeps of the approximate solution, after largestIsland().
-    [[nodiscard]] int sweepsFor(int iterations) const;
+    /// Of ODE's relaxation, in a substep of `h` seconds.
+    [[nodiscard]] int sweepsFor(int iterations, double h) const;
 
     OdeWorld world_;
     OdeJointGroup contacts_; // of one substep

@@ -2,10 +2,13 @@
 #include "runtime/placement.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <map>
+#include <set>
 
 namespace trembler {
 namespace {
@@ -14,13 +17,14 @@ using sample::Tag;
 using sample::Weight;
 
 constexpr char const* thing = R"({"name": "thing", "properties": {"weight": 5, "tag": true}})";
+constexpr char const* other = R"({"name": "other", "properties": {"weight": 6}})";
 constexpr char const* heavy = R"({"name": "heavy", "properties": {"weight": 13}})";
 
 class BuildWorld : public testing::Test {
 protected:
     BuildWorld() {
         sample::fill(registry);
-        library = sample::parts(registry, {thing, heavy});
+        library = sample::parts(registry, {thing, heavy, other});
     }
     std::unique_ptr<World> build(std::string const& members, std::vector<Placement> const& placements = {}) {
         LevelFile const level = sample::read(registry, "{\"version\": 1, \"title\": \"t\", " + members + "}");
@@ -123,10 +127,6 @@ TEST_F(BuildWorld, RefusesPlacementsThatTheLevelDoesNotAllow) {
     EXPECT_SAYS(problemOf(R"("toolbox": [{"part": "thing"}], "world": {"bounds": [0, 0, 1, 1]})",
                           {{"thing", {3, 1}, 0, ""}}),
                 "outside the level");
-    LevelFile const read = sample::read(registry, "{\"version\": 1, \"title\": \"t\", " + level + "}");
-    auto const everything = [](Store const&, ObjectId, ObjectId) { return true; };
-    std::vector<Placement> const one{{"thing", {1, 1}, 0, ""}};
-    EXPECT_THROW((void)buildWorld(registry, read, library, one, {}, everything), InputError);
 }
 
 TEST_F(BuildWorld, AvoidsNamesThatAreTaken) {
@@ -136,6 +136,81 @@ TEST_F(BuildWorld, AvoidsNamesThatAreTaken) {
     EXPECT_TRUE(world->store().find("joint 2").valid());
     EXPECT_TRUE(world->store().find("thing 3").valid());
     EXPECT_EQ(world->find<Position>(world->store().find("thing 2"))->value, (Vec2{0, 0}));
+}
+
+// In whatever order the lists stand, each entry is found again in what was built from it, and the other way
+// round. The weight of every object is one of its own, so that it shows which entry it came from.
+TEST_F(BuildWorld, SaysWhichObjectEachEntryBecame) {
+    EXPECT_TRUE(rc::check([&] {
+        auto const shuffledTo = [](std::size_t count) {
+            std::vector<std::size_t> order(count);
+            for (std::size_t i = 0; i < count; ++i) {
+                order[i] = i;
+                std::swap(order[i], order[*rc::gen::inRange<std::size_t>(0, i + 1)]);
+            }
+            return order;
+        };
+        std::string objects;
+        std::vector<double> weights;
+        for (std::size_t const i : shuffledTo(5)) {
+            weights.push_back(static_cast<double>(i + 1));
+            objects += (objects.empty() ? "" : ", ") +
+                       fmt::format(R"({{"name": "o{0}", {1} "properties": {{"weight": {2}}}}})", i,
+                                   i % 2 == 0 ? R"("part": "thing",)" : "", i + 1);
+        }
+        std::string joints;
+        std::vector<double> strengths;
+        for (std::size_t const i : shuffledTo(4)) {
+            strengths.push_back(static_cast<double>(i + 10));
+            joints +=
+                (joints.empty() ? "" : ", ") + fmt::format(R"({{{0} "a": "o1", "strength": {1}}})",
+                                                           i == 2 ? R"("name": "thing 7",)" : "", i + 10);
+        }
+        std::vector<Placement> placements;
+        for (std::size_t const i : shuffledTo(6)) { // two of them equal
+            placements.push_back({i % 2 == 0 ? "thing" : "other", {std::min<double>(i, 3), 0}, 0.5, ""});
+        }
+        LevelFile const level = sample::read(
+            registry,
+            R"({"version": 1, "title": "t", "toolbox": [{"part": "thing", "count": 9}, {"part": "other", "count": 9}],
+                "objects": [)" +
+                objects + R"(], "joints": [)" + joints + "]}");
+        BuiltLevel const built = buildLevel(registry, level, library, placements);
+        World const& world = *built.world;
+        std::set<ObjectId> all;
+        auto const check = [&](Origin::Kind kind, std::vector<ObjectId> const& ids, std::size_t i,
+                               std::string const& part) {
+            RC_ASSERT(world.store().alive(ids.at(i)));
+            all.insert(ids[i]);
+            Origin const origin = world.store().originOf(ids[i]);
+            RC_ASSERT(origin.kind == kind);
+            RC_ASSERT(origin.number == i);
+            RC_ASSERT(!origin.maker.valid());
+            Prototype const* const prototype = world.store().prototypeOf(ids[i]);
+            RC_ASSERT((prototype == nullptr ? "" : prototype->name) == part);
+        };
+        RC_ASSERT(built.objects.size() == level.objects.size());
+        for (std::size_t i = 0; i < level.objects.size(); ++i) {
+            check(Origin::Kind::object, built.objects, i, level.objects[i].part);
+            RC_ASSERT(world.store().nameOf(built.objects[i]) == level.objects[i].name);
+            RC_ASSERT(world.find<Weight>(built.objects[i])->value == weights[i]);
+        }
+        RC_ASSERT(built.joints.size() == level.joints.size());
+        for (std::size_t i = 0; i < level.joints.size(); ++i) {
+            check(Origin::Kind::joint, built.joints, i, "");
+            RC_ASSERT(world.find<sample::Knot>(built.joints[i])->strength == strengths[i]);
+        }
+        RC_ASSERT(built.placements.size() == placements.size());
+        for (std::size_t i = 0; i < placements.size(); ++i) {
+            check(Origin::Kind::placement, built.placements, i, placements[i].part);
+            RC_ASSERT(world.find<Position>(built.placements[i])->value == placements[i].at);
+            RC_ASSERT((world.find<Tag>(built.placements[i]) != nullptr) == (placements[i].part == "thing"));
+        }
+        ObjectId const known = world.store().find("world");
+        RC_ASSERT(world.store().originOf(known).kind == Origin::Kind::world);
+        all.insert(known);
+        RC_ASSERT(all.size() == world.store().objects().size()); // each is one entry's, equal placements too
+    }));
 }
 
 TEST_F(BuildWorld, DoesNotCareAboutTheOrderOfEntries) {

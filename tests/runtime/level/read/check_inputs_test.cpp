@@ -33,6 +33,15 @@ TEST_F(CheckInputs, RefusesACutWhereNoWireIs) {
                 "there is no object 'd'");
 }
 
+TEST_F(CheckInputs, TakesNamesThatObjectsGetWhileALevelRuns) {
+    auto const grabbing = [&](std::string const& name) {
+        return problemsWith("", R"("inputs": [{"frame": 3, "grab": ")" + name + R"(", "at": [0, 0]}])");
+    };
+    EXPECT_TRUE(grabbing("bullet of a 3").empty());
+    EXPECT_TRUE(grabbing("bullet of a 3 (2)").empty());
+    EXPECT_SAYS(sample::only(grabbing("king of hearts")), "there is no object 'king of hearts'");
+}
+
 TEST_F(CheckInputs, RefusesWhatComesAfterTheLastFrame) {
     std::string const inputs =
         R"("inputs": [{"frame": 10, "grab": "a", "at": [0, 0]}, {"frame": 11, "release": true}])";

@@ -1,0 +1,84 @@
+// What the player has placed: the list, its undo and redo, and what the toolbox still holds.
+#pragma once
+
+#include "puzzle/session/history.hpp"
+#include "runtime/level/model/level.hpp"
+#include "runtime/level/model/part_library.hpp"
+#include "runtime/world/world.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// A part that the player placed. The number names it for as long as the session lives, through undo and
+/// redo.
+struct PlacedPart {
+    int number = 0;
+    Placement placement;
+};
+
+/// One compartment of the toolbox.
+struct ToolboxSlot {
+    std::string part;
+    int total = 0;
+    int left = 0;
+};
+
+/// Whether a part may stand somewhere; if not, why, in words for the player.
+struct Verdict {
+    bool ok = true;
+    std::string why;
+};
+
+/// An edit has two steps: with(), moved(), without() and those() say what the list would be, and keep() makes
+/// it so. Between the two the caller can find out that no world can be built from it. Not thread-safe.
+class Placements {
+public:
+    using List = std::vector<PlacedPart>;
+
+    /// Both must outlive it.
+    Placements(LevelFile const& level, PartLibrary const& parts);
+
+    [[nodiscard]] List const& now() const { return history_.now(); }
+    /// The place of a part in now(); nothing if it is not placed.
+    [[nodiscard]] std::optional<std::size_t> indexOf(int number) const;
+    [[nodiscard]] std::vector<ToolboxSlot> toolbox() const;
+
+    /// Whether a part may stand there: as the level allows it, and without overlapping anything in `world`,
+    /// which was built from now(). `moved` is a part that is being moved there, and `ignored` its object: it
+    /// is not in its own way.
+    [[nodiscard]] Verdict check(Placement const& placement, World const& world, std::optional<int> moved = {},
+                                ObjectId ignored = {}) const;
+
+    /// now() and one part more, at the end, with a number that none had before.
+    [[nodiscard]] List with(Placement placement);
+    /// now() with that part elsewhere (m, rad); nothing if it is not placed.
+    [[nodiscard]] std::optional<List> moved(int number, Vec2 at, double angle) const;
+    /// now() less that part; nothing if it is not placed.
+    [[nodiscard]] std::optional<List> without(int number) const;
+    /// Only these, with new numbers. Throws InputError, with their places in the file, if the level does not
+    /// allow them.
+    [[nodiscard]] List those(Solution const& solution);
+
+    /// Makes it the list; undo() goes back to the one before.
+    void keep(List next) { history_.change(std::move(next)); }
+    [[nodiscard]] bool canUndo() const { return history_.canUndo(); }
+    [[nodiscard]] bool canRedo() const { return history_.canRedo(); }
+    bool undo() { return history_.undo(); }
+    bool redo() { return history_.redo(); }
+
+private:
+    LevelFile const& level_;
+    PartLibrary const& parts_;
+    History<List> history_;
+    int nextNumber_ = 1;
+};
+
+/// The placements of a list, in its order.
+[[nodiscard]] std::vector<Placement> placementsOf(Placements::List const& placed);
+
+} // namespace trembler
