@@ -1,9 +1,12 @@
 // What has to come about for a level to be solved, as its file states it.
 #pragma once
 
+#include "puzzle/goals/condition_kind.hpp"
 #include "runtime/level/model/level.hpp"
 
+#include <any>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,38 +24,27 @@ struct Selector {
     [[nodiscard]] bool empty() const { return names.empty() && parts.empty() && !it; }
 };
 
-enum class ConditionKind {
-    inside,   ///< the subject's centre lies in the area
-    touching, ///< subject and object touch
-    on,       ///< the subject is part of a working circuit
-    off,      ///< it is not
-    moved,    ///< the subject is at least a distance away from where it was at the start
-    count,    ///< the child holds for a number of objects
-    all,      ///< all children hold at the same time
-    any,      ///< at least one child holds
-    negation, ///< the child does not hold
-    sequence, ///< the children came true one after the other; then it holds for good
-};
-
-enum class Towards { anywhere, up, down, left, right };
-enum class Quantity { atLeast, atMost, exactly };
-
+/// What conditions of all kinds are made of. A kind uses what it needs of it, and keeps the rest in
+/// `details`.
 struct Condition {
-    ConditionKind kind = ConditionKind::all;
-    Selector subject; ///< of count: the objects that are counted
-    Selector object;  ///< touching
-    Area area;        ///< inside
+    ConditionKind const* kind = nullptr; ///< null only in what could not be read
+    Selector subject;                    ///< whom it speaks of
+    Selector object;                     ///< whom else, where the kind relates two
+    Area area;                           ///< the place that it speaks of, where the kind has one
     std::string areaName = "the marked area";
-    double distance = 0; ///< m, moved
-    Towards towards = Towards::anywhere;
-    Quantity quantity = Quantity::atLeast;
-    int number = 1; ///< count
     std::vector<Condition> children;
+    std::any details; ///< numbers and choices that only the kind knows; it sets and reads them
 
     std::optional<double> seconds; ///< must hold for that long without a break
     std::string id;
     std::string text; ///< in the words of the level's author; empty: made from the condition
     std::string path;
 };
+
+/// Whether each child is a goal of its own to the player: the kind lists goals, and the level states nothing
+/// about the condition as a whole.
+[[nodiscard]] bool splitsIntoGoals(Condition const& condition);
+/// The goals of a level with this condition, in order: its children if it splits, else the condition itself.
+[[nodiscard]] std::span<Condition const> goalsOf(Condition const& condition);
 
 } // namespace trembler

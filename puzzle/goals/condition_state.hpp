@@ -5,24 +5,35 @@
 #include "puzzle/goals/object_finder.hpp"
 #include "runtime/world/world.hpp"
 
+#include <any>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace trembler {
 
+/// A level may have half a million of these, so they are plain values that lie in a row, without pointers to
+/// functions of their own, and what only some kinds remember is in `memory`.
 class ConditionState {
 public:
-    /// `condition` must outlive it.
+    /// `condition` must outlive it. Complains through `finder` about objects that lack what the condition
+    /// needs, and about too many objects; the state is then not to be used.
     ConditionState(Condition const& condition, ObjectFinder const& finder, ObjectId it);
 
     /// `ticks` is the time since the last update, in ticks of the world, at least 1.
     void update(World const& world, std::uint64_t ticks);
     [[nodiscard]] bool met() const { return met_; }
+    /// Whether it holds at present, leaving aside for how long.
+    [[nodiscard]] bool holds() const { return holds_; }
     /// 0 to 1: how much of it is done.
     [[nodiscard]] double progress() const { return met_ ? 1 : progress_; }
-    /// Of a sequence.
-    [[nodiscard]] std::size_t stepsDone() const { return steps_; }
+
+    [[nodiscard]] Condition const& condition() const { return *condition_; }
+    /// The objects that the condition's selectors name, each list ascending.
+    [[nodiscard]] std::vector<ObjectId> const& subjects() const { return subjects_; }
+    [[nodiscard]] std::vector<ObjectId> const& objects() const { return objects_; }
     [[nodiscard]] std::span<ConditionState const> children() const { return children_; }
+    [[nodiscard]] std::span<ConditionState> children() { return children_; }
 
     /// Adds the events that make it true, or false if `truth` is false.
     void collectCauses(World const& world, bool truth, std::vector<EventId>& events) const;
@@ -30,31 +41,37 @@ public:
     /// Forgets how long it has been held.
     void restart();
 
-private:
-    [[nodiscard]] bool holds(World const& world);
-    [[nodiscard]] bool inside(World const& world);
-    [[nodiscard]] bool touching(World const& world);
-    [[nodiscard]] bool moved(World const& world);
-    [[nodiscard]] bool counted();
-    void advanceSequence(World const& world);
-    [[nodiscard]] double wayOf(World const& world, std::size_t subject) const;
-    void collectContacts(World const& world, bool truth, std::vector<EventId>& events) const;
+    // For the kind of the condition.
 
+    /// Adds a state for each child of the condition, in which "it" is `it`.
+    void addChildren(ObjectFinder const& finder, ObjectId it);
+    /// What only the condition's kind knows of. Up to the size of a pointer it takes no memory besides.
+    template <class Memory>
+    void remember(Memory memory) {
+        memory_ = std::move(memory);
+    }
+    /// What was remembered. Throws std::bad_any_cast if it is of another type.
+    template <class Memory>
+    [[nodiscard]] Memory& memory() {
+        return std::any_cast<Memory&>(memory_);
+    }
+    template <class Memory>
+    [[nodiscard]] Memory const& memory() const {
+        return std::any_cast<Memory const&>(memory_);
+    }
+
+private:
     Condition const* condition_;
     std::vector<ObjectId> subjects_;
     std::vector<ObjectId> objects_;
-    std::vector<Vec2> starts_; // m, of the subjects (moved)
     std::vector<ConditionState> children_;
+    std::any memory_;
 
     bool met_ = false;
-    bool base_ = false; // whether it holds, leaving aside for how long
+    bool holds_ = false;
     double progress_ = 0;
     std::uint64_t needed_ = 1; // ticks of the world for which it must hold
     std::uint64_t held_ = 0;   // ticks for which it has held
-    std::size_t steps_ = 0;
-    bool blocked_ = false;            // sequence: the next step already held when its turn came
-    std::vector<EventId> stepCauses_; // sequence: of the steps that are done
-    EventId ended_;                   // touching: when the last contact ended
 };
 
 } // namespace trembler

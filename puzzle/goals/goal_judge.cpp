@@ -31,16 +31,12 @@ GoalJudge::GoalJudge(LevelFile const& level, World const& world)
     complainIfNever(*condition_, level, world, problems);
     problems.throwIfAny();
 
-    bool const isSequence = condition_->kind == ConditionKind::sequence;
-    split_ = (condition_->kind == ConditionKind::all || isSequence) && !condition_->seconds &&
-             condition_->text.empty();
-    GoalWords const words(level, world);
-    std::size_t const count = split_ ? condition_->children.size() : 1;
-    for (std::size_t i = 0; i < count; ++i) {
-        Condition const& condition = split_ ? condition_->children[i] : *condition_;
+    split_ = splitsIntoGoals(*condition_);
+    GoalWords const words(world);
+    for (Condition const& goal : goalsOf(*condition_)) {
         GoalStatus status;
-        status.id = condition.id.empty() ? fmt::format("goal {}", i + 1) : condition.id;
-        status.text = words.sentence(condition);
+        status.id = goal.id.empty() ? fmt::format("goal {}", status_.size() + 1) : goal.id;
+        status.text = words.sentence(goal);
         status_.push_back(std::move(status));
     }
 }
@@ -61,10 +57,10 @@ void GoalJudge::update(World const& world) {
     state_->update(world, std::max<std::uint64_t>(passed, 1));
     for (std::size_t i = 0; i < status_.size(); ++i) {
         GoalStatus& status = status_[i];
-        // A step of a sequence is done when its turn came and it was met, not when it happens to hold.
-        bool const step = split_ && condition_->kind == ConditionKind::sequence;
-        status.met = step ? i < state_->stepsDone() : stateOf(i).met();
-        status.progress = status.met ? 1 : (step && i > state_->stepsDone() ? 0 : stateOf(i).progress());
+        Standing const now =
+            split_ ? condition_->kind->standingOf(*state_, i) : Standing{state_->met(), state_->progress()};
+        status.met = now.holds;
+        status.progress = now.holds ? 1 : now.progress;
         if (status.met && !status.frame) {
             status.frame = world.frame();
             newlyMet_.push_back(i);

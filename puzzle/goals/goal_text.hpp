@@ -14,52 +14,38 @@ enum class Mood {
     keep,  ///< let it last: "keep the lamp lit"
     avoid, ///< never let it be: "keep the lamp off"
 };
+/// That of the opposite condition.
+[[nodiscard]] Mood opposite(Mood mood);
 
-/// Makes sentences from conditions. Looks at the world for where things are, so that a sentence can say
-/// "lift".
+/// Whom a phrase is about.
+struct Noun {
+    std::string words;
+    bool plural = false;
+};
+
+/// Makes sentences from conditions: what all kinds need for their phrases. Looks at the world for where
+/// things are, so that a sentence can say "lift", and for what they are.
 class GoalWords {
 public:
-    GoalWords(LevelFile const& level, World const& world) : level_(level), world_(world) {}
+    explicit GoalWords(World const& world) : world_(world) {}
 
     /// One sentence for the player, with a capital and without a full stop. The author's own text goes first.
     [[nodiscard]] std::string sentence(Condition const& condition) const;
-
-private:
-    /// Whom a phrase is about.
-    struct Noun {
-        std::string words;
-        bool plural = false;
-    };
+    /// The condition as a part of a sentence, with the time for which it must hold. `it` is what "it" is
+    /// called, null outside a count.
     [[nodiscard]] std::string phrase(Condition const& condition, Mood mood, Noun const* it) const;
-    [[nodiscard]] std::string bare(Condition const& condition, Mood mood, Noun const* it) const;
-    [[nodiscard]] std::string insidePhrase(Condition const& condition, Mood mood, Noun const* it) const;
-    [[nodiscard]] std::string touchingPhrase(Condition const& condition, Mood mood, Noun const* it) const;
-    [[nodiscard]] std::string statePhrase(Condition const& condition, bool on, Mood mood,
-                                          Noun const* it) const;
-    [[nodiscard]] std::string movedPhrase(Condition const& condition, Mood mood, Noun const* it) const;
-    [[nodiscard]] std::string countPhrase(Condition const& condition, Mood mood) const;
-    [[nodiscard]] std::string listPhrase(Condition const& condition, Mood mood, Noun const* it) const;
-    [[nodiscard]] std::string sequencePhrase(Condition const& condition, Mood mood, Noun const* it) const;
 
+    /// What the objects of a selector are called.
     [[nodiscard]] Noun noun(Selector const& selector, Noun const* it) const;
-    [[nodiscard]] Noun counted(Selector const& selector, Quantity quantity, int number) const;
-    [[nodiscard]] bool isLamp(Selector const& selector) const;
+    /// Whether all objects and parts of a selector are lamps (isLamp()), so that they are lit and not
+    /// switched on. "it" is not looked at and counts as none.
+    [[nodiscard]] bool areLamps(Selector const& selector) const;
     /// The one object of a selector, or an invalid id.
     [[nodiscard]] ObjectId single(Selector const& selector) const;
+    [[nodiscard]] World const& world() const { return world_; }
 
-    LevelFile const& level_;
+private:
     World const& world_;
 };
-
-/// "the lamp"; "object 1" and "Bob" have names of their own and go without.
-[[nodiscard]] std::string withArticle(std::string const& name);
-/// "a steel bar", "an iron ball".
-[[nodiscard]] std::string withIndefiniteArticle(std::string const& noun);
-/// "steel balls", "boxes", "batteries".
-[[nodiscard]] std::string pluralOf(std::string const& noun);
-/// "one" to "twelve", then digits.
-[[nodiscard]] std::string numberWord(int number);
-/// "a, b and c", with another last word if wanted.
-[[nodiscard]] std::string enumerated(std::vector<std::string> const& items, std::string const& last);
 
 } // namespace trembler

@@ -65,10 +65,10 @@ TEST(GoalSize, GoalsMayNestAsDeepAsAFileMay) {
     EXPECT_EQ(countOf(*read.goals), deepest + 1);
     Condition const* innermost = &*read.goals;
     while (!innermost->children.empty()) {
-        EXPECT_EQ(innermost->kind, ConditionKind::negation);
+        EXPECT_EQ(innermost->kind->key(), "not");
         innermost = &innermost->children.front();
     }
-    EXPECT_EQ(innermost->kind, ConditionKind::on);
+    EXPECT_EQ(innermost->kind->key(), "on");
     EXPECT_EQ(innermost->path, "/goals" + repeated("/not", deepest));
 }
 

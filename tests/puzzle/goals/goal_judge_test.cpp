@@ -8,8 +8,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-#define EXPECT_SAYS(text, part) EXPECT_PRED_FORMAT2(testing::IsSubstring, part, text)
-
 TEST(GoalJudge, SeesPlacesContactsAndCurrents) {
     GoalStage stage(R"({"all": [
         {"inside": {"object": "crate", "area": [0, 0, 1, 1]}},
@@ -18,26 +16,19 @@ TEST(GoalJudge, SeesPlacesContactsAndCurrents) {
         {"on": "lamp"},
         {"off": "lamp 2"},
         {"moved": {"object": "metal object", "by": 2, "towards": "up"}}]})");
-    auto const met = [&] {
-        std::string bits;
-        for (GoalStatus const& goal : stage.judge().status()) {
-            bits += goal.met ? '1' : '0';
-        }
-        return bits;
-    };
     stage.step();
-    EXPECT_EQ(met(), "000010");
+    EXPECT_EQ(stage.met(), "000010");
     stage.put("crate", {0.5, 0.5});
     stage.turn("lamp", true);
     stage.put("metal object", {9, 1});
     stage.step();
-    EXPECT_EQ(met(), "110110");
+    EXPECT_EQ(stage.met(), "110110");
     EXPECT_DOUBLE_EQ(stage.judge().status()[5].progress, 0.5);
     stage.touch("crate", "floor");
     stage.turn("lamp 2", true);
     stage.put("metal object", {-9, 2});
     stage.step();
-    EXPECT_EQ(met(), "111101");
+    EXPECT_EQ(stage.met(), "111101");
     EXPECT_FALSE(stage.judge().solved());
     stage.turn("lamp 2", false);
     stage.step();
@@ -47,21 +38,7 @@ TEST(GoalJudge, SeesPlacesContactsAndCurrents) {
     EXPECT_EQ(stage.judge().status()[4].frame, 1U);
     stage.turn("lamp", false);
     stage.step(); // solved is solved
-    EXPECT_EQ(met(), "111111");
-}
-
-TEST(GoalJudge, CountsHitsThatAreOverWithinAFrame) {
-    GoalStage stage(
-        R"({"sequence": [{"touching": ["ball a", "floor"]}, {"touching": ["ball a", "floor"]}]})");
-    stage.step();
-    stage.hit("ball a", "floor", 7);
-    stage.step(3);
-    EXPECT_FALSE(stage.judge().solved());
-    stage.hit("ball a", "floor", 9);
-    stage.step();
-    EXPECT_EQ(stage.judge().solvedFrame(), 5U);
-    std::vector<EventId> const causes = stage.judge().causes(stage.world());
-    EXPECT_EQ(causes, (std::vector<EventId>{EventId{7}, EventId{9}}));
+    EXPECT_EQ(stage.met(), "111111");
 }
 
 TEST(GoalJudge, WantsTimesWithoutABreak) {
@@ -78,50 +55,6 @@ TEST(GoalJudge, WantsTimesWithoutABreak) {
     EXPECT_FALSE(stage.judge().solved());
     stage.step();
     EXPECT_EQ(stage.judge().solvedFrame(), 60U);
-}
-
-TEST(GoalJudge, CountsWhoSatisfiesACondition) {
-    GoalStage stage(
-        R"({"count": {"of": {"part": "iron ball"}, "at_least": 2, "that": {"touching": ["it", "floor"],
-        "for": 0.05}}})");
-    stage.touch("ball a", "floor");
-    stage.touch("crate", "floor");
-    stage.step(5);
-    EXPECT_FALSE(stage.judge().solved());
-    EXPECT_DOUBLE_EQ(stage.judge().status()[0].progress, 0.5);
-    stage.touch("ball b", "floor");
-    stage.step(2);
-    EXPECT_FALSE(stage.judge().solved()); // each of them has its own time
-    stage.step();
-    EXPECT_TRUE(stage.judge().solved());
-}
-
-TEST(GoalJudge, KnowsOrder) {
-    char const* const goal = R"({"sequence": [{"on": "lamp"}, {"on": "lamp 2", "for": 0.05}]})";
-    GoalStage right(goal);
-    right.turn("lamp", true);
-    right.step();
-    EXPECT_TRUE(right.judge().status()[0].met);
-    right.turn("lamp", false); // a step that is done stays done
-    right.turn("lamp 2", true);
-    right.step(2);
-    EXPECT_FALSE(right.judge().solved());
-    right.step();
-    EXPECT_TRUE(right.judge().solved());
-
-    GoalStage wrong(goal);
-    wrong.turn("lamp 2", true);
-    wrong.step(10);
-    EXPECT_FALSE(wrong.judge().status()[1].met);
-    wrong.turn("lamp", true);
-    wrong.step(10);
-    EXPECT_TRUE(wrong.judge().status()[0].met);
-    EXPECT_FALSE(wrong.judge().solved()); // it was lit before its turn
-    wrong.turn("lamp 2", false);
-    wrong.step();
-    wrong.turn("lamp 2", true);
-    wrong.step(3);
-    EXPECT_TRUE(wrong.judge().solved());
 }
 
 TEST(GoalJudge, NamesTheEventsThatMadeAGoalTrue) {
@@ -193,46 +126,6 @@ TEST(GoalJudge, HasNothingToSayWithoutGoals) {
     judge.update(stage.world());
     EXPECT_FALSE(judge.solved());
     EXPECT_TRUE(judge.status().empty());
-}
-
-TEST(GoalJudge, RefusesGoalsThatCannotBeWithTheirPlaces) {
-    struct Case {
-        char const* goal;
-        char const* words;
-    };
-    for (Case const& c : {
-             Case{"{}", "/goals: states no condition"},
-             Case{R"({"on": "lamp", "off": "lamp"})", "/goals: states several conditions"},
-             Case{R"({"no": {"on": "lamp"}})", "did you mean 'not'"},
-             Case{R"({"on": "lmap"})", "/goals/on: there is no object 'lmap', did you mean 'lamp'?"},
-             Case{R"({"on": 3})", "/goals/on: is 3"},
-             Case{R"({"on": []})", "/goals/on: is empty"},
-             Case{R"({"on": "crate"})", "/goals/on: 'crate' is no conductor, so it is never on"},
-             Case{R"({"on": ["lamp", "crate"]})", "'crate' is no conductor"},
-             Case{R"({"on": "lamp", "for": -1})", "/goals/for: is -1"},
-             Case{R"({"on": "it"})", "/goals/on: 'it' stands for nothing here"},
-             Case{R"({"on": {"part": "lead ball"}})", "/goals/on/part: nothing in this level is made from"},
-             Case{R"({"on": {"prt": "iron ball"}})", "did you mean 'part'"},
-             Case{R"({"touching": ["crate"]})", "/goals/touching: is a list of 1"},
-             Case{R"({"touching": ["crate", "lamp"]})", "'lamp' has no shape"},
-             Case{R"({"inside": {"object": "idea", "area": [0, 0, 1, 1]}})", "'idea' is nowhere"},
-             Case{R"({"inside": {"object": "crate"}})", "/goals/inside: 'area' is missing"},
-             Case{R"({"inside": {"object": "crate", "area": [0, 0, -1, 1]}})", "/goals/inside/area/2:"},
-             Case{R"({"moved": {"object": "crate", "by": 0}})", "/goals/moved/by:"},
-             Case{R"({"moved": {"object": "crate", "by": 1, "towards": "upp"}})", "did you mean 'up'"},
-             Case{R"({"all": []})", "/goals/all: is empty"},
-             Case{R"({"all": [{"on": "lamp", "id": "a"}, {"on": "lamp", "id": "a"}]})",
-                  "/goals/all/1/id: there is"},
-             Case{R"({"not": [{"on": "lamp"}]})", "/goals/not: is a list of 1"},
-             Case{R"({"count": {"of": "lamp", "that": {"on": "it"}}})", "does not state a number"},
-             Case{R"({"count": {"of": "lamp", "at_least": 0, "that": {"on": "it"}}})",
-                  "/goals/count/at_least:"},
-             Case{R"({"count": {"of": "lamp", "at_least": 1, "that": {"count": {"of": "lamp", "at_least": 1,
-                  "that": {"on": "it"}}}}})",
-                  "/goals/count/that/count: stands inside another count"},
-         }) {
-        EXPECT_SAYS(refusalOf(c.goal), c.words) << c.goal;
-    }
 }
 
 /// Conditions on three lamps: an independent evaluation on whole histories, for every frame.
@@ -342,50 +235,6 @@ TEST(GoalJudge, AgreesWithTheDefinitionOnWholeHistories) {
     }));
 }
 
-// Whether it looks up pairs of names or goes through the contacts, it finds the same.
-TEST(GoalJudge, FindsATouchOfManyNamesAsItDoesPairByPair) {
-    std::vector<std::string> const all{"floor", "metal object", "crate", "object 1", "ball a", "ball b"};
-    EXPECT_TRUE(rc::check("many names are any two of them", [&] {
-        auto const some = [&] {
-            std::vector<std::string> names;
-            for (std::string const& name : all) {
-                if (*rc::gen::inRange(0, 2) == 0) {
-                    names.push_back(name);
-                }
-            }
-            return names.empty() ? all : names;
-        };
-        std::vector<std::string> const as = some();
-        std::vector<std::string> const bs = some();
-        Json pairs = Json::array();
-        for (std::string const& a : as) {
-            for (std::string const& b : bs) {
-                if (a != b) {
-                    pairs.push_back({{"touching", {a, b}}});
-                }
-            }
-        }
-        RC_PRE(!pairs.empty());
-        GoalStage many(Json{{"touching", Json::array({Json(as), Json(bs)})}}.dump());
-        GoalStage each(Json{{"any", pairs}}.dump());
-        for (int frame = 0; frame < 3; ++frame) {
-            for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
-                std::string const a = *rc::gen::elementOf(all);
-                std::string const b = *rc::gen::elementOf(all);
-                int const how = *rc::gen::inRange(0, 3);
-                for (GoalStage* const stage : {&many, &each}) {
-                    if (a != b && how < 2) {
-                        (how == 0 ? stage->touch(a, b) : stage->hit(a, b));
-                    }
-                }
-            }
-            many.step();
-            each.step();
-            RC_ASSERT(many.judge().solvedFrame() == each.judge().solvedFrame());
-        }
-    }));
-}
-
 TEST(GoalJudge, RefusesGoalsThatASmallFileMakesTooLarge) {
     constexpr int crowd = 40;
     Json names = Json::array();
@@ -397,7 +246,7 @@ TEST(GoalJudge, RefusesGoalsThatASmallFileMakesTooLarge) {
         many.push_back({{"touching", Json::array({"it", names})}});
     }
     Json const goals{{"count", {{"of", names}, {"at_least", 1}, {"that", {{"any", many}}}}}};
-    EXPECT_SAYS(refusalOf(goals.dump(), crowd), "the goals speak of too many objects");
+    EXPECT_TRUE(isRefused(goals.dump(), "the goals speak of too many objects", crowd));
 }
 
 } // namespace

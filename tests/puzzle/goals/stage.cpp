@@ -2,6 +2,7 @@
 
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"
+#include "physics/material.hpp"
 #include "runtime/frame/settings.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/population/population_resolver.hpp"
@@ -16,10 +17,19 @@ GoalStage::GoalStage(std::string const& goals, int crowd) {
     registry_.property<Shape>();
     registry_.property<Fixed>();
     registry_.property<Conductor>();
+    registry_.property<ElectricalDevice>();
+    registerMaterial(registry_);
     PartLibrary library;
     library.add(readPart(registry_, JsonDocument::parse(R"({"name": "iron ball", "properties": {
         "shape": [{"form": "circle"}]}})",
                                                         "part.json")));
+    std::string const lamp = R"({"conductor": true, "electrical_device": true, "material": "glass"})";
+    library.add(
+        readPart(registry_,
+                 JsonDocument::parse(R"({"name": "night light", "properties": )" + lamp + "}", "part.json")));
+    library.add(
+        readPart(registry_, JsonDocument::parse(R"({"name": "desk lamp", "properties": {"conductor": true}})",
+                                                "part.json")));
     std::string const shape = R"("shape": [{"form": "box"}])";
     std::string more;
     for (int i = 1; i <= crowd; ++i) {
@@ -38,10 +48,15 @@ GoalStage::GoalStage(std::string const& goals, int crowd) {
         {"name": "object 1", "at": [4, 0], "properties": {)" +
                              shape + R"(}},
         {"name": "idea"},
-        {"name": "lamp", "at": [1, 0], "properties": {"conductor": true}},
+        {"name": "lamp", "at": [1, 0], "properties": )" +
+                             lamp + R"(},
+        {"name": "lantern", "at": [1, 1], "properties": )" +
+                             lamp + R"(},
+        {"name": "toy lamp", "at": [1, 2], "properties": {"conductor": true}},
         {"name": "lamp 2", "at": [2, 0], "properties": {"conductor": true}},
         {"name": "ball a", "part": "iron ball", "at": [7, 0]},
         {"name": "ball b", "part": "iron ball", "at": [8, 0]}],
+        "toolbox": [{"part": "night light", "count": 1}, {"part": "desk lamp", "count": 1}],
         "goals": )" + goals + "}";
     LevelFile const level = readLevel(registry_, JsonDocument::parse(text, "level.json"));
     world_ = buildWorld(registry_, level, library);
@@ -54,6 +69,14 @@ ObjectId GoalStage::id(std::string const& name) const {
         throw std::invalid_argument("no object " + name);
     }
     return id;
+}
+
+std::string GoalStage::met() const {
+    std::string bits;
+    for (GoalStatus const& goal : judge_->status()) {
+        bits += goal.met ? '1' : '0';
+    }
+    return bits;
 }
 
 void GoalStage::put(std::string const& name, Vec2 at) {
@@ -122,6 +145,21 @@ std::string refusalOf(std::string const& goals, int crowd) {
     } catch (InputError const& error) {
         return error.what();
     }
+}
+
+testing::AssertionResult isRefused(std::string const& goals, std::string const& words, int crowd) {
+    std::string const refusal = refusalOf(goals, crowd);
+    if (refusal.find(words) != std::string::npos) {
+        return testing::AssertionSuccess();
+    }
+    return testing::AssertionFailure()
+           << goals << "\nis refused with \"" << refusal << "\", not with \"" << words << '"';
+}
+
+std::string wordsOf(std::string const& goals) {
+    GoalStage const stage(goals);
+    std::vector<GoalStatus> const& status = stage.judge().status();
+    return status.size() == 1 ? status[0].text : std::to_string(status.size()) + " goals";
 }
 
 } // namespace trembler

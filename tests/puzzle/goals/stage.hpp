@@ -8,6 +8,8 @@
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <string>
 #include <utility>
@@ -17,13 +19,17 @@ namespace trembler {
 
 class GoalStage {
 public:
-    /// The objects: floor, electromagnet (fixed, above), metal object, crate, object 1, lamp, lamp 2, ball a,
-    /// ball b (these two made from the part "iron ball"). Throws what the judge throws.
+    /// The objects: floor, electromagnet (fixed, above), metal object, crate, object 1, ball a, ball b (these
+    /// two made from the part "iron ball"), idea (is nowhere), and of conductors lamp and lantern, which are
+    /// users of electricity made of glass, and lamp 2 and toy lamp, which are not. In the toolbox are a
+    /// "night light", made as lamp is, and a "desk lamp", made as lamp 2 is. Throws what the judge throws.
     explicit GoalStage(std::string const& goals, int crowd = 0);
 
     [[nodiscard]] GoalJudge const& judge() const { return *judge_; }
     [[nodiscard]] World& world() { return *world_; }
     [[nodiscard]] ObjectId id(std::string const& name) const;
+    /// For each goal whether it is met, "1" or "0".
+    [[nodiscard]] std::string met() const;
 
     void put(std::string const& name, Vec2 at);
     /// Each with an event id, which may be 0.
@@ -51,5 +57,10 @@ private:
 
 /// What the judge says against the goals, or "" if nothing.
 [[nodiscard]] std::string refusalOf(std::string const& goals, int crowd = 0);
+/// Whether it says these words, among others.
+[[nodiscard]] testing::AssertionResult isRefused(std::string const& goals, std::string const& words,
+                                                 int crowd = 0);
+/// What the player reads of goals that are one goal.
+[[nodiscard]] std::string wordsOf(std::string const& goals);
 
 } // namespace trembler

@@ -1,0 +1,40 @@
+// Whom a selector can speak of at all, placed parts included, for finding goals that can never be reached.
+#pragma once
+
+#include "puzzle/goals/condition.hpp"
+#include "runtime/world/world.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// Whom selectors can speak of.
+struct Candidates {
+    std::set<std::string> names;     ///< of objects of the level
+    std::set<std::string> fromTools; ///< parts that the player may place
+    std::size_t placed = 0;          ///< how many of them, at most
+    bool it = false;
+
+    [[nodiscard]] std::size_t size() const { return names.size() + placed + (it ? 1 : 0); }
+};
+
+/// Finds candidates in a level and its world before the first frame; both must outlive it.
+class CandidateFinder {
+public:
+    CandidateFinder(LevelFile const& level, World const& world);
+    void add(Candidates& candidates, Selector const& selector) const;
+    [[nodiscard]] Candidates of(Selector const& selector) const;
+    /// Whether all whom it can speak of are fixed. False if the player may place some of them, and for "it".
+    [[nodiscard]] bool areFixed(Selector const& selector) const;
+    [[nodiscard]] World const& world() const { return world_; }
+
+private:
+    World const& world_;
+    std::map<std::string, std::vector<std::string const*>> byPart_; // names of objects
+    std::map<std::string, std::size_t> tools_;                      // by part, how many
+};
+
+} // namespace trembler

@@ -1,0 +1,56 @@
+#include "puzzle/goals/conditions/circuit.hpp"
+
+#include "physics/electricity/properties/electrical.hpp"
+#include "puzzle/goals/condition_state.hpp"
+#include "puzzle/goals/goal_reader.hpp"
+#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/schema_pieces.hpp"
+
+#include <fmt/format.h>
+
+namespace trembler::conditions {
+
+void CircuitCondition::read(JsonNode const& body, Condition& condition, GoalReader& reader) const {
+    condition.subject = reader.selector(body);
+}
+
+nlohmann::ordered_json CircuitCondition::schema() const {
+    return goal_schema::selector();
+}
+
+void CircuitCondition::begin(ConditionState& state, ObjectFinder const& finder, ObjectId /*it*/) const {
+    finder.mustHave(state.condition().subject, propertyInfo<Conductor>(),
+                    "is no conductor, so it is never on");
+}
+
+bool CircuitCondition::isOn(World const& world, ObjectId id) {
+    auto const* const state = world.find<ElectricalState>();
+    return state != nullptr && state->isOn(id);
+}
+
+void CircuitCondition::collectCauses(ConditionState const& state, World const& world, bool truth,
+                                     std::vector<EventId>& events) const {
+    auto const* const electrical = world.find<ElectricalState>();
+    if (electrical == nullptr) {
+        return;
+    }
+    for (ObjectId const id : state.subjects()) {
+        if (electrical->isOn(id) == (on_ == truth)) {
+            events.push_back(electrical->eventOf(id));
+        }
+    }
+}
+
+std::string CircuitCondition::phrase(Condition const& condition, GoalWords const& words, Mood mood,
+                                     Noun const* it) const {
+    std::string const who = words.noun(condition.subject, it).words;
+    bool const wanted = on_ != (mood == Mood::avoid);
+    bool const lamp = words.areLamps(condition.subject);
+    if (mood == Mood::reach) {
+        char const* const verb = wanted ? (lamp ? "light" : "switch on") : (lamp ? "put out" : "switch off");
+        return fmt::format("{} {}", verb, who);
+    }
+    return fmt::format("keep {} {}", who, wanted ? (lamp ? "lit" : "on") : (lamp ? "dark" : "off"));
+}
+
+} // namespace trembler::conditions

@@ -1,0 +1,29 @@
+// What "on" and "off" share.
+#pragma once
+
+#include "puzzle/goals/condition_kind.hpp"
+
+namespace trembler::conditions {
+
+/// A condition on whether an object is part of a working circuit: {KEY: O}.
+class CircuitCondition : public ConditionKind {
+public:
+    /// `on`: whether it has to be, or must not be.
+    constexpr CircuitCondition(std::string_view key, bool on) : ConditionKind(key), on_(on) {}
+
+    void read(JsonNode const& body, Condition& condition, GoalReader& reader) const final;
+    [[nodiscard]] nlohmann::ordered_json schema() const final;
+    void begin(ConditionState& state, ObjectFinder const& finder, ObjectId it) const final;
+    void collectCauses(ConditionState const& state, World const& world, bool truth,
+                       std::vector<EventId>& events) const final;
+    [[nodiscard]] std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,
+                                     Noun const* it) const final;
+
+protected:
+    [[nodiscard]] static bool isOn(World const& world, ObjectId id);
+
+private:
+    bool on_;
+};
+
+} // namespace trembler::conditions

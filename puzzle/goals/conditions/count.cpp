@@ -1,0 +1,177 @@
+// {"count": {"of": O, "at_least" | "at_most" | "exactly": n, "that": condition on "it"}}: the condition holds
+// for so many of the objects.
+#include "puzzle/goals/candidates.hpp"
+#include "puzzle/goals/condition_state.hpp"
+#include "puzzle/goals/english.hpp"
+#include "puzzle/goals/goal_reader.hpp"
+#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/schema_pieces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace trembler::conditions {
+namespace {
+
+enum class Quantity { atLeast, atMost, exactly };
+constexpr std::array<char const*, 3> quantityKeys{"at_least", "at_most", "exactly"};
+constexpr std::int64_t greatestNumber = 100000;
+
+/// What the file states.
+struct HowMany {
+    Quantity quantity = Quantity::atLeast;
+    int number = 1;
+};
+
+/// Those of a selector, so many of them: "at least two iron balls", "both the lamp and the bell".
+Noun someOf(Selector const& selector, HowMany wanted) {
+    auto const [quantity, number] = wanted;
+    std::string const prefix = quantity == Quantity::atLeast  ? "at least "
+                               : quantity == Quantity::atMost ? (number == 0 ? "" : "at most ")
+                                                              : "exactly ";
+    bool const plural = number != 1;
+    if (selector.names.empty() && selector.parts.size() == 1) {
+        std::string const& part = selector.parts.front();
+        return {prefix + numberWord(number) + " " + (plural ? pluralOf(part) : part), plural};
+    }
+    std::vector<std::string> items;
+    for (std::string const& name : selector.names) {
+        items.push_back(withArticle(name));
+    }
+    for (std::string const& part : selector.parts) {
+        items.push_back("the " + pluralOf(part));
+    }
+    bool const everybody =
+        selector.parts.empty() && number == static_cast<int>(items.size()) && quantity != Quantity::atMost;
+    if (everybody && items.size() == 2) {
+        return {"both " + enumerated(items, "and"), true};
+    }
+    if (everybody) {
+        return {items.size() == 1 ? items.front() : "all of " + enumerated(items, "and"), items.size() > 1};
+    }
+    return {prefix + (number == 0 ? "none" : numberWord(number)) + " of " + enumerated(items, "and"), plural};
+}
+
+class CountCondition final : public ConditionKind {
+public:
+    constexpr CountCondition() : ConditionKind("count") {}
+
+    void read(JsonNode const& body, Condition& condition, GoalReader& reader) const override {
+        MemberReader members(body, "an object {\"of\", \"at_least\", \"that\"}");
+        if (!members.valid()) {
+            return;
+        }
+        if (reader.insideCount()) {
+            body.complain("stands inside another count", "conditions on \"it\" that do not count");
+            return;
+        }
+        if (auto const of = members.required("of", "a list of objects, or {\"part\": name}")) {
+            condition.subject = reader.selector(*of);
+        }
+        HowMany wanted;
+        int stated = 0;
+        for (std::size_t i = 0; i < quantityKeys.size(); ++i) {
+            if (auto const number = members.optional(quantityKeys[i])) {
+                ++stated;
+                wanted.quantity = static_cast<Quantity>(i);
+                wanted.number = static_cast<int>(number->integer(i == 0 ? 1 : 0, greatestNumber).value_or(1));
+            }
+        }
+        if (stated != 1) {
+            body.complain(stated == 0 ? "does not state a number" : "states several numbers",
+                          "one of \"at_least\", \"at_most\", \"exactly\"");
+        }
+        if (auto const that = members.required("that", "a condition on \"it\"")) {
+            condition.children.push_back(reader.conditionOnIt(*that));
+        }
+        members.finish();
+        condition.details = wanted;
+    }
+
+    [[nodiscard]] nlohmann::ordered_json schema() const override {
+        nlohmann::ordered_json members{{"of", goal_schema::selector()}, {"that", goal_schema::condition()}};
+        for (char const* const quantity : quantityKeys) {
+            members[quantity] = {{"type", "integer"}, {"minimum", 0}, {"maximum", greatestNumber}};
+        }
+        nlohmann::ordered_json body = goal_schema::strictObject(std::move(members), {"of", "that"});
+        body["minProperties"] = 3;
+        body["maxProperties"] = 3;
+        body["description"] =
+            "For how many objects the condition \"that\" holds; there \"it\" is the object.";
+        return body;
+    }
+
+    [[nodiscard]] std::optional<Impossibility> whyNever(Condition const& condition,
+                                                        CandidateFinder const& candidates) const override {
+        HowMany const stated = howMany(condition);
+        auto const wanted = static_cast<std::size_t>(stated.number);
+        std::size_t const possible = candidates.of(condition.subject).size();
+        if (stated.quantity == Quantity::atMost || wanted <= possible) {
+            return std::nullopt;
+        }
+        return Impossibility{fmt::format("it wants {} of what there can be {} of", wanted, possible),
+                             "no more than the level has and the player may place"};
+    }
+
+    /// The child once for each object that is counted.
+    void begin(ConditionState& state, ObjectFinder const& finder, ObjectId /*it*/) const override {
+        for (ObjectId const member : state.subjects()) {
+            if (!finder.take(0, state.condition().path)) {
+                break; // there are too many, which has been told
+            }
+            state.addChildren(finder, member);
+        }
+    }
+
+    [[nodiscard]] Standing judge(ConditionState& state, World const& /*world*/) const override {
+        std::span<ConditionState const> const children = std::as_const(state).children();
+        auto const number = static_cast<int>(std::count_if(
+            children.begin(), children.end(), [](ConditionState const& child) { return child.met(); }));
+        HowMany const wanted = howMany(state.condition());
+        switch (wanted.quantity) {
+        case Quantity::atLeast:
+            return {number >= wanted.number, share(number, wanted.number)};
+        case Quantity::atMost:
+            return {number <= wanted.number, 0};
+        case Quantity::exactly:
+            break;
+        }
+        return {number == wanted.number, share(number, wanted.number)};
+    }
+
+    [[nodiscard]] std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,
+                                     Noun const* /*it*/) const override {
+        Condition const& that = condition.children.front();
+        HowMany wanted = howMany(condition);
+        if (mood == Mood::avoid) { // not "at least two" is "at most one"
+            if (wanted.quantity == Quantity::exactly) {
+                Noun const who = someOf(condition.subject, wanted);
+                return "do not " + words.phrase(that, Mood::reach, &who);
+            }
+            bool const atLeast = wanted.quantity == Quantity::atLeast;
+            wanted = {atLeast ? Quantity::atMost : Quantity::atLeast, wanted.number + (atLeast ? -1 : 1)};
+            mood = Mood::reach;
+        }
+        Noun const who = someOf(condition.subject, wanted);
+        return words.phrase(that, mood, &who);
+    }
+
+private:
+    [[nodiscard]] static HowMany howMany(Condition const& condition) {
+        return std::any_cast<HowMany>(condition.details);
+    }
+    [[nodiscard]] static double share(int number, int wanted) {
+        return wanted > 0 ? std::min(1.0, static_cast<double>(number) / wanted) : 0;
+    }
+};
+
+} // namespace
+
+ConditionKind const& count() {
+    static CountCondition const kind;
+    return kind;
+}
+
+} // namespace trembler::conditions

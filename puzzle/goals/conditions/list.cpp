@@ -1,0 +1,44 @@
+#include "puzzle/goals/conditions/list.hpp"
+
+#include "puzzle/goals/english.hpp"
+#include "puzzle/goals/goal_reader.hpp"
+#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/schema_pieces.hpp"
+#include "runtime/level/json/limits.hpp"
+
+namespace trembler::conditions {
+
+void ListCondition::read(JsonNode const& body, Condition& condition, GoalReader& reader) const {
+    condition.children = reader.conditions(body);
+}
+
+nlohmann::ordered_json ListCondition::schema() const {
+    return goal_schema::listOf(goal_schema::condition(), limits::conditions);
+}
+
+bool ListCondition::isCompound(Condition const& condition) const {
+    return condition.text.empty() && condition.children.size() > 1;
+}
+
+std::string ListCondition::joined(Condition const& condition, GoalWords const& words, Mood mood,
+                                  Noun const* it, bool conjunction) {
+    std::vector<std::string> phrases;
+    bool nested = false;
+    for (Condition const& child : condition.children) {
+        phrases.push_back(words.phrase(child, mood, it));
+        nested = nested || child.kind->isCompound(child);
+    }
+    std::string text;
+    if (nested && phrases.size() > 1) { // with more than commas, as there are commas in the phrases
+        for (std::size_t i = 0; i < phrases.size(); ++i) {
+            bool const last = i + 1 == phrases.size();
+            text += i == 0 ? "" : last ? (conjunction ? ", and " : ", or ") : "; ";
+            text += phrases[i];
+        }
+    } else {
+        text = enumerated(phrases, conjunction ? "and" : "or");
+    }
+    return conjunction || phrases.size() == 1 ? text : "either " + text;
+}
+
+} // namespace trembler::conditions

@@ -1,0 +1,24 @@
+// What "all", "any" and "sequence" share.
+#pragma once
+
+#include "puzzle/goals/condition_kind.hpp"
+
+namespace trembler::conditions {
+
+/// A condition that is made of others: {KEY: [conditions]}.
+class ListCondition : public ConditionKind {
+public:
+    explicit constexpr ListCondition(std::string_view key) : ConditionKind(key) {}
+
+    void read(JsonNode const& body, Condition& condition, GoalReader& reader) const final;
+    [[nodiscard]] nlohmann::ordered_json schema() const final;
+    /// True unless the author has put it into words, or there is but one.
+    [[nodiscard]] bool isCompound(Condition const& condition) const final;
+
+protected:
+    /// All children's phrases in one, "... and ..." if `conjunction`, else "either ... or ...".
+    [[nodiscard]] static std::string joined(Condition const& condition, GoalWords const& words, Mood mood,
+                                            Noun const* it, bool conjunction);
+};
+
+} // namespace trembler::conditions

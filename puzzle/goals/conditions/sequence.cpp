@@ -1,0 +1,90 @@
+// {"sequence": [conditions]}: they came true one after the other; then it holds for good.
+//
+// "First the bell, then the lamp" is not met by a lamp that was lit before: a step has to begin after the one
+// before it was done. If it already holds when its turn comes, it must cease first.
+#include "puzzle/goals/condition_state.hpp"
+#include "puzzle/goals/conditions/list.hpp"
+#include "puzzle/goals/goal_text.hpp"
+
+#include <algorithm>
+
+namespace trembler::conditions {
+namespace {
+
+/// What a state remembers.
+struct Steps {
+    std::size_t done = 0;
+    bool blocked = false;        ///< the next step already held when its turn came, and has not ceased since
+    std::vector<EventId> causes; ///< of the steps that are done
+};
+
+class SequenceCondition final : public ListCondition {
+public:
+    constexpr SequenceCondition() : ListCondition("sequence") {}
+
+    void begin(ConditionState& state, ObjectFinder const& finder, ObjectId it) const override {
+        ConditionKind::begin(state, finder, it);
+        state.remember(Steps{});
+    }
+
+    [[nodiscard]] Standing judge(ConditionState& state, World const& world) const override {
+        std::span<ConditionState> const children = state.children();
+        Steps& steps = state.memory<Steps>();
+        if (steps.done < children.size()) {
+            ConditionState const& step = children[steps.done];
+            steps.blocked = steps.blocked && step.holds();
+            if (!steps.blocked && step.met()) {
+                step.collectCauses(world, true, steps.causes);
+                ++steps.done;
+                if (steps.done < children.size()) {
+                    steps.blocked = children[steps.done].holds();
+                    children[steps.done].restart();
+                }
+            }
+        }
+        double const now =
+            steps.done < children.size() && !steps.blocked ? children[steps.done].progress() : 0;
+        double const progress =
+            (static_cast<double>(steps.done) + std::min(now, 1.0)) / static_cast<double>(children.size());
+        return {steps.done == children.size(), progress};
+    }
+
+    void collectCauses(ConditionState const& state, World const& /*world*/, bool /*truth*/,
+                       std::vector<EventId>& events) const override {
+        Steps const& steps = state.memory<Steps>();
+        events.insert(events.end(), steps.causes.begin(), steps.causes.end());
+    }
+
+    [[nodiscard]] bool listsGoals() const override { return true; }
+
+    /// A step is done when its turn came and it was met, not when it happens to hold.
+    [[nodiscard]] Standing standingOf(ConditionState const& state, std::size_t child) const override {
+        std::size_t const done = state.memory<Steps>().done;
+        return {child < done, child == done ? state.children()[child].progress() : 0};
+    }
+
+    [[nodiscard]] std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,
+                                     Noun const* it) const override {
+        std::string text;
+        for (std::size_t i = 0; i < condition.children.size(); ++i) {
+            std::string const step = words.phrase(condition.children[i], Mood::reach, it);
+            text += condition.children.size() == 1 ? step : (i == 0 ? "first " + step : ", then " + step);
+        }
+        return mood == Mood::avoid ? "do not " + text : text;
+    }
+
+    /// Done once, it stays done.
+    [[nodiscard]] std::string lastingPhrase(Condition const& condition, GoalWords const& words,
+                                            Noun const* it, std::string const& duration) const override {
+        return phrase(condition, words, Mood::reach, it) + ", then wait" + duration;
+    }
+};
+
+} // namespace
+
+ConditionKind const& sequence() {
+    static SequenceCondition const kind;
+    return kind;
+}
+
+} // namespace trembler::conditions
