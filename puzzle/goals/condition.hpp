@@ -30,7 +30,7 @@ struct Condition {
     ConditionKind const* kind = nullptr; ///< null only in what could not be read
     Selector subject;                    ///< whom it speaks of
     Selector object;                     ///< whom else, where the kind relates two
-    Area area;                           ///< the place that it speaks of, where the kind has one
+    std::optional<Area> area;            ///< the place that it speaks of, where the kind has one
     std::string areaName = "the marked area";
     std::vector<Condition> children;
     std::any details; ///< numbers and choices that only the kind knows; it sets and reads them

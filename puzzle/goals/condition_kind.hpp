@@ -89,11 +89,6 @@ public:
     /// Whether the phrase is made of several, so that in a list it needs more than commas around it.
     [[nodiscard]] virtual bool isCompound(Condition const& condition) const;
 
-    /// Those that whoever draws goals asks for.
-    static ConditionKind const* const inside;
-    static ConditionKind const* const all;
-    static ConditionKind const* const sequence;
-
 private:
     std::string_view key_;
 };

@@ -10,14 +10,9 @@ GoalAreas::GoalAreas(LevelFile const& level) {
     if (!condition) {
         return;
     }
-    // As GoalJudge splits a condition into goals.
-    bool const several = condition->kind == ConditionKind::all || condition->kind == ConditionKind::sequence;
-    if (several && !condition->seconds && condition->text.empty()) {
-        for (std::size_t i = 0; i < condition->children.size(); ++i) {
-            gather(condition->children[i], i);
-        }
-    } else {
-        gather(*condition, 0);
+    std::span<Condition const> const goals = goalsOf(*condition);
+    for (std::size_t i = 0; i < goals.size(); ++i) {
+        gather(goals[i], i);
     }
 }
 
@@ -32,8 +27,8 @@ bool GoalAreas::isKnown(Area const& area, std::size_t goal) const {
 }
 
 void GoalAreas::gather(Condition const& condition, std::size_t goal) {
-    if (condition.kind == ConditionKind::inside && !isKnown(condition.area, goal)) {
-        regions_.push_back({condition.area, false});
+    if (condition.area && !isKnown(*condition.area, goal)) {
+        regions_.push_back({*condition.area, false});
         goals_.push_back(goal);
         // "The marked area" is what its goal calls it; where it is marked, the mark says so.
         names_.push_back(condition.areaName == Condition{}.areaName ? "" : condition.areaName);

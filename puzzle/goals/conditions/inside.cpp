@@ -26,7 +26,7 @@ public:
             condition.subject = reader.selector(*object);
         }
         if (auto const area = members.required("area", "a box [x, y, width, height] or a polygon, in m")) {
-            condition.area = readArea(*area).value_or(Area{Box{}, {}});
+            condition.area = readArea(*area);
         }
         if (auto const called = members.optional("called")) {
             condition.areaName = called->name("words for the area").value_or("");
@@ -50,7 +50,7 @@ public:
         World const& world = candidates.world();
         Candidates const all = candidates.of(condition.subject);
         bool const isThere = std::any_of(all.names.begin(), all.names.end(), [&](std::string const& name) {
-            return liesIn(condition.area, world, world.store().find(name));
+            return liesIn(*condition.area, world, world.store().find(name));
         });
         if (isThere) {
             return std::nullopt;
@@ -66,7 +66,7 @@ public:
 
     [[nodiscard]] Standing judge(ConditionState& state, World const& world) const override {
         return {std::any_of(state.subjects().begin(), state.subjects().end(),
-                            [&](ObjectId id) { return liesIn(state.condition().area, world, id); }),
+                            [&](ObjectId id) { return liesIn(*state.condition().area, world, id); }),
                 0};
     }
 

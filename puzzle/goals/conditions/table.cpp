@@ -29,9 +29,5 @@ std::span<ConditionKind const* const> conditionKinds() {
     return all;
 }
 
-ConditionKind const* const ConditionKind::inside = &conditions::inside();
-ConditionKind const* const ConditionKind::all = &conditions::all();
-ConditionKind const* const ConditionKind::sequence = &conditions::sequence();
-
 } // namespace trembler
 #undef TREMBLER_CONDITIONS
