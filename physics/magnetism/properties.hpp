@@ -168,9 +168,6 @@ struct MagnetSwitching {
     static constexpr Coverage coverage = leftOut("events of the trace lead to nothing");
     static constexpr std::string_view standing = "the event that last switched each magnet";
     std::vector<EventId> byIndex; ///< by object index
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// F_M. Forces at poles, or at the centre of what has none; ascending by object.

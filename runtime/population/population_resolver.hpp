@@ -23,8 +23,6 @@ struct PopulationChanges {
         frame.created.insert(frame.created.end(), part.created.begin(), part.created.end());
         frame.destroyed.insert(frame.destroyed.end(), part.destroyed.begin(), part.destroyed.end());
     }
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Writes everything: an object is born with all its properties and dies with them. All other resolvers run

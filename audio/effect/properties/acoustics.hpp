@@ -112,9 +112,6 @@ struct Sample {
 struct Ear {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Ear", "ear", "How loud it is here is worked out for the object."};
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// A switch that closes while it is loud enough. With two objects named, it connects these. Otherwise it

@@ -86,9 +86,6 @@ struct Sounds {
     static void gather(Sounds& frame, Sounds const& part, PartSpan span);
 
     [[nodiscard]] bool silent() const { return bodies.empty() && recordings.empty(); }
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

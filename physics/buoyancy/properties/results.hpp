@@ -105,9 +105,6 @@ struct Immersions {
     [[nodiscard]] static double pull(Entry const& entry, Vec2 gravity) {
         return std::max(0.0, -dot(gravity, entry.up));
     }
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

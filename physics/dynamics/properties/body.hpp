@@ -73,9 +73,6 @@ struct Restitution {
 struct Fixed {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Fixed", "fixed", "The object is a static part of the world."};
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Marks what is so fast that it would otherwise jump through thin bodies that move.
@@ -83,9 +80,6 @@ struct Bullet {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Bullet", "bullet",
                                        "The object's path, not only its places, is tested for hits."};
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Who can hit whom: two objects collide if each one's category is in the other's mask, unless both share a

@@ -42,9 +42,6 @@ struct Contacts {
     /// Of a frame in parts: who touches at its end, who has begun to since its beginning, who ceased to, and
     /// who touched in between only, in whichever part. With the event of the first part that tells of it.
     static void gather(Contacts& frame, Contacts const& part, PartSpan span);
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// How a pair touches.
@@ -68,9 +65,6 @@ struct ContactPatches {
         "the engine's contacts of the last advance; what interactions make of them is in their calls");
     std::vector<ContactPatch> patches;
     double step = 0; ///< s, of that substep
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

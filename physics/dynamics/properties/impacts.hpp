@@ -33,8 +33,6 @@ struct Impacts {
     std::vector<Impact> impacts; ///< ascending by pair, then by time
 
     static void gather(Impacts& frame, Impacts const& part, PartSpan span);
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 inline constexpr double faintestImpact = 0.02; ///< m/s, change of the relative speed

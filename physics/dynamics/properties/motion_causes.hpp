@@ -32,8 +32,6 @@ struct MotionCauses {
                                          [](Entry const& entry, ObjectId id) { return entry.object < id; });
         return at == entries.end() || at->object != object ? std::vector<EventId>{} : at->causes;
     }
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// The force with which each joint holds, as a mean over the last frame in which anything moved.
@@ -81,8 +79,6 @@ struct OverloadedJoints {
                        [](Entry const& a, Entry const& b) { return a.joint < b.joint; });
         frame.entries = std::move(all);
     }
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

@@ -36,9 +36,6 @@ struct GraphChanges {
     /// Whether `seen`, the number of the latest change that a reader knows, is recent enough for the journal
     /// to tell the rest. If not, anything may have changed.
     [[nodiscard]] bool remembers(std::uint64_t seen) const { return seen >= forgotten && seen <= number; }
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

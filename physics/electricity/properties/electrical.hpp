@@ -62,9 +62,6 @@ struct ElectricalDevice {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Electrical device", "electrical_device",
                                        "The object does something when it is on."};
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Which objects are on. Derived by whichever detail level of electricity is at work.

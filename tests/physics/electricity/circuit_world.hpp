@@ -22,7 +22,8 @@ inline constexpr std::size_t scripts = 3;
 inline constexpr std::size_t scissors = scripts;
 struct Script {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Script", "test_script", "Calls that a test wants made."};
+    static constexpr PropertyText text{"Script", "test_script", "Calls that a test wants made.",
+                                       PropertyPlace::hidden};
     struct Line {
         ObjectId a;
         ObjectId b;
@@ -32,19 +33,14 @@ struct Script {
     std::vector<Line> lines;
     std::vector<ObjectId> destroys;
     std::vector<CreateObject> creates;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Who touches whom, as a test has it.
 struct Touching {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Touching", "test_touching", "Pairs that a test wants to touch."};
+    static constexpr PropertyText text{"Touching", "test_touching", "Pairs that a test wants to touch.",
+                                       PropertyPlace::hidden};
     std::vector<TouchingPair> pairs; ///< ascending
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 struct CollisionRole {

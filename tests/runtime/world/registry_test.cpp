@@ -113,8 +113,6 @@ TEST(RegistryRules, TwoResolversOfferingOnePropertyAreRefused) {
 struct Aura {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Aura", "aura", "What glows around things."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct GlowAndAura final : Dps<GlowAndAura, Reads<Heat>, Derives<Glow, Aura>> {
     static constexpr ComponentText text{
@@ -151,8 +149,6 @@ TEST(RegistryRules, TwoComponentsOfOneTitleAreRefused) {
 struct OtherHeat {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Other heat", "heat", "Another property with the key of Heat."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 TEST(RegistryRules, TwoPropertiesOfOneKeyAreRefused) {
