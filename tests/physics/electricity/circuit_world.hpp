@@ -59,17 +59,19 @@ public:
     void advance(Access& access);
 };
 
-/// Several interactions of one C++ type, as those that are made from files will be: each makes the calls of
-/// its own number.
+/// What an ElectricityFromScript is registered with.
+struct ScriptNumber {
+    ComponentText text;
+    std::size_t number = 0;
+};
+/// Several interactions of one C++ type: each makes the calls of its own number.
 class ElectricityFromScript final
     : public Interaction<ElectricityFromScript, ElectricityRole, Reads<Script>> {
 public:
-    static constexpr ComponentText text{
-        .name = "Electricity <- Script", .effect = "test", .level = "", .work = "As told."};
     using Activation = NeedsAll<Script>;
     static constexpr Coverage memory = leftOut("its number is its name's, and for the world's life");
-    ElectricityFromScript(ComponentInfo const& info, std::size_t number)
-        : Interaction(info), number_(number) {}
+    ElectricityFromScript(ComponentInfo const& info, ScriptNumber const& script)
+        : Interaction(info), number_(script.number) {}
     void apply(Access& access);
 
 private:
