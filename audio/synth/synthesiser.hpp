@@ -61,7 +61,6 @@ public:
     void clear();
 
     [[nodiscard]] SynthesiserOptions const& options() const { return options_; }
-    void setMasking(bool masking) { options_.masking = masking; }
     /// Of the last block.
     [[nodiscard]] SynthesiserCounts const& counts() const { return counts_; }
 

@@ -6,8 +6,8 @@
 #include "render/scene/overlays/overlay_buoyancy.hpp"
 #include "render/scene/overlays/overlay_contacts.hpp"
 #include "render/scene/overlays/overlay_electricity.hpp"
+#include "render/scene/overlays/overlay_hand.hpp"
 #include "render/scene/overlays/overlay_magnetism.hpp"
-#include "render/scene/overlays/overlay_motion.hpp"
 
 namespace trembler::render {
 namespace {
@@ -53,9 +53,6 @@ void drawOverlays(Canvas& canvas, World const& world, FactsReader const& reader,
     }
     if (overlays.contacts) {
         drawContacts(canvas, world);
-    }
-    if (overlays.motion) {
-        drawMotion(canvas, world, reader, place);
     }
     if (overlays.forces) {
         drawMagneticForces(canvas, world);

@@ -17,7 +17,6 @@ struct Overlays {
     bool forces = false;      ///< magnetic ones, and F_B at the centres of buoyancy
     bool fieldLines = false;  ///< of all magnets that act
     bool contacts = false;    ///< with normals and impulses under World::want<ContactPatches>()
-    bool motion = false;      ///< centres of mass and velocities
 };
 
 struct SceneOptions {

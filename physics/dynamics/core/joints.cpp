@@ -33,7 +33,6 @@ void JointTable::removeOutdated(DynamicsColumns const& columns, std::span<SlotIn
             remove(static_cast<SlotIndex>(slot), engine);
         }
     }
-    noteBreakable();
 }
 
 void JointTable::remove(SlotIndex slot, Engine& engine) {
@@ -53,7 +52,6 @@ void JointTable::addMissing(DynamicsColumns const& columns, BodyTable const& bod
             }
         }
     }
-    noteBreakable();
 }
 
 void JointTable::add(DynamicsColumns const& columns, BodyTable const& bodies, ObjectId id, Joint const& joint,
@@ -102,12 +100,6 @@ void JointTable::add(DynamicsColumns const& columns, BodyTable const& bodies, Ob
         spec.anchors.onB -= bodies[tied.b].centre;
     }
     engine.addJoint(slot, spec);
-}
-
-void JointTable::noteBreakable() {
-    breakable_ = std::any_of(joints_.begin(), joints_.end(), [](TiedJoint const& tied) {
-        return tied.object.valid() && tied.joint.breakForce > 0;
-    });
 }
 
 } // namespace trembler

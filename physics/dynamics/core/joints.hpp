@@ -26,18 +26,14 @@ public:
                     std::vector<Refusal>& refusals);
     /// By slot.
     [[nodiscard]] std::span<TiedJoint const> joints() const { return joints_; }
-    /// Whether any joint can break.
-    [[nodiscard]] bool breakable() const { return breakable_; }
 
 private:
     void add(DynamicsColumns const& columns, BodyTable const& bodies, ObjectId id, Joint const& joint,
              Engine& engine, std::vector<Refusal>& refusals);
     void remove(SlotIndex slot, Engine& engine);
-    void noteBreakable();
 
     SlotBook slots_;
     std::vector<TiedJoint> joints_;
-    bool breakable_ = false;
 };
 
 } // namespace trembler

@@ -43,14 +43,6 @@ Extent extentOf(Prototype const& prototype, Pose const& pose) {
     return extentOf(factsOf(prototype), pose);
 }
 
-Extent sceneBounds(World const& world) {
-    Extent around;
-    for (Facts const& facts : FactsReader(world).drawOrder()) {
-        around.add(extentOf(facts, poseOf(facts)));
-    }
-    return around;
-}
-
 Extent sceneFocus(World const& world) {
     std::vector<Facts> const all = FactsReader(world).drawOrder();
     auto const size = [](Extent const& extent) { return std::max(extent.half().x, extent.half().y); };

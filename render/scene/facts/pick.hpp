@@ -20,10 +20,9 @@ namespace trembler::render {
 /// The same for a part that lies at `pose`.
 [[nodiscard]] Extent extentOf(Prototype const& prototype, Pose const& pose);
 
-/// The rectangle around everything that is seen, for Camera::fit; empty for an empty world.
-[[nodiscard]] Extent sceneBounds(World const& world);
-/// The same, but of fixed bodies much larger than all the rest (a floor without end) only the part around the
-/// rest: what a player wants to see at the start.
+/// The rectangle around all objects that are seen, for Camera::fit; empty for an empty world. Of fixed bodies
+/// much larger than the other objects (a floor without end) it includes only the part around these: the view
+/// that a player wants at the start.
 [[nodiscard]] Extent sceneFocus(World const& world);
 
 } // namespace trembler::render
