@@ -43,7 +43,7 @@ public:
 
     /// Half extents; corners rounded by `cornerRadius` (within the extents, clamped to the smaller one).
     void box(Pose const& pose, Point half, double cornerRadius, Style const& style);
-    /// The angle turns the material's pattern.
+    /// The angle turns the pattern, too.
     void circle(Pose const& pose, double radius, Style const& style);
     /// All points within `radius` of the segment from a to b.
     void capsule(Point a, Point b, double radius, Style const& style);

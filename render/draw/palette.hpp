@@ -1,5 +1,5 @@
-// Every colour of the program, in one place: the workbench, its materials, and the colours that mean
-// something.
+// Every colour of the program, in one place: the workbench, the patterns of surfaces, and the colours that
+// mean something.
 //
 // Those that mean something follow Okabe and Ito's set for colour-blind eyes ("Color Universal Design",
 // 2008): blue against orange-red instead of green against red, and different in lightness besides. A meaning
@@ -37,7 +37,7 @@ inline constexpr Colour contact = rgb(0x1B1B1B);   ///< points of contact
 inline constexpr Colour sound = rgb(0x7A8F3C);     ///< rings of sound
 inline constexpr Colour fieldLine = rgb(0x5C7C99); ///< magnetic field lines
 
-// Materials.
+// Patterns.
 inline constexpr Colour plain = rgb(0xD9CDB8);
 inline constexpr Colour steel = rgb(0x9CA9B5);
 inline constexpr Colour wood = rgb(0xC8945A);

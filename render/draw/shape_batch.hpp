@@ -36,14 +36,14 @@ private:
     /// whichever is taken; one small program per look makes a frame two to four times as fast there.
     struct Look {
         bool light = false;  ///< glow or shadow
-        bool shaded = false; ///< two tones and a material
+        bool shaded = false; ///< two tones and a pattern
         bool marked = false; ///< selected, hovered, ghost or forbidden
-        std::uint8_t material = 0;
+        std::uint8_t pattern = 0;
         std::uint8_t kind = 0;
 
         friend bool operator==(Look const&, Look const&) = default;
     };
-    static constexpr std::size_t lookCount = kindCount * 2 * (2 + materialCount);
+    static constexpr std::size_t lookCount = kindCount * 2 * (2 + patternCount);
     [[nodiscard]] static Look lookOf(Instance const& shape);
     [[nodiscard]] static std::size_t indexOf(Look const& look);
     [[nodiscard]] Program const& programFor(Look const& look);
