@@ -1,4 +1,4 @@
-// What magnetism knows of objects.
+// The properties of objects that magnetism reads, and its results.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -170,7 +170,7 @@ struct MagnetSwitching {
     std::vector<EventId> byIndex; ///< by object index
 };
 
-/// F_M. Forces at poles, or at the centre of what has none; ascending by object.
+/// F_M. Forces at poles, or at the centre of an object that has none; ascending by object.
 struct MagneticForce {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"F_M", "magnetic_force", "The magnetic forces on each object."};
@@ -178,7 +178,7 @@ struct MagneticForce {
         ObjectId object;
         Vec2 point;    ///< m, in the world
         Vec2 force;    ///< N
-        EventId cause; ///< what switched on the magnet that pulls hardest; none while nobody traces
+        EventId cause; ///< that switched on the magnet with the strongest pull; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);

@@ -6,7 +6,7 @@
 
 namespace trembler {
 
-/// What a DynamicsResolver is registered with. A constant: it outlives every registry.
+/// The value that a DynamicsResolver is registered with: a constant, as it must outlive every registry.
 struct DynamicsEngine {
     ComponentText text;
     EngineMaker make = nullptr;

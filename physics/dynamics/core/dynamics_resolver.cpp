@@ -59,7 +59,8 @@ void DynamicsResolver::advance(Access& access) {
         overloadNews_ = false;
     }
     if (moved || contactsChanged) {
-        // What comes to rest is told even if nobody reads it yet: who comes later finds it as it lies.
+        // Bodies that come to rest are reported even if no component reads that yet: one that comes later
+        // finds them as they lie.
         bool const atRest = !simulation_.anyAwake();
         if (moved) {
             updateJoints(access, atRest || access.wanted<JointForces>());
@@ -117,7 +118,8 @@ void DynamicsResolver::drainLoads(Access& access, DynamicsColumns const& columns
     if (tracing) {
         simulation_.causes().startActing(bodies.bodies().size());
     }
-    // Calls about what is gone, fixed or no body come to nothing; so do forces that are no number.
+    // Calls about objects that are gone, fixed or no bodies have no effect; nor have forces that are not
+    // finite.
     auto const take = [&](ObjectId object, bool finite, CallOrigin const& origin, auto&& add) {
         SlotIndex const slot = bodies.slotOf(object);
         if (slot == noSlot || bodies[slot].fixed) {

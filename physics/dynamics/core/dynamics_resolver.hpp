@@ -35,7 +35,7 @@ public:
 
     DynamicsResolver(ComponentInfo const& info, DynamicsEngine const& engine);
 
-    // What is news in one frame must be taken back in the next, even if all is at rest by then.
+    // News of one frame must be taken back in the next, even if all bodies are at rest by then.
     [[nodiscard]] bool restless() const {
         return simulation_.anyAwake() || contactNews_ || overloadNews_ || impactNews_;
     }
@@ -52,7 +52,7 @@ private:
     void refuse(Access& access, ObjectId object, std::string const& why, EventId cause);
 
     void writeMotion(Access& access);
-    /// Returns whether what touches has changed.
+    /// Returns whether the pairs that touch have changed.
     bool updateContacts(Access& access);
     void traceContacts(Access& access);
     /// Of all joints, or only of those that can break.

@@ -1,5 +1,5 @@
-// What the Dynamics resolver writes and provides after a step: motion, contacts, joint forces, impacts,
-// causes.
+// The results that the Dynamics resolver writes and provides after a step: motion, contacts, joint forces,
+// impacts, causes.
 #include "physics/dynamics/core/dynamics_resolver.hpp"
 
 #include <algorithm>

@@ -21,7 +21,7 @@ public:
     /// Takes away the joints that are gone or changed, or whose bodies go (`going`, ascending), and the gears
     /// that depend on them.
     void removeOutdated(DynamicsColumns const& columns, std::span<SlotIndex const> going, Engine& engine);
-    /// Adds every joint that is not there yet. What is not sound goes to `refusals`.
+    /// Adds every joint that is not there yet. A joint that is not sound goes to `refusals`.
     void addMissing(DynamicsColumns const& columns, BodyTable const& bodies, Engine& engine,
                     std::vector<Refusal>& refusals);
     /// By slot.

@@ -65,14 +65,15 @@ private:
     /// Whether Box2D would spend too much on looking for impacts within the coming substep.
     [[nodiscard]] bool tooManyImpacts() const;
     void noteStart();
-    /// Puts what was too fast back to where its path was first blocked, after a substep without impacts.
+    /// Puts bodies that were too fast back to where their paths were first blocked, after a substep without
+    /// impacts.
     void holdBack();
     /// The share of its way that a body's core can go before it meets something.
     [[nodiscard]] float freeShare(BodyEntry const& entry, Place const& start, b2Vec2 way) const;
     /// Whether Box2D has gone back on a body's way within the substep, and is looking at contacts there.
     [[nodiscard]] bool onTheWay(b2Contact* contact) const;
-    /// Whether something that may touch has moved far since noteStart(), or since a touch began on its way,
-    /// so that what touches is not known.
+    /// Whether a body that may touch others has moved far since noteStart(), or since a touch began on its
+    /// way, so that the present contacts are not known.
     [[nodiscard]] bool movedFar() const;
     [[nodiscard]] bool isFarFrom(SlotIndex slot, Place const& place) const;
 
@@ -86,7 +87,7 @@ private:
     void wakeAll(b2Body* body);
     void loadWoken();
     void keepAwake(SlotIndex slot, int change);
-    /// Slows down what is dragged, by what drag does in the coming substep.
+    /// Slows bodies down by the drag of the coming substep.
     void applyDrags(double substep);
     void noteDragged();
     void applyJoints(float substep);
@@ -107,16 +108,16 @@ private:
     double scale_;
     CrowdFilter crowds_;
     b2World world_;
-    b2Body* ground_ = nullptr; // what joints to the world hold on to
+    b2Body* ground_ = nullptr; // to which joints to the world are attached
     std::vector<BodyEntry> bodies_;
     std::vector<JointEntry> joints_;
     std::vector<DraggedBody> dragged_;     // by slot
-    std::vector<SlotIndex> draggedSlots_;  // of those that any drag acts on
+    std::vector<SlotIndex> draggedSlots_;  // of bodies that any drag acts on
     std::vector<std::uint8_t> awake_;      // by slot: awake, and its load is with Box2D
     std::unique_ptr<JointsAtOnce> atOnce_; // while joints are to be solved so
     bool tiesStale_ = false;               // it does not know of all joints
-    bool coldStart_ = false;               // what Box2D's joints have carried so far is to be forgotten
-    float substep_ = 0;                    // s
+    bool coldStart_ = false; // the loads that Box2D's joints have carried so far are to be forgotten
+    float substep_ = 0;      // s
     bool anyAwake_ = false;
     bool disturbed_ = false; // Box2D may have woken bodies that awake_ does not know of
     std::vector<MovedBody> moved_;
@@ -124,7 +125,7 @@ private:
     std::vector<TouchChange> touches_;
     std::vector<b2Body*> wakeStack_;
     int added_ = 0;              // bodies since the last step
-    std::vector<Place> start_;   // by slot: where what is awake began the substep
+    std::vector<Place> start_;   // by slot: where bodies that are awake began the substep
     bool watching_ = false;      // start_ is to be compared with
     bool endedOnTheWay_ = false; // a touch ended where its bodies were on their way only
     std::vector<std::pair<SlotIndex, Place>> begunOnTheWay_; // where bodies were when a touch began there

@@ -1,5 +1,4 @@
-// One substep of Box2D, and what Box2D does about things that are so fast that they could jump through
-// others.
+// One substep of Box2D, and its treatment of bodies that are so fast that they could jump through others.
 //
 // Box2D finds the first impact within a substep, goes back to it, and looks through all contacts for the
 // next: impacts times contacts, which is too much where thousands of things land at once. There each fast
@@ -77,8 +76,8 @@ bool Box2dEngine::isFarFrom(SlotIndex slot, Place const& place) const {
     return length(fromEngine(body.GetPosition() - place.centre)) + turn * bodies_[slot].extent > farInSubstep;
 }
 
-// By their places, not by their speeds: what is jammed is thrown about by Box2D's correction of overlaps,
-// which is no speed, and may even be thrown back to where it began the substep.
+// By their places, not by their speeds: jammed bodies are moved about by Box2D's correction of overlaps,
+// which is no speed, and may even be moved back to where they began the substep.
 bool Box2dEngine::movedFar() const {
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         b2Body* const body = bodies_[slot].body;
@@ -93,7 +92,7 @@ bool Box2dEngine::movedFar() const {
 
 void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last) {
     if (double const added = std::exchange(added_, 0); added * added > mostLooks) {
-        // Box2D finds out what touches what is new in a step only. One without time does nothing else.
+        // Box2D finds the contacts of new bodies only in a step. A step of no time does nothing else.
         guardBox2d([&] { world_.Step(0, settings.velocityIterations, settings.positionIterations); });
     }
     bool const many = tooManyImpacts();
