@@ -11,7 +11,7 @@
 
 namespace trembler {
 
-/// What a SoundResolver is registered with. A constant: it outlives every registry.
+/// The value that a SoundResolver is registered with: a constant, as it must outlive every registry.
 struct SoundLevel {
     ComponentText text;
     int modes = 1;                         ///< per body, 1 to mostModes
@@ -24,7 +24,7 @@ struct SoundLevel {
     return madeOf == nullptr ? 0 : madeOf->size();
 }
 
-/// Eight modes are what most ears ask for; scenes of very many bodies make do with fewer.
+/// Eight modes suit most ears; scenes of very many bodies make do with fewer.
 inline constexpr std::array<SoundLevel, 5> soundLevels{
     SoundLevel{
         .text{.name = "Sound, 1 mode",

@@ -1,4 +1,4 @@
-// The Sound resolver: what rings, and how strongly. The number of modes per body is its detail level.
+// The Sound resolver: which modes ring, and how strongly. The number of modes per body is its detail level.
 #pragma once
 
 #include "audio/effect/core/sound_level.hpp"
@@ -7,9 +7,9 @@
 
 namespace trembler {
 
-/// Registered once for each of soundLevels. Nothing is heard where nobody listens: it is there on demand of a
-/// component that reads Sounds, because a sensor calls for that, or of a loudspeaker (World::want). It
-/// changes no object, so listening changes no state.
+/// Registered once for each of soundLevels. It is there on demand only: of a component that reads Sounds,
+/// because a sensor calls for that, or of a loudspeaker (World::want). It changes no object, so listening
+/// changes no state.
 class SoundResolver final
     : public Resolver<
           SoundResolver, SoundRole,
