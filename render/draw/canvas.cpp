@@ -122,7 +122,7 @@ void Canvas::fill(Instance shape, Style const& style) {
     Colour const tint = style.tint.value_or(colourOf(style.pattern));
     if (style.layer != Layer::Inside) {
         if (!style.ghost) {
-            // What lets light through casts little shadow.
+            // Translucent shapes cast little shadow.
             addShadow(shape, style.height, style.alpha * static_cast<float>(tint.alpha) / 255.F);
         }
         addGlow(shape, style.glow, style.alpha);

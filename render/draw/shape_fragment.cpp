@@ -9,8 +9,8 @@ const vec2 lightFrom = vec2(-0.50, 0.866); // in the view: light comes from the 
 
 bool has(uint flag) { return (f_bits.w & flag) != 0u; }
 
-// Two tones: what a copy of the shape, moved towards the light, leaves uncovered lies in shade; what a copy moved
-// away from it leaves uncovered is lit.
+// Two tones: the part that a copy of the shape, moved towards the light, leaves uncovered lies in shade; the
+// part that a copy moved away from it leaves uncovered is lit.
 vec3 twoTone(vec3 c, float outline) {
     float small = min(f_half.x, f_half.y);
     vec2 light = toLocal(lightFrom);

@@ -31,7 +31,7 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
             continue;
         }
         if (!moving && !(facts.fixed && facts.shape != nullptr)) {
-            canvas.newSheet(); // what moves throws its shadow on what does not
+            canvas.newSheet(); // moving objects throw their shadows on fixed ones
             moving = true;
         }
         if (facts.id == options.hidden && options.hidden.valid()) {

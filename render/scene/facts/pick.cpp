@@ -50,7 +50,7 @@ Extent sceneFocus(World const& world) {
     double largest = 0;
     for (Facts const& facts : all) {
         Extent const own = extentOf(facts, poseOf(facts));
-        // Fixed bodies that are not larger than what moves are part of the scene like any other.
+        // Fixed bodies that are not larger than the moving ones are part of the scene like any other.
         if (!facts.fixed) {
             rest.add(own);
             largest = own.empty() ? largest : std::max(largest, size(own));

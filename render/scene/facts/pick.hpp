@@ -1,4 +1,4 @@
-// What lies under a point, and how far the scene reaches.
+// The object under a point, and how far the scene reaches.
 #pragma once
 
 #include "render/scene/facts/poses.hpp"
@@ -8,11 +8,11 @@ namespace trembler::render {
 
 /// The topmost object under a point of the world, as drawScene draws it; if there is none, the one whose edge
 /// is nearest within `tolerance` metres (the later drawn of equals); otherwise an invalid id. Exact for all
-/// shapes. Give the tolerance as a few pixels: canvas.metres(6). Reads the world; any thread while nobody
-/// steps it.
+/// shapes. Give the tolerance as a few pixels: canvas.metres(6). Reads the world; any thread while it is not
+/// stepped.
 [[nodiscard]] ObjectId pick(World const& world, Point at, double tolerance = 0);
 
-/// Distance in metres from a point of the world to what is drawn of the object; negative inside.
+/// Distance in metres from a point of the world to the object as it is drawn; negative inside.
 [[nodiscard]] double distanceTo(Facts const& facts, Pose const& pose, Point at);
 
 /// The rectangle around an object as it is drawn, without glows; empty if there is nothing to see.

@@ -1,4 +1,4 @@
-// What ties bodies together: pins, rods, ropes, springs, pulleys, rails and gears.
+// The joints that tie bodies together: pins, rods, ropes, springs, pulleys, rails and gears.
 #pragma once
 
 #include "physics/dynamics/properties/joint.hpp"
