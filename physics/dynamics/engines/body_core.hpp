@@ -16,8 +16,8 @@ struct BodyCore {
 /// Of the piece that holds the largest circle.
 [[nodiscard]] BodyCore coreOf(BodySpec const& spec);
 
-/// How far a body's points may move in a step's last substep, in m, before contacts are looked for again at
-/// its end: a substep finds the contacts at the places at its beginning, and the world sees those at its end.
+/// How far a body's points may move in a step's last substep, in m, before what touches is looked for at its
+/// end: what a substep finds to touch are the places at its beginning, and the world sees those at its end.
 inline constexpr double farInSubstep = 0.01;
 
 /// The distance of its farthest point from the centre of mass, in m, or a little more.

@@ -117,7 +117,7 @@ TEST(Light, shadowsOfOneSheetLieUnderAllOfItsShapes) {
     EXPECT_LT(draw(true).at(200, 150 + 24)[1], draw(false).at(200, 150 + 24)[1]);
 }
 
-TEST(Light, patternsDiffer) {
+TEST(Light, materialsDiffer) {
     std::vector<Image> seen;
     for (int i = 0; i <= static_cast<int>(Pattern::Water); ++i) {
         // The same tint, so that only the pattern is left to tell them apart.

@@ -1,4 +1,4 @@
-// Pictures for people: every pattern, line and overlay on one sheet, at the two sizes that must be readable.
+// Pictures for people: every material, line and overlay on one sheet, at the two sizes that must be readable.
 #include "render/draw/path.hpp"
 #include "tests/render/stage.hpp"
 
@@ -18,7 +18,7 @@ Camera sheetCamera(Size size) {
     return camera;
 }
 
-void drawPatterns(Canvas& canvas) {
+void drawMaterials(Canvas& canvas) {
     canvas.paper();
     std::array const hexagon{Point{0.5, 0},  Point{0.25, 0.43},   Point{-0.25, 0.43},
                              Point{-0.5, 0}, Point{-0.25, -0.43}, Point{0.25, -0.43}};
@@ -112,8 +112,8 @@ void save(std::string const& name, void (*draw)(Canvas&)) {
     }
 }
 
-TEST(Sheets, patterns) {
-    save("patterns", drawPatterns);
+TEST(Sheets, materials) {
+    save("materials", drawMaterials);
 }
 
 TEST(Sheets, lines) {

@@ -157,7 +157,7 @@ TEST(ScenePick, agreesWithThePicture) {
     EXPECT_GT(misses, 5000);
 }
 
-TEST(SceneFocus, coverExactlyWhatIsThere) {
+TEST(SceneBounds, coverExactlyWhatIsThere) {
     World world(everything());
     EXPECT_TRUE(sceneFocus(world).empty());
     body(world, "bar", {boxPiece(2, 0.2)}, {1, 2}, std::numbers::pi / 2);
@@ -169,7 +169,7 @@ TEST(SceneFocus, coverExactlyWhatIsThere) {
     EXPECT_NEAR(bounds.upper.y, 3, 1e-12);
 }
 
-TEST(SceneFocus, leavesOutTheFarEndsOfTheFloor) {
+TEST(SceneBounds, focusLeavesOutTheFarEndsOfTheFloor) {
     World world(everything());
     body(world, "ball", {circlePiece(0.5)}, {3, 0.5});
     body(world, "crate", {boxPiece(1, 1)}, {-3, 0.5});
@@ -184,7 +184,7 @@ TEST(SceneFocus, leavesOutTheFarEndsOfTheFloor) {
     EXPECT_NEAR(extentOf(whole, poseOf(whole)).upper.x, 1000, 1e-9);
 }
 
-TEST(SceneFocus, aPartHasTheExtentOfTheObjectThatItBecomes) {
+TEST(SceneBounds, aPartHasTheExtentOfTheObjectThatItBecomes) {
     Prototype part;
     part.values.push_back(
         std::make_unique<ValueOf<Shape>>(Shape{{boxPiece(1, 0.2), circlePiece(0.3, {0.5, 0})}}));
