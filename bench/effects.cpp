@@ -37,12 +37,11 @@ constexpr double drift = 0.05; // m/s
 /// Whether cables are being cut and mended: with it, one of every circuit in every frame.
 struct CableChanges {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Cable changes", "bench_cable_changes", "A cable to cut and to mend."};
+    static constexpr PropertyText text{"Cable changes", "bench_cable_changes", "A cable to cut and to mend.",
+                                       PropertyPlace::hidden};
     ObjectId a;
     ObjectId b;
     bool cut = false; ///< whether it is cut now
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 class ElectricityFromBench final

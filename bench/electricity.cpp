@@ -73,13 +73,11 @@ Plan chain(std::uint32_t objects) {
 /// The change to be made in the next frame.
 struct Change {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Change", "bench_change", "A connection to add or to remove."};
+    static constexpr PropertyText text{"Change", "bench_change", "A connection to add or to remove.",
+                                       PropertyPlace::hidden};
     ObjectId a;
     ObjectId b;
     bool add = true;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 class ElectricityFromBench final : public Interaction<ElectricityFromBench, ElectricityRole, Reads<Change>> {

@@ -40,8 +40,6 @@ template <std::size_t n>
 struct Result {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{Letters<n>::value, Letters<n>::value, "A result."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 template <std::size_t n>
 struct Role {

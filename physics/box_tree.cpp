@@ -97,7 +97,7 @@ std::size_t BoxTree::count(Bounds const& where) const {
 
 std::optional<std::uint32_t> BoxTree::findFirst(Bounds const& where, std::uint32_t first, std::uint32_t end,
                                                 std::function<bool(std::uint32_t)> const& holds) const {
-    // What may come next, the lowest number first; a node comes before the boxes that it may hold.
+    // A candidate for the next box, the lowest number first; a node comes before the boxes that it may hold.
     struct Next {
         std::uint32_t number; // of a box, or the lowest in a node
         bool isBox;

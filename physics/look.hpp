@@ -1,5 +1,5 @@
-// How a thing is drawn, where that does not follow from what it is made of. It has no consequences: no
-// component reads it.
+// How a thing is drawn, where that does not follow from its material. It has no consequences: no component
+// reads it.
 #pragma once
 
 #include "physics/material.hpp"

@@ -1,4 +1,4 @@
-// What a thing is made of: the material, and what follows from it where nothing else is stated.
+// The material of a thing, and the numbers that follow from it where nothing else is stated.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -14,10 +14,11 @@ template <>
 inline constexpr std::array<std::string_view, 11> choiceNames<Material>{
     "steel", "iron", "copper", "wood", "glass", "rubber", "stone", "plastic", "brick", "water", "gold"};
 
-/// Each effect takes from it what is its own: Dynamics density, friction and restitution, Electricity whether
-/// it conducts, Magnetism how strongly magnets pull it, Sound how it rings and what it swallows. What an
-/// object states itself, or states that it is without ("conductor": false), always goes first. How it looks
-/// follows from it too, unless its Look says otherwise; nothing else follows from a look.
+/// Each effect takes its own properties from it: Dynamics density, friction and restitution, Electricity
+/// whether it conducts, Magnetism how strongly magnets pull it, Sound how it rings and how much sound it
+/// absorbs. Properties that an object states itself, or states that it is without ("conductor": false),
+/// always go first. How it looks follows from it too, unless its Look says otherwise; nothing else follows
+/// from a look.
 struct MadeOf {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
@@ -35,7 +36,7 @@ struct MadeOf {
     friend bool operator==(MadeOf const&, MadeOf const&) = default;
 };
 
-/// What is known of a material, as far as motion, electricity and magnetism go. See also acousticMaterial().
+/// The numbers of a material for motion, electricity and magnetism. See also acousticMaterial().
 struct MaterialFacts {
     double density = 0; ///< kg/m³, of the solid material
     double friction = 0;
@@ -44,12 +45,12 @@ struct MaterialFacts {
     double saturation = 0; ///< A/m, the magnetisation that a strong magnet brings about; 0: none
 };
 
-/// Densities as in Fletcher and Rossing, The Physics of Musical Instruments (1998), Chapter 22, and for what
-/// does not ring as in the CRC Handbook of Chemistry and Physics; iron is cast, wood is spruce or pine along
-/// the grain, "gold" is what bells look like, and is taken for bronze. Saturation of iron as in Cullity and
-/// Graham, Introduction to Magnetic Materials (2009), Chapter 4; steel with some carbon has a little less.
-/// Friction and restitution depend on both surfaces, their wear and the speed more than on the material:
-/// they are middling values for dry, worn surfaces, chosen by hand.
+/// Densities as in Fletcher and Rossing, The Physics of Musical Instruments (1998), Chapter 22, and for
+/// materials that do not ring as in the CRC Handbook of Chemistry and Physics; iron is cast, wood is spruce
+/// or pine along the grain, "gold" is the look of bells, and is taken for bronze. Saturation of iron as in
+/// Cullity and Graham, Introduction to Magnetic Materials (2009), Chapter 4; steel with some carbon has a
+/// little less. Friction and restitution depend on both surfaces, their wear and the speed more than on the
+/// material: they are middling values for dry, worn surfaces, chosen by hand.
 [[nodiscard]] MaterialFacts const& materialFacts(Material material);
 
 /// Makes the property known.

@@ -1,4 +1,4 @@
-// What the game needs to be heard: from a world to the ears, one call a frame.
+// From a world to the player's ears, with one call a frame.
 #pragma once
 
 #include "audio/device/output.hpp"
@@ -22,7 +22,8 @@ class Loudspeaker {
 public:
     using Tell = std::function<void(std::string const&)>;
 
-    /// Opens the machine's sound device. Where there is none it says so, through `tell`, and goes on without.
+    /// Opens the machine's sound device. Where there is none it reports that through `tell` and goes on
+    /// without.
     explicit Loudspeaker(LoudspeakerOptions options, Tell tell = {});
     /// Plays to that output instead.
     Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Tell tell = {});
@@ -31,13 +32,13 @@ public:
     Loudspeaker& operator=(Loudspeaker const&) = delete;
 
     /// Begins, once, to listen to a world, which may be running already, instead of the one before, which may
-    /// be gone. Where nobody can hear anything, the world is not asked for its sounds.
+    /// be gone. Where there is no device to hear it by, the world is not asked for its sounds.
     void enter(World const& world);
     /// Stops listening, if it does: the world goes on without being heard, or is gone.
     void leave();
-    /// After every step() of the world: plays what is new.
+    /// After every step() of the world: plays new sounds.
     void frame(World const& world, Listener const& listener);
-    /// Instead, for every sixtieth of a second in which the world stands still: what rings dies away.
+    /// Instead, for every sixtieth of a second in which the world stands still: bodies that ring die away.
     void pause(Listener const& listener);
 
     void set(OutputSettings const& settings);

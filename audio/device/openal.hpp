@@ -14,7 +14,7 @@ struct OpenAlExtensions {
     LPALCISRENDERFORMATSUPPORTEDSOFT formatSupported = nullptr;
     LPALCRENDERSAMPLESSOFT renderSamples = nullptr;
 
-    /// What needs no device.
+    /// The extensions that need no device.
     [[nodiscard]] static OpenAlExtensions withoutDevice();
     [[nodiscard]] bool canLoopBack() const {
         return loopbackOpen != nullptr && formatSupported != nullptr && renderSamples != nullptr;

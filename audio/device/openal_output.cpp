@@ -8,7 +8,7 @@ namespace trembler {
 namespace {
 
 constexpr int longestQueue = 6;                         // blocks; beyond that the world runs too fast
-constexpr std::uint64_t restStream = ~std::uint64_t{0}; // what has no place of its own
+constexpr std::uint64_t restStream = ~std::uint64_t{0}; // voices without a place of their own
 
 void place(ALuint source, double x, double y, double z) {
     alSource3f(source, AL_POSITION, static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
@@ -269,7 +269,7 @@ void OpenAlOutput::queue(Source& source, std::span<float const> samples) {
     source.used = true;
 }
 
-// What is too faint for a place of its own, all in one, attenuated by hand.
+// Voices too faint for places of their own, all in one, attenuated by hand.
 void OpenAlOutput::playRest(std::span<Voice const* const> voices, Listener const& listener) {
     if (voices.empty() && !sources_.contains(restStream)) {
         return;
@@ -289,7 +289,7 @@ void OpenAlOutput::playRest(std::span<Voice const* const> voices, Listener const
     }
 }
 
-// Streams that have ended play what is left of their queue, and then give their source back.
+// Streams that have ended play the rest of their queue, and then give their source back.
 void OpenAlOutput::retire() {
     for (auto at = sources_.begin(); at != sources_.end();) {
         Source& source = at->second;
@@ -320,7 +320,7 @@ void OpenAlOutput::play(std::span<Voice const> voices, Listener const& listener)
     for (Voice const& voice : voices) {
         order.push_back(&voice);
     }
-    // Who has a place keeps it until another is clearly louder, as moving is heard.
+    // A voice keeps its place until another is clearly louder, as a move would be heard.
     constexpr double clearly = 4; // 6 dB
     auto const heard = [&](Voice const* voice) {
         Vec2 const way = voice->at - listener.at;

@@ -11,7 +11,7 @@ namespace trembler {
 /// How streams are played.
 struct OutputSettings {
     double volume = 0.8; ///< 0 to 1
-    bool hrtf = false;   ///< for headphones: directions as the ears' shapes tell them
+    bool hrtf = false;   ///< for headphones: directions by the shapes of the ears
     bool reverb = true;
     friend bool operator==(OutputSettings const&, OutputSettings const&) = default;
 };
@@ -32,11 +32,11 @@ public:
     virtual void stop() = 0;
     /// For people to read.
     [[nodiscard]] virtual std::string name() const = 0;
-    /// Whether anybody can hear it.
+    /// Whether it can be heard.
     [[nodiscard]] virtual bool audible() const = 0;
 };
 
-/// Plays to nobody.
+/// Plays nothing.
 class NullOutput final : public Output {
 public:
     void play(std::span<Voice const>, Listener const&) override {}

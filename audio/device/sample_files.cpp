@@ -68,7 +68,7 @@ std::shared_ptr<SampleData const> SampleFiles::read(std::string const& file) con
     auto const channels = static_cast<std::size_t>(info.channels);
     auto const most = static_cast<std::size_t>(longest * info.samplerate);
     std::vector<float> frames(static_cast<std::size_t>(chunk) * channels);
-    // The length in the header may be anything; what can be read counts.
+    // The length in the header may be anything; the samples that can be read count.
     for (sf_count_t got = 0; (got = sf_readf_float(handle.get(), frames.data(), chunk)) > 0;) {
         if (data->samples.size() + static_cast<std::size_t>(got) > most) {
             return refuse("it is longer than ten minutes");

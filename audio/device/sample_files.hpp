@@ -10,7 +10,7 @@
 namespace trembler {
 
 /// Reads each file once and keeps it. Several channels become one. A file that is missing, broken, not of
-/// sound or longer than ten minutes is told once, in words, and silent from then on.
+/// sound or longer than ten minutes is reported once, in words, and silent from then on.
 class SampleFiles final : public SampleSource {
 public:
     using Tell = std::function<void(std::string const&)>;

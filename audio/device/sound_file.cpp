@@ -14,7 +14,7 @@ namespace trembler {
 struct SoundFile::Handle {
     explicit Handle(SNDFILE* opened) : file(opened) {}
     ~Handle() { close(); }
-    /// 0, or what is wrong: the header is written last.
+    /// 0, or the error: the header is written last.
     int close() { return file == nullptr ? SF_ERR_NO_ERROR : sf_close(std::exchange(file, nullptr)); }
     Handle(Handle const&) = delete;
     Handle& operator=(Handle const&) = delete;

@@ -1,4 +1,4 @@
-// What a world sounds like, written into a file instead of played: no sound device, no clock.
+// The sound of a world, written into a file instead of played: no sound device, no clock.
 #pragma once
 
 #include "audio/device/loudspeaker.hpp"
@@ -13,7 +13,7 @@ class OpenAlOutput;
 /// A .wav file, 16 bits, left and right at the synthesiser's rate, one block of samples per frame of the
 /// world. It holds what the game's loudspeaker would have played, through OpenAL's device that plays into
 /// memory; the same world makes the same file, bit for bit. Full scale is 100 dB at the listener, as in
-/// OpenAlOutput; what is louder is clipped. Used by one thread at a time.
+/// OpenAlOutput; louder samples are clipped. Used by one thread at a time.
 class SoundFile {
 public:
     /// Throws std::invalid_argument if the name does not end in .wav, OutputError if the file cannot be

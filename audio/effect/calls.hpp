@@ -9,7 +9,7 @@
 namespace trembler {
 
 /// An impact. Impacts add up: each excites every mode by its own amount, and so sound energies are summed,
-/// whatever the order in which they are told. Two that touch tell of two, one for each body.
+/// whatever the order of the calls. Two bodies that hit make two calls, one for each.
 struct Strike {
     static constexpr CallText text{"strike", "(object, other, point, normal, impulse, contact, since)",
                                    "Excites the object's modes as an impact by the other one does, once."};
@@ -53,7 +53,7 @@ struct PlaySample {
     [[nodiscard]] ObjectId key() const { return object; }
 };
 
-/// Keeps the object's recording going, over and over, while anybody says so.
+/// Keeps the object's recording going, over and over, while any interaction makes this call.
 struct HoldSample {
     static constexpr CallText text{"holdSample", "(object)",
                                    "Plays the object's recording over and over while anybody holds it."};

@@ -57,11 +57,9 @@ std::optional<std::string> checkSensor(Store const& store, ObjectId id) {
 } // namespace
 
 void registerSound(Registry& registry) {
-    registry.component<OneModeSound>();
-    registry.component<FourModeSound>();
-    registry.component<EightModeSound>();
-    registry.component<SixteenModeSound>();
-    registry.component<ThirtyTwoModeSound>();
+    for (SoundLevel const& level : soundLevels) {
+        registry.component<SoundResolver>(level);
+    }
     registry.component<StraightLoudness>();
     registry.component<AroundLoudness>();
     registry.component<SoundFromDynamics>();

@@ -1,4 +1,4 @@
-// Sound: impacts, scrapes and recordings, what listeners hear of them, and sensors that conduct because of
+// Sound: impacts, scrapes and recordings, their loudness for listeners, and sensors that conduct because of
 // it.
 #pragma once
 
@@ -7,7 +7,7 @@ namespace trembler {
 class Registry;
 
 /// Registers properties, rules for files and components of sound. After dynamics and electricity, whose
-/// effects it reads; each may be left out, and what needs them is then absent.
+/// effects it reads; each may be left out, and components that need them are then absent.
 void registerSound(Registry& registry);
 
 } // namespace trembler

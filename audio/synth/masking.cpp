@@ -71,8 +71,8 @@ Hearing hearingAt(double frequency) {
             table[i].threshold + t * (table[i + 1].threshold - table[i].threshold)};
 }
 
-// Adds what a tone masks in every bin. In decibels maskingShare() is a straight line over each stretch, so
-// from bin to bin its share changes by a constant factor.
+// Adds the power that a tone masks in every bin. In decibels maskingShare() is a straight line over each
+// stretch, so from bin to bin its share changes by a constant factor.
 void Masker::mask(Tone const& tone) {
     double const level = levelOf(tone.power);
     int const last = binOf(tone.bark + reachAbove);
@@ -107,11 +107,12 @@ void Masker::findAudible(std::span<Tone const> tones, std::vector<std::uint8_t>&
     std::nth_element(order_.begin(), middle, order_.end(), louder);
     std::sort(order_.begin(), middle, louder);
     std::sort(middle, order_.end());
-    // The loudest from the top down: whoever stands out from what is kept already is kept, too.
+    // The loudest from the top down: a tone that stands out from those kept already is kept, too.
     for (std::size_t n = 0; n < order_.size(); ++n) {
         Tone const& tone = tones[order_[n]];
         auto const bin = static_cast<std::size_t>(binOf(tone.bark));
-        // A critical band hears its quarters together, so each may lose a quarter of what is masked.
+        // A critical band is heard as a whole, so each of its quarters may lose a quarter of the masked
+        // power.
         if (dropped_[bin] + tone.power <= std::max(masked_[bin] / binsPerBark, tone.threshold)) {
             dropped_[bin] += tone.power;
             continue;

@@ -35,8 +35,8 @@ struct Tone {
 /// Finds the audible ones. Keeps memory between calls.
 class Masker {
 public:
-    /// Sets audible[i] for every tone. What is left out is masked by the loudest of what is kept: in every
-    /// critical band, all that is left out together has no more power than these mask there, or than the
+    /// Sets audible[i] for every tone. The tones left out are masked by the loudest of those kept: in every
+    /// critical band, all tones left out together have no more power than these mask there, or than the
     /// hearing threshold. O(n) for many tones.
     void findAudible(std::span<Tone const> tones, std::vector<std::uint8_t>& audible);
 

@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-// What a mode may fall to before it is set to zero, Pa²: 40 dB below the threshold of hearing.
+// Below this a mode is set to zero, Pa²: 40 dB below the threshold of hearing.
 constexpr double nothing = 1e-4 * referencePressure * referencePressure;
 
 // White noise of unit power. The generator is Marsaglia's xorshift64 (2003).
@@ -147,7 +147,8 @@ void ModalBank::pack(std::span<std::uint8_t const> audible) {
     }
 }
 
-// What a block does to a mode that nothing disturbs. Exact, so that rounding does not add up over blocks.
+// The change of a mode over a block in which nothing excites it. Exact, so that rounding does not add up over
+// blocks.
 void ModalBank::leap(Oscillator& mode, int samples) const {
     if (mode.leapSamples != samples) {
         mode.leapSamples = samples;

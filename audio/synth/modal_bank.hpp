@@ -18,7 +18,7 @@ public:
     explicit ModalBank(double rate) : rate_(rate) {}
 
     /// Sets the modes: their frequencies times `pitch`, their decays plus `damping` (1/s). A mode keeps its
-    /// phase and its strength; those that are no longer there fall silent. Modes above half the sampling rate
+    /// phase and its strength; modes that are no longer there fall silent. Modes above half the sampling rate
     /// stay silent.
     void tune(std::span<Sounds::Ring const> rings, double pitch, double damping);
     /// Adds to each mode (Pa) at a sample of the next block. Impacts add up.

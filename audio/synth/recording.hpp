@@ -1,4 +1,4 @@
-// Recorded samples: what the loudspeaker plays of them.
+// Recorded samples, as the loudspeaker plays them.
 #pragma once
 
 #include <memory>

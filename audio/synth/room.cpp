@@ -21,7 +21,7 @@ struct Hit {
 };
 
 // Where a ray first enters a convex obstacle, as a distance; beyond `farthest` if it does not. From inside it
-// sees nothing of the obstacle: what the listener stands in front of must not wall it in.
+// does not meet the obstacle: one that the listener stands in front of must not wall it in.
 double entry(Obstacle const& obstacle, Vec2 from, Vec2 direction) {
     double enter = 0;
     double leave = farthest;

@@ -1,4 +1,4 @@
-// How a level echoes: estimated from its geometry and what its walls are made of.
+// How a level echoes: estimated from its geometry and the materials of its walls.
 #pragma once
 
 #include "audio/effect/hearing/obstacles.hpp"

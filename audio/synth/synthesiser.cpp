@@ -8,7 +8,7 @@
 namespace trembler {
 namespace {
 
-constexpr double fading = 40;                                      // 1/s, by which what is gone dies away
+constexpr double fading = 40; // 1/s, by which the sound of objects that are gone dies away
 constexpr std::uint64_t recordingStream = std::uint64_t{1} << 63U; // above all objects
 // A stream that falls below the others goes on for a while, as ending and beginning again takes longer.
 constexpr int patience = 6; // blocks
@@ -204,7 +204,7 @@ std::span<Voice const> Synthesiser::render() {
     for (auto& [object, voice] : bodies_) {
         voice.unheard = voice.anyAudible ? 0 : voice.unheard + 1;
         if (voice.unheard > patience) {
-            renderBody(object, voice, std::span(unheard_)); // goes on, but not for anybody
+            renderBody(object, voice, std::span(unheard_)); // goes on, unheard
             continue;
         }
         renderBody(object, voice, newStream(packed(object), object, voice.at, voice.velocity, voice.power));

@@ -1,4 +1,4 @@
-// From what sounds in the world to samples: one mono stream per sounding object.
+// From the sounds of a world to samples: one mono stream per sounding object.
 #pragma once
 
 #include "audio/effect/properties/sounds.hpp"
@@ -11,7 +11,7 @@
 
 namespace trembler {
 
-/// Who hears it: above a point of the world, at a distance from its plane.
+/// The listener: above a point of the world, at a distance from its plane.
 struct Listener {
     Vec2 at;           ///< m
     double height = 3; ///< m, above zero
@@ -21,7 +21,7 @@ struct Listener {
 struct SynthesiserOptions {
     int rate = 48000;    ///< Hz
     int block = 800;     ///< samples: a frame of the world
-    bool masking = true; ///< leave out what cannot be heard beside the rest
+    bool masking = true; ///< leave out tones that cannot be heard beside the rest
     bool doppler = true;
     /// Impacts and noises louder than `comfortable` (dB at 1 m) are rendered with that share of their
     /// decibels above it. 1: as they are. A girder that falls is 70 dB louder than a die that rolls;
@@ -46,22 +46,21 @@ struct SynthesiserCounts {
     std::size_t rendered = 0; ///< of these; the others are masked
 };
 
-/// Everything follows from what it is told and in what order: equal worlds make equal samples. Used by one
+/// Its output follows from its inputs and their order alone: equal worlds make equal samples. Used by one
 /// thread at a time.
 class Synthesiser {
 public:
     explicit Synthesiser(SynthesiserOptions options = {}, SampleSource* recordings = nullptr);
 
-    /// Takes over what is new in a frame; a frame that it knows already, as in a paused world, is not taken
-    /// twice.
+    /// Takes over the new sounds of a frame; a frame that it knows already, as in a paused world, is not
+    /// taken twice.
     void hear(Sounds const& sounds, Listener const& listener);
-    /// The next block, ascending by stream. What was struck rings on even if nothing is heard in between.
+    /// The next block, ascending by stream. Struck bodies ring on even if hear() is not called in between.
     std::span<Voice const> render();
     /// Forgets everything: another world.
     void clear();
 
     [[nodiscard]] SynthesiserOptions const& options() const { return options_; }
-    void setMasking(bool masking) { options_.masking = masking; }
     /// Of the last block.
     [[nodiscard]] SynthesiserCounts const& counts() const { return counts_; }
 
@@ -94,7 +93,7 @@ private:
         double pressure = 0;
         double pitch = 1;
         bool gone = false;
-        bool listed = false; // in the world, if only as what was heard a moment ago
+        bool listed = false; // in the world, even if only since a moment ago
     };
 
     void hearBodies(Sounds const& sounds);
@@ -104,7 +103,7 @@ private:
     void renderBody(ObjectId object, BodyVoice& voice, std::span<float> out);
     [[nodiscard]] double pitchOf(Vec2 at, Vec2 velocity) const;
     [[nodiscard]] double attenuationOf(Vec2 at) const;
-    /// The factor on pressures that turns a mean square of `meanSquare` (Pa²) into what is rendered.
+    /// The factor on pressures that turns a mean square of `meanSquare` (Pa²) into the rendered one.
     [[nodiscard]] double compressed(double meanSquare) const;
     std::span<float> newStream(std::uint64_t stream, ObjectId object, Vec2 at, Vec2 velocity, double power);
 
@@ -119,7 +118,7 @@ private:
     std::vector<Tone> tones_;           // kept for its memory
     std::vector<std::uint8_t> audible_; // likewise
     std::vector<float> samples_;        // of all voices
-    std::vector<float> unheard_;        // stays silent: what is masked is not rendered
+    std::vector<float> unheard_;        // stays silent: masked modes are not rendered
     std::vector<Voice> voices_;
     SynthesiserCounts counts_;
 };

@@ -1,7 +1,7 @@
 // Reading a field of a running world by name, frame by frame: for tables of numbers and for probes.
 #pragma once
 
-#include "game/watch/catalogue.hpp"
+#include "game/watch/watched_fields.hpp"
 #include "runtime/world/world.hpp"
 
 #include <string>

@@ -32,7 +32,7 @@ struct Written {
 WatchTable::WatchTable(Registry const& registry, World const& world, std::vector<std::string> const& what,
                        std::uint64_t every, std::ostream& out)
     : every_(every), out_(out) {
-    std::vector<WatchedField> const fields = catalogue(registry);
+    std::vector<WatchedField> const fields = watchedFields(registry);
     std::string line = "frame,time [s]";
     for (std::string const& one : what) {
         Watch const& watch = watches_.emplace_back(find(world, fields, one));

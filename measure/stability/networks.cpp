@@ -1,5 +1,6 @@
 // Nodal analysis where it is hardest: twelve orders of magnitude, islands, shorts, ten thousand nodes.
 #include "measure/stability/hard_case.hpp"
+#include "measure/stability/netlist_draft.hpp"
 #include "physics/electricity/analyses/nodal_analysis.hpp"
 
 #include <algorithm>
@@ -8,48 +9,11 @@
 namespace trembler::stability {
 namespace {
 
-using Kind = Netlist::Kind;
 constexpr double residualLimit = 1e-9;
 
-struct Draft {
-    Netlist netlist;
-    explicit Draft(std::uint32_t nodes) {
-        for (std::uint32_t v = 0; v < nodes; ++v) {
-            netlist.objects.push_back({v, 0});
-            netlist.vertex.push_back(v);
-        }
-        netlist.resistances.assign(nodes, 0);
-    }
-    void join(std::uint32_t a, std::uint32_t b, double ohm) {
-        netlist.branches.push_back({a, b, Kind::connection, ohm, 0});
-    }
-    void source(std::uint32_t node, double volt, double ohm) {
-        netlist.branches.push_back({netlist.earth(), node, Kind::source, ohm, volt});
-    }
-    void earth(std::uint32_t node, double ohm) {
-        netlist.branches.push_back({node, netlist.earth(), Kind::returning, ohm, 0});
-    }
-};
-
-// What a node misses of Kirchhoff's first law, of what passes it: worst of all nodes that more passes than
-// rounding. Recomputed from the currents.
+// Of the currents as they are recomputed, or as the analysis itself says: the worse.
 double residualOf(Netlist const& netlist, NodalSolution const& solution) {
-    std::vector<long double> balance(netlist.objects.size() + 1, 0);
-    std::vector<long double> passing(netlist.objects.size() + 1, 0);
-    for (std::size_t b = 0; b < netlist.branches.size(); ++b) {
-        long double const i = solution.currents[b];
-        balance[netlist.branches[b].from] -= i;
-        balance[netlist.branches[b].to] += i;
-        passing[netlist.branches[b].from] += std::abs(i);
-        passing[netlist.branches[b].to] += std::abs(i);
-    }
-    long double worst = 0;
-    for (std::size_t v = 0; v < netlist.objects.size(); ++v) {
-        if (passing[v] > 1e-13L * solution.largest) {
-            worst = std::max(worst, std::abs(balance[v]) / passing[v]);
-        }
-    }
-    return orWorst(std::max(static_cast<double>(worst), solution.residual));
+    return orWorst(std::max(localResidual(netlist, solution), solution.residual));
 }
 
 // From 1 mΩ to 1 GΩ, any mesh.

@@ -20,13 +20,11 @@ namespace {
 /// A contact between two conductors that the object, a coil, closes while it is on, or opens.
 struct Relay {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Relay", "test_relay", "A contact that a coil moves, for tests."};
+    static constexpr PropertyText text{"Relay", "test_relay", "A contact that a coil moves, for tests.",
+                                       PropertyPlace::hidden};
     ObjectId a;
     ObjectId b;
     bool closedAtRest = false;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 class ElectricityFromRelays final

@@ -8,8 +8,8 @@
 
 namespace trembler {
 
-/// The thesis's setLinearGravity(vector) (6.13.2). "Set" would be won by whoever calls last; accelerations
-/// add up instead, as they do in nature: that of a planet and that of a lift.
+/// The thesis's setLinearGravity(vector) (6.13.2). With "set" the last caller would win; accelerations add up
+/// instead, as in nature: a planet's and a lift's.
 struct SetLinearGravity {
     static constexpr CallText text{
         "setLinearGravity", "(field, vector)",

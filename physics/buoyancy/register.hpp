@@ -1,4 +1,4 @@
-// Buoyancy: liquids lift and slow down what is in them.
+// Buoyancy: liquids lift and slow down the objects in them.
 #pragma once
 
 namespace trembler {

@@ -60,11 +60,11 @@ struct AddDrag {
     [[nodiscard]] double magnitude() const { return xx + yy + angular; }
 };
 
-/// A force stands for a frame, or for as long as its effect lets it, while what it depends on moves on.
-/// Whoever adds one says how fast it varies: the angular frequency ω = √(k/m) with which the object would
-/// swing if the force alone held it, k being how much the force changes per way (N/m), or the rate at which
-/// it would come to rest if the force alone slowed it down. A factor of two does not matter. A force of which
-/// nobody says anything does not vary. What Dynamics makes of it is ForceRates.
+/// A force stands for a frame, or for as long as its effect lets it, while what it depends on moves on. An
+/// interaction that adds one says how fast it varies: the angular frequency ω = √(k/m) with which the object
+/// would swing if the force alone held it, k being how much the force changes per way (N/m), or the rate at
+/// which it would come to rest if the force alone slowed it down. A factor of two does not matter. A force
+/// without such a call does not vary. Dynamics sums these calls up in ForceRates.
 struct TellRate {
     static constexpr CallText text{"tellRate", "(object, rate, foreseen, swings)",
                                    "Says how fast (1/s) a force on the object varies as it moves, whether "

@@ -1,6 +1,7 @@
 #include "physics/dynamics/register.hpp"
 
 #include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/dynamics/core/dynamics_resolver.hpp"
 #include "physics/dynamics/engines/box2d/box2d_dynamics.hpp"
 #include "physics/dynamics/engines/chipmunk/chipmunk_dynamics.hpp"
 #include "physics/dynamics/engines/ode/ode_dynamics.hpp"
@@ -53,9 +54,9 @@ void registerDynamics(Registry& registry) {
     registry.completion<MatterCompletion>();
     registry.completion<BodyCompletion>();
     registry.completion<JointCompletion>();
-    registry.component<Box2dDynamics>();
-    registry.component<ChipmunkDynamics>();
-    registry.component<OdeDynamics>();
+    registry.component<DynamicsResolver>(box2dDynamics);
+    registry.component<DynamicsResolver>(chipmunkDynamics);
+    registry.component<DynamicsResolver>(odeDynamics);
     registry.component<DynamicsFromPlayer>();
     registry.component<FrameFromDynamics>();
     registry.component<PopulationFromDynamics>();

@@ -9,12 +9,12 @@
 
 namespace trembler {
 
-/// What the calls that change connections have in common. Their algebra is the counted set: the calls of one
-/// frame and one caller on one pair of objects are added up before they take effect, so their order is
-/// nothing to them; the pair is connected while any caller's count is above zero (CallerCounts). So "how are
-/// these two connected?" has an answer, by whom: the thesis's doubled vertices, without their cost. A removal
-/// of what the caller has not added takes nothing away: its count is zero afterwards, not below, and nobody
-/// else's changes. What an interaction has added goes when the interaction goes.
+/// The common part of the calls that change connections. Their algebra is the counted set: the calls of one
+/// frame and one caller on one pair of objects are added up before they take effect, so their order does not
+/// matter; the pair is connected while any caller's count is above zero (CallerCounts). So the graph knows
+/// which caller connects two objects: the thesis's doubled vertices, without their cost. A removal of a
+/// connection that the caller has not added takes nothing away: its count is zero afterwards, not below, and
+/// no other caller's changes. The connections that an interaction has added go when the interaction goes.
 struct ConnectionKey {
     static constexpr Algebra algebra = Algebra::countedSet;
     ObjectId a;

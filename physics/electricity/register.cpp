@@ -33,7 +33,7 @@ std::optional<Conductor> conductorOf(Store const& store, ObjectId id) {
                                                                                  : std::nullopt;
 }
 
-// What is joined to a network must be a vertex of the graph, and take part in that network.
+// An object that is joined to a network must be a vertex of the graph, and take part in that network.
 template <class Terminal>
 std::optional<std::string> checkTerminal(Store const& store, ObjectId id) {
     std::optional<Conductor> const conductor = conductorOf(store, id);
@@ -53,7 +53,7 @@ std::optional<std::string> checkTerminal(Store const& store, ObjectId id) {
     return std::nullopt;
 }
 
-// What says something about currents is about a conductor.
+// An object with a property about currents must be a conductor.
 template <class P>
 std::optional<std::string> checkConducts(Store const& store, ObjectId id) {
     if (!conductorOf(store, id)) {
@@ -64,7 +64,7 @@ std::optional<std::string> checkConducts(Store const& store, ObjectId id) {
     return std::nullopt;
 }
 
-// One that is neither none nor within what the solver is made for.
+// One that is neither 0 nor within the range that the solver is made for.
 std::optional<std::string> checkOhm(Store const& store, ObjectId id, double ohm, std::string_view what) {
     if (ohm != 0 && (ohm < leastResistance || ohm > greatestResistance)) {
         return fmt::format("the {} of '{}' is {} ohm; expected 0, or {} to {} ohm", what, store.nameOf(id),
@@ -96,7 +96,7 @@ std::optional<std::string> checkRating(Store const& store, ObjectId id) {
     }
     auto const* const resistances = store.findColumn<Resistance>();
     if (resistances != nullptr && resistances->has(id)) {
-        return std::nullopt; // what is stated counts, not what follows
+        return std::nullopt; // the stated value counts, not one that follows
     }
     RatedPower const& rated = (*store.findColumn<RatedPower>())[id];
     return checkOhm(store, id, rated.voltage * rated.voltage / rated.power,

@@ -1,4 +1,4 @@
-// Electricity: connections between conductors, and who is on because of them.
+// Electricity: connections between conductors, and which objects are on because of them.
 #pragma once
 
 namespace trembler {

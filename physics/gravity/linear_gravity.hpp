@@ -20,7 +20,8 @@ public:
                                         .rank = 1};
     using Activation = NeedsAll<GravityField, Mass>;
     static constexpr int longestPeriod = 4; // as that of the levels which it may stand in for
-    /// A world that states a law of gravity means it, and masses that attract nobody are another world.
+    /// Not for a world that states a law of gravity: without attraction between its masses it is another
+    /// world.
     static bool faithful(Store const& store);
     void update(Access& access);
 };

@@ -1,4 +1,4 @@
-// What both levels of gravity between masses start from.
+// The input of both levels of gravity between masses.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
@@ -16,7 +16,7 @@ void gatherMasses(Column<Mass> const& masses, Column<Position> const& positions,
 /// Sources of the field and receivers of weight 1 are the same points but for the weights.
 void weighReceivers(inverse_square::Points const& sources, inverse_square::Points& receivers);
 
-/// What the sources give each receiver.
+/// The sums of the sources' pulls on each receiver.
 struct MassSums {
     std::vector<Vec2> fields;      ///< kg/m²
     std::vector<double> stiffness; ///< kg/m³, see inverse_square::addAllPairs()

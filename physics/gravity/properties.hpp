@@ -1,4 +1,4 @@
-// What gravity knows of the world and of objects.
+// The properties of gravity: of the world and of objects.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -61,7 +61,7 @@ struct GravityLaw {
     }
 };
 
-/// F_G. One entry per object with a mass, ascending: what is fixed has its weight too.
+/// F_G. One entry per object with a mass, ascending: fixed objects have their weight too.
 struct GravityForce {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"F_G", "gravity_force", "The force due to gravity on each object."};

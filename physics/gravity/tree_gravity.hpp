@@ -13,7 +13,7 @@ namespace trembler {
 class Store;
 
 /// The law of Real Gravity with far clusters taken as wholes (see inverse_square::Tree): O(n log n) instead
-/// of O(n²). GravityLaw's opening angle says which are far; docs/measurements/accuracy.md, what that costs.
+/// of O(n²). GravityLaw's opening angle says which are far; docs/measurements/accuracy.md has the errors.
 /// Action equals reaction only as nearly as the forces are right.
 class TreeGravity final : public Dps<TreeGravity, Reads<GravityLaw, Position, Mass>, Derives<GravityForce>> {
 public:

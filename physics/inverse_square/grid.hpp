@@ -14,16 +14,16 @@ namespace trembler::inverse_square {
 /// something take memory, however wide the world. The sums of one receiver run through its neighbours in an
 /// order made from their places alone, so no bit depends on threads or on the order of objects.
 ///
-/// Whoever cuts inverse squares off loses the far field: what is left out of n like poles at the density
-/// p per m² grows with n. That is what the tree is for.
+/// A cutoff loses the far field: the part that is left out of n like poles at the density p per m² grows with
+/// n. For such scenes there is the tree.
 class Grid {
 public:
     /// `cutoff` > 0, m. O(n log n).
     void build(Points const& sources, double cutoff);
     void setReceivers(Points const& receivers);
-    /// Adds to `totals`, whose order is the receivers' as given, what the rows in [begin, end) of the ordered
-    /// receivers get: pairs nearer than `inner` (< cutoff, m) in full, and smoothly less from there to
-    /// nothing at the cutoff. To `stiffness`, where it is given, it adds how much that varies (see
+    /// Adds the sums of the rows in [begin, end) of the ordered receivers to `totals`, whose order is the
+    /// receivers' as given: pairs nearer than `inner` (< cutoff, m) in full, and smoothly less from there to
+    /// nothing at the cutoff. To `stiffness`, where it is given, it adds how much the sums vary (see
     /// addAllPairs()), the weakening on the way to the cutoff left out. Different ranges at the same time.
     void add(std::size_t begin, std::size_t end, double inner, double softening2, std::span<Vec2> totals,
              std::span<double> stiffness = {}) const;

@@ -11,7 +11,7 @@
 namespace trembler::inverse_square {
 namespace {
 
-// One number at a time, for any processor and as what the others are tested against.
+// One number at a time, for any processor and as the reference for tests of the others.
 namespace one {
 #define TREMBLER_VECTOR double
 #define TREMBLER_WIDTH 1

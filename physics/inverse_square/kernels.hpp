@@ -49,7 +49,7 @@ struct Window {
 struct Kernels {
     char const* name;
     std::size_t width;
-    /// Adds to the block's sums what the sources in [begin, end) give. `softening2` = s² > 0, m².
+    /// Adds the contributions of the sources in [begin, end) to the block's sums. `softening2` = s² > 0, m².
     void (*addPairs)(Points const&, std::size_t begin, std::size_t end, double softening2, Block&);
     void (*addWindowed)(Points const&, std::size_t begin, std::size_t end, double softening2, Window const&,
                         Block&);
@@ -63,8 +63,9 @@ struct Kernels {
 /// The widest of them.
 [[nodiscard]] Kernels const& kernels();
 
-/// Adds to totals[i] what all sources give receiver i, for i in [begin, end): O(sources · receivers). And to
-/// stiffness[i], where it is given, how much that varies with the receiver's place, signs left out:
+/// Adds the contributions of all sources at receiver i to totals[i], for i in [begin, end): O(sources ·
+/// receivers). And to stiffness[i], where it is given, how much these vary with the receiver's place, signs
+/// left out:
 ///     |f_i| Σ |w_j| / (r_ij² + s²)^(3/2).
 /// That is the derivative across r; the one along r is between once and minus twice as much.
 void addAllPairs(Points const& sources, Points const& receivers, std::size_t begin, std::size_t end,

@@ -19,7 +19,7 @@ std::uint64_t spread(std::uint32_t v) {
 std::uint32_t step(double t) {
     static constexpr double steps = 4294967296.0;
     double const scaled = t * steps;
-    if (!(scaled > 0)) { // what is no number must not be converted
+    if (!(scaled > 0)) { // NaN must not be converted
         return 0;
     }
     return scaled >= steps ? 0xFFFFFFFFU : static_cast<std::uint32_t>(scaled);

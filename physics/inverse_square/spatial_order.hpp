@@ -15,9 +15,9 @@ struct Ordered {
 };
 
 /// Keys after Morton (1966): the bits of both coordinates in turn, coarsest first. Ascending by key; points
-/// of one key by place, weight and owner, so only identical points may change places. Coordinates are told
-/// apart to 2^-32 of the greater extent of all points. O(n log n); `order` is written again and lends its
-/// memory. At most 2^32 points.
+/// of one key by place, weight and owner, so only identical points may change places. Coordinates are
+/// distinguished to 2^-32 of the greater extent of all points. O(n log n); `order` is written again and lends
+/// its memory. At most 2^32 points.
 void orderAlongCurve(Points const& points, std::vector<Ordered>& order);
 
 /// Ascending by key, then by the points' place, weight and owner.

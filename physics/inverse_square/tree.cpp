@@ -11,7 +11,7 @@ constexpr std::uint32_t notWorthACluster = 2; // so few sources cost less than t
 
 } // namespace
 
-// What a group takes as wholes and what it takes one by one.
+// The clusters that a group takes as wholes, and the points that it takes one by one.
 struct Tree::Lists {
     std::vector<Cluster> far;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> near; // ranges of sources
@@ -52,7 +52,7 @@ std::uint32_t Tree::grow(std::uint32_t begin, std::uint32_t end) {
         nodes_[at].skip = at + 1;
         return at;
     }
-    // The coarsest square that all of them share is left out: chains of only children tell nothing.
+    // The coarsest square that all of them share is left out: nodes with a single child have no information.
     unsigned const shift = (63U - static_cast<unsigned>(std::countl_zero(differing))) & ~1U;
     std::uint32_t from = begin;
     while (from < end) {
@@ -140,7 +140,7 @@ void Tree::setReceivers(Points const& receivers, bool ownElsewhere) {
     }
 }
 
-// No cluster may hold what a receiver must not feel; inside the box none is taken as a whole anyway.
+// No cluster may hold a source that a receiver must not feel; inside the box none is taken as a whole anyway.
 void Tree::ownOutside(std::size_t begin, std::size_t end, Box const& box,
                       std::vector<std::uint32_t>& own) const {
     own.clear();

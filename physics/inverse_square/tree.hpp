@@ -30,8 +30,8 @@ public:
     /// `ownElsewhere`: whether an owner may have sources in other places than the receiver's. Costs a search
     /// per receiver.
     void setReceivers(Points const& receivers, bool ownElsewhere);
-    /// Adds to `totals`, whose order is the receivers' as given, what the rows in [begin, end) of the ordered
-    /// receivers get, and to `stiffness`, where it is given, how much that varies (see addAllPairs());
+    /// Adds the sums of the rows in [begin, end) of the ordered receivers to `totals`, whose order is the
+    /// receivers' as given, and to `stiffness`, where it is given, how much they vary (see addAllPairs());
     /// `begin` is a multiple of groupSize. Different ranges at the same time.
     void add(std::size_t begin, std::size_t end, double openingAngle, double softening2,
              std::span<Vec2> totals, std::span<double> stiffness = {}) const;

@@ -7,8 +7,9 @@
 
 namespace trembler {
 
-/// Both calls are held, and together they are one "or": a magnet is on while anybody enables it, whoever
-/// disables it, so two interactions can never contradict one another. One that nobody mentions is off.
+/// Both calls are held, and together they are one "or": a magnet is on while any interaction enables it, even
+/// if others disable it, so two interactions can never contradict one another. A magnet without any call is
+/// off.
 struct EnableMagnet {
     static constexpr CallText text{"enableMagnet", "(object)",
                                    "Switches the electromagnet on for as long as the call is held."};
@@ -18,8 +19,8 @@ struct EnableMagnet {
     [[nodiscard]] std::uint64_t key() const { return packed(object); }
 };
 
-/// Says why nobody enables it: without the call the magnet would be off as well, but nobody could tell the
-/// reason.
+/// Gives the reason why it is off: without the call the magnet would be off as well, but a trace could not
+/// say why.
 struct DisableMagnet {
     static constexpr CallText text{"disableMagnet", "(object)",
                                    "Leaves the electromagnet off unless anybody enables it."};

@@ -1,4 +1,4 @@
-// What Magnetism adds to new objects.
+// The properties that Magnetism adds to new objects.
 #pragma once
 
 #include "physics/depth.hpp"

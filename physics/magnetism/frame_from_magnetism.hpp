@@ -12,7 +12,7 @@
 
 namespace trembler {
 
-/// Dynamics asks on behalf of all forces, but hears of them a frame later. Between magnets that pass through
+/// Dynamics asks on behalf of all forces, but receives them a frame later. Between magnets that pass through
 /// each other one frame is enough to gain energy.
 class FrameFromMagneticForces final
     : public Interaction<FrameFromMagneticForces, FrameRole, Reads<MagneticForce, Fixed>> {
@@ -23,7 +23,7 @@ public:
         .level = "",
         .work =
             "Asks for parts of a frame so short that the forces between the strongest magnets are followed."};
-    using Activation = NeedsAll<Shape>; // what is no body is moved by none of them
+    using Activation = NeedsAll<Shape>; // forces move bodies only
     void apply(Access& access) {
         auto const& fixed = access.read<Fixed>();
         double most = 0;

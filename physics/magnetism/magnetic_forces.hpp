@@ -1,4 +1,4 @@
-// The forces between magnets, and between magnets and what they attract: every pair.
+// The forces between magnets, and between magnets and the objects that they attract: every pair.
 #pragma once
 
 #include "physics/inverse_square/kernels.hpp"
@@ -7,8 +7,8 @@
 namespace trembler {
 
 /// Every pair of poles: F = µ0/4π · q1 q2 r / (r² + s²)^(3/2) (Gilbert's model, softened), like poles repel.
-/// What is susceptible is attracted by any pole, at its centre of mass, as if it were a pole of that strength
-/// and of the opposite sign; the thesis's simplification of induced magnetism (6.6).
+/// A susceptible object is attracted by any pole, at its centre of mass, as if it were a pole of that
+/// strength and of the opposite sign; the thesis's simplification of induced magnetism (6.6).
 class MagneticForces final : public MagneticLevel<MagneticForces> {
 public:
     static constexpr ComponentText text{

@@ -15,13 +15,13 @@ inline constexpr double fullShareOfCutoff = 0.8;
 
 /// The cutoff in m: the one set, or the one that follows from the threshold. The force between the two
 /// strongest magnets of the world falls to the threshold F at √(µ0/4π q1 q2 / F); up to there every pair acts
-/// in full. Strengths count as they are written down: what is switched off now may be on in the next frame,
-/// and the cutoff must not move.
+/// in full. Strengths count as they are stated: a magnet that is switched off now may be on in the next
+/// frame, and the cutoff must not move.
 [[nodiscard]] double magneticCutoff(MagnetismSettings const& settings,
                                     Column<MagneticStrength> const& strengths);
 
 /// The forces of MagneticForces, cut off. Forces end smoothly and are central, so they have a potential and
-/// crossing the cutoff neither gives nor takes energy. What is left out are the many weak pulls from afar.
+/// crossing the cutoff neither gives nor takes energy. The many weak pulls from afar are left out.
 class MagneticGrid final : public MagneticLevel<MagneticGrid> {
 public:
     static constexpr ComponentText text{
@@ -29,7 +29,7 @@ public:
         .effect = "magnetism",
         .level = "grid",
         .work = "Adds up the forces that magnets within a cutoff length exert.",
-        .rank = 2}; // not picked by itself: what it leaves out has no bound that a scene could be asked about
+        .rank = 2}; // never picked automatically: the error has no bound that follows from the scene
 
     /// Unless the world states a cutoff or a threshold that takes away forces which matter.
     static bool faithful(Store const& store);

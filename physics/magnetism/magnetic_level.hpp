@@ -1,4 +1,4 @@
-// What the detail levels of the magnetic forces have in common: everything but the way of adding up.
+// The common part of the detail levels of the magnetic forces: everything except the way of adding up.
 #pragma once
 
 #include "physics/dynamics/properties/force_lag.hpp"
@@ -16,11 +16,10 @@ using MagneticBase =
         Derives<MagneticForce>>;
 } // namespace detail
 
-/// `Self` adds `text` and
-///     void sum(Access&, MagneticSum, sources, receivers, totals)
-/// which adds to `totals` what the sources do to each receiver, see inverse_square::Points. `More` are
-/// properties that it reads besides. It is absent where nobody moves anything and tells by how much forces
-/// lag: all that forces are for is to move things.
+/// `Self` adds `text` and void sum(Access&, MagneticSum, sources, receivers, totals) which adds the
+/// contributions of the sources at each receiver to `totals`, see inverse_square::Points. `More` are
+/// properties that it reads besides. It is absent where there is no Dynamics, which reports by how much
+/// forces lag: without it forces have no consequences.
 template <class Self, class... More>
 class MagneticLevel : public detail::MagneticBase<Self, More...> {
 public:

@@ -13,7 +13,7 @@ Vec2 poleForce(Vec2 r, double q1, double q2) {
 
 namespace {
 
-// What is in the way is not known, and beyond something it would be pulled back.
+// Obstacles on the way are not known, and beyond the magnet it would be pulled back.
 constexpr double farthestShift = magneticSoftening / 2;
 
 Vec2 shortened(Vec2 shift) {

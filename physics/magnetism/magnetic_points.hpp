@@ -1,5 +1,5 @@
-// The poles that act in a world and what they attract, as points, with their sums turned into F_M. All detail
-// levels of magnetism start and end here.
+// The poles that act in a world and the objects that they attract, as points, with their sums turned into
+// F_M. All detail levels of magnetism start and end here.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
@@ -35,7 +35,7 @@ enum class MagneticSum : std::size_t {
 };
 inline constexpr std::size_t magneticSums = 3;
 
-/// What each receiver gets.
+/// The sums at each receiver.
 struct MagneticTotals {
     std::span<Vec2> forces;      ///< N
     std::span<double> stiffness; ///< N/m, see inverse_square::addAllPairs()
@@ -61,7 +61,7 @@ public:
     /// on a pole, of stiffness k and at a distance a from the centre of mass, swings a body of mass m and
     /// moment of inertia I with ω² = k (1/m + a²/I); the sum over all poles of a body is at least the square
     /// of its fastest swing, and at most three times as much. `switching`: events by object index, empty
-    /// while nobody traces; what pulls hardest is then looked for among all sources, O(n²).
+    /// without tracing; with it, the strongest pull is looked for among all sources, O(n²).
     void exportForces(std::span<EventId const> switching, MagneticForce& into) const;
 
 private:
@@ -70,7 +70,7 @@ private:
     [[nodiscard]] ObjectId strongest(MagneticSum sum, std::size_t receiver) const;
 
     std::vector<MassProperties> spreads_; // by row of MagneticStrength
-    std::uint64_t spreadsVersion_ = 0;    // of what they were made from
+    std::uint64_t spreadsVersion_ = 0;    // of the columns that they were made from
 
     std::vector<ObjectId> poleObjects_; // ascending
     std::vector<ObjectId> softObjects_;

@@ -10,9 +10,9 @@ namespace trembler {
 
 class Store;
 
-/// The forces of MagneticForces by a tree (see inverse_square::Tree). Clusters hold poles of both signs: what
-/// cancels in their sum still acts by its dipole and its second moments. The settings' opening angle says
-/// which clusters are far; docs/measurements/accuracy.md, what that costs.
+/// The forces of MagneticForces by a tree (see inverse_square::Tree). Clusters hold poles of both signs:
+/// poles that cancel in the sum still act by their dipole and their second moments. The settings' opening
+/// angle says which clusters are far; docs/measurements/accuracy.md has the errors.
 class MagneticTree final : public MagneticLevel<MagneticTree> {
 public:
     static constexpr ComponentText text{

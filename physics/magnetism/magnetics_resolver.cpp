@@ -17,7 +17,7 @@ void MagneticsResolver::advance(Access& access) {
     });
     double const frames = access.duration() / frameDuration;
     cooling_ = false;
-    // First find what changes, so that a frame in which nothing does leaves the column's version alone.
+    // First find the changes, so that a frame without any leaves the column's version alone.
     struct Change {
         ObjectId object;
         Magnet magnet;

@@ -1,4 +1,4 @@
-// What magnetism knows of objects.
+// The properties of objects that magnetism reads, and its results.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -168,12 +168,9 @@ struct MagnetSwitching {
     static constexpr Coverage coverage = leftOut("events of the trace lead to nothing");
     static constexpr std::string_view standing = "the event that last switched each magnet";
     std::vector<EventId> byIndex; ///< by object index
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
-/// F_M. Forces at poles, or at the centre of what has none; ascending by object.
+/// F_M. Forces at poles, or at the centre of an object that has none; ascending by object.
 struct MagneticForce {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"F_M", "magnetic_force", "The magnetic forces on each object."};
@@ -181,7 +178,7 @@ struct MagneticForce {
         ObjectId object;
         Vec2 point;    ///< m, in the world
         Vec2 force;    ///< N
-        EventId cause; ///< what switched on the magnet that pulls hardest; none while nobody traces
+        EventId cause; ///< that switched on the magnet with the strongest pull; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);

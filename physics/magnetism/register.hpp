@@ -1,4 +1,4 @@
-// Magnetism: magnets, electromagnets and what they attract.
+// Magnetism: magnets, electromagnets and the objects that they attract.
 #pragma once
 
 namespace trembler {

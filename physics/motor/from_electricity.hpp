@@ -1,4 +1,4 @@
-// (Dynamics <- Electricity): what has electricity turns, and what gives it is hard to turn.
+// (Dynamics <- Electricity): motors with current turn, and generators that supply current are hard to turn.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"

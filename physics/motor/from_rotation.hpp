@@ -1,4 +1,4 @@
-// (Electricity <- Rotation): what turns fast enough gives electricity.
+// (Electricity <- Rotation): generators that turn fast enough supply current.
 #pragma once
 
 #include "physics/dynamics/properties/motion_causes.hpp"

@@ -1,4 +1,4 @@
-// Motors and generators as a property of what turns: the cheap version that 6.10.4 recommends for a game that
+// Motors and generators as properties of a rotor: the cheap version that 6.10.4 recommends for a game that
 // needs many of them.
 #pragma once
 

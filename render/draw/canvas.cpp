@@ -122,7 +122,7 @@ void Canvas::fill(Instance shape, Style const& style) {
     Colour const tint = style.tint.value_or(colourOf(style.pattern));
     if (style.layer != Layer::Inside) {
         if (!style.ghost) {
-            // What lets light through casts little shadow.
+            // Translucent shapes cast little shadow.
             addShadow(shape, style.height, style.alpha * static_cast<float>(tint.alpha) / 255.F);
         }
         addGlow(shape, style.glow, style.alpha);
@@ -136,7 +136,7 @@ void Canvas::fill(Instance shape, Style const& style) {
         faded(style.outlineColour.value_or(mix(palette::ink, opaque, tint.alpha < 128 ? 0.45F : 0.20F)),
               style.alpha));
     shape.outline = narrow(metres(static_cast<double>(style.outline)));
-    shape.material = static_cast<std::uint8_t>(style.pattern);
+    shape.pattern = static_cast<std::uint8_t>(style.pattern);
     shape.flags = flagsOf(style);
     shape.grain = style.grain > 0 ? narrow(style.grain) : std::min(shape.half[0], shape.half[1]);
     push(shape);

@@ -23,8 +23,8 @@ struct CanvasOptions {
 /// darken each other.
 ///
 /// Positions and lengths are metres, angles radians. A shape with a number that is not finite, or without
-/// extent, is left out, as is one outside the view: drawing never fails on what the simulation does. Window
-/// thread only.
+/// extent, is left out, as is one outside the view: drawing never fails, whatever numbers the simulation
+/// produces. Window thread only.
 class Canvas {
 public:
     /// Needs a current context (make the Window first). Throws RenderError if the driver does not take the
@@ -35,15 +35,15 @@ public:
     void begin(Camera const& camera, CanvasOptions const& options = {});
     /// The paper and its grid over everything; call it first.
     void paper();
-    /// What follows lies on top, with shadows on what came before (a part that is being dragged).
+    /// Later shapes lie on top, with shadows on earlier ones (a part that is being dragged).
     void newSheet();
-    /// Draws what was collected. Throws RenderError if the driver refuses a shader that is needed for the
+    /// Draws the collected shapes. Throws RenderError if the driver refuses a shader that is needed for the
     /// first time.
     void end();
 
     /// Half extents; corners rounded by `cornerRadius` (within the extents, clamped to the smaller one).
     void box(Pose const& pose, Point half, double cornerRadius, Style const& style);
-    /// The angle turns the material's pattern.
+    /// The angle turns the pattern, too.
     void circle(Pose const& pose, double radius, Style const& style);
     /// All points within `radius` of the segment from a to b.
     void capsule(Point a, Point b, double radius, Style const& style);

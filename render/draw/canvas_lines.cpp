@@ -1,4 +1,4 @@
-// The canvas' lines: wires, rings, arrows and what moves along them.
+// The canvas' lines: wires, rings, arrows and the beads that move along them.
 #include "render/draw/canvas.hpp"
 #include "render/draw/narrow.hpp"
 #include "render/draw/path.hpp"

@@ -30,8 +30,8 @@ inline constexpr std::uint8_t flagRim = 8;
 inline constexpr std::uint8_t flagInside = 16;
 inline constexpr std::uint8_t flagHovered = 32;
 
-/// How many values Instance::material has (enum Pattern).
-inline constexpr std::size_t materialCount = 9;
+/// How many values Instance::pattern has (enum Pattern).
+inline constexpr std::size_t patternCount = 9;
 
 /// Lengths in metres; positions relative to the camera's centre, so that 32 bits are enough far from the
 /// origin.
@@ -46,7 +46,7 @@ struct Instance {
     std::uint32_t edge = 0;
     std::uint8_t kind = kindBox;
     std::uint8_t effect = effectSolid;
-    std::uint8_t material = 0;
+    std::uint8_t pattern = 0;
     std::uint8_t flags = 0;
     float grain = 1.F;
 };

@@ -1,9 +1,9 @@
-// What is drawn is drawn in floats.
+// Drawing uses floats.
 #pragma once
 
 namespace trembler::render {
 
-/// Only for what is relative to the camera or small: a float keeps 7 digits.
+/// Only for positions relative to the camera and for small lengths: a float keeps 7 digits.
 [[nodiscard]] constexpr float narrow(double value) {
     return static_cast<float>(value);
 }

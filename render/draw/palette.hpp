@@ -1,9 +1,9 @@
-// Every colour of the program, in one place: the workbench, its materials, and the colours that mean
-// something.
+// Every colour of the program, in one place: the workbench, the patterns of surfaces, and the colours that
+// mean something.
 //
-// Those that mean something follow Okabe and Ito's set for colour-blind eyes ("Color Universal Design",
-// 2008): blue against orange-red instead of green against red, and different in lightness besides. A meaning
-// is never told by colour alone: poles carry letters, live wires move, a forbidden place is hatched.
+// Colours with a meaning follow Okabe and Ito's set for colour-blind eyes ("Color Universal Design", 2008):
+// blue against orange-red instead of green against red, and different in lightness besides. A meaning is
+// never shown by colour alone: poles carry letters, live wires move, a forbidden place is hatched.
 // tests/render checks the distances as the three kinds of colour-blind eyes see them.
 #pragma once
 
@@ -20,8 +20,8 @@ inline constexpr Colour ink = rgb(0x2E2925);
 inline constexpr Colour inkSoft = rgb(0x6B6157); ///< second-rank text; still 5:1 on paper
 inline constexpr Colour shadow = {58, 40, 20, 92};
 
-// What the player should look at.
-inline constexpr Colour accent = rgb(0x0B6E99);     ///< buttons, links, what is selected
+// For the player's attention.
+inline constexpr Colour accent = rgb(0x0B6E99);     ///< buttons, links, selected objects
 inline constexpr Colour accentDeep = rgb(0x084C6B); ///< the same, pressed
 inline constexpr Colour goal = rgb(0x00805F);       ///< reached, right, allowed
 inline constexpr Colour warning = rgb(0xBC4B00);    ///< wrong, forbidden, dangerous
@@ -37,7 +37,7 @@ inline constexpr Colour contact = rgb(0x1B1B1B);   ///< points of contact
 inline constexpr Colour sound = rgb(0x7A8F3C);     ///< rings of sound
 inline constexpr Colour fieldLine = rgb(0x5C7C99); ///< magnetic field lines
 
-// Materials.
+// Patterns.
 inline constexpr Colour plain = rgb(0xD9CDB8);
 inline constexpr Colour steel = rgb(0x9CA9B5);
 inline constexpr Colour wood = rgb(0xC8945A);

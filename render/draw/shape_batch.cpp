@@ -49,15 +49,15 @@ ShapeBatch::Look ShapeBatch::lookOf(Instance const& shape) {
     }
     bool const shaded = shape.effect == effectSolid;
     bool const marked = (shape.flags & (flagSelected | flagGhost | flagForbidden | flagHovered)) != 0;
-    bool const known = shaded && shape.material < materialCount;
+    bool const known = shaded && shape.pattern < patternCount;
     return {.shaded = shaded,
             .marked = marked,
-            .material = known ? shape.material : std::uint8_t{0},
+            .pattern = known ? shape.pattern : std::uint8_t{0},
             .kind = shape.kind};
 }
 
 std::size_t ShapeBatch::indexOf(Look const& look) {
-    std::size_t const paint = look.light ? 0U : (look.shaded ? 2U + look.material : 1U);
+    std::size_t const paint = look.light ? 0U : (look.shaded ? 2U + look.pattern : 1U);
     return (paint * 2 + (look.marked ? 1U : 0U)) * kindCount + look.kind;
 }
 
@@ -69,12 +69,12 @@ Program const& ShapeBatch::programFor(Look const& look) {
         };
         std::string const head = "#version 330 core\n" + define("LIGHT", look.light ? 1 : 0) +
                                  define("SHADED", look.shaded ? 1 : 0) +
-                                 define("MARKED", look.marked ? 1 : 0) + define("MATERIAL", look.material) +
+                                 define("MARKED", look.marked ? 1 : 0) + define("PATTERN", look.pattern) +
                                  define("KIND", look.kind);
-        program.emplace(
-            "shapes", std::initializer_list<std::string_view>{shaders::shapeVertex},
-            std::initializer_list<std::string_view>{head, shaders::shapeCommon, shaders::shapeDistance,
-                                                    shaders::shapeMaterial, shaders::shapeFragment});
+        program.emplace("shapes", std::initializer_list<std::string_view>{shaders::shapeVertex},
+                        std::initializer_list<std::string_view>{head, shaders::shapeCommon,
+                                                                shaders::shapeDistance, shaders::shapePattern,
+                                                                shaders::shapeFragment});
     }
     return *program;
 }

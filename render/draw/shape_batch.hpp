@@ -12,7 +12,7 @@
 
 namespace trembler::render {
 
-/// What all shapes of one call have in common.
+/// The values that all shapes of one call share.
 struct BatchView {
     float halfWidth = 1.F;  ///< metres from the middle of the view to its right edge
     float halfHeight = 1.F; ///< metres to its upper edge
@@ -27,23 +27,23 @@ public:
     /// Throws RenderError if the driver does not take the shaders.
     ShapeBatch();
 
-    /// Draws the shapes in the order given over what the bound target shows. Leaves blending off and nothing
-    /// bound.
+    /// Draws the shapes in the order given, over the contents of the bound target. Leaves blending off and
+    /// nothing bound.
     void draw(std::span<Instance const> shapes, std::span<Corner const> corners, BatchView const& view);
 
 private:
-    /// What a shader is compiled for. Software OpenGL runs every branch of a shader for every pixel,
-    /// whichever is taken; one small program per look makes a frame two to four times as fast there.
+    /// The features that a shader is compiled for. Software OpenGL runs every branch of a shader for every
+    /// pixel, whichever is taken; one small program per look makes a frame two to four times as fast there.
     struct Look {
         bool light = false;  ///< glow or shadow
-        bool shaded = false; ///< two tones and a material
+        bool shaded = false; ///< two tones and a pattern
         bool marked = false; ///< selected, hovered, ghost or forbidden
-        std::uint8_t material = 0;
+        std::uint8_t pattern = 0;
         std::uint8_t kind = 0;
 
         friend bool operator==(Look const&, Look const&) = default;
     };
-    static constexpr std::size_t lookCount = kindCount * 2 * (2 + materialCount);
+    static constexpr std::size_t lookCount = kindCount * 2 * (2 + patternCount);
     [[nodiscard]] static Look lookOf(Instance const& shape);
     [[nodiscard]] static std::size_t indexOf(Look const& look);
     [[nodiscard]] Program const& programFor(Look const& look);

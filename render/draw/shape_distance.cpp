@@ -13,7 +13,7 @@ flat in float f_outline;
 flat in vec4 f_params;
 flat in vec4 f_colour;
 flat in vec4 f_edge;
-flat in uvec4 f_bits; // kind, effect, material, flags
+flat in uvec4 f_bits; // kind, effect, pattern, flags
 flat in float f_grain;
 
 uniform samplerBuffer u_corners;

@@ -1,4 +1,4 @@
-// From distance and material to a pixel: edge, dark outline, two tones, gloss, ghosts, selection, glow and
+// From distance and pattern to a pixel: edge, dark outline, two tones, gloss, ghosts, selection, glow and
 // shadow.
 #include "render/draw/shaders.hpp"
 
@@ -9,17 +9,17 @@ const vec2 lightFrom = vec2(-0.50, 0.866); // in the view: light comes from the 
 
 bool has(uint flag) { return (f_bits.w & flag) != 0u; }
 
-// Two tones: what a copy of the shape, moved towards the light, leaves uncovered lies in shade; what a copy moved
-// away from it leaves uncovered is lit.
+// Two tones: the part that a copy of the shape, moved towards the light, leaves uncovered lies in shade; the
+// part that a copy moved away from it leaves uncovered is lit.
 vec3 twoTone(vec3 c, float outline) {
     float small = min(f_half.x, f_half.y);
     vec2 light = toLocal(lightFrom);
     float depth = clamp(0.20 * small, 1.0 * u_pixel, 0.12 + 4.0 * u_pixel);
     float shade = 1.0 - coverage(distanceTo(v_local - light * depth) + outline);
     float lit = 1.0 - coverage(distanceTo(v_local + light * depth * 0.45) + outline);
-    bool gentle = MATERIAL == 3 || MATERIAL == 8;
+    bool gentle = PATTERN == 3 || PATTERN == 8;
     c = mix(c, c * vec3(0.74, 0.72, 0.74), shade * (gentle ? 0.35 : 1.0));
-    float gloss = MATERIAL == 4 ? 0.12 : (MATERIAL == 2 || MATERIAL == 5 ? 0.26 : 0.42);
+    float gloss = PATTERN == 4 ? 0.12 : (PATTERN == 2 || PATTERN == 5 ? 0.26 : 0.42);
     return mix(c, vec3(1.0, 0.99, 0.96), lit * gloss * (1.0 - shade));
 }
 
@@ -46,9 +46,9 @@ vec4 solid(float d) {
     vec4 edge = f_edge;
     vec4 body = f_colour;
 #if SHADED
-    body = materialColour(body, v_local, d);
+    body = patternColour(body, v_local, d);
     body.rgb = twoTone(body.rgb, outline);
-#if MATERIAL == 6
+#if PATTERN == 6
     body.rgb = glossy(body.rgb, d);
 #endif
 #endif

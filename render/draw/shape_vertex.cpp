@@ -1,4 +1,5 @@
-// The vertex shader of all shapes: a quad that is just large enough for the shape and what surrounds it.
+// The vertex shader of all shapes: a quad that is just large enough for the shape and its outline, glow or
+// shadow.
 #include "render/draw/shaders.hpp"
 
 namespace trembler::render::shaders {

@@ -9,7 +9,7 @@
 
 namespace trembler::render {
 
-/// What a part is made of, told apart at a glance by pattern as well as by colour.
+/// How a surface is drawn, so that materials are told apart at a glance by more than their colour.
 enum class Pattern : std::uint8_t {
     Plain,   ///< flat two-tone, for things without a substance
     Metal,   ///< brushed, with a sheen that stays when the part turns
@@ -22,7 +22,7 @@ enum class Pattern : std::uint8_t {
     Water,   ///< one sees through it; waves that move with time
 };
 
-/// The colour that a material has when the style names none.
+/// The colour of a pattern for which the style states no tint.
 [[nodiscard]] Colour colourOf(Pattern pattern);
 
 /// Light around a shape. It is drawn behind the shape and falls off to nothing at `reach`.
@@ -39,12 +39,12 @@ enum class Layer : std::uint8_t { Whole, Rim, Inside };
 /// How a filled shape looks. Lengths in pixels are at UI scale 1.
 struct Style {
     Pattern pattern = Pattern::Plain;
-    std::optional<Colour> tint{};          ///< else the material's own colour; its opacity counts
+    std::optional<Colour> tint{};          ///< else that of the pattern; its opacity counts
     float outline = 2.F;                   ///< pixels, inside the shape's true edge; 0 for none
     std::optional<Colour> outlineColour{}; ///< else ink with a touch of the tint
     float alpha = 1.F;                     ///< 0..1, of everything
     float height = 1.F;     ///< how far it seems to stand above the paper: 0 casts no shadow, 1 is usual
-    double grain = 0;       ///< metres, size of the material's pattern; 0 picks it by the shape's size
+    double grain = 0;       ///< metres, size of the pattern; 0 picks it by the shape's size
     bool ghost = false;     ///< not there yet: half transparent, dashed
     bool forbidden = false; ///< may not be there: hatched in the warning colour
     bool selected = false;  ///< ringed in the accent colour

@@ -1,4 +1,4 @@
-// The one exception of the drawing layer: what went wrong, in words that a player can act on.
+// The one exception of the drawing layer: the failure, in words that a player can act on.
 #pragma once
 
 #include <stdexcept>

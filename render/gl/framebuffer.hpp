@@ -15,8 +15,7 @@ public:
     explicit Framebuffer(Size size);
 
     [[nodiscard]] Size size() const { return size_; }
-    /// What is drawn from now on goes here, over the whole area. The caller rebinds its own target
-    /// afterwards.
+    /// From now on drawing goes here, over the whole area. The caller rebinds its own target afterwards.
     void bind() const;
     /// OpenGL's name of the picture, for ImGui::Image; its first row is the bottom one, so v runs from 1 to
     /// 0.
@@ -34,7 +33,7 @@ private:
 void clearBound(Colour colour);
 
 /// Copies the lower left `size` pixels of the bound target (waits for the drawing to end). Rows come out top
-/// down. Opacity comes out as 255: it is what a viewer of the screen sees.
+/// down. Opacity comes out as 255: the screen shows no other.
 [[nodiscard]] Image readBoundPixels(Size size);
 
 } // namespace trembler::render

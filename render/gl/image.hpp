@@ -1,4 +1,4 @@
-// Pictures in main memory: what is read back from the screen, compared in tests and written as PNG.
+// Pictures in main memory: read back from the screen, compared in tests and written as PNG.
 #pragma once
 
 #include "render/gl/error.hpp"

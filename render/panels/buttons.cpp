@@ -50,7 +50,7 @@ ImVec2 drawFace(ImVec2 low, ImVec2 high, Face const& face, bool down) {
     return {0.5F * (low.x + high.x), 0.5F * (low.y + high.y - lip) + sunk};
 }
 
-/// s; whoever knows the button is not told what it does.
+/// s, so that no tip appears over a button that is pressed at once.
 constexpr float tipDelay = 0.45F;
 
 void tipFor(char const* tip) {

@@ -7,7 +7,7 @@
 
 namespace trembler::render {
 
-// Between Gui::beginFrame and endFrame, inside an ImGui window. What follows "##" in a label makes the id
+// Between Gui::beginFrame and endFrame, inside an ImGui window. The part of a label after "##" makes the id
 // unique and is not shown, as everywhere in ImGui.
 
 enum class ButtonLook : std::uint8_t {
@@ -27,8 +27,8 @@ struct ButtonOptions {
 /// True in the frame in which it is clicked.
 bool bigButton(char const* label, ButtonOptions const& options = {});
 
-/// A square button with a picture only; `on` shows it pressed in (a switch). The tip says in words what it
-/// does.
+/// A square button with a picture only; `on` shows it pressed in (a switch). The tip describes its action in
+/// words.
 bool iconButton(char const* id, Icon icon, char const* tip, bool on = false, bool enabled = true);
 
 } // namespace trembler::render

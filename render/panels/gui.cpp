@@ -75,7 +75,7 @@ void Gui::followScale() {
 void Gui::feedMouse(InputEvents const& input) {
     auto& io = ImGui::GetIO();
     // ImGui's SDL backend asks SDL for the real mouse and so misses pushed events (1.86), or mixes the two
-    // (1.90 under X11). Whatever it found out is replaced by what the events say.
+    // (1.90 under X11). Its result is replaced by that of the events.
 #if IMGUI_VERSION_NUM >= 18700
     auto& queue = ImGui::GetCurrentContext()->InputEventsQueue;
     for (int i = queue.Size - 1; i >= 0; --i) {

@@ -1,4 +1,4 @@
-// Dear ImGui on our window: its context, its frame, and the player's input as SDL's events tell it.
+// Dear ImGui on our window: its context, its frame, and the player's input from SDL's events.
 #pragma once
 
 #include "render/panels/theme.hpp"
@@ -28,7 +28,7 @@ public:
     /// Starts a frame with the events that `input` took last; ImGui's functions work from here to endFrame.
     /// `seconds` since the last frame: clamped to at least a millisecond and at most a second.
     void beginFrame(InputEvents const& input, double seconds);
-    /// Draws the panels over what the window shows.
+    /// Draws the panels over the window's contents.
     void endFrame();
 
     /// The mouse is over a panel, or a text field has the keys: the world must not react.
@@ -41,7 +41,7 @@ private:
     void feedMouse(InputEvents const& input);
     void followScale();
 
-    /// Each tears down what it started, in reverse order, also when a later step throws.
+    /// Each destructor undoes its constructor, in reverse order, also when a later step throws.
     struct Context {
         Context();
         ~Context();

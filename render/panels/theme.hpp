@@ -1,4 +1,4 @@
-// What all panels look like: one style, one family of letters, one scale.
+// The look of all panels: one style, one family of letters, one scale.
 #pragma once
 
 #include "render/draw/colour.hpp"
@@ -20,7 +20,7 @@ struct Fonts {
     bool builtIn = false;
 };
 
-/// What widgets need to know; Gui owns it, every function of panels/ finds it through ImGui's context.
+/// The data that widgets share; Gui owns it, every function of panels/ finds it through ImGui's context.
 struct Theme {
     float scale = 1.F; ///< UI scale
     Fonts fonts;

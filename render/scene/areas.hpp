@@ -1,4 +1,4 @@
-// Places on the sheet: where parts may be placed, and what a goal asks about.
+// Places on the sheet: where parts may be placed, and the regions of goals.
 #pragma once
 
 #include "render/draw/canvas.hpp"

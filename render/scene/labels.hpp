@@ -1,4 +1,4 @@
-// The words that objects carry ("look": {"label": ...}); whoever has letters writes them.
+// The words that objects carry ("look": {"label": ...}); the panels' pass, which has a font, writes them.
 #pragma once
 
 #include "render/scene/facts/poses.hpp"

@@ -6,8 +6,8 @@
 #include "render/scene/overlays/overlay_buoyancy.hpp"
 #include "render/scene/overlays/overlay_contacts.hpp"
 #include "render/scene/overlays/overlay_electricity.hpp"
+#include "render/scene/overlays/overlay_hand.hpp"
 #include "render/scene/overlays/overlay_magnetism.hpp"
-#include "render/scene/overlays/overlay_motion.hpp"
 
 namespace trembler::render {
 namespace {
@@ -31,7 +31,7 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
             continue;
         }
         if (!moving && !(facts.fixed && facts.shape != nullptr)) {
-            canvas.newSheet(); // what moves throws its shadow on what does not
+            canvas.newSheet(); // moving objects throw their shadows on fixed ones
             moving = true;
         }
         if (facts.id == options.hidden && options.hidden.valid()) {
@@ -53,9 +53,6 @@ void drawOverlays(Canvas& canvas, World const& world, FactsReader const& reader,
     }
     if (overlays.contacts) {
         drawContacts(canvas, world);
-    }
-    if (overlays.motion) {
-        drawMotion(canvas, world, reader, place);
     }
     if (overlays.forces) {
         drawMagneticForces(canvas, world);

@@ -11,13 +11,12 @@
 
 namespace trembler::render {
 
-/// What is shown besides the things themselves; everything is off unless asked for.
+/// The additions to the picture of the objects themselves; everything is off unless asked for.
 struct Overlays {
     bool electricity = false; ///< the graph, its live parts lit
     bool forces = false;      ///< magnetic ones, and F_B at the centres of buoyancy
     bool fieldLines = false;  ///< of all magnets that act
     bool contacts = false;    ///< with normals and impulses under World::want<ContactPatches>()
-    bool motion = false;      ///< centres of mass and velocities
 };
 
 struct SceneOptions {
@@ -31,11 +30,11 @@ struct SceneOptions {
     std::span<GoalRegion const> goals{}; ///< that a goal asks about
 };
 
-/// Draws a world. Holds what drawing must remember from frame to frame, and nothing of the world itself.
-/// Window thread only, while nobody steps the world; never changes it.
+/// Draws a world. Holds the poses that drawing must remember from frame to frame, and nothing of the world
+/// itself. Window thread only, while the world is not stepped; never changes it.
 ///
-/// Per display frame: canvas.begin(camera); canvas.paper(); view.draw(canvas, world, ...); then what the game
-/// draws on top (drawGhost); canvas.end(); and in the panels' pass a worldLabel() for each of
+/// Per display frame: canvas.begin(camera); canvas.paper(); view.draw(canvas, world, ...); then the game's
+/// own drawing on top (drawGhost); canvas.end(); and in the panels' pass a worldLabel() for each of
 /// view.labels(...).
 class SceneView {
 public:

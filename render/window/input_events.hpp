@@ -1,4 +1,4 @@
-// What the player did since the last frame, from SDL's events alone: real ones and synthetic ones alike.
+// The player's input since the last frame, from SDL's events alone: real ones and synthetic ones alike.
 #pragma once
 
 #include "render/draw/geometry.hpp"

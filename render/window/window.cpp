@@ -13,7 +13,7 @@ namespace trembler::render {
 
 namespace {
 
-/// The size of the SDL window behind an offscreen picture; nobody sees it.
+/// The size of the SDL window behind an offscreen picture; it is never shown.
 constexpr int hiddenWindowSize = 64;
 
 /// epoxy aborts the program when it finds no OpenGL library, so we look before it does.
@@ -61,7 +61,7 @@ Window::Window(WindowOptions const& options)
 }
 
 Window::~Window() {
-    makeCurrent(); // what it drew into belongs to its own context
+    makeCurrent(); // its framebuffer belongs to its own context
 }
 
 void Window::makeCurrent() {
@@ -71,7 +71,7 @@ void Window::makeCurrent() {
 }
 
 void Window::startVideo(WindowMode mode) {
-    // The program handles its own ends; SDL must not turn Ctrl-C into an event that nobody reads.
+    // The program handles its own ends; SDL must not turn Ctrl-C into an event that is never read.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     if (mode == WindowMode::Offscreen) {
         SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);

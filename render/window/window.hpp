@@ -26,11 +26,11 @@ struct WindowOptions {
     float uiScaleRequest = 1.F; ///< the player's own factor, see uiScaleFor
 };
 
-/// Why there is no window. what() is meant for the player.
+/// The reason why there is no window. what() is meant for the player.
 class WindowError : public RenderError {
 public:
     enum class Kind {
-        NoDisplay, ///< SDL found no screen; without this check it would draw to nobody
+        NoDisplay, ///< SDL found no screen; without this check the pictures would never be seen
         NoOpenGl,  ///< no driver, or one that cannot do OpenGL 3.3
         Other,
     };
@@ -56,7 +56,7 @@ public:
     Window(Window&&) = delete;
     Window& operator=(Window&&) = delete;
 
-    /// What there is to draw on, in pixels.
+    /// The size of the drawing area, in pixels.
     [[nodiscard]] Size size() const;
     /// Pixels per window point: SDL's mouse positions times this are pixels. More than 1 on some HiDPI
     /// desktops.
@@ -76,9 +76,9 @@ public:
     /// Framebuffer of one's own with `bind` alone.
     void beginFrame(Colour clear);
     void bind();
-    /// Shows what was drawn. Offscreen it only finishes the drawing.
+    /// Shows the drawing. Offscreen it only finishes it.
     void present();
-    /// What was drawn since beginFrame. Call it before present.
+    /// The drawing since beginFrame. Call it before present.
     [[nodiscard]] Image readPixels();
 
     [[nodiscard]] WindowMode mode() const { return mode_; }

@@ -143,28 +143,30 @@ public:
             static_cast<Self const&>(*this).hashMemory(hash);
         }
     }
+    /// Its description. A type that is registered several times has no `text` of its own, see describeAs().
     [[nodiscard]] static ComponentInfo const& describeSelf() {
-        static ComponentInfo const info = [] {
-            ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::interaction, .text = Self::text};
-            made.reads = detail::infos(ReadsList{});
-            made.role = typeid(Role);
-            made.roleName = Role::name;
-            detail::copyMemory<Self, Interaction>(made);
-            detail::copyNeeds(typename Self::Activation{}, made);
-            if constexpr (requires { Self::inSetup; }) {
-                static_assert(detail::onlyObjectProperties<ReadsList>,
-                              "in the setup there are object properties only: no resolver has advanced, no "
-                              "derived property set has been updated");
-                made.inSetup = Self::inSetup;
-            }
-            return made;
-        }();
+        static ComponentInfo const info = describeAs(Self::text);
         return info;
+    }
+    /// Its description under the name, level and rank of one of its registrations, see Registry::component.
+    [[nodiscard]] static ComponentInfo describeAs(ComponentText const& text) {
+        ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::interaction, .text = text};
+        made.reads = detail::infos(ReadsList{});
+        made.role = typeid(Role);
+        made.roleName = Role::name;
+        detail::copyMemory<Self, Interaction>(made);
+        detail::copyNeeds(typename Self::Activation{}, made);
+        if constexpr (requires { Self::inSetup; }) {
+            static_assert(detail::onlyObjectProperties<ReadsList>,
+                          "in the setup there are object properties only: no resolver has advanced, no "
+                          "derived property set has been updated");
+            made.inSetup = Self::inSetup;
+        }
+        return made;
     }
 
 protected:
-    /// For a type that is registered several times under different names (Registry::component): `info` is a
-    /// copy of describeSelf() with another name.
+    /// For a type that is registered several times, see Registry::component.
     explicit Interaction(ComponentInfo const& info) : Component(info) {}
 
 private:

@@ -133,31 +133,36 @@ public:
             static_cast<Self const&>(*this).hashMemory(hash);
         }
     }
+    /// Its description. A type that is registered several times has no `text` of its own, see describeAs().
     [[nodiscard]] static ComponentInfo const& describeSelf() {
-        static ComponentInfo const info = [] {
-            ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::resolver, .text = Self::text};
-            made.reads = detail::infos(ReadsList{});
-            made.writes = detail::infos(WritesList{});
-            made.offers = detail::infos(ProvidesList{});
-            made.role = typeid(Role);
-            made.roleName = Role::name;
-            [&]<class... C>(CallList<C...> const&) {
-                made.calls = {CallInfo{C::text, C::algebra}...};
-            }(typename Role::Calls{});
-            detail::copyMemory<Self, Resolver>(made);
-            detail::copyNeeds(typename Self::Activation{}, made);
-            if constexpr (requires { Self::onDemand; }) {
-                made.onDemand = Self::onDemand;
-            }
-            if constexpr (requires { Self::writesEverything; }) {
-                made.writesEverything = Self::writesEverything;
-            }
-            return made;
-        }();
+        static ComponentInfo const info = describeAs(Self::text);
         return info;
+    }
+    /// Its description under the name, level and rank of one of its registrations, see Registry::component.
+    [[nodiscard]] static ComponentInfo describeAs(ComponentText const& text) {
+        ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::resolver, .text = text};
+        made.reads = detail::infos(ReadsList{});
+        made.writes = detail::infos(WritesList{});
+        made.offers = detail::infos(ProvidesList{});
+        made.role = typeid(Role);
+        made.roleName = Role::name;
+        [&]<class... C>(CallList<C...> const&) {
+            made.calls = {CallInfo{C::text, C::algebra}...};
+        }(typename Role::Calls{});
+        detail::copyMemory<Self, Resolver>(made);
+        detail::copyNeeds(typename Self::Activation{}, made);
+        if constexpr (requires { Self::onDemand; }) {
+            made.onDemand = Self::onDemand;
+        }
+        if constexpr (requires { Self::writesEverything; }) {
+            made.writesEverything = Self::writesEverything;
+        }
+        return made;
     }
 
 protected:
+    /// For a type that is registered several times, see Registry::component.
+    explicit Resolver(ComponentInfo const& info) : Component(info) {}
     /// Whether any call stands or waits to be carried out.
     [[nodiscard]] bool isCalled() const { return channel_ != nullptr && !channel_->empty(); }
 

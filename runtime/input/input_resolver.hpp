@@ -55,8 +55,6 @@ struct PlayerCommands {
         frame.cuts.insert(frame.cuts.end(), part.cuts.begin(), part.cuts.end());
         frame.removals.insert(frame.removals.end(), part.removals.begin(), part.removals.end());
     }
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Carries out the input that was fed since the last frame.

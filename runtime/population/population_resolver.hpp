@@ -23,8 +23,6 @@ struct PopulationChanges {
         frame.created.insert(frame.created.end(), part.created.begin(), part.created.end());
         frame.destroyed.insert(frame.destroyed.end(), part.destroyed.begin(), part.destroyed.end());
     }
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Writes every property, as an object gets all of its own when it is created and loses them when it is

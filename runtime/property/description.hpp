@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace trembler {
@@ -70,8 +71,9 @@ struct FieldInfo {
 template <class E>
 inline constexpr std::span<std::string_view const> choiceNames = {};
 
-/// A property type: a plain struct with `kind`, `text` and `describe(self, visitor)`, which calls
-/// visitor(FieldInfo, self.field) for every field in a fixed order.
+/// A property type: a plain struct with `kind` and `text`. One with fields has `describe(self, visitor)`,
+/// which calls visitor(FieldInfo, self.field) for every field in a fixed order; a marker, or data that only
+/// components read, has none (see MayLackFields).
 template <class P>
 concept Property = requires {
     { P::kind } -> std::convertible_to<PropertyKind>;
@@ -84,10 +86,16 @@ concept ResolverProperty = Property<P> &&(P::kind == PropertyKind::resolver);
 template <class P>
 concept DerivedProperty = Property<P> &&(P::kind == PropertyKind::derived);
 
-/// A struct inside a property, for example one corner of a shape: it has describe() but no kind.
+/// A type that describes its fields: a property, or a struct inside one, for example one corner of a shape.
 template <class T>
 concept Described = requires(T& t) {
     T::describe(t, [](FieldInfo const&, auto&) {});
 };
+
+/// A property that may go without describe(). What a level file can state must be described, so an object
+/// property may lack it only as a marker, which has no members, or if no file states it.
+template <class P>
+concept MayLackFields = Property<P> &&
+    (P::kind != PropertyKind::object || std::is_empty_v<P> || P::text.place == PropertyPlace::hidden);
 
 } // namespace trembler

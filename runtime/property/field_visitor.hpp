@@ -104,11 +104,16 @@ void dispatch(FieldVisitor& visitor, FieldInfo const& info, T& value) {
 
 } // namespace detail
 
-/// Visits every field of `property`.
+/// Visits every field of `property`; one that describes none has none.
 template <class P>
-void visitFields(P& property, FieldVisitor& visitor) {
-    P::describe(property,
-                [&](FieldInfo const& info, auto& field) { detail::dispatch(visitor, info, field); });
+void visitFields([[maybe_unused]] P& property, [[maybe_unused]] FieldVisitor& visitor) {
+    if constexpr (Described<P>) {
+        P::describe(property,
+                    [&](FieldInfo const& info, auto& field) { detail::dispatch(visitor, info, field); });
+    } else {
+        static_assert(MayLackFields<P>, "a property whose members files may state describes them: 'static "
+                                        "void describe(Self&, Visitor&&)'");
+    }
 }
 
 } // namespace trembler

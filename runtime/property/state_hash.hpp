@@ -48,7 +48,7 @@ public:
             bytes(&v, sizeof v);
         } else if constexpr (requires { v.hash(*this); }) {
             v.hash(*this);
-        } else if constexpr (Described<T> || Property<T>) {
+        } else if constexpr (Described<T>) {
             T::describe(v, [this](FieldInfo const&, auto const& field) { this->value(field); });
         } else {
             integer(v.size());

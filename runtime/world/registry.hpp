@@ -113,11 +113,26 @@ public:
         }
         add(made);
     }
-    /// A component that is described at run time: one of several of a C++ type, for example. `info` must
-    /// outlive the registry and describe the components that `make` makes.
-    void component(ComponentInfo const& info, std::function<std::unique_ptr<Component>()> make) {
-        add(Registration{&info, std::move(make), nullptr});
+    /// One of several components of a C++ type, which differ by a value: `variant`, which must outlive the
+    /// registry. It has the member `text`, and `suits` and `missing` where a type of its own would have them.
+    /// C has no `text` and is constructed with (ComponentInfo const&, variant).
+    template <class C, class Variant>
+    void component(Variant const& variant) {
+        auto const info = std::make_shared<ComponentInfo const>(C::describeAs(variant.text));
+        Registration made{
+            info.get(),
+            [info, &variant] { return std::unique_ptr<Component>(std::make_unique<C>(*info, variant)); },
+            nullptr};
+        if constexpr (requires { variant.suits; }) {
+            made.suits = variant.suits;
+        }
+        if constexpr (requires { variant.missing; }) {
+            made.missing = variant.missing;
+        }
+        add(made);
     }
+    template <class C, class Variant>
+    void component(Variant const&&) = delete; // it would not outlive the registry
     /// Runs `I` directly after `X` has updated, inside the same task. Checked at start. Several shortcuts of
     /// one `I` must be in alternatives.
     template <class I, class X>

@@ -93,6 +93,8 @@ trembler_compile_fail(completion_in_disguise completion/in_disguise.cpp
 trembler_compile_fail(setup_reads_derived setup_reads_derived.cpp
   "in the setup there are object properties only")
 
+trembler_compile_fail(object_property_without_fields object_property_without_fields.cpp
+  "a property whose members files may state describes them")
 trembler_compile_fail(slot_without_coverage slot_without_coverage.cpp
   "a resolver property says how the state hash covers it")
 trembler_compile_fail(offer_without_news offer_without_news.cpp

@@ -39,9 +39,6 @@ struct HotSpots {
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing = "what is hot";
     std::vector<ObjectId> objects;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Tells news, which frames of several parts gather.
@@ -54,26 +51,18 @@ struct Sparks {
     static void gather(Sparks& frame, Sparks const& part, PartSpan) {
         frame.objects.insert(frame.objects.end(), part.objects.begin(), part.objects.end());
     }
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 struct Glow {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Glow", "glow", "How brightly each object glows."};
     std::vector<double> watts;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 struct Shadow {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Shadow", "shadow", "Where each object's shadow falls."};
     double area = 0;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 struct AddHeat {

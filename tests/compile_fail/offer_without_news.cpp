@@ -11,15 +11,11 @@ struct Flames {
     std::vector<ObjectId> objects;
 
 #ifdef TREMBLER_CONTROL
-    static void gather(Flames& frame, Flames const& part, PartSpan){
+    static void gather(Flames& frame, Flames const& part, PartSpan);
 #else
-    static void gather(Flames& frame, Flames const& part) {
+    static void gather(Flames& frame, Flames const& part);
 #endif
-        frame.objects.insert(frame.objects.end(), part.objects.begin(), part.objects.end());
-} template <class Self, class Visitor>
-static void describe(Self&, Visitor&&) {
-}
-}; // namespace trembler
+};
 
 struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>, Provides<HotSpots, Flames>> {
     static constexpr ComponentText text{.name = "Stove", .effect = "heat", .level = "", .work = "Heats."};

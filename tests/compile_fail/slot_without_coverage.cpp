@@ -11,9 +11,6 @@ struct Embers {
 #endif
     static constexpr std::string_view standing = "what still glows";
     std::vector<ObjectId> objects;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>, Provides<Embers>> {

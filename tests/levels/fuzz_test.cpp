@@ -1,7 +1,7 @@
 // Whatever happens to a level file, the program says what is wrong with it and where, or plays it.
 #include "puzzle/goals/goal_judge.hpp"
 #include "puzzle/goals/level_schema.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
 
 #include <gtest/gtest.h>
@@ -205,12 +205,12 @@ struct Outcome {
 /// Reads, builds, judges and runs; whatever is thrown but InputError is a failure of the test.
 Outcome tryOut(std::string const& text) {
     try {
-        LevelFile const level = readLevel(catalog().registry, JsonDocument::parse(text, "fuzz.json"));
+        LevelFile const level = readLevel(levelKit().registry, JsonDocument::parse(text, "fuzz.json"));
         std::vector<Placement> placements;
         if (!level.solutions.empty()) {
             placements = level.solutions[0].placements;
         }
-        auto const world = buildWorld(catalog().registry, level, catalog().parts, placements);
+        auto const world = buildWorld(levelKit().registry, level, levelKit().parts, placements);
         GoalJudge judge(level, *world);
         for (int frame = 0; frame < 3; ++frame) {
             world->step();
@@ -246,7 +246,7 @@ constexpr unsigned parts = 10;
 TEST_P(LevelFuzz, ChangedTreesPlayOrAreRefusedWithAPlace) {
     unsigned played = 0;
     unsigned tried = 0;
-    Json const schema = levelSchema(catalog().registry);
+    Json const schema = levelSchema(levelKit().registry);
     for (unsigned seed = GetParam(); seed < tries(4000); seed += parts) {
         Random random(seed);
         Json document = Json::parse(sampleLevel());

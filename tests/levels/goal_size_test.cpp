@@ -3,7 +3,7 @@
 #include "puzzle/goals/level_schema.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "runtime/level/json/limits.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ struct Verdict {
 Verdict outcomeOf(std::string const& goals) {
     try {
         return {
-            readGoals(readLevel(catalog().registry, JsonDocument::parse(levelWithGoals(goals), "l.json"))),
+            readGoals(readLevel(levelKit().registry, JsonDocument::parse(levelWithGoals(goals), "l.json"))),
             {}};
     } catch (InputError const& error) {
         return {std::nullopt, {error.diagnostics().begin(), error.diagnostics().end()}};
@@ -131,7 +131,7 @@ TEST(GoalSize, HowManyTooManyThereAreMakesNoDifference) {
 }
 
 TEST(GoalSize, TheSchemaStatesTheSameLength) {
-    nlohmann::json const schema = levelSchema(catalog().registry);
+    nlohmann::json const schema = levelSchema(levelKit().registry);
     auto const faults = [&](std::size_t count) {
         return validate(schema, nlohmann::json::parse(levelWithGoals(listOf("sequence", count))));
     };

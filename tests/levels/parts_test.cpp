@@ -4,7 +4,7 @@
 #include "physics/magnetism/properties.hpp"
 #include "physics/material.hpp"
 #include "runtime/placement.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@ namespace trembler {
 namespace {
 
 TEST(Parts, HaveWordsForPlayersAndABody) {
-    ASSERT_GE(catalog().parts.all().size(), 20U);
+    ASSERT_GE(levelKit().parts.all().size(), 20U);
     std::set<std::string> titles;
-    for (PartDefinition const* part : catalog().parts.all()) {
+    for (PartDefinition const* part : levelKit().parts.all()) {
         EXPECT_FALSE(part->text.empty()) << part->name;
         EXPECT_TRUE(titles.insert(part->title).second) << part->title;
         EXPECT_NE(part->properties.find<Shape>(), nullptr) << part->name;
@@ -27,19 +27,19 @@ TEST(Parts, HaveWordsForPlayersAndABody) {
 TEST(Parts, AreAllSoundTogetherInOneWorld) {
     std::string objects;
     int place = 0;
-    for (PartDefinition const* part : catalog().parts.all()) {
+    for (PartDefinition const* part : levelKit().parts.all()) {
         objects += (objects.empty() ? "" : ", ") + std::string("{\"name\": \"my ") + part->name +
                    "\", \"part\": \"" + part->name + "\", \"at\": [" + std::to_string(5 * place++) + ", 0]}";
     }
     LevelFile const level =
-        readLevel(catalog().registry,
+        readLevel(levelKit().registry,
                   JsonDocument::parse("{\"version\": 1, \"title\": \"t\", \"objects\": [" + objects + "]}",
                                       "parts.json"));
-    auto const world = buildWorld(catalog().registry, level, catalog().parts);
+    auto const world = buildWorld(levelKit().registry, level, levelKit().parts);
     for (int frame = 0; frame < 60; ++frame) {
         world->step();
     }
-    for (PartDefinition const* part : catalog().parts.all()) {
+    for (PartDefinition const* part : levelKit().parts.all()) {
         Position const* const position = world->find<Position>(world->store().find("my " + part->name));
         ASSERT_NE(position, nullptr);
         EXPECT_TRUE(isFinite(position->value)) << part->name;
@@ -47,7 +47,7 @@ TEST(Parts, AreAllSoundTogetherInOneWorld) {
 }
 
 TEST(Parts, ConductAndAttractAsTheirMaterialDoes) {
-    for (PartDefinition const* part : catalog().parts.all()) {
+    for (PartDefinition const* part : levelKit().parts.all()) {
         Material const material = part->properties.find<MadeOf>()->material;
         bool const conducts = part->properties.find<Conductor>() != nullptr;
         bool const isMetal = material == Material::steel || material == Material::iron ||

@@ -1,5 +1,5 @@
 #include "runtime/level/build/placing.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,7 +9,7 @@ namespace {
 
 // Counting parts as they come says of each placement what a look at all those before it says.
 TEST(PlacementCount, SaysOfEachPlacementWhatALookAtAllBeforeItSays) {
-    LevelFile const level = readLevel(catalog().registry, JsonDocument::parse(sampleLevel(), "sample.json"));
+    LevelFile const level = readLevel(levelKit().registry, JsonDocument::parse(sampleLevel(), "sample.json"));
     rc::check([&] {
         std::vector<Placement> placements(*rc::gen::inRange<std::size_t>(0, 12));
         for (Placement& placement : placements) {
@@ -17,10 +17,10 @@ TEST(PlacementCount, SaysOfEachPlacementWhatALookAtAllBeforeItSays) {
             placement.at = {static_cast<double>(*rc::gen::inRange(-10, 10)),
                             static_cast<double>(*rc::gen::inRange(-2, 6))};
         }
-        PlacementCount count(level, catalog().parts);
+        PlacementCount count(level, levelKit().parts);
         for (std::size_t i = 0; i < placements.size(); ++i) {
             RC_ASSERT(count.add(placements[i]) ==
-                      checkPlacement(level, catalog().parts, std::span(placements).first(i), placements[i]));
+                      checkPlacement(level, levelKit().parts, std::span(placements).first(i), placements[i]));
         }
     });
 }

@@ -1,6 +1,6 @@
 #include "puzzle/goals/level_schema.hpp"
 #include "runtime/level/write/schema.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
 
 #include <gtest/gtest.h>
@@ -20,25 +20,25 @@ std::string contentOf(std::filesystem::path const& path) {
 
 TEST(Schema, IsPublishedAsThePropertiesStateIt) {
     EXPECT_EQ(contentOf(sourceFolder() / "levels/level.schema.json"),
-              levelSchema(catalog().registry).dump(2) + "\n")
+              levelSchema(levelKit().registry).dump(2) + "\n")
         << "stale: run `trembler schema > levels/level.schema.json`";
 }
 
 TEST(Schema, AcceptsEveryLevelAndPart) {
-    nlohmann::json const levels = levelSchema(catalog().registry);
+    nlohmann::json const levels = levelSchema(levelKit().registry);
     for (auto const& file : levelFiles()) {
         EXPECT_EQ(validate(levels, nlohmann::json::parse(contentOf(file))), std::vector<std::string>())
             << file;
     }
     EXPECT_EQ(validate(levels, nlohmann::json::parse(sampleLevel())), std::vector<std::string>());
-    nlohmann::json const parts = partSchema(catalog().registry);
-    for (PartDefinition const* part : catalog().parts.all()) {
+    nlohmann::json const parts = partSchema(levelKit().registry);
+    for (PartDefinition const* part : levelKit().parts.all()) {
         EXPECT_EQ(validate(parts, part->document->root()), std::vector<std::string>()) << part->name;
     }
 }
 
 TEST(Schema, RefusesWhatTheReaderRefuses) {
-    nlohmann::json const schema = levelSchema(catalog().registry);
+    nlohmann::json const schema = levelSchema(levelKit().registry);
     struct Case {
         char const* pointer;
         char const* value;

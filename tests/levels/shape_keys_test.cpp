@@ -2,7 +2,7 @@
 #include "physics/dynamics/properties/shape.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ std::string levelWith(Json const& piece) {
 }
 
 TEST(ShapeKeys, BelongToTheForm) {
-    Registry const& registry = catalog().registry;
+    Registry const& registry = levelKit().registry;
     for (auto const& [form, keys] : own) {
         Json good{{"form", form}};
         for (std::string const& key : keys) {
@@ -44,7 +44,7 @@ TEST(ShapeKeys, BelongToTheForm) {
         }
         LevelFile const level = readLevel(registry, JsonDocument::parse(levelWith(good), "l.json"));
         ASSERT_EQ(level.objects.at(0).properties.find<Shape>()->pieces.size(), 1U);
-        EXPECT_NO_THROW((void)buildWorld(registry, level, catalog().parts)) << form;
+        EXPECT_NO_THROW((void)buildWorld(registry, level, levelKit().parts)) << form;
         for (auto const& [key, values] : measures) {
             if (keys.contains(key)) {
                 continue;

@@ -1,5 +1,5 @@
 #include "runtime/level/write/write_level.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@ namespace trembler {
 namespace {
 
 std::uint64_t hashOf(LevelFile const& level, std::vector<Placement> const& placements) {
-    return buildWorld(catalog().registry, level, catalog().parts, placements)->stateHash();
+    return buildWorld(levelKit().registry, level, levelKit().parts, placements)->stateHash();
 }
 
 void expectSurvives(LevelFile const& level) {
     std::string const text = levelText(level);
-    LevelFile const again = readLevel(catalog().registry, JsonDocument::parse(text, "written.json"));
+    LevelFile const again = readLevel(levelKit().registry, JsonDocument::parse(text, "written.json"));
     EXPECT_EQ(levelText(again), text); // nothing is lost on a second way
     EXPECT_EQ(hashOf(again, {}), hashOf(level, {}));
     ASSERT_EQ(again.solutions.size(), level.solutions.size());
@@ -28,10 +28,10 @@ void expectSurvives(LevelFile const& level) {
 }
 
 TEST(WriteLevel, KeepsEveryBitOfEveryLevel) {
-    expectSurvives(readLevel(catalog().registry, JsonDocument::parse(sampleLevel(), "sample.json")));
+    expectSurvives(readLevel(levelKit().registry, JsonDocument::parse(sampleLevel(), "sample.json")));
     for (auto const& file : levelFiles()) {
         SCOPED_TRACE(file);
-        expectSurvives(loadLevel(catalog().registry, file));
+        expectSurvives(loadLevel(levelKit().registry, file));
     }
 }
 
@@ -47,7 +47,7 @@ TEST(WriteLevel, WritesWhatAnEditorMade) {
     EXPECT_EQ(
         writeLevel(level).dump(),
         R"({"version":2,"title":"new","objects":[{"name":"a","part":"crate"}],"connections":[["a","b"]],"placing":[]})");
-    EXPECT_THROW((void)buildWorld(catalog().registry, level, catalog().parts), InputError); // there is no b
+    EXPECT_THROW((void)buildWorld(levelKit().registry, level, levelKit().parts), InputError); // there is no b
 }
 
 } // namespace

@@ -62,9 +62,6 @@ struct WindForce {
         double rate = 0; ///< 1/s, at which the wind alone would bring the sail to its own speed
     };
     std::vector<Entry> forces;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 class QuadraticWind final : public Dps<QuadraticWind, Reads<Wind, Sail, Velocity, Mass>, Derives<WindForce>> {

@@ -20,16 +20,12 @@ struct TestLiquid {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Liquid", "test_liquid",
                                        "This will flag the object to be a body of liquid."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct TestBuoyantForce {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"F_B", "test_buoyant_force", "Per object buoyancy force."};
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing = "empty";
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct TestBuoyancyRole {
     static constexpr std::string_view name = "Test Buoyancy";

@@ -1,7 +1,7 @@
 // No level that the schema allows breaks the program, on any engine: random ones, and every number of every
 // property at the ends of its range. sweep_worlds tries as many more as one likes.
 #include "puzzle/goals/level_schema.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
 #include "tests/worlds/random_level.hpp"
 #include "tests/worlds/trial.hpp"
@@ -22,12 +22,12 @@ std::size_t tries(std::size_t usual) {
 }
 
 nlohmann::json const& schema() {
-    static nlohmann::json const made = levelSchema(catalog().registry);
+    static nlohmann::json const made = levelSchema(levelKit().registry);
     return made;
 }
 
 RandomLevels const& levels() {
-    static RandomLevels const made(schema(), catalog().parts.names());
+    static RandomLevels const made(schema(), levelKit().parts.names());
     return made;
 }
 

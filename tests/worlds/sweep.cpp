@@ -3,7 +3,7 @@
 //
 //   sweep_worlds --minutes 60 --jobs 8 --seed 1 --keep failing
 #include "puzzle/goals/level_schema.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 #include "tests/worlds/random_level.hpp"
 #include "tests/worlds/trial.hpp"
 
@@ -51,8 +51,8 @@ void keep(Arguments const& arguments, std::string const& name, Outcome const& ou
 }
 
 void work(Arguments const& arguments, unsigned job, Clock::time_point end, Tally& tally) {
-    nlohmann::json const schema = levelSchema(catalog().registry);
-    RandomLevels const levels(schema, catalog().parts.names());
+    nlohmann::json const schema = levelSchema(levelKit().registry);
+    RandomLevels const levels(schema, levelKit().parts.names());
     for (std::uint64_t i = job; arguments.worlds == 0 ? Clock::now() < end : i < arguments.worlds;
          i += arguments.jobs) {
         std::uint64_t const seed = arguments.seed + i;
@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     auto& tally = *new (shared) Tally{};
-    (void)catalog(); // once, before the jobs begin
+    (void)levelKit(); // once, before the jobs begin
     auto const end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(60 * arguments.minutes));
     for (unsigned job = 0; job < arguments.jobs; ++job) {

@@ -4,7 +4,7 @@
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/property/idle_visitor.hpp"
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
 #include "tests/worlds/random_level.hpp"
 
@@ -68,8 +68,8 @@ std::string makeAcceptable(Json level, Json const& schema) {
     for (int round = 0; round < most; ++round) {
         try {
             LevelFile const file =
-                readLevel(catalog().registry, JsonDocument::parse(level.dump(1), "random.json"));
-            Session session(catalog().registry, catalog().parts, file);
+                readLevel(levelKit().registry, JsonDocument::parse(level.dump(1), "random.json"));
+            Session session(levelKit().registry, levelKit().parts, file);
             for (Solution const& solution : file.solutions) {
                 session.load(solution);
             }
@@ -110,7 +110,7 @@ std::string makeAcceptable(Json level, Json const& schema) {
 /// Runs the level on one engine; what is wrong, or nothing, and the time of the slowest frame that came
 /// without a message.
 std::string runOn(std::string const& detail, Json const& level, TrialOptions const& options) {
-    LevelFile const file = readLevel(catalog().registry, JsonDocument::parse(level.dump(1), "random.json"));
+    LevelFile const file = readLevel(levelKit().registry, JsonDocument::parse(level.dump(1), "random.json"));
     std::uint64_t first = 0;
     double slowest = 0;
     for (int const threads : options.threads) {
@@ -119,7 +119,7 @@ std::string runOn(std::string const& detail, Json const& level, TrialOptions con
         how.rowsWorthThreads = 0;
         how.detail = file.detail;
         how.detail["dynamics"] = detail;
-        Session session(catalog().registry, catalog().parts, file, how);
+        Session session(levelKit().registry, levelKit().parts, file, how);
         if (!file.solutions.empty()) {
             session.load(file.solutions.front());
         }
@@ -164,7 +164,7 @@ std::string brokenOff(Ended const& ended) {
 
 Outcome tryOut(Json level, Json const& schema, TrialOptions const& options) {
     Outcome outcome;
-    (void)catalog(); // once, and not in every child
+    (void)levelKit(); // once, and not in every child
     Ended const read = inChild([&] { return makeAcceptable(level, schema); }, options.seconds);
     outcome.level = level;
     if (std::string const broken = brokenOff(read); !broken.empty()) {

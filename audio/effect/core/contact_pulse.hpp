@@ -1,4 +1,4 @@
-// From an impact to what it excites: how long it lasts, and which frequencies are in it.
+// From an impact to the force that excites modes: how long it lasts, and which frequencies are in it.
 #pragma once
 
 #include "audio/effect/properties/acoustic_material.hpp"
@@ -6,7 +6,7 @@
 
 namespace trembler {
 
-/// The radius of curvature, in m, where something round touches; 0 for what is flat or has corners.
+/// The radius of curvature, in m, where a round body touches; 0 for one that is flat or has corners.
 [[nodiscard]] double roundnessOf(Shape const& shape);
 
 /// How long two bodies stay in touch in an impact, in s, by Hertz (Johnson, Contact Mechanics, 1985,

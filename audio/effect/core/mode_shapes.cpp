@@ -8,7 +8,7 @@ namespace trembler {
 
 namespace {
 
-/// What the shape of a bar's mode is made of, apart from the place along it.
+/// The terms of the shape of a bar's mode, apart from the place along it.
 struct BarMode {
     double root = 0;
     double sigma = 0;   // of cosh βx + cos βx - σ (sinh βx + sin βx)

@@ -1,4 +1,4 @@
-// Recordings that play: when they begin, how loud they are for those who listen in the world, when they end.
+// Recordings that play: when they begin, how loud they are for listeners in the world, when they end.
 #pragma once
 
 #include "audio/effect/core/sound_work.hpp"

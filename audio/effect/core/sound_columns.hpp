@@ -1,4 +1,4 @@
-// What the Sound resolver reads of objects, and the acoustic models that follow from it.
+// The columns that the Sound resolver reads, and the acoustic models that follow from them.
 #pragma once
 
 #include "audio/effect/core/sounding_body.hpp"
@@ -26,7 +26,7 @@ struct SoundColumns {
     Column<Rotation> const& rotation;
     Column<Velocity> const& velocity;
 
-    /// What is known of an object that can sound; no shape in it if it cannot.
+    /// The properties of an object that can sound; without a shape if it cannot.
     [[nodiscard]] BodyFacts factsOf(ObjectId id) const;
     /// Changes when any object may have got another voice.
     [[nodiscard]] std::array<std::uint64_t, 7> voiceVersions() const;
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] SoundingBody const* find(SoundColumns const& columns, ObjectId id);
 
 private:
-    /// What a model was made from.
+    /// The properties that a model was made from.
     struct Facts {
         Shape shape;
         Material material = Material::plastic;

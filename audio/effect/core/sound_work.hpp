@@ -7,13 +7,13 @@
 
 namespace trembler {
 
-/// A call and what made it.
+/// A call and the event that led to it.
 template <class C>
 struct Told {
     C call;
     EventId cause;
 };
-/// What has been asked of sound in a frame, in the order in which it is drained.
+/// The calls of a frame, in the order in which they are drained.
 struct SoundCalls {
     std::vector<Told<Strike>> strikes;
     std::vector<Told<Rub>> rubs;
@@ -34,13 +34,13 @@ public:
 
     /// To be called in every frame, also where nothing sounds.
     void follow(SoundColumns const& columns) { models_.follow(columns); }
-    /// `duration` in s. Works from any `sounds`, also from those that another number of modes has left.
+    /// `duration` in s. Works from any `sounds`, also from the results of another number of modes.
     void advance(SoundColumns const& columns, SoundCalls const& calls, double duration, Sounds& sounds);
-    /// Whether there will be something to do in the next frame though nobody calls: something dies away.
+    /// Whether there will be something to do in the next frame without any call: because a sound dies away.
     [[nodiscard]] static bool goesOn(Sounds const& sounds);
 
 private:
-    /// What is excited in this frame, and what of that is not in the body's rings yet.
+    /// An object that is excited in this frame, and the part of that which is not in the body's rings yet.
     struct Excited {
         ObjectId object;
         SoundingBody const* model = nullptr;

@@ -12,8 +12,8 @@ namespace trembler {
 namespace {
 
 constexpr double slender = 6;         // length over height from which on a thing is a bar
-constexpr double answeringLength = 2; // m of what is built in that answer to an impact
-constexpr double builtInDecay = 40;   // 1/s, by which what is built in loses its vibration to the ground
+constexpr double answeringLength = 2; // m of a built-in body that answer to an impact
+constexpr double builtInDecay = 40;   // 1/s, by which a built-in body loses its vibration to the ground
 constexpr double thickest = 0.4;      // of its short side, a plate; thicker ones are blocks that shear
 constexpr double sixtyDecibels = 6.907755278982137; // ln 1000
 constexpr double bellTone = 440;                    // Hz m: the prime of a church bell times its diameter
@@ -121,8 +121,7 @@ void SoundingBody::addBarModes(AcousticMaterial const& material) {
     double const scale = gyration * material.rodSpeed() / (2 * pi * length_ * length_);
     for (int n = 1;; ++n) {
         double const root = barRoot(n);
-        // Waves shorter than twice the thickness are none that bend a bar; what is above hearing is of no
-        // use.
+        // Waves shorter than twice the thickness do not bend a bar; modes above hearing are of no use.
         if (n > 1 && (root * height_ > pi * length_ || root * root * scale > highestAudible)) {
             break;
         }

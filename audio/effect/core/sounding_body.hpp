@@ -1,5 +1,5 @@
-// What a body's sound is made of: its modes, and how an impact excites them (van den Doel and Pai, The sounds
-// of physical shapes, Presence 7, 1998).
+// The modes of a body, and how an impact excites them (van den Doel and Pai, The sounds of physical shapes,
+// Presence 7, 1998).
 #pragma once
 
 #include "audio/effect/properties/acoustic_material.hpp"
@@ -12,7 +12,7 @@ namespace trembler {
 
 inline constexpr int mostModes = 32;
 
-/// What is known of an object whose sound is asked for.
+/// The properties from which an object's sound follows.
 struct BodyFacts {
     Shape const* shape = nullptr; ///< valid, see faultIn()
     Material material = Material::plastic;
@@ -26,7 +26,7 @@ struct Mode {
     double frequency = 0;  ///< Hz, within the audible range
     double decay = 0;      ///< 1/s, of the amplitude
     double radiation = 0;  ///< Pa at a distance of 1 m, in free air, for a modal velocity of 1 m/s
-    double audibility = 1; ///< what the ear makes of it, on the mean square (A-weighting)
+    double audibility = 1; ///< the ear's factor on its mean square pressure (A-weighting)
     double weight = 1;     ///< on its shape
     int m = 0;             ///< which mode of its form: nodal lines, or number
     int n = 0;
@@ -47,11 +47,11 @@ public:
     /// the unit vector `normal` are in the object's frame. Its sign counts.
     [[nodiscard]] double mobility(Mode const& mode, Vec2 point, Vec2 normal) const;
     /// Where the sound of an impact at `point` along `normal` comes from, all in the object's frame: from the
-    /// middle of the body, of a long one from its spine nearest to the impact, of what is built in from just
+    /// middle of the body, of a long one from its spine nearest to the impact, of a built-in body from just
     /// outside of the surface, as its depths are silent.
     [[nodiscard]] Vec2 sourceOf(Vec2 point, Vec2 normal) const;
     /// The volume of air, in m³, that moves when the body does: its own and half as much that it drags along.
-    /// 0 for what is built in.
+    /// 0 for a built-in body.
     [[nodiscard]] double movedAir() const { return movedAir_; }
 
 private:

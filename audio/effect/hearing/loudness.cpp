@@ -91,10 +91,9 @@ std::vector<Obstacle> obstaclesOf(LoudnessColumns const& columns) {
     return obstacles;
 }
 
-// Ways around grow in number with the sources times the ears, and each one's cost with the obstacles. What a
-// frame spends on all of them is bounded: in a crowd only the simpler ways are found, and for the others what
-// comes straight through the walls counts. It follows from numbers of objects alone, so it is the same in
-// every run.
+// Ways around grow in number with the sources times the ears, and each one's cost with the obstacles. The
+// work of a frame is bounded: in a crowd only the simpler ways are found, and the others count straight
+// through the walls. It follows from numbers of objects alone, so it is the same in every run.
 int patienceFor(std::size_t ways, std::size_t obstacles) {
     constexpr double chords = 5e6; // of obstacles, tested in one frame
     double const each = chords / (static_cast<double>(ways) * std::max(1.0, static_cast<double>(obstacles)));

@@ -1,4 +1,4 @@
-// How loud it is for those who listen.
+// How loud it is at listening objects.
 #pragma once
 
 #include "audio/effect/hearing/sound_path.hpp"
@@ -24,7 +24,7 @@ struct Loudness {
         ObjectId ear;
         double level = 0; ///< dB(A), "fast"; silentLevel where nothing is heard
         ObjectId loudest; ///< the object that contributes most; invalid in silence
-        EventId event;    ///< what made that one sound; none while nobody traces
+        EventId event;    ///< that made the loudest one sound; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "that listens"}, self.ear);
@@ -57,8 +57,8 @@ struct LoudnessColumns {
 using ForPaths =
     std::function<void(std::size_t count, std::function<void(std::size_t, std::size_t)> const& f)>;
 
-/// Every source counts by its A-weighted energy, with what air and walls leave of it. Sources that arrive
-/// more than 20 dB below the faintest level that matters to a listener are left out. `forPaths` runs
+/// Every source counts by its A-weighted energy, with the share that air and walls let through. Sources that
+/// arrive more than 20 dB below the faintest level that matters to a listener are left out. `forPaths` runs
 /// over the ways from sources to listeners; it shows in no result.
 [[nodiscard]] std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
                                                       PathDetail detail, ForPaths const& forPaths);

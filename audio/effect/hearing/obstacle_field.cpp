@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-constexpr double slack = 1e-6; // m: rounding must not make a line miss what it meets
+constexpr double slack = 1e-6; // m: rounding must not make a line miss an obstacle that it meets
 
 std::vector<Bounds> boundsOf(std::span<Obstacle const> obstacles) {
     std::vector<Bounds> bounds;

@@ -18,8 +18,7 @@ public:
 
     [[nodiscard]] std::span<Obstacle const> all() const { return obstacles_; }
     /// The numbers, ascending, of all obstacles whose bounds the line between two points touches, among them
-    /// all in which either point lies. What is not among them the line does not meet. `found` is emptied
-    /// first.
+    /// all in which either point lies. The line meets no others. `found` is emptied first.
     void along(Vec2 from, Vec2 to, std::vector<std::uint32_t>& found) const;
 
 private:

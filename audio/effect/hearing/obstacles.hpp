@@ -1,4 +1,4 @@
-// What stands in the way of sound: the world's shapes as convex polygons.
+// The obstacles to sound: the world's shapes as convex polygons.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"
@@ -16,7 +16,7 @@ struct Obstacle {
     double density = 0; ///< kg/m³
 };
 
-/// The pieces of a shape at that place, as polygons that enclose what is round.
+/// The pieces of a shape at that place, as polygons that enclose round pieces.
 void addObstacles(std::vector<Obstacle>& obstacles, ObjectId object, Shape const& shape, Vec2 at,
                   double angle, double density);
 

@@ -17,7 +17,7 @@ void SoundRings::hear(Sounds const& sounds) {
             continue;
         }
         double const strength = std::min(1.0, (level - faintest) / (loudest - faintest));
-        // An impact tells of both bodies: one ring, for the louder of them.
+        // An impact is reported for both bodies: one ring, for the louder of them.
         auto const same = std::find_if(rings_.begin(), rings_.end(), [&](SoundRing const& ring) {
             return ring.radius == 0 && ring.at == impact.at;
         });

@@ -19,7 +19,7 @@ struct SoundRing {
 /// walk.
 class SoundRings {
 public:
-    /// Takes over what is new; a frame that it knows already is not taken twice.
+    /// Takes over new sounds; a frame that it knows already is not taken twice.
     void hear(Sounds const& sounds);
     /// Lets `duration` (s) pass.
     void advance(double duration);

@@ -11,11 +11,11 @@ namespace {
 constexpr double nearest = 0.1;   // m
 constexpr double thinnest = 0.01; // m: less of an obstacle than that on the line is no wall
 constexpr double worthAWay =
-    0.33; // of the energy: what gets more than that through hardly gains by a way around
+    0.33; // of the energy: if more than that gets through, a way around hardly adds to it
 
 } // namespace
 
-// Both formulas are told in dB; as shares of energy they need no logarithm.
+// Both formulas are published in dB; as shares of energy they need no logarithm.
 
 double shareThrough(double massPerArea, double frequency) {
     constexpr double lossless = 50118.72336272725; // 47 dB
@@ -32,7 +32,8 @@ double shareAround(double detour, double frequency) {
 double transmission(ObstacleField const& field, std::span<ObjectId const> exempt, Vec2 from, Vec2 to,
                     double frequency, PathDetail detail, double least, int patience) {
     double const distance = std::max(nearest, length(to - from));
-    // Sound begins at the surface of what it is in; what is built in is heard outside, and shields it.
+    // Sound begins at the surface of the obstacle that its source is in; a built-in body is heard outside,
+    // and shields it.
     auto const inTheWay = [&](Obstacle const& obstacle) {
         return std::find(exempt.begin(), exempt.end(), obstacle.object) == exempt.end() &&
                !contains(obstacle, from) && !contains(obstacle, to);

@@ -1,4 +1,4 @@
-// What is left of a sound on its way from here to there.
+// The share of a sound that arrives on its way between two points.
 #pragma once
 
 #include "audio/effect/hearing/obstacle_field.hpp"
@@ -23,10 +23,10 @@ enum class PathDetail {
 };
 
 /// The mean square pressure at `to` over that at 1 m from a source at `from`, in free air 1/r². Obstacles of
-/// the objects in `exempt` (the listener), and those that an end lies in, are not in the way. Two
-/// ends nearer than 10 cm count as 10 cm apart. `frequency` in Hz. Echoes are left out. Along a straight line
-/// what would be less than `least` may come out as 0: walls are not counted on once it no longer matters.
-/// `patience` is that of shortestWay(); where it runs out, only the straight line counts. Thread-safe.
+/// the objects in `exempt` (the listener), and those that an end lies in, are not in the way. Two ends nearer
+/// than 10 cm count as 10 cm apart. `frequency` in Hz. Echoes are left out. Along a straight line a share
+/// less than `least` may be returned as 0: walls are not counted on once it no longer matters. `patience` is
+/// that of shortestWay(); where it runs out, only the straight line counts. Thread-safe.
 [[nodiscard]] double transmission(ObstacleField const& field, std::span<ObjectId const> exempt, Vec2 from,
                                   Vec2 to, double frequency, PathDetail detail, double least = 0,
                                   int patience = mostPatience);

@@ -39,7 +39,7 @@ std::vector<ElectricityFromSound::Link> ElectricityFromSound::possible(Access& a
     return links;
 }
 
-// After a swap, the graph tells which of the possible connections stand.
+// After a swap, the graph says which of the possible connections stand.
 void ElectricityFromSound::recall(Access& access, std::vector<Link> const& possible,
                                   std::vector<Link>& told) {
     std::map<std::pair<ObjectId, ObjectId>, std::int32_t> left;

@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// It compares the connections that there should be with those that it has told of, as the interaction from
+/// It compares the connections that there should be with those that it has made, as the interaction from
 /// dynamics does. It lives with sound, and not with electricity, as physics must build and run without sound.
 class ElectricityFromSound final
     : public Interaction<ElectricityFromSound, ElectricityRole,
@@ -23,7 +23,7 @@ public:
                                                 "that it names, or all that touch it, and "
                                                 "disconnects them when it no longer does."};
     using Activation = NeedsAll<SoundSensor>;
-    /// What it has told, and will take back.
+    /// The connections that it has made, and will take back.
     void hashMemory(StateHash& hash) const { hash.members(told_); }
     void apply(Access& access);
 

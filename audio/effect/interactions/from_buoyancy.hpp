@@ -1,4 +1,4 @@
-// (Sound <- Buoyancy): what falls into a liquid splashes.
+// (Sound <- Buoyancy): objects that fall into a liquid splash.
 #pragma once
 
 #include "audio/effect/calls.hpp"
@@ -12,8 +12,8 @@
 
 namespace trembler {
 
-/// What a body newly displaces in a frame gets the body's speed into the liquid: that momentum is the impact
-/// which makes bubbles. A body that floats, or is drawn out, is silent.
+/// The liquid that a body newly displaces in a frame gets the body's speed: that momentum is the impact which
+/// makes bubbles. A body that floats, or is drawn out, is silent.
 class SoundFromBuoyancy final
     : public Interaction<SoundFromBuoyancy, SoundRole, Reads<Immersions, Position, Rotation, Velocity>> {
 public:
@@ -23,7 +23,7 @@ public:
         .level = "",
         .work = "Strikes a liquid with the momentum that an object gives to what it newly displaces."};
     using Activation = NeedsAll<Liquid>;
-    /// What was wet is no splash.
+    /// Only bodies that were dry splash.
     void hashMemory(StateHash& hash) const { hash.members(wet_); }
 
     static constexpr double slowest = 0.1;  ///< m/s into the liquid; below, it closes without a splash

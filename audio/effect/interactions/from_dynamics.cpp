@@ -26,7 +26,7 @@ public:
         MadeOf const* const of = find<MadeOf>(id);
         return of == nullptr ? Material::plastic : of->material;
     }
-    /// 1/kg; 0 for what does not move.
+    /// 1/kg; 0 for an object that does not move.
     [[nodiscard]] double inverseMass(ObjectId id) const {
         Mass const* const mass = find<Mass>(id);
         return mass == nullptr || access_.template read<Fixed>().has(id) ? 0 : 1 / mass->value;

@@ -1,4 +1,4 @@
-// (Sound <- Dynamics): what hits, rubs or rolls is heard.
+// (Sound <- Dynamics): bodies that hit, rub or roll are heard.
 #pragma once
 
 #include "audio/effect/calls.hpp"
@@ -34,7 +34,7 @@ public:
     static constexpr double rollingShare =
         0.03;                                ///< of the load that is noise where something rolls, an estimate
     static constexpr double slowest = 0.02;  ///< m/s, of sliding and rolling that is heard
-    static constexpr double faintest = 1e-4; ///< N, of noise that is told
+    static constexpr double faintest = 1e-4; ///< N, of noise that is reported
 
     void apply(Access& access);
 

@@ -1,4 +1,4 @@
-// (Sound <- Electricity): what hums while it is on.
+// (Sound <- Electricity): objects that hum while they are on.
 #pragma once
 
 #include "audio/effect/calls.hpp"

@@ -27,7 +27,7 @@ AcousticMaterial const& acousticMaterial(Material material) {
             {50e9, 0, 0.20, 0.01, 0.02, 0.004},    // stone
             {2.5e9, 0, 0.38, 0.04, 0.06, 0.001},   // plastic
             {15e9, 0, 0.20, 0.02, 0.04, 0.005},    // brick
-            {2.2e9, 0, 0.48, 0.05, 0.01, 0.01},    // water: for what lies in between; it sounds by bubbles
+            {2.2e9, 0, 0.48, 0.05, 0.01, 0.01},    // water: between bodies; it sounds by bubbles
             {100e9, 0, 0.35, 0.001, 0.03, 0.001},  // gold: bell bronze
         }};
         for (std::size_t i = 0; i < made.size(); ++i) {

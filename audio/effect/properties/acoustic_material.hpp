@@ -1,4 +1,4 @@
-// How materials sound: what they are made of, as far as vibration and absorption go.
+// How materials sound: their numbers for vibration and absorption.
 #pragma once
 
 #include "physics/material.hpp"
@@ -22,8 +22,7 @@ struct AcousticMaterial {
 /// Textbook values: densities are those of materialFacts(), moduli as in Fletcher and Rossing, The Physics of
 /// Musical Instruments (1998), Chapter 22; loss factors as in Cremer, Heckl and Petersson, Structure-Borne
 /// Sound (2005), towards the upper end, as nothing here hangs free; absorption as in Kuttruff, Room Acoustics
-/// (2000), Chapter 9. Roughness is an estimate by hand. "gold" is what bells look like, and is taken for
-/// bronze.
+/// (2000), Chapter 9. Roughness is an estimate by hand. "gold" is the look of bells, and is taken for bronze.
 [[nodiscard]] AcousticMaterial const& acousticMaterial(Material material);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// What sound knows of objects.
+// The properties of objects that sound reads.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// What an object vibrates like.
+/// The simple body as which an object vibrates.
 enum class SoundingForm : int {
     automatic, ///< by its shape: long ones are bars, round ones balls, the others plates; water splashes
     bar,
@@ -21,7 +21,7 @@ template <>
 inline constexpr std::array<std::string_view, 5> choiceNames<SoundingForm>{"automatic", "bar", "plate",
                                                                            "ball", "bell"};
 
-/// How an object sounds, where its shape and its material alone would not tell.
+/// How an object sounds, where that does not follow from its shape and its material.
 struct Acoustics {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Acoustics", "acoustics",
@@ -65,9 +65,8 @@ enum class SampleCue : int {
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<SampleCue>{"struck", "powered"};
 
-/// A recording that the object plays besides what it sounds like. How loud it is and how long it lasts is
-/// stated here, not taken from the file: whoever listens in the world must not depend on what a loudspeaker
-/// finds.
+/// A recording that the object plays, besides its own sound. How loud it is and how long it lasts is stated
+/// here, not taken from the file: listeners in the world must not depend on the files of a loudspeaker.
 struct Sample {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Sample", "sample", "A recording that the object plays."};
@@ -108,13 +107,10 @@ struct Sample {
     friend bool operator==(Sample const&, Sample const&) = default;
 };
 
-/// Marks what listens, for goals and for people to see.
+/// Marks an object that listens, for goals and for people to see.
 struct Ear {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Ear", "ear", "How loud it is here is worked out for the object."};
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// A switch that closes while it is loud enough. With two objects named, it connects these. Otherwise it

@@ -9,7 +9,7 @@ inline constexpr double airDensity = 1.204;        ///< kg/m³
 inline constexpr double referencePressure = 20e-6; ///< Pa, 0 dB
 inline constexpr double lowestAudible = 20;        ///< Hz
 inline constexpr double highestAudible = 20000;    ///< Hz
-inline constexpr double silentLevel = -120;        ///< dB; what is called silence
+inline constexpr double silentLevel = -120;        ///< dB; counts as silence
 
 /// The level, in dB, of a mean square pressure in Pa²; silentLevel at the least.
 [[nodiscard]] double levelOf(double meanSquare);
@@ -18,8 +18,8 @@ inline constexpr double silentLevel = -120;        ///< dB; what is called silen
 [[nodiscard]] double powerOf(double decibels);
 /// The mean square pressure, in Pa², of a level in dB.
 [[nodiscard]] double meanSquareOf(double level);
-/// What the ear makes of a tone: the factor on its mean square pressure by A-weighting, IEC 61672-1, Annex E;
-/// 1 at 1 kHz.
+/// The ear's sensitivity to a tone: the factor on its mean square pressure by A-weighting, IEC 61672-1, Annex
+/// E; 1 at 1 kHz.
 [[nodiscard]] double aWeighting(double frequency);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// What sounds where: the resolver property that loudness, loudspeakers and drawing read.
+// Which bodies sound, and where: the resolver property that loudness, loudspeakers and drawing read.
 #pragma once
 
 #include "runtime/math/vec2.hpp"
@@ -25,7 +25,7 @@ struct Sounds {
         double frequency = 0;  ///< Hz
         double decay = 0;      ///< 1/s, of the amplitude
         double meanSquare = 0; ///< Pa², at the end of the frame
-        double weight = 1;     ///< what the ear makes of it, on the mean square (A-weighting)
+        double weight = 1;     ///< the ear's factor on its mean square pressure (A-weighting)
     };
     /// A body that sounds, or has sounded until a moment ago.
     struct Body {
@@ -36,9 +36,9 @@ struct Sounds {
         double loudness = 0;     ///< Pa², A-weighted, smoothed over 125 ms ("fast", IEC 61672-1)
         double brightness = 0;   ///< Hz, the mean frequency of that
         std::vector<Ring> rings; ///< its modes, ascending by frequency
-        EventId event;           ///< the latest impact; none while nobody traces
+        EventId event;           ///< the latest impact; none without tracing
     };
-    /// An impact in this frame, or in the part of it that is told of.
+    /// An impact in this frame, or in the part of it that is reported.
     struct Impact {
         ObjectId object;
         ObjectId other;
@@ -82,13 +82,10 @@ struct Sounds {
     std::uint64_t frame = 0;           ///< the last in which anything was worked out
     std::uint64_t recordingsEver = 0;
 
-    /// Of a frame in parts: what sounds at its end, with the impacts and the scraping of all parts.
+    /// Of a frame in parts: the sounds at its end, with the impacts and the scraping of all parts.
     static void gather(Sounds& frame, Sounds const& part, PartSpan span);
 
     [[nodiscard]] bool silent() const { return bodies.empty() && recordings.empty(); }
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

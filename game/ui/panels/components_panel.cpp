@@ -1,5 +1,7 @@
 #include "game/ui/panels/components_panel.hpp"
 
+#include "game/ui/panels/attempt.hpp"
+#include "game/ui/panels/time_bar.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
@@ -8,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace trembler::ui {
 namespace {
@@ -68,40 +69,6 @@ void drawState(Activity activity) {
     ImGui::TextUnformatted(wordFor(activity));
 }
 
-void drawBar(double microseconds, double slowest) {
-    ImVec2 const at = ImGui::GetCursorScreenPos();
-    float const width = ImGui::GetContentRegionAvail().x;
-    float const height = ImGui::GetTextLineHeight();
-    float const numbers = scaled(58);
-    float const share = slowest > 0 ? static_cast<float>(microseconds / slowest) : 0.F;
-    auto& list = *ImGui::GetWindowDrawList();
-    float const room = std::max(width - numbers, 0.F);
-    float const middle = at.y + 0.5F * height;
-    list.AddRectFilled({at.x, middle - scaled(4)}, {at.x + room, middle + scaled(4)},
-                       imColour(palette::paperShade), scaled(4));
-    if (share > 0.005F) {
-        list.AddRectFilled({at.x, middle - scaled(4)},
-                           {at.x + std::max(room * std::min(share, 1.F), scaled(8)), middle + scaled(4)},
-                           imColour(palette::accent), scaled(4));
-    }
-    std::string const text = fmt::format("{:.1f}", microseconds);
-    float const right = at.x + width - ImGui::CalcTextSize(text.c_str()).x;
-    list.AddText({right, at.y}, imColour(palette::ink), text.c_str());
-    ImGui::Dummy({width, height});
-}
-
-/// Runs a change that may object, and tells the player why.
-template <class F>
-void attempt(Toasts& toasts, F&& change) {
-    try {
-        change();
-    } catch (std::invalid_argument const& error) {
-        toasts.add(error.what(), ToastKind::Trouble);
-    } catch (std::runtime_error const& error) {
-        toasts.add(error.what(), ToastKind::Trouble);
-    }
-}
-
 } // namespace
 
 void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, double slowest, Session& session,
@@ -144,7 +111,9 @@ void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, dou
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
     if (!absent) {
-        drawBar(smooth_[name], slowest);
+        double const now = smooth_[name];
+        float const share = slowest > 0 ? static_cast<float>(now / slowest) : 0.F;
+        drawTimeBar({.share = share > 0.005F ? share : 0.F, .text = fmt::format("{:.1f}", now)});
     }
 }
 

@@ -1,12 +1,13 @@
 #include "game/ui/panels/cost_rows.hpp"
 
+#include "game/ui/panels/attempt.hpp"
+#include "game/ui/panels/time_bar.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/cards.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace trembler::ui {
 
@@ -14,55 +15,25 @@ using namespace render;
 
 namespace {
 
-/// Runs a change that may object, and tells the player why.
-template <class F>
-void attempt(Toasts& toasts, F&& change) {
-    try {
-        change();
-    } catch (std::invalid_argument const& error) {
-        toasts.add(error.what(), ToastKind::Trouble);
-    } catch (std::runtime_error const& error) {
-        toasts.add(error.what(), ToastKind::Trouble);
-    }
-}
-
 void tip(std::string const& text) {
     if (!text.empty() && ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s", words::wrapped(text, 60).c_str());
     }
 }
 
-/// A bar of a time against a scale, with the number at its right end; `limit` draws the line of the budget.
+/// A time (µs) against a scale; `limit` draws the line of the budget.
 void timeBar(double microseconds, double scale, double limit, bool grey) {
-    ImVec2 const at = ImGui::GetCursorScreenPos();
-    float const width = ImGui::GetContentRegionAvail().x;
-    float const height = ImGui::GetFrameHeight();
-    float const numbers = scaled(62);
-    float const room = std::max(width - numbers, scaled(10));
-    float const middle = at.y + 0.5F * height;
-    float const half = scaled(5);
-    auto& list = *ImGui::GetWindowDrawList();
     auto const share = [&](double time) {
         return scale > 0 ? std::clamp(static_cast<float>(time / scale), 0.F, 1.F) : 0.F;
     };
-    list.AddRectFilled({at.x, middle - half}, {at.x + room, middle + half}, imColour(palette::paperShade),
-                       half);
-    bool const over = limit > 0 && microseconds > limit;
-    if (microseconds > 0) {
-        Colour const colour = over ? palette::warning : palette::accent;
-        list.AddRectFilled({at.x, middle - half},
-                           {at.x + std::max(room * share(microseconds), 2 * half), middle + half},
-                           imColour(colour), half);
-    }
-    if (limit > 0) {
-        float const x = at.x + room * share(limit);
-        list.AddLine({x, middle - 1.7F * half}, {x, middle + 1.7F * half}, imColour(palette::ink), scaled(2));
-    }
-    std::string const text = grey ? words::nothingStated : words::duration(microseconds);
-    ImVec2 const size = ImGui::CalcTextSize(text.c_str());
-    list.AddText({at.x + width - size.x, middle - 0.5F * size.y},
-                 imColour(grey ? palette::inkSoft : palette::ink), text.c_str());
-    ImGui::Dummy({width, height});
+    drawTimeBar({.share = share(microseconds),
+                 .limit = share(limit),
+                 .over = limit > 0 && microseconds > limit,
+                 .text = grey ? words::nothingStated : words::duration(microseconds),
+                 .grey = grey,
+                 .half = 5,
+                 .numbers = 62,
+                 .framed = true});
 }
 
 /// What else an effect could be computed like, in its unfolded knob.

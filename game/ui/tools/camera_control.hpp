@@ -27,7 +27,6 @@ public:
     void zoom(render::Point at, double notches);
     void startPan() { panning_ = true; }
     void stopPan() { panning_ = false; }
-    [[nodiscard]] bool panning() const { return panning_; }
     /// Moves the paper along with the mouse, if it is held.
     void drag(render::Point pixels);
 

@@ -30,13 +30,11 @@ namespace {
 /// The cable to be cut or mended in the next frame.
 struct CableChange {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Cable change", "accuracy_cable_change", "A cable to cut or to mend."};
+    static constexpr PropertyText text{"Cable change", "accuracy_cable_change", "A cable to cut or to mend.",
+                                       PropertyPlace::hidden};
     ObjectId a;
     ObjectId b;
     bool mend = false;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 class ElectricityFromAccuracy final

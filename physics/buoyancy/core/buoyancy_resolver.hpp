@@ -9,13 +9,13 @@
 
 namespace trembler {
 
-/// `Self` adds `text` and `prepare(access)`, which returns a Flotation::HullMaker. It reads what 6.13.2 says,
-/// and Fixed, as there is no need to know how the world would float; and what its detail level needs, `More`.
+/// `Self` adds `text` and `prepare(access)`, which returns a Flotation::HullMaker. It reads the properties
+/// that 6.13.2 lists; Fixed, as fixed objects need no buoyancy; and those that its detail level needs,
+/// `More`.
 ///
-/// It knows nothing of collisions and has no frame of lag against them: where bodies are in this frame is
-/// where they displace liquid in this frame (6.12.4). Floating takes gravity as it is told and liquids as
-/// they stand: the pressure in a liquid grows in the direction of gravity, whichever way its surface is
-/// tilted.
+/// It knows nothing of collisions and does not lag behind them: bodies displace liquid where they are in this
+/// frame (6.12.4). It takes gravity from the calls that it receives and liquids as they stand: the pressure
+/// in a liquid grows in the direction of gravity, whichever way its surface is tilted.
 template <class Self, ObjectProperty... More>
 class BuoyancyResolver
     : public Resolver<Self, BuoyancyRole, Reads<Position, Rotation, Shape, Density, Liquid, Fixed, More...>,

@@ -70,7 +70,8 @@ void Flotation::followBodies(FlotationColumns const& columns, HullMaker const& m
     auto old = earlier.begin();
     forEach(
         [&](ObjectId id, Shape const& shape, Position const&) {
-            // What is fixed is lifted by nothing, and what is not sound is no body to Dynamics either.
+            // Nothing lifts a fixed object, and an object with an unsound shape is no body to Dynamics
+            // either.
             if (columns.liquid.has(id) || columns.fixed.has(id) || faultIn(shape)) {
                 return;
             }

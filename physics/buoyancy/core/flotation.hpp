@@ -22,7 +22,8 @@ struct FlotationColumns {
     Column<Fixed> const& fixed;
 };
 
-/// Keeps for every body what it displaces of every liquid, and computes only what has moved.
+/// Keeps, for every body, the area of every liquid that it displaces; computes it again only for bodies that
+/// have moved.
 class Flotation {
 public:
     using HullMaker = std::function<std::unique_ptr<Hull>(Shape const&)>;
@@ -36,7 +37,7 @@ public:
     }
     /// Takes over bodies and liquids as they stand. Returns whether anything may be different from last time.
     bool follow(FlotationColumns const& columns, HullMaker const& makeHull, ForRanges const& forRanges);
-    /// What bodies displace, in order; without events.
+    /// The displaced areas, in order; without events.
     void gather(std::vector<Immersions::Entry>& entries) const;
 
 private:
@@ -70,13 +71,13 @@ private:
     std::uint64_t places_ = 0;
 };
 
-/// Carries events over from what was known before, and records what is new: `enter(entry)` and `leave(entry)`
-/// for each object and liquid that came together or parted. Both lists are ascending.
+/// Copies the events of entries that were there before, and records new ones: `enter(entry)` and
+/// `leave(entry)` for each object and liquid that came together or parted. Both lists are ascending.
 void matchEvents(std::vector<Immersions::Entry> const& before, std::vector<Immersions::Entry>& now,
                  std::function<EventId(Immersions::Entry const&)> const& enter,
                  std::function<void(Immersions::Entry const&)> const& leave);
 
-/// Forces and their centres from what is displaced. `pose` gives an object's pose.
+/// Forces and their centres from the displaced areas. `pose` gives an object's pose.
 void sumForces(std::vector<Immersions::Entry> const& entries, Vec2 gravity,
                std::function<Pose(ObjectId)> const& pose, BuoyancyForce& forces, CentreOfBuoyancy& centres);
 

@@ -78,8 +78,8 @@ struct Lag {
     double turn = 0; // s, of the point where it acts
 };
 
-// Resists motion out of the surface and into it at every point of the waterline, and turning by what it does
-// to the arm of F_B.
+// Resists motion out of the surface and into it at every point of the waterline, and resists turning as far
+// as that changes the arm of F_B.
 LiquidResistance::Entry lookAhead(Immersions::Entry const& immersion, BodyMotion const& body, double pull,
                                   Lag const& lag) {
     Waterline const& line = immersion.waterline;

@@ -1,4 +1,4 @@
-// Why motion in a liquid dies away: drag, and what a body's buoyancy will have changed by next time.
+// Why motion in a liquid dies away: drag, and the change of a body's buoyancy until it is computed again.
 #pragma once
 
 #include "physics/buoyancy/properties/liquid.hpp"
@@ -13,10 +13,10 @@
 
 namespace trembler {
 
-/// Drag acts at the centroid of what is immersed, against its velocity v in the liquid:
-/// F = -(c1 m + c2 ½ ρ w d |v|) v, with m the mass of the displaced liquid, w the width of what is immersed
+/// Drag acts at the centroid of the immersed part, against its velocity v in the liquid:
+/// F = -(c1 m + c2 ½ ρ w d |v|) v, with m the mass of the displaced liquid, w the width of the immersed part
 /// across v, d the world's depth, c1 and c2 the liquid's linear and quadratic drag; and against the turning
-/// likewise: T = -(c1 ρ d J + c2 ½ ρ d |ω| L⁴/32) ω, with J the polar moment of what is immersed about that
+/// likewise: T = -(c1 ρ d J + c2 ½ ρ d |ω| L⁴/32) ω, with J the polar moment of the immersed part about that
 /// centroid and L its length, as for a plate that turns about its middle. Widths are those of the rectangle
 /// with the same second moments.
 ///
@@ -24,7 +24,7 @@ namespace trembler {
 /// average it is the force of t/2 ago, and a force that lags behind feeds oscillations. So the body is made
 /// to resist motion up and down at its waterline with ρ g d t/2 per length, which is what the force will have
 /// lost on average; and turning, with t/2 times F_B times the height of the centre of buoyancy above that of
-/// mass. What the engine itself makes up for is left out: see ForceLag.
+/// mass. The part of this lag that the engine itself compensates is left out: see ForceLag.
 ///
 /// How fast F_B varies: ω² = k/m + k'/I, k = ρ g d per length of the waterline, as a float of mass m bobs,
 /// and k' its righting moment per angle, as it rolls.

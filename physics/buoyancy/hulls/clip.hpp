@@ -27,7 +27,7 @@ public:
             add(corner, own);
         }
     }
-    /// Keeps what is inside (after Sutherland and Hodgman, 1974). The new edge, if there is one, gets `tag`.
+    /// Keeps the part inside (after Sutherland and Hodgman, 1974). The new edge, if there is one, gets `tag`.
     /// Rounding moves corners by no more than itself; no corner is gained or lost over it by more.
     void clip(Side const& side, int tag);
 

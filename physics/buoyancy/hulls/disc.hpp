@@ -30,7 +30,7 @@ struct Segment {
 /// less nothing of the disc is inside, at radius or more all of it.
 [[nodiscard]] Segment discSegment(double radius, double distance);
 
-/// What a side of a polygon contributes to what polygon and disc have in common.
+/// The contribution of a polygon's side to the intersection of polygon and disc.
 struct DiscSide {
     AreaMoments moments;       ///< of (centre, from, to) within the disc, about the centre
     std::array<Vec2, 2> chord; ///< the part of the side within the disc, relative to the centre
@@ -38,8 +38,8 @@ struct DiscSide {
 };
 
 /// The part of the triangle (centre, from, to) that lies within the disc, negative if it runs clockwise; from
-/// and to are relative to the centre. The sum over the sides of a polygon is what polygon and disc have in
-/// common; every term is continuous in its arguments, so nothing depends on which side of a corner rounding
+/// and to are relative to the centre. The sum over the sides of a polygon is the intersection of polygon and
+/// disc; every term is continuous in its arguments, so nothing depends on which side of a corner rounding
 /// puts a point.
 [[nodiscard]] DiscSide discSide(double radius, Vec2 from, Vec2 to);
 

@@ -3,7 +3,7 @@
 namespace trembler {
 
 Displacement displacedOf(Hull const& hull, LiquidPiece const& piece, Pose const& pose, Vec2 up) {
-    // Most bodies are far from most liquids: these need not even the room for what might cut them.
+    // Most bodies are far from most liquids: for these not even the list of cutting sides is made.
     for (Side const& side : piece.sides) {
         if (dot(side.normal, pose.at) - side.offset >= hull.radius()) {
             return {};

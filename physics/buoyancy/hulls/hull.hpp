@@ -1,4 +1,4 @@
-// What a body displaces: the part of buoyancy that has detail levels.
+// The area that a body displaces: the part of buoyancy that has detail levels.
 #pragma once
 
 #include "physics/buoyancy/hulls/liquid_area.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// What a body has in common with a liquid, in the body's frame.
+/// The intersection of a body and a liquid, in the body's frame.
 struct Displacement {
     AreaMoments wet;
     Waterline waterline;
@@ -29,7 +29,7 @@ public:
     Hull(Hull const&) = delete;
     Hull& operator=(Hull const&) = delete;
 
-    /// What is inside of all the sides. `up`: see Waterline::add.
+    /// The part of the body inside of all the sides. `up`: see Waterline::add.
     [[nodiscard]] virtual Displacement displaced(std::span<Side const> sides, Vec2 up) const = 0;
 
     /// All of the body.
@@ -45,7 +45,7 @@ private:
     double radius_;
 };
 
-/// What a body displaces of a piece of liquid.
+/// The part of a piece of liquid that a body displaces.
 [[nodiscard]] Displacement displacedOf(Hull const& hull, LiquidPiece const& piece, Pose const& pose, Vec2 up);
 
 } // namespace trembler

@@ -29,7 +29,7 @@ struct LiquidPiece {
     std::vector<Side> sides; ///< in the world; at most mostSides
 };
 
-/// What is round is taken as a polygon of this many sides with the same area; its boundary is off by at most
+/// A round piece is taken as a polygon of this many sides with the same area; its boundary is off by at most
 /// 0.1 % of the radius.
 inline constexpr std::size_t roundSides = 64;
 inline constexpr std::size_t mostSides = roundSides + 2; // a capsule has two straight sides more

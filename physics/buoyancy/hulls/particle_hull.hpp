@@ -17,10 +17,10 @@ public:
 
     /// About `count` particles, 4 or more. The shape must be sound (see faultIn()).
     ///
-    /// They are shared out among the pieces by area, at least four to each, and spread over each by the
-    /// R2 sequence (Roberts 2018), which is evenly spread for any number of points and the same every time.
-    /// In a box, circle or capsule a quarter of them is spread over a quarter of it and mirrored, so that
-    /// what is symmetric floats upright.
+    /// They are shared out among the pieces by area, at least four to each, and spread over each by the R2
+    /// sequence (Roberts 2018), which is evenly spread for any number of points and the same every time. In a
+    /// box, circle or capsule a quarter of them is spread over a quarter of it and mirrored, so that a
+    /// symmetric body floats upright.
     ParticleHull(Shape const& shape, int count);
     [[nodiscard]] Displacement displaced(std::span<Side const> sides, Vec2 up) const override;
 

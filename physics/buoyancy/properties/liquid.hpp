@@ -1,4 +1,4 @@
-// What makes an object a body of liquid.
+// The property of a body of liquid.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -12,7 +12,7 @@ namespace trembler {
 /// pressure is the same all over a surface, it grows straight down from it: with density times that part of
 /// gravity which points into the liquid. On a level surface that is Archimedes' principle, eq. 6.1; down a
 /// tilted one things slide, as they do on a river. (A force against gravity under a tilted surface would
-/// belong to no pressure at all, and turn wheels for ever.)
+/// belong to no pressure at all, and keep wheels turning without end.)
 struct Liquid {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{

@@ -1,4 +1,4 @@
-// What in a liquid resists motion: what Liquid Drag derives, and Dynamics is told.
+// The resistance of liquids to motion: derived by Liquid Drag, passed on to Dynamics.
 #pragma once
 
 #include "runtime/math/vec2.hpp"
@@ -10,9 +10,8 @@
 
 namespace trembler {
 
-/// What resists the motion of each immersed object, as coefficients of velocities and not as forces: so
-/// whoever moves the objects can integrate it without ever overshooting, however light they are. Ascending by
-/// object.
+/// The resistance to the motion of each immersed object, as coefficients of velocities and not as forces: so
+/// an engine can integrate it without ever overshooting, however light they are. Ascending by object.
 struct LiquidResistance {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Liquid resistance", "liquid_resistance",
@@ -24,9 +23,9 @@ struct LiquidResistance {
         double xy = 0;      ///< kg/s  a symmetric matrix
         double yy = 0;      ///< kg/s
         double angular = 0; ///< kg m²/s: torque against the angular velocity
-        Vec2 push;          ///< N: what a current adds at the point
+        Vec2 push;          ///< N: added by a current, at the point
         double rate = 0;    ///< 1/s, at which F_B varies as the object moves; see TellRate
-        EventId event;      ///< "enters the liquid"; none while nobody traces
+        EventId event;      ///< "enters the liquid"; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "whose motion it resists"}, self.object);
@@ -45,7 +44,7 @@ struct LiquidResistance {
         }
     };
     std::vector<Entry> entries;
-    bool foreseen = false; ///< whether the entries resist what F_B will have changed by before it is new
+    bool foreseen = false; ///< whether the entries allow for the change of F_B until it is computed again
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {

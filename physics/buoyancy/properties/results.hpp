@@ -1,4 +1,4 @@
-// What the Buoyancy resolver offers: its resolver properties (6.13.2).
+// The resolver properties of Buoyancy (6.13.2).
 #pragma once
 
 #include "physics/buoyancy/properties/moments.hpp"
@@ -37,7 +37,7 @@ struct BuoyancyForce {
     struct Entry {
         ObjectId object;
         Vec2 force;    ///< N, acts at the centre of buoyancy
-        EventId event; ///< "enters the liquid"; none while nobody traces
+        EventId event; ///< "enters the liquid"; none without tracing
         friend bool operator==(Entry const&, Entry const&) = default;
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
@@ -81,7 +81,7 @@ struct CentreOfBuoyancy {
     }
 };
 
-/// What each object displaces of each liquid; ascending by object, then by liquid.
+/// The area of each liquid that each object displaces; ascending by object, then by liquid.
 struct Immersions {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Immersion", "immersion",
@@ -94,9 +94,9 @@ struct Immersions {
         ObjectId liquid;
         double density = 0;  ///< kg/m³, of the liquid
         Vec2 up;             ///< unit, in the world, out of the liquid's surface
-        AreaMoments wet;     ///< of what is immersed, in the object's frame
+        AreaMoments wet;     ///< of the immersed part, in the object's frame
         Waterline waterline; ///< in the object's frame
-        EventId event;       ///< "enters the liquid"; none while nobody traces
+        EventId event;       ///< "enters the liquid"; none without tracing
     };
     std::vector<Entry> entries;
     double interval = 0; ///< s, for which these results stand: the resolver's period
@@ -105,9 +105,6 @@ struct Immersions {
     [[nodiscard]] static double pull(Entry const& entry, Vec2 gravity) {
         return std::max(0.0, -dot(gravity, entry.up));
     }
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

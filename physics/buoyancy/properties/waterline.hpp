@@ -1,4 +1,4 @@
-// Where the surface of a liquid cuts through a body: what decides how its buoyancy changes as it moves.
+// Where the surface of a liquid cuts through a body. How its buoyancy changes as it moves follows from that.
 #pragma once
 
 #include "runtime/math/vec2.hpp"

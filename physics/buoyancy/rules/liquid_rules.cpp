@@ -14,7 +14,7 @@
 namespace trembler {
 namespace {
 
-// Overlaps up to here are rounding, in the numbers of whoever wrote the level.
+// Overlaps up to here are rounding, in the numbers of the level's author.
 constexpr double allowedOverlap = 1e-4; // m²
 
 struct Placed {
@@ -74,7 +74,7 @@ public:
         tree_ = BoxTree(std::move(boxes));
     }
 
-    /// What is wrong with the liquid, or nothing.
+    /// The fault of the liquid, or nothing.
     [[nodiscard]] std::optional<std::string> faultOf(ObjectId id) const {
         auto const found =
             std::lower_bound(liquids_.begin(), liquids_.end(), id,
@@ -114,7 +114,7 @@ private:
 
     [[nodiscard]] std::optional<std::string> withOthers(PlacedLiquid const& liquid,
                                                         std::vector<LiquidPiece> const& pieces) const {
-        std::uint32_t before = liquid.first; // of a piece that would be told of instead
+        std::uint32_t before = liquid.first; // of a piece that would be reported instead
         double first = 0;                    // m², that it overlaps
         for (std::uint32_t i = 0; i < pieces.size(); ++i) {
             double area = 0;

@@ -1,4 +1,4 @@
-// What a level must not say of liquids.
+// The rules for liquids in a level.
 #pragma once
 
 #include "runtime/world/registry.hpp"
@@ -7,8 +7,8 @@
 
 namespace trembler {
 
-/// A liquid needs a shape, its area; its pieces, and two liquids, must not overlap, as what is in both would
-/// be lifted twice. Returns what is wrong and what was expected, ascending by object: of each liquid the
+/// A liquid needs a shape, its area; its pieces, and two liquids, must not overlap, as an object in both
+/// would be lifted twice. Returns the faults with what was expected, ascending by object: of each liquid the
 /// first of its own pieces that overlap, else the first of the liquids before it. In n log n of all pieces,
 /// if boxes along the axes around pieces that do not overlap meet only a few others. See ObjectRule.
 [[nodiscard]] std::vector<ObjectFault> checkLiquids(Store const& store);

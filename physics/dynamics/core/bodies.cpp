@@ -74,7 +74,7 @@ BodySpec BodyTable::traitsOf(DynamicsColumns const& columns, ObjectId id) const 
     spec.object = id;
     spec.fixed = columns.fixed.has(id) || std::binary_search(still_.begin(), still_.end(), id);
     spec.bullet = columns.bullet.has(id);
-    spec.mass = spec.fixed ? Mass{}.value : valueOr(columns.mass, id).value; // nothing moves what is fixed
+    spec.mass = spec.fixed ? Mass{}.value : valueOr(columns.mass, id).value; // nothing moves a fixed body
     spec.friction = valueOr(columns.friction, id).coefficient;
     spec.restitution = valueOr(columns.restitution, id).coefficient;
     spec.groups = valueOr(columns.groups, id);

@@ -22,17 +22,19 @@ struct Body {
     Vec2 centre;        ///< m, centre of mass in the object's frame
     bool offCentre = false;
     MotionRows rows;
-    Shape shape; // what the engine was told, to notice changes
+    Shape shape; // as the engine has received it, to notice changes
     BodySpec spec;
 };
 
 /// New bodies are added in ascending order of objects, whatever the order in which they came into being.
 class BodyTable {
 public:
-    /// Finds out which bodies must go: their object is gone, or what makes them has changed. Ascending slots.
+    /// Finds out which bodies must go: their object is gone, or one of the properties that they are made from
+    /// has changed. Ascending slots.
     [[nodiscard]] std::vector<SlotIndex> outdated(DynamicsColumns const& columns) const;
     void remove(SlotIndex slot, Engine& engine);
-    /// Adds every object that has a shape and is not there yet. What is not sound goes to `refusals`.
+    /// Adds every object that has a shape and is not there yet. An object that is not sound goes to
+    /// `refusals`.
     void addMissing(DynamicsColumns const& columns, Engine& engine, std::vector<Refusal>& refusals);
     /// Follows changes of the columns that this simulation has not made itself.
     void followMotion(DynamicsColumns const& columns, Engine& engine);

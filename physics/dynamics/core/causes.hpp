@@ -1,4 +1,4 @@
-// The recent causes of each body's motion, kept while somebody traces.
+// The recent causes of each body's motion, kept while tracing is on.
 #pragma once
 
 #include "physics/dynamics/core/joints.hpp"
@@ -9,8 +9,8 @@
 
 namespace trembler {
 
-/// Whatever happens to a body happens to all that is tied to it or touches it at that time, too: the plank
-/// that a magnet pulls takes the ball that lies on it along. What is fixed passes nothing on.
+/// A cause of a body's motion is also one of all bodies that are tied to it or touch it at that time: the
+/// plank that a magnet pulls takes the ball that lies on it along. Fixed bodies pass nothing on.
 class CauseBook {
 public:
     static constexpr std::size_t most = 16;  ///< causes per body; the oldest that acts no longer goes first
@@ -22,7 +22,7 @@ public:
     void act(SlotIndex slot, EventId cause);
     /// Something happened to a body once.
     void note(SlotIndex slot, EventId cause);
-    /// Passes on what is new to bodies that touch or are tied together.
+    /// Passes new causes on to bodies that touch or are tied together.
     void spread(BodyTable const& bodies, JointTable const& joints, std::span<TouchingPair const> touching);
     void forget(SlotIndex slot);
 

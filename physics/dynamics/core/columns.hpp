@@ -31,7 +31,7 @@ struct DynamicsColumns {
     Column<Velocity> const& velocity;
     Column<AngularVelocity> const& spin;
 
-    /// Changes with whatever makes a body what it is, where it is apart.
+    /// Changes with every property that a body is made from, except its position.
     [[nodiscard]] std::uint64_t bodiesVersion() const {
         return shape.version() + mass.version() + fixed.version() + bullet.version() + friction.version() +
                restitution.version() + groups.version() + damping.version() + liquid.version();
@@ -45,7 +45,7 @@ struct DynamicsColumns {
         return position.structureVersion() + rotation.structureVersion() + velocity.structureVersion() +
                spin.structureVersion();
     }
-    /// Held to the ranges of its description, whoever wrote it.
+    /// Clamped to the ranges of its description, whichever program wrote it.
     [[nodiscard]] DynamicsSettings worldSettings() const {
         DynamicsSettings made = settings.empty() ? DynamicsSettings{} : settings.values().front();
         made.substeps = std::clamp(made.substeps, 0, 64);

@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-// What is left of a load, from all of it to nothing.
+// The rest of a load, from all of it to nothing.
 double left(double load, double taken) {
     return std::clamp(load + taken, std::min(load, 0.0), std::max(load, 0.0));
 }

@@ -23,7 +23,8 @@ struct Drag {
 
 inline constexpr double maximumDrag = 1e15; ///< kg/s, kg m²/s: more is as good as infinitely much
 
-/// What makes a resistance one: it never gives motion a push, and is not beyond maximumDrag.
+/// Whether the coefficients are those of a resistance: it never accelerates a body, and is not beyond
+/// maximumDrag.
 [[nodiscard]] bool isResistance(double xx, double xy, double yy, double angular);
 
 /// A velocity, or a momentum, of a body: of its centre of mass and of its turning.
@@ -39,10 +40,10 @@ struct Twist {
 
 /// Drag on one body, substep by substep.
 ///
-/// Drag must resist what loads will do within the step, or light bodies would get far too fast before it is
-/// felt. But of a load that joints and contacts take up nothing comes: a raft that lies still under its cargo
-/// must feel no drag. What they took up in the last substep is a good guess at what they will take up in this
-/// one; it counts against the load, and never for more than that.
+/// Drag must resist the acceleration by the loads within the step, or light bodies would get far too fast
+/// before it acts. But a load that joints and contacts take up accelerates nothing: a raft that lies still
+/// under its cargo must feel no drag. The part that they took up in the last substep is a good guess at the
+/// part that they will take up in this one; it counts against the load, and never for more than that.
 class DraggedBody {
 public:
     Drag drag;
@@ -50,7 +51,7 @@ public:
     /// The impulse to apply before a substep of h (s), to a body of momentum `now` on which a load is going
     /// to exert the impulse `load`.
     [[nodiscard]] Twist before(double mass, double inertia, Twist const& now, Twist const& load, double h);
-    /// To be told the momentum after the substep.
+    /// Receives the momentum after the substep.
     void after(Twist const& now);
 
 private:

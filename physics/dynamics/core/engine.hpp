@@ -1,4 +1,4 @@
-// What Dynamics asks of a rigid-body engine, whichever it is: Box2D now, others behind the same interface.
+// The interface of rigid-body engines to Dynamics: Box2D, Chipmunk and ODE implement it.
 #pragma once
 
 #include "physics/dynamics/core/drag.hpp"
@@ -31,7 +31,7 @@ struct Motion {
     double spin = 0;  ///< rad/s
 };
 
-/// What acts on a body from outside throughout a frame.
+/// The forces that act on a body from outside throughout a frame.
 struct Load {
     Vec2 force;        ///< N, at the centre of mass
     double torque = 0; ///< N m
@@ -85,10 +85,10 @@ struct TouchChange {
 class Engine : public Abandonable {
 public:
     virtual void addBody(SlotIndex slot, BodySpec const& spec) = 0;
-    /// Its joints must have been removed before. Wakes what it touched.
+    /// Its joints must have been removed before. Wakes the bodies that it touched.
     virtual void removeBody(SlotIndex slot) = 0;
     virtual void addJoint(SlotIndex slot, JointSpec const& spec) = 0;
-    /// Gears that couple it must have been removed before. Wakes what it tied.
+    /// Gears that couple it must have been removed before. Wakes the bodies that it tied.
     virtual void removeJoint(SlotIndex slot) = 0;
 
     /// Puts a body elsewhere and wakes it.
@@ -96,10 +96,10 @@ public:
     /// Whether a body is exactly there, in the engine's precision.
     [[nodiscard]] virtual bool isAt(SlotIndex slot, Motion const& motion) const = 0;
 
-    /// What acts on every body from now on, by slot. Wakes nobody.
+    /// The loads of every body from now on, by slot. Wakes no body.
     virtual void setLoads(std::span<Load const> loads) = 0;
-    /// What resists the motion of every body from now on, by slot; nothing where the list ends before. An
-    /// engine lets a DraggedBody act in every substep, so that no coefficient is too large. Wakes nobody.
+    /// The resistance to the motion of every body from now on, by slot; none where the list ends before. An
+    /// engine lets a DraggedBody act in every substep, so that no coefficient is too large. Wakes no body.
     virtual void setDrags(std::span<Drag const> drags) = 0;
     virtual void wake(SlotIndex slot) = 0;
     /// At a point of the world; wakes the body.
@@ -119,8 +119,8 @@ public:
     [[nodiscard]] virtual std::vector<TouchChange>& touchChanges() = 0;
     /// Appends all contacts as they stand, in any fixed order, with a < b.
     virtual void addContactPatches(std::vector<ContactPatch>& patches) const = 0;
-    /// Whether impacts are to be noted in the steps to come. Off at first. An engine that cannot tell impacts
-    /// has none.
+    /// Whether impacts are to be noted in the steps to come. Off at first. An engine that cannot detect
+    /// impacts has none.
     virtual void noteImpacts(bool) {}
     /// The impacts of the last step(), in any fixed order.
     [[nodiscard]] virtual std::span<Impact const> impacts() const { return {}; }

@@ -65,8 +65,8 @@ void abandon(std::unique_ptr<Abandonable> engine) {
 
 } // namespace trembler
 
-// What assert() calls in glibc. Defined here it stands in for the C library's in the whole program: outside
-// of a guard it does what that one does.
+// The function that assert() calls in glibc. Defined here it replaces the C library's in the whole program:
+// outside of a guard it does the same.
 extern "C" [[noreturn]] __attribute__((visibility("default"))) void
 tremblerAssertionFailed(char const* assertion, char const* file, unsigned line,
                         char const* function) asm("__assert_fail");

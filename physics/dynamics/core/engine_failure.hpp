@@ -1,8 +1,7 @@
-// Libraries that would rather end the program than go on with numbers that make no sense, made to say so
-// instead.
+// Libraries that abort the program on numbers that make no sense are made to throw an exception instead.
 //
-// Debian's builds of Box2D, Chipmunk and ODE check themselves and abort. What they find wrong is nearly
-// always a number that has left the range of their arithmetic, in one world. That must not end a program.
+// Debian's builds of Box2D, Chipmunk and ODE check themselves and abort. The reason is nearly always a number
+// that has left the range of their arithmetic, in one world. That must not end the program.
 #pragma once
 
 #include <array>
@@ -13,7 +12,7 @@
 
 namespace trembler {
 
-/// An engine cannot go on. What it says is one line, fit for a message.
+/// An engine cannot go on. what() is one line, fit for a message.
 class EngineFailure : public std::runtime_error {
 public:
     /// `intact`: the engine noticed by itself and can be destroyed. If not, a library was stopped in the
@@ -40,8 +39,8 @@ public:
 /// jump: nothing between here and Box2D's check may own anything. Throws EngineFailure (not intact).
 void guardBox2d(std::function<void()> const& work);
 
-/// For what a library calls when a check of its own has failed: throws, or jumps, where a guard is; otherwise
-/// returns.
+/// For the function that a library calls when one of its own checks has failed: throws, or jumps, where a
+/// guard is; otherwise returns.
 void failIfGuarded(char const* words);
 
 /// Something whose destructor must not run.

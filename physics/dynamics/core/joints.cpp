@@ -20,7 +20,7 @@ void JointTable::removeOutdated(DynamicsColumns const& columns, std::span<SlotIn
         out[slot] = joint == nullptr || anchors == nullptr || !(*joint == tied.joint) ||
                     !(*anchors == tied.anchors) || goes(tied.a) || goes(tied.b);
     }
-    for (std::size_t slot = 0; slot < joints_.size(); ++slot) { // gears go before what they couple
+    for (std::size_t slot = 0; slot < joints_.size(); ++slot) { // gears go before the joints that they couple
         TiedJoint const& tied = joints_[slot];
         if (tied.object.valid() && tied.gearA != noSlot &&
             (out[slot] || out[tied.gearA] || out[tied.gearB])) {
@@ -33,7 +33,6 @@ void JointTable::removeOutdated(DynamicsColumns const& columns, std::span<SlotIn
             remove(static_cast<SlotIndex>(slot), engine);
         }
     }
-    noteBreakable();
 }
 
 void JointTable::remove(SlotIndex slot, Engine& engine) {
@@ -53,7 +52,6 @@ void JointTable::addMissing(DynamicsColumns const& columns, BodyTable const& bod
             }
         }
     }
-    noteBreakable();
 }
 
 void JointTable::add(DynamicsColumns const& columns, BodyTable const& bodies, ObjectId id, Joint const& joint,
@@ -102,12 +100,6 @@ void JointTable::add(DynamicsColumns const& columns, BodyTable const& bodies, Ob
         spec.anchors.onB -= bodies[tied.b].centre;
     }
     engine.addJoint(slot, spec);
-}
-
-void JointTable::noteBreakable() {
-    breakable_ = std::any_of(joints_.begin(), joints_.end(), [](TiedJoint const& tied) {
-        return tied.object.valid() && tied.joint.breakForce > 0;
-    });
 }
 
 } // namespace trembler

@@ -21,23 +21,19 @@ public:
     /// Takes away the joints that are gone or changed, or whose bodies go (`going`, ascending), and the gears
     /// that depend on them.
     void removeOutdated(DynamicsColumns const& columns, std::span<SlotIndex const> going, Engine& engine);
-    /// Adds every joint that is not there yet. What is not sound goes to `refusals`.
+    /// Adds every joint that is not there yet. A joint that is not sound goes to `refusals`.
     void addMissing(DynamicsColumns const& columns, BodyTable const& bodies, Engine& engine,
                     std::vector<Refusal>& refusals);
     /// By slot.
     [[nodiscard]] std::span<TiedJoint const> joints() const { return joints_; }
-    /// Whether any joint can break.
-    [[nodiscard]] bool breakable() const { return breakable_; }
 
 private:
     void add(DynamicsColumns const& columns, BodyTable const& bodies, ObjectId id, Joint const& joint,
              Engine& engine, std::vector<Refusal>& refusals);
     void remove(SlotIndex slot, Engine& engine);
-    void noteBreakable();
 
     SlotBook slots_;
     std::vector<TiedJoint> joints_;
-    bool breakable_ = false;
 };
 
 } // namespace trembler

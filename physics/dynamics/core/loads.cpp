@@ -8,7 +8,7 @@ namespace {
 
 constexpr double relativeChange = 0.002;
 constexpr double muchChange = 0.125;
-// Box2D and Chipmunk hold what is slower than 0.01 m/s to be at rest.
+// Box2D and Chipmunk take a body slower than 0.01 m/s to be at rest.
 constexpr double leastAcceleration = 1e-5; // m/s²
 
 // Sums of huge forces may have left the numbers.

@@ -1,4 +1,4 @@
-// What acts on bodies from outside: sums of held calls, and the rule by which they wake sleepers.
+// The forces that act on bodies from outside: sums of held calls, and the rule by which they wake sleepers.
 #pragma once
 
 #include "physics/dynamics/core/bodies.hpp"
@@ -7,7 +7,7 @@
 
 namespace trembler {
 
-/// What acts on one body, whichever effects it comes from.
+/// The sum of the forces on one body, whichever effects they come from.
 struct LoadSum {
     Load load;
     double gross = 0; ///< N, of all forces, whichever way they point
@@ -30,14 +30,14 @@ public:
         drags_[slot].add(arm, xx, xy, yy, angular);
     }
     /// Ends the sums: hands them to the engine, and wakes sleepers whose load has changed since they fell
-    /// asleep by more than a five-hundredth of all the forces that it is made of. For what lies under Earth's
-    /// gravity that is 0.02 m/s², which an engine that puts bodies to sleep cannot tell from rest anyway. Nor
-    /// does any load wake that would take a quarter of an hour to speed a body up to what such an engine
-    /// holds to be rest, however weak everything is that acts on it.
+    /// asleep by more than a five-hundredth of all the forces that it is made of. For a body at rest under
+    /// Earth's gravity that is 0.02 m/s², which an engine that puts bodies to sleep takes for rest anyway.
+    /// Nor does a load wake a body if it would need a quarter of an hour to accelerate it to the speed that
+    /// such an engine takes for rest, however weak all other forces on it are.
     void apply(std::span<Body const> bodies, Engine& engine);
     /// Remembers the load under which bodies have fallen asleep. After each step.
     void noteSleepers(Engine const& engine);
-    /// What acts at present, by slot; without what only resists motion. It may end before the last slot.
+    /// The present sums, by slot; without resistance to motion. It may end before the last slot.
     [[nodiscard]] std::span<LoadSum const> sums() const { return sums_; }
     /// Whether any force is another one, by more than an eighth of all the forces that it is made of, than
     /// when this was last true: O(bodies).

@@ -15,17 +15,17 @@ namespace {
 // docs/measurements/stability.md.
 constexpr double tautMargin = 2;
 constexpr double weldMargin = 6;
-// What rests on a body, as a multiple r of its mass: 0.9 √r substeps hold stacks of equals.
-// Something heavy on something light takes more rounds as well, half of r, between these two.
+// The mass that rests on a body, as a multiple r of its own: 0.9 √r substeps hold stacks of equals. Something
+// heavy on something light takes more rounds as well, half of r, between these two.
 constexpr double stackFactor = 0.9;
 constexpr double heaviest = 32;
 constexpr int mostRounds = 64;
 // Joints in one piece that an engine can still solve one by one, in the iterations of a few substeps.
 constexpr std::size_t largestOneByOne = 24;
-// Joints that are new carry nothing yet, and where they are solved one by one, what hangs on them would fall,
-// stretch them and swing for ever after. So, where much pulls at them, the frame in which they are made and
-// the next, in which forces first act on what has just been made, look for what they carry with many more
-// iterations.
+// New joints carry no load yet, and where they are solved one by one, bodies that hang on them would fall,
+// stretch them and never stop swinging. So, where much pulls at them, their loads are found with many more
+// iterations in the frame in which they are made and in the next, in which forces first act on the new
+// bodies.
 constexpr int settlingFrames = 2;
 constexpr int settlingSubsteps = 64;
 constexpr int settlingIterations = 256;
@@ -35,12 +35,12 @@ constexpr double widestPerStep = 1.5;
 constexpr int leastSubsteps = 4;
 // But where everything flies freely, under forces that vary and do not allow for the time for which they
 // stand, a step is a frame, as long as they do. Split up, it would let these lag behind, and the energy of an
-// orbit grow without end.
-// What swings by a force that looks ahead has an energy that ripples by about half of the angle, in rad, by
-// which it swings in a step, as the semi-implicit Euler method has velocities half a step ahead of places.
+// orbit grow without end. A body that swings by a force that looks ahead has an energy that ripples by about
+// half of the angle, in rad, by which it swings in a step, as the semi-implicit Euler method has velocities
+// half a step ahead of places.
 constexpr double swingPerStep = 0.18;
-// Where many bodies fall together under such forces, what each impact adds to the energy adds up, and six
-// substeps instead of four keep it small; more would not help.
+// Where many bodies fall together under such forces, the energy that each impact adds becomes too much, and
+// six substeps instead of four keep it small; more would not help.
 constexpr std::size_t manyBodies = 20;
 constexpr double swingPerStepOfMany = 0.06;
 constexpr double substepsOfMany = 6;
@@ -198,7 +198,7 @@ DynamicsSettings Simulation::chosen(double duration, DynamicsColumns const& colu
         double fastest = 0;
         double spin = 0;
         std::size_t moving = 0;
-        for (Body const& body : bodies_.bodies()) { // what is no body may be as fast as it likes
+        for (Body const& body : bodies_.bodies()) { // objects that are no bodies may have any velocity
             if (body.object.valid() && !body.fixed) {
                 ++moving;
                 Vec2 const velocity = columns.velocity.values()[body.rows.velocity].value;
@@ -274,12 +274,12 @@ void Simulation::giveUp(EngineFailure const& failure) {
         maker_ = standIn_;
         stoodIn_ = true;
     } else {
-        // What has lost its numbers stands still from now on; everything, where it cannot be told or does not
-        // help.
+        // Bodies whose numbers are no longer finite stand still from now on; all bodies, if these cannot be
+        // found or if that does not help.
         std::vector<ObjectId> stopping;
         if (engine_ && ++failures_ < mostFailures) {
             for (SlotIndex const slot : engine_->lost()) {
-                if (!bodies_[slot].fixed) { // what is fixed may be drawn in, and is put back
+                if (!bodies_[slot].fixed) { // a fixed body may be affected too, and is put back
                     stopping.push_back(bodies_[slot].object);
                 }
             }

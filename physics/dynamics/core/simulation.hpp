@@ -24,11 +24,11 @@ public:
 
     /// Takes the world over as an earlier simulation left it. To be called before anything else.
     void takeOver(EngineState const& state);
-    /// To be told when any function of this class, or of its engine, has thrown: from here on another engine
-    /// computes, or the same with some bodies standing still. follow() and what comes after it must then be
-    /// done again.
+    /// To be called when any function of this class, or of its engine, has thrown: from here on another
+    /// engine computes, or the same with some bodies standing still. follow() and all calls after it must
+    /// then be made again.
     void giveUp(EngineFailure const& failure);
-    /// What has been given up so far.
+    /// Everything that has been given up so far.
     [[nodiscard]] EngineState const& state() const { return state_; }
 
     /// Brings bodies and joints into line with the columns. Cheap while these have not changed. Objects that
@@ -42,18 +42,18 @@ public:
     }
     void endLoads();
     void noteRate(TellRate const& call);
-    /// Of all that has been told since startLoads().
+    /// Of all calls of noteRate() since startLoads().
     [[nodiscard]] ForceRates const& rates() const { return rates_; }
-    /// Moves everything on by `duration` (s), given what touches; returns false if all is at rest and nothing
-    /// was done.
+    /// Moves everything on by `duration` (s), given the pairs that touch; returns false if all bodies are at
+    /// rest and nothing was done.
     bool step(double duration, DynamicsColumns const& columns, std::span<TouchingPair const> touching);
-    /// To be told whenever the pairs that touch have changed.
+    /// To be called whenever the pairs that touch have changed.
     void noteContacts() { contactsNew_ = true; }
-    /// What the last step was computed with.
+    /// The settings with which the last step was computed.
     [[nodiscard]] SolverChoice const& choice() const { return choice_; }
     [[nodiscard]] ForceLag const& lag() const { return lag_; }
-    /// To be told after the moved bodies have been written into the columns: these versions are its own
-    /// doing.
+    /// To be called after the moved bodies have been written into the columns, so that it does not take these
+    /// new versions for changes by others.
     void noteWritten(DynamicsColumns const& columns) { motionVersion_ = columns.motionVersion(); }
 
     [[nodiscard]] Engine& engine() { return *engine_; }

@@ -1,4 +1,4 @@
-// Who touches whom, from the beginnings and ends that an engine reports piece by piece.
+// Which bodies touch, from the beginnings and ends that an engine reports piece by piece.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -9,11 +9,11 @@ namespace trembler {
 /// Counts, for each pair of objects, the pairs of pieces that touch.
 class TouchBook {
 public:
-    /// Takes in what changed and empties it.
+    /// Takes the changes in and empties the list.
     void take(std::vector<TouchChange>& changes);
-    /// Writes into `next` how the world's contacts go on from `before`: what touches now, what began and what
-    /// ended since. Works from any `before`, so that it holds across a change of engines. Events are carried
-    /// over.
+    /// Writes into `next` how the world's contacts go on from `before`: the pairs that touch now, and those
+    /// that began and ended since. Works from any `before`, so that it holds across a change of engines.
+    /// Events are carried over.
     void compare(Contacts const& before, Contacts& next) const;
     [[nodiscard]] bool changed() const { return changed_; }
     /// Whether anything touches anything.

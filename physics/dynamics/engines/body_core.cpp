@@ -44,7 +44,8 @@ Vec2 middleOf(ShapePiece const& piece) {
 BodyCore coreOf(BodySpec const& spec) {
     BodyCore core;
     for (ShapePiece const& piece : spec.shape->pieces) {
-        double const size = 0.9 * sizeOf(piece); // a little less: what is hit must be found to be touched
+        double const size =
+            0.9 * sizeOf(piece); // a little less: a body that is hit must be found to be touched
         if (size > core.radius) {
             core = {middleOf(piece) - spec.spread.centre, size};
         }

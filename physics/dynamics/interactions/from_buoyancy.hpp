@@ -8,8 +8,8 @@
 
 namespace trembler {
 
-/// Besides what the thesis lists (6.11.4) it reads where the object is: with a period, F_B and its centre
-/// stay as they are in the object while that moves on, and the force with it.
+/// Besides the properties that the thesis lists (6.11.4) it reads where the object is: with a period, F_B and
+/// its centre stay as they are in the object while that moves on, and the force with it.
 class DynamicsFromBuoyancy final
     : public Interaction<DynamicsFromBuoyancy, DynamicsRole,
                          Reads<BuoyancyForce, CentreOfBuoyancy, Position, Rotation>> {

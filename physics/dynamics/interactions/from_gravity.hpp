@@ -8,9 +8,9 @@
 
 namespace trembler {
 
-/// The thesis lists Position among what it reads (6.13.4); addForce acts at the centre of mass by itself, so
-/// reading less lets it sleep while things move: the forces it stands by stay as they are. It reads Fixed
-/// besides, as what never moves needs no call, though it has a mass and attracts like everything else.
+/// The thesis has it read Position, too (6.13.4); addForce acts at the centre of mass by itself, so reading
+/// less lets it sleep while things move: its held forces stay as they are. It also reads Fixed, as an object
+/// that never moves needs no call, though it has a mass and attracts like everything else.
 class DynamicsFromGravity final
     : public Interaction<DynamicsFromGravity, DynamicsRole, Reads<GravityForce, Fixed>> {
 public:

@@ -1,4 +1,4 @@
-// (Dynamics <- Liquid Drag): what resists motion in a liquid, and what a current adds.
+// (Dynamics <- Liquid Drag): resistance to motion in a liquid, and the push of a current.
 #pragma once
 
 #include "physics/buoyancy/properties/liquid_resistance.hpp"

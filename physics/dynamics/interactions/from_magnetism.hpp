@@ -1,4 +1,5 @@
-// (Dynamics <- Magnetic Forces): magnetic forces act at the poles, or at the centre of what has none.
+// (Dynamics <- Magnetic Forces): magnetic forces act at the poles, or at the centre of an object that has
+// none.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"

@@ -24,8 +24,8 @@ public:
     using Activation = NeedsAll<Shape>;
 
     static constexpr double frequency = 12; ///< rad/s, of the spring
-    /// m/s². A hand has a strength of its own, whatever the world weighs things with: it can give this much
-    /// to what it holds, light or heavy, and so holds up anything in a world that pulls less.
+    /// m/s². A hand has a strength of its own, whatever the world's gravity: it can accelerate the object
+    /// that it holds by this much, light or heavy, and so holds up anything in a world whose gravity is less.
     static constexpr double strongest = 490.5;
     static constexpr double turnDamping = 2; ///< 1/s
 

@@ -1,4 +1,4 @@
-// What a rigid body is made of.
+// The properties of a rigid body.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -69,27 +69,21 @@ struct Restitution {
     }
 };
 
-/// Marks what never moves.
+/// Marks an object that never moves.
 struct Fixed {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Fixed", "fixed", "The object is a static part of the world."};
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
-/// Marks what is so fast that it would otherwise jump through thin bodies that move.
+/// Marks a body that is so fast that it would otherwise jump through thin bodies that move.
 struct Bullet {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Bullet", "bullet",
                                        "The object's path, not only its places, is tested for hits."};
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
-/// Who can hit whom: two objects collide if each one's category is in the other's mask, unless both share a
-/// group other than 0: then they collide if it is positive and never if it is negative.
+/// Which objects can collide: two do if each one's category is in the other's mask, unless both share a group
+/// other than 0: then they collide if it is positive and never if it is negative.
 struct CollisionGroups {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Collision groups", "collision", "Which objects this one can hit."};
@@ -117,7 +111,7 @@ struct CollisionGroups {
     friend bool operator==(CollisionGroups const&, CollisionGroups const&) = default;
 };
 
-/// Whether two objects with these groups can hit each other. What states none has the default ones.
+/// Whether two objects with these groups can hit each other. An object that states none has the default ones.
 [[nodiscard]] constexpr bool canHit(CollisionGroups const& a, CollisionGroups const& b) {
     if (a.group != 0 && a.group == b.group) {
         return a.group > 0;

@@ -1,4 +1,4 @@
-// Who touches whom: the resolver properties C_C, C_N and C_P (6.13.2), and how they touch.
+// Which objects touch: the resolver properties C_C, C_N and C_P (6.13.2), and how they touch.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -15,7 +15,7 @@ namespace trembler {
 struct TouchingPair {
     ObjectId a;
     ObjectId b;
-    EventId event; ///< "contact begun", or "contact ended" in Contacts::ended; none while nobody traces
+    EventId event; ///< "contact begun", or "contact ended" in Contacts::ended; none without tracing
 
     friend constexpr bool operator<(TouchingPair const& x, TouchingPair const& y) {
         return x.a != y.a ? x.a < y.a : x.b < y.b;
@@ -25,8 +25,8 @@ struct TouchingPair {
     }
 };
 
-/// All ascending by pair. What begins and ends within one frame, or one part of it, is neither new nor gone:
-/// it is brief, as an impact that bounces can be.
+/// All ascending by pair. A contact that begins and ends within one frame, or one part of it, is neither new
+/// nor gone: it is brief, as an impact that bounces can be.
 struct Contacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
@@ -39,12 +39,10 @@ struct Contacts {
     std::vector<TouchingPair> ended;   ///< C_P; an object in it may be gone
     std::vector<TouchingPair> brief;   ///< touched within this frame only; in no other list
 
-    /// Of a frame in parts: who touches at its end, who has begun to since its beginning, who ceased to, and
-    /// who touched in between only, in whichever part. With the event of the first part that tells of it.
+    /// Of a frame in parts: the pairs that touch at its end, that have begun to since its beginning, that
+    /// ceased to, and that touched in between only, in whichever part. With the event of the first part that
+    /// reports it.
     static void gather(Contacts& frame, Contacts const& part, PartSpan span);
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// How a pair touches.
@@ -58,7 +56,8 @@ struct ContactPatch {
     int count = 0;                        ///< of points that count, 1 or 2
 };
 
-/// Computed only where somebody reads it. Ascending by pair; a compound may touch in several patches.
+/// Computed only while a component reads it, or a subscription wants it. Ascending by pair; a compound may
+/// touch in several patches.
 struct ContactPatches {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Contact patches", "contact_patches",
@@ -68,9 +67,6 @@ struct ContactPatches {
         "the engine's contacts of the last advance; what interactions make of them is in their calls");
     std::vector<ContactPatch> patches;
     double step = 0; ///< s, of that substep
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

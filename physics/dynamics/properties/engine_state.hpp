@@ -1,4 +1,4 @@
-// What became of a world whose engine could not go on.
+// The state of a world whose engine could not go on.
 #pragma once
 
 #include "runtime/property/coverage.hpp"

@@ -1,4 +1,4 @@
-// What Dynamics does with a force that stands for a while.
+// The delay of a force that stands for a while.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -9,17 +9,17 @@
 namespace trembler {
 
 /// A force that stands for a time t acts, on average, t/2 after the moment that it belongs to. An engine that
-/// integrates it in steps of h by the semi-implicit Euler method makes up for h/2 of this, as that method
-/// moves bodies with the velocity that they will have. What is left, (t - h)/2, is the lag: it feeds every
-/// oscillation (docs/measurements/stability.md), and whoever adds forces can allow for it. Provided by
-/// Dynamics after every step that it takes; zero where nobody moves anything.
+/// integrates it in steps of h by the semi-implicit Euler method compensates h/2 of this, as that method
+/// moves bodies with the velocity that they will have. The rest, (t - h)/2, is the lag: it feeds every
+/// oscillation (docs/measurements/stability.md), and interactions that add forces can allow for it. Provided
+/// by Dynamics after every step that it takes; zero where there is no Dynamics.
 struct ForceLag {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Force lag", "force_lag",
                                        "By how much forces lag behind the motion of what they act on."};
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing = "what a force's lag is";
-    double turn = 0; ///< s, that Dynamics computes at a time: a frame, or what it is divided into
+    double turn = 0; ///< s, that Dynamics computes at a time: a frame or a part of one
     double step = 0; ///< s, of the engine, `turn` or a part of it
 
     /// Lag in s of a force that is new whenever Dynamics has had its turn.

@@ -18,12 +18,12 @@ struct Impact {
     ObjectId b;
     Vec2 point;         ///< m, in the world
     Vec2 normal;        ///< unit, in the world, from a to b
-    double impulse = 0; ///< N s, along the normal, beyond what pressed there before
-    double since = 0;   ///< s, from the beginning of the frame, or of the part in which it is told
+    double impulse = 0; ///< N s, along the normal, beyond the pressure there before
+    double since = 0;   ///< s, from the beginning of the frame, or of the part that reports it
 };
 
-/// Computed only where somebody reads it. Steady pressure is no impact, and neither is one that changes the
-/// speed of the two by less than 2 cm/s.
+/// Computed only while a component reads it, or a subscription wants it. Steady pressure is no impact, and
+/// neither is one that changes the speed of the two by less than 2 cm/s.
 struct Impacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Impacts", "impacts",
@@ -33,13 +33,11 @@ struct Impacts {
     std::vector<Impact> impacts; ///< ascending by pair, then by time
 
     static void gather(Impacts& frame, Impacts const& part, PartSpan span);
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 inline constexpr double faintestImpact = 0.02; ///< m/s, change of the relative speed
 
-/// Remembers how hard each contact of an engine presses, to tell impacts from pressure.
+/// Remembers how hard each contact of an engine presses, to distinguish impacts from pressure.
 class ImpactBook {
 public:
     /// Names a contact for as long as it exists. Looked up, never walked.

@@ -1,4 +1,4 @@
-// What ties bodies together. A joint is an object of its own with this property.
+// Joints tie bodies together. A joint is an object of its own with this property.
 #pragma once
 
 #include "runtime/property/description.hpp"

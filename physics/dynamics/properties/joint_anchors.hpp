@@ -1,5 +1,5 @@
-// Where a joint holds its objects, in their own frames: what its places in the world mean once things have
-// moved.
+// Where a joint holds its objects, in their own frames, in which its places stay the same when the objects
+// have moved.
 #pragma once
 
 #include "physics/dynamics/properties/joint.hpp"

@@ -1,4 +1,4 @@
-// Why things move, and what tears joints: resolver properties for those who ask.
+// The causes of motion, and overloaded joints: resolver properties for components that ask.
 #pragma once
 
 #include "physics/dynamics/properties/joint.hpp"
@@ -11,8 +11,8 @@
 
 namespace trembler {
 
-/// What has made each object move of late: forces, impulses and contacts, those passed on through joints and
-/// contacts included. Kept only while somebody traces and somebody reads it.
+/// The recent causes of each object's motion: forces, impulses and contacts, including those passed on
+/// through joints and contacts. Kept only while tracing is on and a component reads it.
 struct MotionCauses {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Causes of motion", "motion_causes",
@@ -32,8 +32,6 @@ struct MotionCauses {
                                          [](Entry const& entry, ObjectId id) { return entry.object < id; });
         return at == entries.end() || at->object != object ? std::vector<EventId>{} : at->causes;
     }
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// The force with which each joint holds, as a mean over the last frame in which anything moved.
@@ -61,7 +59,7 @@ struct JointForces {
     }
 };
 
-/// The joints that were loaded beyond what they bear in this frame.
+/// The joints that were loaded beyond their breaking force in this frame.
 struct OverloadedJoints {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Overloaded joints", "overloaded_joints",
@@ -69,11 +67,11 @@ struct OverloadedJoints {
     static constexpr Coverage coverage = hashed;
     struct Entry {
         ObjectId joint;
-        EventId event; ///< "joint overloaded"; none while nobody traces
+        EventId event; ///< "joint overloaded"; none without tracing
     };
     std::vector<Entry> entries; ///< ascending by joint
 
-    /// A joint that is overloaded in several parts of a frame is told of once, as in the first of them.
+    /// A joint that is overloaded in several parts of a frame is reported once, as in the first of them.
     static void gather(OverloadedJoints& frame, OverloadedJoints const& part, PartSpan) {
         std::vector<Entry> all;
         std::set_union(frame.entries.begin(), frame.entries.end(), part.entries.begin(), part.entries.end(),
@@ -81,8 +79,6 @@ struct OverloadedJoints {
                        [](Entry const& a, Entry const& b) { return a.joint < b.joint; });
         frame.entries = std::move(all);
     }
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

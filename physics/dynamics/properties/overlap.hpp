@@ -1,4 +1,4 @@
-// Whether two shapes overlap where they stand, for whoever places parts by hand.
+// Whether two shapes overlap where they stand, for the placing of parts by hand.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"

@@ -5,7 +5,7 @@
 
 namespace trembler {
 
-/// Substeps beat iterations at equal cost: what breaks a stack or a taut chain is the length of the step, not
+/// Substeps beat iterations at equal cost: a stack or a taut chain fails by the length of the step, not by
 /// the convergence within it. How many a scene needs follows from the scene, see solver_demand.hpp; an
 /// ordinary one gets four.
 struct DynamicsSettings {

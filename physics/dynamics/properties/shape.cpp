@@ -73,7 +73,7 @@ double sumOfAreas(std::vector<ShapePiece> const& pieces) {
 } // namespace
 
 double areaOf(Shape const& shape) {
-    // What is not finite has no order, and is summed as it stands.
+    // A shape that is not finite has no order, and is summed as it stands.
     return isInOrder(shape) ? sumOfAreas(shape.pieces) : sumOfAreas(inOrder(shape).pieces);
 }
 

@@ -38,8 +38,8 @@ std::tuple<double, double, double> measuresOf(ShapePiece const& piece) {
     return {0, 0, 0};
 }
 
-// From left to right; of pieces above one another, the one nearer to the middle first. What is the same in
-// all that counts may stand in any order.
+// From left to right; of pieces above one another, the one nearer to the middle first. Pieces that are equal
+// in all of this may stand in any order.
 bool before(ShapePiece const& a, ShapePiece const& b) {
     auto const key = [](ShapePiece const& piece) {
         return std::tuple{piece.at.x, std::abs(piece.at.y), -piece.at.y, static_cast<int>(piece.form)};

@@ -1,6 +1,6 @@
-// The order of a shape's pieces, and of a polygon's corners. None of it means anything, but sums are rounded
-// in some order, and engines look at pieces one after the other: so that what a file lists first changes no
-// bit of the motion, all of physics takes them in this order.
+// The order of a shape's pieces, and of a polygon's corners. The order means nothing, but sums are rounded in
+// some order, and engines look at pieces one after the other: all of physics takes them in this order, so
+// that the order in a file changes no bit of the motion.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"

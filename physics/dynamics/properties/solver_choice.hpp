@@ -1,4 +1,4 @@
-// What the settings of the world's solver came to.
+// The settings with which the world's solver works.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -6,9 +6,9 @@
 
 namespace trembler {
 
-/// What Dynamics computed the last frame with. With automatic settings it follows from the scene's bodies,
-/// joints and contacts, and from what acts on them. For people to look at: what other effects need to know is
-/// ForceLag.
+/// The numbers with which Dynamics computed the last frame. With automatic settings they follow from the
+/// scene's bodies, joints and contacts, and from the forces on them. For people to look at: other effects
+/// read ForceLag.
 struct SolverChoice {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Solver choice", "solver_choice",

@@ -1,4 +1,4 @@
-// What Dynamics adds to new objects.
+// The properties that Dynamics adds to new objects.
 #pragma once
 
 #include "physics/buoyancy/properties/liquid.hpp"
@@ -21,7 +21,7 @@ struct MatterCompletion final
     static void complete(Access& access);
 };
 
-/// Of an unsound shape (one that a rule refuses) there is no mass to speak of, and none is added.
+/// Of an unsound shape (one that a rule refuses) no mass follows, and none is added.
 struct BodyCompletion final : Completion<BodyCompletion, Reads<Shape, Fixed, Liquid, Density>,
                                          Adds<Rotation, Velocity, AngularVelocity, Mass>> {
     static constexpr CompletionText text{

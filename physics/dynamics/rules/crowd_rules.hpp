@@ -13,8 +13,8 @@ namespace trembler {
 inline constexpr std::size_t mostNearPairs = 20'000'000;
 
 /// The pieces of bodies are near each other where boxes along the axes around them meet. If there are more
-/// than `most` pairs of them: what is wrong with the body whose piece is near most others, of those up to the
-/// one with which there are too many; else nothing. In n log n of all pieces. See ObjectRule.
+/// than `most` pairs of them: the fault of the body whose piece is near most others, of those up to the one
+/// with which there are too many; else nothing. In n log n of all pieces. See ObjectRule.
 [[nodiscard]] std::vector<ObjectFault> checkCrowds(Store const& store, std::size_t most);
 [[nodiscard]] std::vector<ObjectFault> checkCrowds(Store const& store);
 

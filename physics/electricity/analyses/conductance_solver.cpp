@@ -1,6 +1,6 @@
 #include "physics/electricity/analyses/conductance_solver.hpp"
 
-// Only what is under the Mozilla Public License; and plain arithmetic in a stated order, whatever the
+// Only the parts under the Mozilla Public License; and plain arithmetic in a stated order, whatever the
 // compiler.
 #define EIGEN_MPL2_ONLY
 #define EIGEN_DONT_VECTORIZE
@@ -13,17 +13,17 @@ namespace trembler {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-// Of the currents that pass a node: what Kirchhoff's law may be missed by. Rounding alone misses it by about
-// 1e-16 for each.
+// The error in Kirchhoff's law that is allowed, as a share of the currents that pass a node. Rounding alone
+// makes one of about 1e-16 for each.
 constexpr double goodEnough = 1e-14;
-// Of the largest current: where less passes, nobody asks for more digits than those of a millionth of it.
+// A share of the largest current: nodes that less passes need no more digits than those of a millionth of it.
 constexpr double negligible = 1e-8;
-// What a refinement must leave at most of what was missing, to be one.
+// The share of the error that a refinement may leave at most, or it is no gain.
 constexpr double gain = 0.1;
 constexpr int mostRefinements = 40;
 constexpr int mostIterations = 60;
 
-// What a + b is, and what rounding left over (Knuth).
+// a + b rounded, and the rounding error (Knuth).
 ConductanceSolver::Potential exactSum(double a, double b) {
     double const sum = a + b;
     double const part = sum - a;

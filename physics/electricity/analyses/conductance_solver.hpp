@@ -15,9 +15,9 @@ namespace trembler {
 /// factorisation is kept while the structure stays, the numeric one while the conductances stay, too.
 ///
 /// One solution is as good as the condition of the matrix, up to 1e16 here, allows. So potentials are sums of
-/// two numbers, the currents are computed edge by edge from differences that lose nothing, and what these
-/// miss Kirchhoff's law by is solved for again, until nothing is gained (iterative refinement, Wilkinson
-/// 1963). Where the factorisation is too poor for that, it serves conjugate gradients as a preconditioner.
+/// two numbers, the currents are computed edge by edge from differences that lose nothing, and their error in
+/// Kirchhoff's law is solved for again, until nothing is gained (iterative refinement, Wilkinson 1963). Where
+/// the factorisation is too poor for that, it serves conjugate gradients as a preconditioner.
 ///
 /// The result depends on nothing but the arguments, bit for bit. Not thread-safe; one solver per thread.
 class ConductanceSolver {
@@ -27,7 +27,7 @@ public:
         std::uint32_t to = 0;
         friend bool operator==(Edge const&, Edge const&) = default;
     };
-    /// A potential in V: high + low, low being what the nearest double leaves over.
+    /// A potential in V: high + low, low being the rest that the nearest double leaves.
     struct Potential {
         double high = 0;
         double low = 0;
@@ -55,7 +55,7 @@ public:
 
 private:
     struct Factor;
-    /// What is missing from Kirchhoff's law at the worst node: in A, and of the currents that pass it.
+    /// The error in Kirchhoff's law at the worst node: in A, and as a share of the currents that pass it.
     struct Misses {
         double current = 0;
         double share = 0;
@@ -78,7 +78,7 @@ private:
     std::vector<double> missing_;    // by row: current, A
     std::vector<double> correction_; // by row: potential, V
     std::vector<double> passing_;    // by node: sum of the sizes of the currents at it, A
-    std::vector<Potential> balance_; // by node: what flows in and does not flow out, A
+    std::vector<Potential> balance_; // by node: the current that flows in and does not flow out, A
     int symbolic_ = 0;
     int numeric_ = 0;
 };

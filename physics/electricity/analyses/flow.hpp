@@ -12,11 +12,11 @@
 
 namespace trembler {
 
-/// An object is on as with two-wire, where one whose capacity is 0 does not conduct. Beyond that it tells, of
-/// each circuit, the largest current from source to return and the objects that let no more through. It knows
-/// nothing of volts and ohms, so a balanced bridge's lamp is on to it, as to two-wire; a fuse is a capacity,
-/// and does not blow. It costs more than two-wire and tells less than nodal, so no scene calls for it: it is
-/// there to be asked for.
+/// An object is on as with two-wire, where one whose capacity is 0 does not conduct. Beyond that it finds,
+/// for each circuit, the largest current from source to return and the objects that let no more through. It
+/// knows nothing of volts and ohms, so a balanced bridge's lamp is on to it, as to two-wire; a fuse is a
+/// capacity, and never melts. It costs more than two-wire and finds less than nodal, so no scene calls for
+/// it: it is there to be asked for.
 class FlowElectricity final : public Dps<FlowElectricity,
                                          Reads<ElectricityGraph, GraphChanges, Conductor, ElectricalSource,
                                                ElectricalReturn, CurrentCapacity, Fuse>,
@@ -34,7 +34,7 @@ public:
     static constexpr Coverage memory =
         leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
     static bool suits(Store const&) { return false; } // of itself
-    /// Capacities count for it alone, and its fuses never blow.
+    /// Capacities count for it alone, and its fuses never melt.
     static bool faithful(Store const& store) { return isFaithful(ElectricalLevel::flow, store); }
     static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access);

@@ -1,4 +1,4 @@
-// The analyses of circuits seen lately, kept so that what comes back need not be factorised again.
+// The analyses of circuits seen lately, kept so that one that comes back need not be factorised again.
 #pragma once
 
 #include "physics/electricity/analyses/nodal_analysis.hpp"
@@ -11,7 +11,7 @@
 namespace trembler {
 
 /// A circuit that is opened and closed again and again, as in a doorbell, has a few structures that
-/// alternate. Of every circuit, known by its first object and network, the latest few are kept. What is kept
+/// alternate. Of every circuit, known by its first object and network, the latest few are kept. Keeping them
 /// saves time and changes no result: NodalAnalysis depends on nothing but the netlist.
 class KeptAnalyses {
 public:

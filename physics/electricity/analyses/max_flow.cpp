@@ -31,8 +31,8 @@ using FlowVertex = Traits::vertex_descriptor;
 
 constexpr std::uint32_t notThere = std::numeric_limits<std::uint32_t>::max();
 
-/// Objects in order of their ids, each as two nodes, what flows in and what flows out, with its capacity
-/// between.
+/// Objects in order of their ids, each as two nodes, one for the flow in and one for the flow out, with its
+/// capacity between.
 class Network {
 public:
     Network(Circuit const& circuit, std::string_view network, std::span<Microamperes const> capacities)
@@ -108,8 +108,8 @@ private:
         std::sort(places.begin(), places.end());
         std::for_each(places.begin(), places.end(), f);
     }
-    // What can still be reached from the source is the smallest source side of any minimum cut (Ford and
-    // Fulkerson 1962), whichever maximum flow was found.
+    // The nodes that can still be reached from the source are the smallest source side of any minimum cut
+    // (Ford and Fulkerson 1962), whichever maximum flow was found.
     void cut(MaxFlow& found) const {
         std::vector<std::uint8_t> reached(boost::num_vertices(graph_), 0);
         std::vector<FlowVertex> open{gate()};
@@ -131,8 +131,8 @@ private:
             }
         }
     }
-    // Takes the flow apart into ways from source to return. What goes round in circles is left over, and
-    // counts for nothing.
+    // Takes the flow apart into ways from source to return. Flow that goes round in circles is left over, and
+    // does not count.
     void peel(MaxFlow& found) {
         std::vector<std::size_t> next(boost::num_vertices(graph_), 0);
         std::vector<Edge> way;

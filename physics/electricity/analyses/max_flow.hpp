@@ -10,13 +10,14 @@
 
 namespace trembler {
 
-/// Currents are whole microamperes, so that sums are exact. What can carry any current has `unlimited`.
+/// Currents are whole microamperes, so that sums are exact. An object that can carry any current has
+/// `unlimited`.
 using Microamperes = std::int64_t;
 inline constexpr Microamperes unlimited = 4'000'000'000'000'000;
 
 struct MaxFlow {
     Microamperes total =
-        0; ///< from source to return; `unlimited` if some way has no limit, and then no more is told
+        0; ///< from source to return; `unlimited` if some way has no limit, and then nothing else is found
     std::vector<Microamperes> through; ///< by vertex of the circuit, in one of the flows that reach the total
     /// Vertices that let no more through and without which nothing could flow: of all such sets with the
     /// least capacity the one nearest the source.

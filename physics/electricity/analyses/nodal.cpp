@@ -24,7 +24,7 @@ void NodalElectricity::update(Access& access) {
     writeStateAndQuantities(access, update_, found_);
 }
 
-// Who states something else than at the last update.
+// The objects that state something else than at the last update.
 void NodalElectricity::findChangedParts(NodalColumns const& columns) {
     changed_.clear();
     std::array<std::uint64_t, 4> const versions{columns.resistances.version(), columns.emfs.version(),

@@ -13,8 +13,8 @@ namespace trembler {
 
 /// Solves Kirchhoff's laws in every circuit that has a resistance, an EMF, a rating or a fuse in it; others
 /// are on or off as the cheaper levels have it, as nothing is known of their currents. Networks are solved
-/// one by one; what takes part in several carries the currents of all, and has the potential of the first by
-/// name in which it does not float.
+/// one by one; an object that takes part in several carries the currents of all, and has the potential of the
+/// first by name in which it does not float.
 ///
 /// An object is on while a current flows through it: at least `leastCurrent`, at least `leastShare` of the
 /// largest in its network, and, if it has a rated power, enough for `leastPower` of that.

@@ -113,7 +113,8 @@ void NodalAnalysis::fixIdealSources() {
     }
 }
 
-// What no resistance joins to a given potential has none of its own; it is taken as 0 V, and nothing flows.
+// Nodes that no resistance joins to a given potential have none of their own; it is taken as 0 V, and no
+// current flows.
 void NodalAnalysis::markFloating() {
     Sets sets(clusters_);
     for (std::size_t b = 0; b < netlist_.branches.size(); ++b) {
@@ -171,7 +172,7 @@ void NodalAnalysis::solveBetweenClusters() {
 }
 
 // Ideal branches are edges of conductance 1. Each ideal source pulls its current out of a node of its
-// cluster's own, the pump; what leaves through resistances is known already.
+// cluster's own, the pump; the currents that leave through resistances are known already.
 void NodalAnalysis::solveWithinClusters() {
     std::vector<std::uint32_t> pump(clusters_, noCluster);
     std::uint32_t count = nodes();

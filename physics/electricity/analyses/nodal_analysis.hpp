@@ -8,7 +8,7 @@
 
 namespace trembler {
 
-/// What is found of a netlist. All numbers are finite, always.
+/// The solution of a netlist. All numbers are finite, always.
 struct NodalSolution {
     struct Object {
         double potential = 0; ///< V, of its middle; 0 where it floats
@@ -21,7 +21,7 @@ struct NodalSolution {
     std::vector<Object> objects;  ///< by node
     std::vector<double> currents; ///< A, by branch, from `from` to `to`
     double largest = 0;           ///< A, the largest of them
-    /// What is missing from Kirchhoff's first law at the worst object, of the largest current.
+    /// The error in Kirchhoff's first law at the worst object, as a share of the largest current.
     double residual = 0;
 };
 
@@ -31,7 +31,7 @@ struct NodalSolution {
 inline constexpr double shortedShare = 0.1;
 inline constexpr double shortedOhm = 0.01;
 
-/// Solves a netlist, and knows what the next one has in common with it.
+/// Solves netlists one after the other, and reuses the parts of the last solution that stay valid.
 ///
 /// Ideal conductors that touch are one node, exactly, whatever the other resistances are. How the current
 /// shares itself among them is found afterwards, as the limit of equal resistances, one for each connection,
@@ -44,12 +44,12 @@ public:
     /// Whether the last netlist had the same structure, up to the values of resistances above zero.
     [[nodiscard]] bool sameStructure(Netlist const& netlist) const;
 
-    /// Of the last netlist, by node, the return node included: what ideal conductors join has the same
+    /// Of the last netlist, by node, the return node included: nodes that ideal conductors join have the same
     /// number.
     [[nodiscard]] std::span<std::uint32_t const> clusters() const { return cluster_; }
     /// By node, the return node included: whether no way leads from it to a given potential.
     [[nodiscard]] bool floats(std::uint32_t node) const { return floating_[cluster_[node]] != 0; }
-    /// By branch, in ohm: what was computed with, a limited ideal source included.
+    /// By branch, in ohm: the values of the computation, that of a limited ideal source included.
     [[nodiscard]] std::span<double const> resistances() const { return resistances_; }
 
     /// Factorisations so far, for tests and benchmarks.

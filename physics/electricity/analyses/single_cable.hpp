@@ -1,4 +1,4 @@
-// Electricity's cheap detail level, single-cable (A.4): who hangs on a source is on.
+// Electricity's cheap detail level, single-cable (A.4): objects that are connected to a source are on.
 #pragma once
 
 #include "physics/electricity/core/state_update.hpp"

@@ -10,8 +10,8 @@
 namespace trembler {
 namespace {
 
-// Every connection is two directed edges of a compressed graph. The algorithm sees just what it would see of
-// an undirected one, whose edges turn up at both ends too; packing is an order of magnitude cheaper.
+// Every connection is two directed edges of a compressed graph. The algorithm sees it just as it would see an
+// undirected one, whose edges turn up at both ends too; packing is an order of magnitude cheaper.
 using Vertex = std::uint32_t;
 using BoostGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property,
                                                       boost::no_property, boost::no_property, Vertex, Vertex>;

@@ -1,4 +1,4 @@
-// Electricity's detail level two-wire (A.6): who lies on a path from source to return is on.
+// Electricity's detail level two-wire (A.6): objects on a path from source to return are on.
 #pragma once
 
 #include "physics/electricity/core/state_update.hpp"

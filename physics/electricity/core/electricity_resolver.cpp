@@ -43,7 +43,7 @@ void ElectricityResolver::followObjects(Access& access) {
     seen_ = versions;
 }
 
-// Conductors that appeared become vertices; those that disappeared leave the graph with their connections.
+// Conductors that appeared become vertices; vanished ones leave the graph with their connections.
 void ElectricityResolver::followVertices(Access& access) {
     std::span<ObjectId const> const now = access.read<Conductor>().owners();
     std::vector<ObjectId> const missing = without(now, access.read<ElectricityGraph>().owners());
@@ -69,8 +69,9 @@ void ElectricityResolver::followVertices(Access& access) {
     }
 }
 
-// The one walk over the whole graph. An object that is gone took its row along, so who was connected to it
-// can be found from the other ends only; it happens in frames in which a conductor disappeared.
+// The one walk over the whole graph. An object that is gone took its row along, so the objects that were
+// connected to it can be found from their own rows only; it happens in frames in which a conductor
+// disappeared.
 void ElectricityResolver::dropLooseEnds(Access& access) {
     auto const& graph = access.read<ElectricityGraph>();
     for (std::uint32_t r = 0; r < graph.size(); ++r) {
@@ -89,7 +90,7 @@ void ElectricityResolver::dropLooseEnds(Access& access) {
     }
 }
 
-// Whoever plays another part in the networks than before may switch others on or off.
+// An object with another part in the networks than before may switch others on or off.
 void ElectricityResolver::followNetworks(Access& access) {
     std::vector<NetworkPart> now;
     auto const& conductors = access.read<Conductor>();
@@ -116,9 +117,9 @@ void ElectricityResolver::followNetworks(Access& access) {
     parts_ = std::move(now);
 }
 
-// An interaction that is gone, because nothing in the scene calls for it any more, can never take back what
-// it added, so that goes with it, as its held calls do; if it comes again it begins with nothing. A walk over
-// the whole graph, in the frame after somebody went.
+// An interaction that is gone, because nothing in the scene calls for it any more, can never take back the
+// connections that it added, so they go with it, as its held calls do; if it comes again it begins with none.
+// A walk over the whole graph, in the frame after an interaction went.
 void ElectricityResolver::followCallers(Access& access) {
     std::span<CallerId const> const now = access.callers();
     if (!first_ && std::equal(now.begin(), now.end(), callers_.begin(), callers_.end())) {
@@ -250,7 +251,7 @@ void ElectricityResolver::changePair(Access& access, std::span<Change const> cha
     }
     setConnection(access.write<ElectricityGraph>(), a, b, after);
     if (after.any() == before.any()) {
-        return; // one reason more or less, but nothing new for whoever asks only whether
+        return; // one caller more or less, but as connected as before
     }
     std::vector<EventId> causes;
     for (Change const& change : changes) {

@@ -12,9 +12,8 @@
 
 namespace trembler {
 
-/// Light-weight: what a change means for who is on is the business of a derived property set. Objects that
-/// and callers that come and go are all that changes the graph besides calls; a frame without either costs
-/// O(1).
+/// Light-weight: a derived property set finds which objects a change switches on or off. Objects that and
+/// callers that come and go are all that changes the graph besides calls; a frame without either costs O(1).
 class ElectricityResolver final : public Resolver<ElectricityResolver, ElectricityRole,
                                                   Reads<Conductor, ElectricalSource, ElectricalReturn>,
                                                   Writes<ElectricityGraph, Fuse>, Provides<GraphChanges>> {
@@ -33,7 +32,7 @@ public:
     void advance(Access& access);
 
 private:
-    /// What an object is to the networks, where that is not simply "a plain conductor".
+    /// The part of an object in the networks, unless it is a plain conductor.
     struct NetworkPart {
         enum class Kind : std::uint8_t { conductor, source, returning };
         ObjectId object;

@@ -1,4 +1,4 @@
-// What has changed in the electricity graph, told to those who derive something from it.
+// The changes of the electricity graph, for derived property sets that follow from it.
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -12,7 +12,7 @@
 namespace trembler {
 
 /// A journal of changes, numbered, so that a reader that does not run in every frame, or has just been
-/// swapped in, knows what it missed.
+/// swapped in, knows which changes it missed.
 struct GraphChanges {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
@@ -26,19 +26,16 @@ struct GraphChanges {
                 "looks at all of G_E, and comes to the same");
     struct Touched {
         ObjectId object;          ///< may be gone
-        EventId event;            ///< "connected" or "disconnected"; none while nobody traces
+        EventId event;            ///< "connected" or "disconnected"; none without tracing
         std::uint64_t number = 0; ///< of the change
     };
     std::uint64_t number = 0;    ///< of the latest change; counts up with every advance that changed anything
-    std::uint64_t forgotten = 0; ///< the journal tells of the changes with a higher number only
+    std::uint64_t forgotten = 0; ///< the journal has only the changes with a higher number
     std::vector<Touched> journal; ///< ascending by number
 
     /// Whether `seen`, the number of the latest change that a reader knows, is recent enough for the journal
-    /// to tell the rest. If not, anything may have changed.
+    /// to have all later ones. If not, anything may have changed.
     [[nodiscard]] bool remembers(std::uint64_t seen) const { return seen >= forgotten && seen <= number; }
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler

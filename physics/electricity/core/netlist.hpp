@@ -1,4 +1,5 @@
-// What a circuit is to one of its networks, as a netlist: the input of nodal analysis and of other programs.
+// The part of a circuit in one of its networks, as a netlist: the input of nodal analysis and of other
+// programs.
 #pragma once
 
 #include "physics/electricity/core/circuit.hpp"
@@ -9,7 +10,7 @@
 
 namespace trembler {
 
-/// The columns that say what objects are in volts, amperes and ohms. A world without any has none.
+/// The columns with the objects' volts, amperes and ohms. A world without any has none.
 struct NodalColumns {
     Column<Resistance> const& resistances;
     Column<Emf> const& emfs;
@@ -20,8 +21,8 @@ struct NodalColumns {
 /// A source that states no EMF gives this, in V, as an ideal source.
 inline constexpr double unstatedEmf = 12;
 
-/// In ohm, what an object sets against a current: what it states, or what follows from its rating, or 0.
-/// Always 0 or from leastResistance to greatestResistance, whatever a program has written there.
+/// The resistance of an object, in ohm: the stated one, or the one that follows from its rating, or 0. Always
+/// 0 or from leastResistance to greatestResistance, even if a program has written other values there.
 [[nodiscard]] double resistanceOf(NodalColumns const& columns, ObjectId object);
 
 /// Nodes are the middles of the objects that take part in the network, in order of their ids, and after them

@@ -1,4 +1,4 @@
-// Writing what the more expensive detail levels of electricity found of the circuits that they looked at.
+// Writing the results of the more expensive detail levels of electricity.
 #pragma once
 
 #include "physics/electricity/core/circuit.hpp"
@@ -12,20 +12,21 @@
 
 namespace trembler {
 
-/// What was found of one circuit.
+/// The results for one circuit.
 struct CircuitQuantities {
     ElectricalQuantities::Circuit circuit;
     std::vector<ElectricalQuantities::Entry> entries; ///< every object of it
 };
 
-/// What is known of a circuit before it is analysed: its objects, and why it is analysed in that way.
+/// Those that are known before the circuit is analysed: its objects, and why it is analysed in that way.
 [[nodiscard]] CircuitQuantities quantitiesOf(Circuit const& circuit, SufficientLevel const& level);
 
-/// Something that a trace tells of: `what` happened to `object` in the circuit of that number.
+/// An event for the trace: `what` happened to `object` in the circuit of that number.
 using TellOfCircuit = std::function<EventId(std::string_view what, ObjectId object, std::uint32_t circuit)>;
 
-/// Replaces what is known of the circuits that were looked at, and forgets what is gone. `tell` hears of
-/// sources that are shorted and of islands that float, where they were not before, and of overloaded fuses.
+/// Replaces the results of the circuits that were looked at, and removes circuits that are gone. `tell` is
+/// called for sources that are shorted and for islands that float, where they were not before, and for
+/// overloaded fuses.
 void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuantities>& found,
                      StateUpdate const& update, std::uint64_t frame, TellOfCircuit const& tell);
 

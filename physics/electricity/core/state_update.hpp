@@ -1,5 +1,5 @@
-// What the detail levels of electricity have in common: which circuits must be looked at again, and what of
-// the result is new.
+// The common part of the detail levels of electricity: which circuits must be looked at again, and which
+// results are new.
 #pragma once
 
 #include "physics/electricity/core/circuit.hpp"
@@ -11,9 +11,9 @@
 
 namespace trembler {
 
-/// Finds out who is on now. Only circuits that a change has touched are analysed, unless the journal of
-/// changes does not reach back to the last update: then all are. Either way the result is compared with the
-/// state as it stands, so it does not matter who computed that.
+/// Finds the objects that are on now. Only circuits that a change has touched are analysed, unless the
+/// journal of changes does not reach back to the last update: then all are. Either way the result is compared
+/// with the state as it stands, so it does not matter which level computed that.
 class StateUpdate {
 public:
     /// Marks which vertices of a circuit are on. `on` comes with a 0 for every vertex. Called once for each
@@ -42,7 +42,7 @@ public:
     /// Circuits looked at, and whether they are all that there are.
     [[nodiscard]] std::uint32_t circuits() const { return circuits_; }
     [[nodiscard]] bool sawAll() const { return sawAll_; }
-    /// Why a circuit was looked at: the connections made and broken in it. Empty while nobody traces.
+    /// Why a circuit was looked at: the connections made and broken in it. Empty without tracing.
     [[nodiscard]] std::span<EventId const> causes(std::uint32_t circuit) const {
         return circuit < causes_.size() ? std::span<EventId const>(causes_[circuit])
                                         : std::span<EventId const>{};
@@ -91,7 +91,7 @@ void updateElectricalState(Access& access, StateUpdate& update, StateUpdate::Ana
         !others.byIndex.empty()) { // left by a level that knows more
         access.template derive<ElectricalQuantities>() = {};
     }
-    if (update.anything()) { // otherwise whoever reads the state can go on sleeping
+    if (update.anything()) { // otherwise components that read the state can go on sleeping
         update.writeTo(access.template derive<ElectricalState>(), access.frame(),
                        [&](std::string_view what, std::span<ObjectId const> objects,
                            std::span<EventId const> causes) { return access.event(what, objects, causes); });

@@ -1,5 +1,5 @@
-// Which detail level of electricity a scene, or one circuit of it, calls for: the cheapest that can tell what
-// there is to be told.
+// Which detail level of electricity a scene, or one circuit of it, calls for: the cheapest that finds
+// everything that the scene's properties ask for.
 #pragma once
 
 #include "physics/electricity/core/circuit.hpp"
@@ -20,11 +20,11 @@ struct SufficientLevel {
     ObjectId because;
 };
 
-/// Whole cables, return included, are what a world means that has never had a return of its own. One that
+/// In a world that has never had a return, a connection stands for a whole cable, return included. One that
 /// lost its last return must not light up because of that.
 [[nodiscard]] bool neverHadReturns(Column<ElectricalReturn> const& returns);
 
-/// What an object states that calls for nodal analysis, if anything.
+/// The property of an object that calls for nodal analysis, if it has any.
 [[nodiscard]] std::optional<ElectricalReason> callsForNodal(NodalColumns const& columns, ObjectId object);
 
 /// Of one circuit: single-cable in a world that never had a return, as without one nothing could flow; else
@@ -35,9 +35,9 @@ struct SufficientLevel {
 /// Of the whole scene: the most expensive that any of its circuits may call for.
 [[nodiscard]] SufficientLevel sufficientLevel(Store const& store);
 
-/// Whether a level tells all that the scene has ever stated about its circuits, so that another such level
-/// would turn the same things on: single-cable in a world that never had a return; two-wire in one that had
-/// returns but nothing that calls for nodal analysis; nodal always; flow never.
+/// Whether a level takes everything into account that the scene has ever stated about its circuits, so that
+/// another such level would turn the same things on: single-cable in a world that never had a return;
+/// two-wire in one that had returns but nothing that calls for nodal analysis; nodal always; flow never.
 [[nodiscard]] bool isFaithful(ElectricalLevel level, Store const& store);
 
 /// Why the scene calls for that level, as a sentence for people: "nodal, because 'lamp' has a rated power".

@@ -1,4 +1,4 @@
-// (Electricity <- Dynamics): what touches is connected.
+// (Electricity <- Dynamics): conductors that touch are connected.
 #pragma once
 
 #include "physics/dynamics/properties/contacts.hpp"
@@ -11,9 +11,9 @@
 
 namespace trembler {
 
-/// Connects conductors that begin to touch and disconnects those that cease to.
+/// Connects conductors that begin to touch and disconnects conductors that cease to.
 ///
-/// It does not add up C_N and C_P, it compares C_C with the contacts that it has told of. So nothing is
+/// It does not add up C_N and C_P, it compares C_C with the connections that it has made. So nothing is
 /// counted twice, and no contact is left standing, when it misses a frame (a period), is applied for another
 /// reason than a change of contacts, or is constructed while things touch already. That is why it reads G_E,
 /// too.
@@ -27,7 +27,7 @@ public:
                                             "Connects any new colliding objects (if both are conductors) and "
                                             "disconnects any previous colliding objects."};
     using Activation = NeedsAll<Conductor>;
-    /// What it has told, and will take back.
+    /// The connections that it has made, and will take back.
     void hashMemory(StateHash& hash) const { hash.members(told_); }
     void apply(Access& access);
 

@@ -1,4 +1,4 @@
-// (Electricity <- Fuses): what carries more than it can melts.
+// (Electricity <- Fuses): a fuse that carries more than its rating melts.
 #pragma once
 
 #include "physics/electricity/calls.hpp"
@@ -8,9 +8,9 @@
 
 namespace trembler {
 
-/// Of several overloaded fuses in one circuit the one that is overloaded most blows first, as it melts
-/// fastest; equals blow together. The others have their turn if the next frame still finds them overloaded.
-/// Where the level at work knows no currents, nothing blows.
+/// Of several overloaded fuses in one circuit the most overloaded one melts first, as it is the fastest;
+/// equals melt together. The others have their turn if the next frame still finds them overloaded. Where the
+/// level at work knows no currents, no fuse melts.
 class ElectricityFromFuses final
     : public Interaction<ElectricityFromFuses, ElectricityRole, Reads<ElectricalQuantities, Fuse>> {
 public:

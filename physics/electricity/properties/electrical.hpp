@@ -1,4 +1,4 @@
-// What electricity knows of objects.
+// The properties of objects that electricity reads, and its results.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -62,9 +62,6 @@ struct ElectricalDevice {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Electrical device", "electrical_device",
                                        "The object does something when it is on."};
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Which objects are on. Derived by whichever detail level of electricity is at work.
@@ -75,7 +72,7 @@ struct ElectricalState {
     struct Entry {
         ObjectId object; ///< invalid while no conductor has this index
         bool on = false;
-        EventId event; ///< what was recorded when it last changed; none while nobody traces
+        EventId event; ///< recorded when it last changed; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "the conductor"}, self.object);

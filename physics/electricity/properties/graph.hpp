@@ -10,8 +10,8 @@ namespace trembler {
 
 class Store;
 
-/// An object's part of G_E: whom it is connected to. Every connection stands in the rows of both its objects.
-/// Every conductor has a row; nothing else has.
+/// An object's part of G_E: the objects that it is connected to. Every connection stands in the rows of both
+/// its objects. Every conductor has a row; nothing else has.
 struct ElectricityGraph {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
@@ -30,7 +30,7 @@ struct ElectricityGraph {
             visit(FieldInfo{.key = "by", .unit = "", .meaning = "who connects them, and how often"}, by);
         }
     };
-    std::vector<Connection> connections; ///< ascending by `to`; only those that somebody makes
+    std::vector<Connection> connections; ///< ascending by `to`; only present ones
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -40,7 +40,7 @@ struct ElectricityGraph {
 };
 
 /// How `a` and `b` are connected at present; all counts zero if they are not or one of them is no conductor.
-/// Thread-safe while nobody changes the graph.
+/// Thread-safe while the graph does not change.
 [[nodiscard]] CallerCounts connectionBetween(Store const& store, ObjectId a, ObjectId b);
 [[nodiscard]] CallerCounts connectionBetween(Column<ElectricityGraph> const& graph, ObjectId a, ObjectId b);
 

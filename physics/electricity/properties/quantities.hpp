@@ -16,7 +16,7 @@ namespace trembler {
 /// How a circuit was analysed.
 enum class ElectricalLevel : std::uint8_t { singleCable, twoWire, flow, nodal };
 
-/// What in a circuit calls for a level.
+/// Why a circuit calls for a level.
 enum class ElectricalReason : std::uint8_t {
     noReturn,   ///< the world never had a return: whole cables are meant
     onOffOnly,  ///< it has returns, but nothing in it has a resistance, an EMF, a rating or a fuse
@@ -27,8 +27,8 @@ enum class ElectricalReason : std::uint8_t {
     asked, ///< the level was asked for
 };
 
-/// What is known of circuits beyond on and off. Empty while the level at work, single-cable or two-wire,
-/// knows nothing beyond.
+/// The quantities of circuits beyond on and off. Empty while the level at work, single-cable or two-wire,
+/// finds none.
 struct ElectricalQuantities {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{
@@ -38,12 +38,12 @@ struct ElectricalQuantities {
         ObjectId object;       ///< invalid while no conductor has this index
         ObjectId circuit;      ///< the first object of its circuit, by id
         double potential = 0;  ///< V, of its middle above the return of its network
-        double current = 0;    ///< A through it: half of what its connections carry, in and out together
+        double current = 0;    ///< A through it: half of the currents of its connections, in and out together
         double power = 0;      ///< W that become heat, or light, in it
         double supplied = 0;   ///< W that its EMF gives
-        double brightness = 0; ///< power over rated power; 0 for what has no rating
-        double overload = 0;   ///< of a fuse: current over its rating; above 1 it will blow
-        EventId event;         ///< "overloaded"; none while nobody traces
+        double brightness = 0; ///< power over rated power; 0 without a rating
+        double overload = 0;   ///< of a fuse: current over its rating; above 1 it will melt
+        EventId event;         ///< "overloaded"; none without tracing
         bool floating = false; ///< no way leads to a source or a return: its potential is anything
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
@@ -70,9 +70,9 @@ struct ElectricalQuantities {
         std::uint32_t objects = 0;
         ElectricalLevel level = ElectricalLevel::twoWire;
         ElectricalReason reason = ElectricalReason::onOffOnly;
-        ObjectId because;      ///< the first object that is the reason, where one is
-        double residual = 0;   ///< nodal: what Kirchhoff's first law is missed by, of the largest current
-        bool floating = false; ///< all of it
+        ObjectId because;    ///< the first object that is the reason, where one is
+        double residual = 0; ///< nodal: the error in Kirchhoff's first law, as a share of the largest current
+        bool floating = false;         ///< all of it
         std::vector<ObjectId> shorted; ///< sources, ascending
         double flow = 0;               ///< flow: A that can flow at most
         std::vector<ObjectId>

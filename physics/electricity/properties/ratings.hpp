@@ -1,12 +1,12 @@
-// What objects are in volts, amperes and ohms: the properties that call for nodal analysis.
+// The volts, amperes and ohms of objects: the properties that call for nodal analysis.
 #pragma once
 
 #include "runtime/property/description.hpp"
 
 namespace trembler {
 
-/// The least resistance above zero, and the greatest, in ohm. What is 0 conducts ideally. Between the two lie
-/// twelve orders of magnitude, which is what the solver is tested with.
+/// The least resistance above zero, and the greatest, in ohm. An object with 0 conducts ideally. Between the
+/// two lie twelve orders of magnitude; the solver is tested with all of them.
 inline constexpr double leastResistance = 1e-3;
 inline constexpr double greatestResistance = 1e9;
 
@@ -58,7 +58,7 @@ struct Emf {
     friend bool operator==(Emf const&, Emf const&) = default;
 };
 
-/// What stands on a lamp: 6 V, 3 W. Where no resistance is stated it follows, V²/P.
+/// The rating of a lamp: 6 V, 3 W. Where no resistance is stated it follows, V²/P.
 struct RatedPower {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Rated power", "rated",
@@ -111,7 +111,7 @@ struct Fuse {
     friend bool operator==(Fuse const&, Fuse const&) = default;
 };
 
-/// What an object can carry at most, for the detail level that computes flows.
+/// The current that an object can carry at most, for the detail level that computes flows.
 struct CurrentCapacity {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Current capacity", "current_capacity",

@@ -1,4 +1,4 @@
-// What Electricity adds to new objects.
+// The properties that Electricity adds to new objects.
 #pragma once
 
 #include "physics/electricity/properties/electrical.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// Whether a thing conducts by what it is made of.
+/// Whether a thing conducts by its material.
 [[nodiscard]] inline bool conductsByMaterial(MadeOf const* of, Without const* without) {
     return of != nullptr && materialFacts(of->material).conducts && !isWithout<Conductor>(without);
 }

@@ -10,8 +10,8 @@ namespace trembler {
 void layWire(Store& store, ObjectId a, ObjectId b) {
     auto& conductors = store.column<Conductor>();
     if (!conductors.has(a) || !conductors.has(b)) {
-        // They conduct by what they are made of, and completions come after this. So all that do so are told
-        // at once: one by one would be quadratic.
+        // Objects conduct by their material, but their completions come after this. So all of them are made
+        // conductors at once: one by one would be quadratic.
         auto const& without = store.column<Without>();
         std::vector<ObjectId> metal;
         forEach(

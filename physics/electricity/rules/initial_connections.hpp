@@ -11,10 +11,10 @@ namespace trembler {
 class Store;
 
 /// Lays a wire between two conductors, as the level states it: the graph counts it under CallerId::level().
-/// Twice the same pair is two wires, of which a player can cut one at a time. Returns what is wrong and what
-/// was expected, in words, and changes nothing, if an object does not exist or is no conductor, or both are
-/// the same; returns nothing if all is well. Before the first frame only, when all objects of the level
-/// exist; the order of calls does not matter.
+/// Twice the same pair is two wires, of which a player can cut one at a time. Returns the fault and what was
+/// expected, in words, and changes nothing, if an object does not exist or is no conductor, or both are the
+/// same; returns nothing if all is well. Before the first frame only, when all objects of the level exist;
+/// the order of calls does not matter.
 [[nodiscard]] std::optional<std::string> connectInitially(Store& store, ObjectId a, ObjectId b);
 
 /// The same between two objects of which it is known that they are different conductors.

@@ -1,4 +1,4 @@
-// What a wire of a level may connect: known also where electricity itself is left out.
+// Which objects a wire of a level may connect: known also where electricity itself is left out.
 #pragma once
 
 #include "physics/electricity/rules/completion.hpp"
@@ -11,7 +11,7 @@
 
 namespace trembler {
 
-/// Whether an object conducts: because that is stated, or, before its completion, by what it is made of.
+/// Whether an object conducts: because that is stated, or, before its completion, by its material.
 [[nodiscard]] inline bool conducts(Store const& store, ObjectId id) {
     auto const* const conductors = store.findColumn<Conductor>();
     auto const* const made = store.findColumn<MadeOf>();

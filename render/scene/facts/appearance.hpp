@@ -1,4 +1,4 @@
-// From what things are said to be made of to how they are drawn.
+// From the materials of things to how they are drawn.
 #pragma once
 
 #include "physics/look.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler::render {
 
-/// What a thing is made of, in the words of the world; what it is drawn with is a Pattern.
+/// The material of a thing, in the words of the world; it is drawn with a Pattern.
 using Substance = trembler::Material;
 
 /// Metals are bolted down and carry windings; other fixed things are hatched like the ground.

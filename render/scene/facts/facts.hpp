@@ -1,5 +1,5 @@
-// What drawing looks at in an object: its properties, whether it stands in a world or is still a part on the
-// catalog.
+// The properties of an object that drawing reads, whether it stands in a world or is still a part in the
+// toolbox.
 #pragma once
 
 #include "physics/buoyancy/properties/liquid.hpp"
@@ -53,8 +53,8 @@ class FactsReader {
 public:
     explicit FactsReader(World const& world);
     [[nodiscard]] Facts of(ObjectId id) const;
-    /// Every object of which there is something to see, from bottom to top: liquids, then fixed ones, then
-    /// those that move, then symbols; in the order of ids within each.
+    /// Every visible object, from bottom to top: liquids, then fixed objects, then moving ones, then symbols;
+    /// in the order of ids within each.
     [[nodiscard]] std::vector<Facts> drawOrder() const;
 
 private:

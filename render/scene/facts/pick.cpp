@@ -43,14 +43,6 @@ Extent extentOf(Prototype const& prototype, Pose const& pose) {
     return extentOf(factsOf(prototype), pose);
 }
 
-Extent sceneBounds(World const& world) {
-    Extent around;
-    for (Facts const& facts : FactsReader(world).drawOrder()) {
-        around.add(extentOf(facts, poseOf(facts)));
-    }
-    return around;
-}
-
 Extent sceneFocus(World const& world) {
     std::vector<Facts> const all = FactsReader(world).drawOrder();
     auto const size = [](Extent const& extent) { return std::max(extent.half().x, extent.half().y); };
@@ -58,7 +50,7 @@ Extent sceneFocus(World const& world) {
     double largest = 0;
     for (Facts const& facts : all) {
         Extent const own = extentOf(facts, poseOf(facts));
-        // Fixed bodies that are not larger than what moves are part of the scene like any other.
+        // Fixed bodies that are not larger than the moving ones are part of the scene like any other.
         if (!facts.fixed) {
             rest.add(own);
             largest = own.empty() ? largest : std::max(largest, size(own));

@@ -1,4 +1,4 @@
-// What lies under a point, and how far the scene reaches.
+// The object under a point, and how far the scene reaches.
 #pragma once
 
 #include "render/scene/facts/poses.hpp"
@@ -8,11 +8,11 @@ namespace trembler::render {
 
 /// The topmost object under a point of the world, as drawScene draws it; if there is none, the one whose edge
 /// is nearest within `tolerance` metres (the later drawn of equals); otherwise an invalid id. Exact for all
-/// shapes. Give the tolerance as a few pixels: canvas.metres(6). Reads the world; any thread while nobody
-/// steps it.
+/// shapes. Give the tolerance as a few pixels: canvas.metres(6). Reads the world; any thread while it is not
+/// stepped.
 [[nodiscard]] ObjectId pick(World const& world, Point at, double tolerance = 0);
 
-/// Distance in metres from a point of the world to what is drawn of the object; negative inside.
+/// Distance in metres from a point of the world to the object as it is drawn; negative inside.
 [[nodiscard]] double distanceTo(Facts const& facts, Pose const& pose, Point at);
 
 /// The rectangle around an object as it is drawn, without glows; empty if there is nothing to see.
@@ -20,10 +20,9 @@ namespace trembler::render {
 /// The same for a part that lies at `pose`.
 [[nodiscard]] Extent extentOf(Prototype const& prototype, Pose const& pose);
 
-/// The rectangle around everything that is seen, for Camera::fit; empty for an empty world.
-[[nodiscard]] Extent sceneBounds(World const& world);
-/// The same, but of fixed bodies much larger than all the rest (a floor without end) only the part around the
-/// rest: what a player wants to see at the start.
+/// The rectangle around all objects that are seen, for Camera::fit; empty for an empty world. Of fixed bodies
+/// much larger than the other objects (a floor without end) it includes only the part around these: the view
+/// that a player wants at the start.
 [[nodiscard]] Extent sceneFocus(World const& world);
 
 } // namespace trembler::render

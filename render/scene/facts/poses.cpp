@@ -5,7 +5,8 @@
 namespace trembler::render {
 namespace {
 
-// The fastest speed that a body may be given is 10 km/s; what goes further in a frame was put there.
+// The fastest speed that a body may be given is 10 km/s; an object that goes further in a frame was put
+// there.
 constexpr double farthestStep = 1e4 / 60.0;
 
 Pose poseOf(Position const* position, Rotation const* rotation) {

@@ -12,7 +12,7 @@ namespace trembler::render {
 inline constexpr double symbolRadius = 0.16;
 
 /// Remembers where everything was before the last frame, so that a display that is faster than 60 Hz can show
-/// what lies between. Never touches the world.
+/// the poses in between. Never touches the world.
 class Poses {
 public:
     /// Notes where everything is. Call it directly before each World::step.

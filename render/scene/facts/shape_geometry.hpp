@@ -37,7 +37,7 @@ struct Extent {
     }
 };
 
-/// What of the world a camera shows.
+/// The part of the world that a camera shows.
 [[nodiscard]] Extent viewOf(Camera const& camera);
 
 /// Where a piece lies in its object's frame.
@@ -60,7 +60,7 @@ struct Extent {
     return toPoint(centreOfMass(shape));
 }
 
-/// What lies of a line inside a convex outline: from and to, in order of `direction`; nothing if they do not
+/// The part of a line inside a convex outline: from and to, in order of `direction`; nothing if they do not
 /// meet.
 [[nodiscard]] std::optional<std::array<Point, 2>> clipLine(std::span<Point const> convex, Point at,
                                                            Point direction);

@@ -1,4 +1,4 @@
-// Broken lines, for what is thought and not there.
+// Broken lines, for things that are only meant and not there.
 #pragma once
 
 #include "render/draw/canvas.hpp"

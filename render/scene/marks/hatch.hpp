@@ -14,7 +14,7 @@ namespace trembler::render {
 void hatch(Canvas& canvas, std::span<Point const> convex, Point origin, double angle, double spacing,
            Stroke const& stroke);
 
-/// The sign of what is fixed: hatching of one pattern over all pieces of a shape, turning with it.
+/// The sign of fixed objects: hatching of one pattern over all pieces of a shape, turning with it.
 void hatchShape(Canvas& canvas, Shape const& shape, Pose const& pose, float alpha);
 
 } // namespace trembler::render

@@ -1,4 +1,4 @@
-// The small signs that tell what an object does, drawn as strokes so that they are crisp at any size.
+// The small signs that show the function of an object, drawn as strokes so that they are crisp at any size.
 #pragma once
 
 #include "render/draw/canvas.hpp"

@@ -66,7 +66,7 @@ void hideSeams(Canvas& canvas, Shape const& shape, Pose const& pose, Style const
     }
 }
 
-// What one sees through must not lie double where pieces overlap, nor show their rims inside.
+// A translucent surface must not lie double where pieces overlap, nor show their rims inside.
 void drawTranslucent(Canvas& canvas, Shape const& shape, Pose const& pose, Style style) {
     double const pixels = static_cast<double>(style.outline);
     Colour const tint = style.tint.value_or(colourOf(style.pattern));
@@ -88,7 +88,7 @@ void drawTranslucent(Canvas& canvas, Shape const& shape, Pose const& pose, Style
 
 void drawShape(Canvas& canvas, Shape const& shape, Pose const& pose, Style style) {
     if (!(style.grain > 0)) {
-        // One pattern for all pieces, and not a coarse one on what is large.
+        // One pattern for all pieces, and not a coarse one on large shapes.
         Point const half = extentOf(shape, {}).half();
         style.grain = std::clamp(std::min(half.x, half.y), 0.02, 0.22);
     }
@@ -121,7 +121,7 @@ double innerSize(Facts const& facts) {
 Style styleOf(Facts const& facts) {
     Style style = styleOf(facts.substance);
     if (std::optional<Colour> const own = colourFrom(facts.look != nullptr ? facts.look->colour : "")) {
-        // What one sees through stays that way in any colour.
+        // A translucent material stays translucent in any colour.
         Colour const usual = style.tint.value_or(colourOf(style.pattern));
         style.tint = Colour{own->red, own->green, own->blue, usual.alpha};
     }

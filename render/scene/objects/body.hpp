@@ -1,4 +1,4 @@
-// One object: its shape in its material, and what tells that it is fixed.
+// One object: its shape in its material, and the sign that it is fixed.
 #pragma once
 
 #include "render/draw/canvas.hpp"

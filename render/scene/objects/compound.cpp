@@ -48,7 +48,7 @@ std::vector<double> breaks(std::vector<std::vector<Point>> const& outlines, std:
     return cuts;
 }
 
-// What is left of a convex part when a convex hole is cut out: at most one part for each side of the hole.
+// The rest of a convex part when a convex hole is cut out: at most one part for each side of the hole.
 std::vector<std::vector<Point>> cutOut(std::vector<Point> part, std::span<Point const> hole) {
     std::vector<std::vector<Point>> left;
     for (std::size_t i = 0; i < hole.size() && part.size() >= 3; ++i) {

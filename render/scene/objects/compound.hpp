@@ -10,9 +10,9 @@ namespace trembler::render {
 
 using Segment = std::array<Point, 2>;
 
-/// What the edges of the pieces are to the whole; all in the object's frame, metres.
+/// The edges of the pieces as parts of the whole; all in the object's frame, metres.
 struct CompoundEdges {
-    std::vector<Segment> outer; ///< between the body and what is around it
+    std::vector<Segment> outer; ///< between the body and its surroundings
     std::vector<Segment> seams; ///< where pieces meet that overlap by less than `depth`
 };
 

@@ -1,4 +1,4 @@
-// What shows that an object is more than a body: windings, poles, bulbs, signs of electricity, bolts.
+// The marks of an object that is more than a body: windings, poles, bulbs, signs of electricity, bolts.
 #pragma once
 
 #include "render/draw/canvas.hpp"
@@ -13,8 +13,8 @@ namespace trembler::render {
 /// The light around an object that is at work (a device with current, a magnet that pulls); none otherwise.
 [[nodiscard]] Glow deviceGlow(Facts const& facts);
 
-/// What the object is to electricity, as a sign; nothing for a plain conductor. The return is an earth,
-/// unless the object calls itself the negative pole by its label.
+/// The object's part in electricity, as a sign; nothing for a plain conductor. The return is an earth, unless
+/// the object calls itself the negative pole by its label.
 [[nodiscard]] std::optional<Sign> signOf(Facts const& facts);
 
 /// A user of electricity that is made of glass.

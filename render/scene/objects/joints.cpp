@@ -5,8 +5,6 @@
 #include "render/scene/facts/shape_geometry.hpp"
 #include "render/scene/objects/joint_parts.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace trembler::render {
@@ -90,58 +88,6 @@ void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, P
         }
         drawJoint(canvas, joint, *places);
     }
-}
-
-double distanceToJoint(Joint const& joint, JointPlaces const& places, Point at) {
-    std::vector<Point> line;
-    switch (joint.form) {
-    case JointForm::rope:
-        line = ropePath(places.a, places.b, places.length);
-        break;
-    case JointForm::distance:
-    case JointForm::spring:
-        line = {places.a, places.b};
-        break;
-    case JointForm::pulley:
-        line = {places.a, toPoint(joint.groundA), toPoint(joint.groundB), places.b};
-        break;
-    case JointForm::hinge:
-    case JointForm::weld:
-    case JointForm::slider:
-    case JointForm::wheel:
-        return length(at - places.a) - pinRadius;
-    case JointForm::gear:
-        return std::numeric_limits<double>::infinity();
-    }
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        Point const along = line[i] - line[i - 1];
-        double const t =
-            std::clamp(dot(at - line[i - 1], along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
-        least = std::min(least, length(at - line[i - 1] - t * along));
-    }
-    return least;
-}
-
-ObjectId pickJoint(World const& world, Point at, double tolerance) {
-    auto const* const joints = world.store().findColumn<Joint>();
-    ObjectId nearest;
-    double least = tolerance;
-    if (joints == nullptr) {
-        return nearest;
-    }
-    FactsReader const reader(world);
-    for (ObjectId const id : joints->owners()) {
-        auto const places =
-            placesOf(world, reader, id, [](Facts const& facts) { return render::poseOf(facts); });
-        double const distance =
-            places ? distanceToJoint((*joints)[id], *places, at) : std::numeric_limits<double>::infinity();
-        if (distance <= least) {
-            least = distance;
-            nearest = id;
-        }
-    }
-    return nearest;
 }
 
 } // namespace trembler::render

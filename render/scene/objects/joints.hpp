@@ -1,4 +1,4 @@
-// What ties bodies together: pins, rods, ropes, springs, pulleys, rails and gears.
+// The joints that tie bodies together: pins, rods, ropes, springs, pulleys, rails and gears.
 #pragma once
 
 #include "physics/dynamics/properties/joint.hpp"
@@ -29,10 +29,5 @@ struct JointPlaces {
 
 /// Draws all joints of the world.
 void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf);
-
-/// Distance in metres from a point to what is drawn of a joint.
-[[nodiscard]] double distanceToJoint(Joint const& joint, JointPlaces const& places, Point at);
-/// The joint that is drawn within `tolerance` metres of a point; invalid if there is none.
-[[nodiscard]] ObjectId pickJoint(World const& world, Point at, double tolerance);
 
 } // namespace trembler::render

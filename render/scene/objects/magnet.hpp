@@ -1,5 +1,5 @@
-// Permanent magnets: halves in the colours of their poles, with letters, as colour alone tells nothing to
-// some eyes.
+// Permanent magnets: halves in the colours of their poles, with letters, as some eyes cannot tell the colours
+// apart.
 #pragma once
 
 #include "render/draw/canvas.hpp"

@@ -114,7 +114,7 @@ std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b, 
     Point const from = terminalOf(a, poseA, poseB.at);
     Point const to = terminalOf(b, poseB, from);
     Point const start = terminalOf(a, poseA, to);
-    // A cable a tenth longer than the way across hangs about this deep; what hangs straight down does not
+    // A cable a tenth longer than the way across hangs about this deep; one that hangs straight down does not
     // sag.
     Point const across = to - start;
     double const sag = cableSag * std::abs(across.x);

@@ -15,7 +15,7 @@ namespace trembler::render {
 struct Link {
     ObjectId a; ///< a < b
     ObjectId b;
-    CallerCounts counts; ///< by whom they are connected
+    CallerCounts counts; ///< for each caller that connects them
     bool live = false;   ///< current flows through it
     bool forward = true; ///< the way it flows: from a to b
 };
@@ -30,8 +30,8 @@ using PoseOf = std::function<Pose(Facts const&)>;
 [[nodiscard]] std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b,
                                            Pose const& poseB);
 
-/// Draws every wire that the level has laid; what interactions connect is not drawn. `time` in s moves the
-/// beads of current.
+/// Draws every wire that the level has laid; connections that interactions make are not drawn. `time` in s
+/// moves the beads of current.
 void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                PoseOf const& poseOf, double time);
 

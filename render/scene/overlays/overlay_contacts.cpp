@@ -34,7 +34,7 @@ void approach(std::vector<Approach>& all, std::span<Point const> corners, std::s
     }
 }
 
-// What is round touches in one point, whatever corners its outline is drawn with.
+// A round piece touches in one point, whatever corners its outline is drawn with.
 double leastApart(ShapePiece const& piece) {
     switch (piece.form) {
     case ShapeForm::circle:
@@ -106,7 +106,7 @@ std::vector<Point> touchingPoints(Shape const& a, Pose const& poseA, Shape const
 }
 
 void drawContacts(Canvas& canvas, World const& world) {
-    // Patches that nobody has asked for may be those of a while ago.
+    // Patches that no component or subscription asks for may be old.
     if (auto const* const slot = world.store().findSlot<ContactPatches>();
         slot != nullptr && slot->readers() > 0) {
         for (ContactPatch const& patch : slot->value().patches) {

@@ -6,7 +6,7 @@
 namespace trembler::render {
 
 /// Vertices with their part in a network (source, return, device), wires as solid lines, contacts as dashed
-/// ones; what current flows through is lit and arrows tell which way.
+/// ones; objects with a current are lit and arrows show its direction.
 void drawElectricity(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                      PoseOf const& poseOf);
 

@@ -7,7 +7,8 @@
 namespace trembler::render {
 
 /// Length in metres at which an arrow shows a force of so many newtons: logarithmic, as forces span decades.
-/// 0 for no force (and for what is not finite); one decade above `leastForce` is as long as `decade` metres.
+/// 0 for no force (and for one that is not finite); one decade above `leastForce` is as long as `decade`
+/// metres.
 [[nodiscard]] double arrowLength(double newtons, double decade);
 /// N; forces below it have arrows of nearly no length.
 inline constexpr double leastForce = 0.01;

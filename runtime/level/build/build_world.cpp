@@ -183,7 +183,10 @@ public:
                                                               ? faultOf(made.id, atOnce[i])
                                                               : rules[i].check(store, made.id);
                 if (broken) {
-                    propertyProblem(made, property, "", fmt::format("{}: {}", made.name, *broken), "");
+                    addProblem(problems_, [&] {
+                        return propertyProblem(made, property, "", fmt::format("{}: {}", made.name, *broken),
+                                               "");
+                    });
                 }
             }
         }
@@ -217,39 +220,35 @@ private:
 
     /// A problem with an object's property, where that is stated: in the object's entry or in its part's
     /// file.
-    void propertyProblem(Made const& made, PropertyInfo const& info, std::string const& inside,
-                         std::string message, std::string expected) {
+    [[nodiscard]] Diagnostic propertyProblem(Made const& made, PropertyInfo const& info,
+                                             std::string const& inside, std::string message,
+                                             std::string expected) const {
         std::string const key(info.text.key);
         bool const own = made.own != nullptr && made.own->states(info);
         if (!own && made.part != nullptr && made.part->document && made.part->properties.states(info)) {
             JsonDocument const& document = *made.part->document;
             bool const beside = document.root().contains(key);
-            addProblem(problems_, [&] {
-                return document.diagnostic(pointerTo(beside ? "" : "/properties", key) + inside,
-                                           std::move(message), std::move(expected));
-            });
-            return;
+            return document.diagnostic(pointerTo(beside ? "" : "/properties", key) + inside,
+                                       std::move(message), std::move(expected));
         }
         std::string path = made.path;
         if (!path.empty() && made.kind != Origin::Kind::placement && key != "joint") {
             bool const direct = made.inEntry() || info.text.place != PropertyPlace::properties;
             path = pointerTo(direct ? path : path + "/properties", key);
         }
-        problem(path + inside, std::move(message), std::move(expected));
+        return level_.diagnostic(path + inside, std::move(message), std::move(expected));
     }
 
     void furnish(Store& store, Made& made) {
         for (PropertySet::Entry const& entry : made.properties.entries()) {
             auto const value = entry.value->clone();
             for (DanglingReference const& dangling : resolveReferences(*value, level_.names, store)) {
-                if (!problems_.hasRoom()) { // looking for what may have been meant costs a walk through all
-                    problems_.countOne();
-                    continue;
-                }
-                propertyProblem(made, *entry.info, dangling.path,
-                                fmt::format("there is no object '{}'{}", dangling.name,
-                                            didYouMean(dangling.name, objectNames())),
-                                "the name of an object of this level");
+                addProblem(problems_, [&] {
+                    return propertyProblem(made, *entry.info, dangling.path,
+                                           fmt::format("there is no object '{}'{}", dangling.name,
+                                                       didYouMean(dangling.name, objectNames())),
+                                           "the name of an object of this level");
+                });
             }
             value->assignTo(store.column(*entry.info), made.id);
         }

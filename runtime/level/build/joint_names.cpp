@@ -22,8 +22,7 @@ std::vector<std::string> jointNames(LevelFile const& level) {
     std::vector<std::string> names;
     for (LevelJoint const& joint : level.joints) {
         if (joint.name.empty()) {
-            auto const stated =
-                writeProperties(joint.properties, PropertyPlace::properties, ObjectNames(level.names));
+            auto const stated = writeProperties(joint.properties, PropertyPlace::properties, level.names);
             nameless.push_back({stated.dump(), names.size()});
         }
         taken.insert(joint.name);

@@ -1,5 +1,6 @@
 #include "runtime/level/build/lay_connections.hpp"
 
+#include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
 #include <fmt/format.h>
@@ -81,11 +82,9 @@ private:
     }
 
     void problem(std::string path, std::string message, std::string expected) {
-        if (problems_.hasRoom()) {
-            problems_.add(level_.diagnostic(std::move(path), std::move(message), std::move(expected)));
-        } else {
-            problems_.countOne();
-        }
+        addProblem(problems_, [&] {
+            return level_.diagnostic(std::move(path), std::move(message), std::move(expected));
+        });
     }
 
     std::span<Connector const> connectors_;

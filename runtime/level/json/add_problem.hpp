@@ -1,4 +1,4 @@
-// Problems that are expensive to make.
+// Adding problems that are expensive to describe.
 #pragma once
 
 #include "runtime/level/json/diagnostic.hpp"
@@ -7,14 +7,12 @@
 
 namespace trembler {
 
-/// Adds the problem that make() returns. Finding its place is a walk through the file, so it is made only if
-/// there is room for it; else it is counted.
 template <class Make>
 void addProblem(Problems& problems, Make&& make) {
     if (problems.hasRoom()) {
         problems.add(std::forward<Make>(make)());
     } else {
-        problems.countOne();
+        ++problems.count_;
     }
 }
 

@@ -37,16 +37,19 @@ public:
     static constexpr std::size_t most = 100;
 
     void add(Diagnostic diagnostic);
+    /// Adds the problem that make() returns. Finding its place is a walk through the file, so it is made only
+    /// if it would be kept; else it is counted.
+    template <class Make>
+    friend void addProblem(Problems& problems, Make&& make);
     [[nodiscard]] bool empty() const { return count_ == 0; }
     /// All that were added, also those beyond the most that are kept.
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// Whether a further problem would still be kept: finding its place costs a walk through the file.
-    [[nodiscard]] bool hasRoom() const { return kept_.size() < most; }
-    void countOne() { ++count_; }
     /// Throws InputError, in order of the places in the files, if there is any problem.
     void throwIfAny() const;
 
 private:
+    [[nodiscard]] bool hasRoom() const { return kept_.size() < most; }
+
     std::vector<Diagnostic> kept_;
     std::size_t count_ = 0;
 };

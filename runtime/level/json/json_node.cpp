@@ -59,8 +59,11 @@ JsonNode JsonNode::element(std::size_t index) const {
 }
 
 void JsonNode::complain(std::string message, std::string expected) const {
-    addProblem(*problems_,
-               [&] { return document_->diagnostic(path_, std::move(message), std::move(expected)); });
+    addProblem(*problems_, [&] { return diagnostic(std::move(message), std::move(expected)); });
+}
+
+Diagnostic JsonNode::diagnostic(std::string message, std::string expected) const {
+    return document_->diagnostic(path_, std::move(message), std::move(expected));
 }
 
 void JsonNode::complainAboutKey(std::string const& key, std::string message, std::string expected) const {

@@ -30,6 +30,8 @@ public:
     }
 
     void complain(std::string message, std::string expected = {}) const;
+    /// What complain() adds to the problems, for addProblem(): where the words are expensive to find.
+    [[nodiscard]] Diagnostic diagnostic(std::string message, std::string expected = {}) const;
     /// About a key of this object, at the key's place.
     void complainAboutKey(std::string const& key, std::string message, std::string expected = {}) const;
     /// That it is not what was wanted, with the value itself in the message.

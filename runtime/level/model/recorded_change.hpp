@@ -21,11 +21,6 @@ struct RecordedChange {
     std::string level;
     double value = 0;
     std::string path; ///< in the file, for messages; empty if it came from elsewhere
-
-    /// Whether both change the same thing, to whatever value.
-    [[nodiscard]] bool sameThing(RecordedChange const& other) const {
-        return kind == other.kind && subject == other.subject && field == other.field;
-    }
 };
 
 /// The names of the kinds, as files spell them, in order.

@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 /// Writes every field of what it visits.
 class FieldWriter final : public FieldVisitor {
 public:
-    explicit FieldWriter(ObjectNames const& names) : names_(names) {}
+    /// `names` are those of object fields.
+    explicit FieldWriter(NameTable const& names) : names_(names) {}
 
     Json out = Json::object();
 
@@ -28,7 +29,7 @@ public:
     }
     void text(FieldInfo const& info, std::string& value) override { put(info, value); }
     void object(FieldInfo const& info, ObjectId& value) override {
-        std::string const name = names_(value);
+        std::string const name = names_.nameOf(value);
         put(info, name.empty() ? Json(nullptr) : Json(name));
     }
     void choice(FieldInfo const& info, ChoiceField field) override {
@@ -60,7 +61,7 @@ private:
     }
     void put(FieldInfo const& info, Json value) { out[std::string(info.key)] = std::move(value); }
 
-    ObjectNames names_;
+    NameTable const& names_;
     FieldInfo const* listInfo_ = nullptr;
 };
 
@@ -140,7 +141,8 @@ public:
         // What one fresh element looks like before any of its choices is made.
         std::size_t const size = field.size();
         field.resize(size + 1);
-        FieldWriter fresh{ObjectNames()};
+        NameTable const unnamed;
+        FieldWriter fresh(unnamed);
         field.visitElement(size, fresh);
         field.resize(size);
         for (std::size_t i = 0; i < size; ++i) {
@@ -180,17 +182,7 @@ private:
 
 } // namespace
 
-ObjectNames::ObjectNames(NameTable const& table)
-    : source_(&table), nameOf_([](void const* names, ObjectId id) {
-          return static_cast<NameTable const*>(names)->nameOf(id);
-      }) {}
-
-ObjectNames::ObjectNames(Store const& store)
-    : source_(&store), nameOf_([](void const* names, ObjectId id) {
-          return id.valid() ? static_cast<Store const*>(names)->nameOf(id) : std::string();
-      }) {}
-
-Json writeProperty(PropertyValue const& value, ObjectNames const& names) {
+Json writeProperty(PropertyValue const& value, NameTable const& names) {
     auto const copy = value.clone();
     auto const fields = outlineOf(*copy);
     if (fields.empty()) {
@@ -221,7 +213,7 @@ Json writeProperty(PropertyValue const& value, ObjectNames const& names) {
     return writer.out.empty() ? Json(true) : writer.out;
 }
 
-Json writeProperties(PropertySet const& set, PropertyPlace place, ObjectNames const& names) {
+Json writeProperties(PropertySet const& set, PropertyPlace place, NameTable const& names) {
     Json out = Json::object();
     for (PropertySet::Entry const& entry : set.entries()) {
         if (entry.info->text.place == place) {
@@ -230,18 +222,6 @@ Json writeProperties(PropertySet const& set, PropertyPlace place, ObjectNames co
         }
     }
     return out;
-}
-
-Json writeColumn(ColumnBase const& column, ObjectId id, ObjectNames const& names) {
-    if (!column.has(id)) {
-        return nullptr;
-    }
-    FieldWriter writer(names);
-    column.visitCopy(id, writer);
-    if (writer.out.empty()) {
-        return true;
-    }
-    return writer.out.size() == 1 && writer.out.contains("value") ? writer.out["value"] : writer.out;
 }
 
 } // namespace trembler

@@ -34,7 +34,7 @@ void addAll(Json& to, Json const& from) {
     }
 }
 
-Json objectJson(LevelObject const& object, ObjectNames const& names) {
+Json objectJson(LevelObject const& object, NameTable const& names) {
     Json entry{{"name", object.name}};
     if (!object.part.empty()) {
         entry["part"] = object.part;
@@ -47,7 +47,7 @@ Json objectJson(LevelObject const& object, ObjectNames const& names) {
     return entry;
 }
 
-Json jointJson(LevelJoint const& joint, ObjectNames const& names) {
+Json jointJson(LevelJoint const& joint, NameTable const& names) {
     Json entry = Json::object();
     if (!joint.name.empty()) {
         entry["name"] = joint.name;
@@ -112,7 +112,7 @@ void addList(Json& to, char const* key, List const& list, Write const& write) {
     to[key] = std::move(entries);
 }
 
-Json worldJson(LevelFile const& level, ObjectNames const& names) {
+Json worldJson(LevelFile const& level, NameTable const& names) {
     Json world = writeProperties(level.world, PropertyPlace::world, names);
     if (level.bounds) {
         world["bounds"] = boxJson(*level.bounds);
@@ -146,7 +146,7 @@ Json writeSolution(Solution const& solution) {
 }
 
 Json writeLevel(LevelFile const& level) {
-    ObjectNames const names(level.names);
+    NameTable const& names = level.names;
     Json out{{"version", levelVersion}, {"title", level.title}};
     if (!level.text.empty()) {
         out["text"] = level.text;

@@ -64,7 +64,7 @@ protected:
     }
     std::string refusalOf(std::string const& what) {
         try {
-            static_cast<void>(watch::find(world(), watch::catalogue(gameData().registry), what));
+            static_cast<void>(watch::find(world(), watch::watchedFields(gameData().registry), what));
         } catch (std::invalid_argument const& error) {
             return error.what();
         }
@@ -201,7 +201,7 @@ TEST_F(WatchTest, WordsThatMeanNothingAreToldWithWhatIsNear) {
 
 // By descriptions alone: whatever a program has can be read in a world full of things.
 TEST_F(WatchTest, EveryFieldOfTheProgramCanBeRead) {
-    auto const fields = watch::catalogue(gameData().registry);
+    auto const fields = watch::watchedFields(gameData().registry);
     EXPECT_GT(fields.size(), 80U);
     open("3d-motor-and-generator.json");
     runTo(30);

@@ -5,21 +5,17 @@
 namespace trembler::test {
 namespace {
 
-class NotThere final : public DynamicsResolver<NotThere> {
-public:
-    static constexpr ComponentText text{.name = "No Dynamics",
+constexpr DynamicsEngine notThere{.text{.name = "No Dynamics",
                                         .effect = "dynamics",
                                         .level = "absent",
                                         .work = "Nothing.",
-                                        .rank = -1}; // the cheapest, and yet it must not be picked
-    static constexpr EngineMaker engineMaker = nullptr;
-    static constexpr std::string_view missing = "this program was built without it";
-};
+                                        .rank = -1}, // the cheapest, and yet it must not be picked
+                                  .missing = "this program was built without it"};
 
 TEST(EngineChoice, OneThatIsNotThereIsRefusedAndTheRestGoesOn) {
     Registry registry;
     registerScene(registry);
-    registry.component<NotThere>();
+    registry.component<DynamicsResolver>(notThere);
     World world(registry, {});
     try {
         world.setDetail("dynamics", "absent");

@@ -106,11 +106,9 @@ TEST_P(PartsTest, SubstepsAreThoseOfAFrame) {
 /// A weight on a spring that a test holds: F = -k x, told once a part. It says how fast it varies.
 struct StatedSpring {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"StatedSpring", "test_spring", "A spring to the origin, for tests."};
+    static constexpr PropertyText text{"StatedSpring", "test_spring", "A spring to the origin, for tests.",
+                                       PropertyPlace::hidden};
     double rate = 0; ///< rad/s
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 class DynamicsFromStatedSpring final
     : public Interaction<DynamicsFromStatedSpring, DynamicsRole,

@@ -41,27 +41,21 @@ protected:
 /// Forces by the test's own hand: what an object has in this column pulls at it for as long as it stands.
 struct Pull {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Pull", "test_pull", "A force, for tests."};
+    static constexpr PropertyText text{"Pull", "test_pull", "A force, for tests.", PropertyPlace::hidden};
     Vec2 force{};        ///< N, at the centre of mass
     Vec2 acceleration{}; ///< m/s², times the mass
     double torque = 0;   ///< N m
     Vec2 pointForce{};   ///< N, at `point`
     Vec2 point{};        ///< m, in the world
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Impulses that are carried out once, whenever `serial` changes.
 struct Kick {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Kick", "test_kick", "An impulse, for tests."};
+    static constexpr PropertyText text{"Kick", "test_kick", "An impulse, for tests.", PropertyPlace::hidden};
     Vec2 impulse; ///< N s
     Vec2 point;   ///< m, in the world
     int serial = 0;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 class DynamicsFromPull final : public Interaction<DynamicsFromPull, DynamicsRole, Reads<Pull, Mass>> {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <iterator>
 #include <stdexcept>
 
@@ -58,18 +57,15 @@ void ElectricityFromScript::apply(Access& access) {
 }
 
 void registerScripts(Registry& registry) {
-    static std::array<std::string, scripts> names;
-    static std::deque<ComponentInfo> const infos = [] {
-        std::deque<ComponentInfo> made;
-        for (std::size_t i = 0; i < scripts; ++i) {
-            names[i] = "Electricity <- Script " + std::to_string(i + 1);
-            made.push_back(ElectricityFromScript::describeSelf());
-            made.back().text.name = names[i];
-        }
-        return made;
-    }();
-    for (std::size_t i = 0; i < scripts; ++i) {
-        registry.component(infos[i], [i] { return std::make_unique<ElectricityFromScript>(infos[i], i); });
+    constexpr auto script = [](std::string_view name, std::size_t number) {
+        return ScriptNumber{.text{.name = name, .effect = "test", .level = "", .work = "As told."},
+                            .number = number};
+    };
+    static constexpr std::array<ScriptNumber, scripts> all{script("Electricity <- Script 1", 0),
+                                                           script("Electricity <- Script 2", 1),
+                                                           script("Electricity <- Script 3", 2)};
+    for (ScriptNumber const& each : all) {
+        registry.component<ElectricityFromScript>(each);
     }
 }
 

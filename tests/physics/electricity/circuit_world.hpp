@@ -22,7 +22,8 @@ inline constexpr std::size_t scripts = 3;
 inline constexpr std::size_t scissors = scripts;
 struct Script {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Script", "test_script", "Calls that a test wants made."};
+    static constexpr PropertyText text{"Script", "test_script", "Calls that a test wants made.",
+                                       PropertyPlace::hidden};
     struct Line {
         ObjectId a;
         ObjectId b;
@@ -32,19 +33,14 @@ struct Script {
     std::vector<Line> lines;
     std::vector<ObjectId> destroys;
     std::vector<CreateObject> creates;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// Who touches whom, as a test has it.
 struct Touching {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Touching", "test_touching", "Pairs that a test wants to touch."};
+    static constexpr PropertyText text{"Touching", "test_touching", "Pairs that a test wants to touch.",
+                                       PropertyPlace::hidden};
     std::vector<TouchingPair> pairs; ///< ascending
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 struct CollisionRole {
@@ -63,17 +59,19 @@ public:
     void advance(Access& access);
 };
 
-/// Several interactions of one C++ type, as those that are made from files will be: each makes the calls of
-/// its own number.
+/// What an ElectricityFromScript is registered with.
+struct ScriptNumber {
+    ComponentText text;
+    std::size_t number = 0;
+};
+/// Several interactions of one C++ type: each makes the calls of its own number.
 class ElectricityFromScript final
     : public Interaction<ElectricityFromScript, ElectricityRole, Reads<Script>> {
 public:
-    static constexpr ComponentText text{
-        .name = "Electricity <- Script", .effect = "test", .level = "", .work = "As told."};
     using Activation = NeedsAll<Script>;
     static constexpr Coverage memory = leftOut("its number is its name's, and for the world's life");
-    ElectricityFromScript(ComponentInfo const& info, std::size_t number)
-        : Interaction(info), number_(number) {}
+    ElectricityFromScript(ComponentInfo const& info, ScriptNumber const& script)
+        : Interaction(info), number_(script.number) {}
     void apply(Access& access);
 
 private:

@@ -157,24 +157,23 @@ TEST(SceneGallery, everyJoint) {
     camera.viewport = {1280, 720};
     camera.fit({-5.6, -3.1}, {5.6, 3.1}, 0);
     GoalRegion const goal{{Box{{-5.3, -2.6}, {1.3, 1.5}}, {}}, false};
-    writePng(picture(
-                 camera.viewport, palette::paper,
-                 [&](Canvas& canvas) {
-                     canvas.paper();
-                     view.draw(canvas, world,
-                               {.selected = bob,
-                                .hovered = hung,
-                                .overlays = {.contacts = true, .motion = true},
-                                .goals = {&goal, 1}});
-                     PartLibrary const library = loadParts(everything(), root / "assets" / "parts");
-                     drawGhost(canvas, library.find("spanner")->prototype(), {{-0.3, -1.2}, 0.3}, true);
-                     drawGhost(canvas, library.find("spanner")->prototype(), {{-0.3, -1.8}, 0.3}, false);
-                     drawGhost(canvas, library.find("electromagnet")->prototype(), {{3.4, 0.2}, 0}, true);
-                     drawGhost(canvas, library.find("lamp")->prototype(), {{4.4, 0.2}, 0}, true);
-                     drawGhost(canvas, library.find("horseshoe magnet")->prototype(), {{2.2, 0.2}, 0}, true);
-                 },
-                 {}, camera),
-             pictureFolder() / "scene-joints.png");
+    writePng(
+        picture(
+            camera.viewport, palette::paper,
+            [&](Canvas& canvas) {
+                canvas.paper();
+                view.draw(
+                    canvas, world,
+                    {.selected = bob, .hovered = hung, .overlays = {.contacts = true}, .goals = {&goal, 1}});
+                PartLibrary const library = loadParts(everything(), root / "assets" / "parts");
+                drawGhost(canvas, library.find("spanner")->prototype(), {{-0.3, -1.2}, 0.3}, true);
+                drawGhost(canvas, library.find("spanner")->prototype(), {{-0.3, -1.8}, 0.3}, false);
+                drawGhost(canvas, library.find("electromagnet")->prototype(), {{3.4, 0.2}, 0}, true);
+                drawGhost(canvas, library.find("lamp")->prototype(), {{4.4, 0.2}, 0}, true);
+                drawGhost(canvas, library.find("horseshoe magnet")->prototype(), {{2.2, 0.2}, 0}, true);
+            },
+            {}, camera),
+        pictureFolder() / "scene-joints.png");
     EXPECT_GT(length(world.find<Position>(hung)->value - Vec2{-3.3, 0.6}), 0.01); // it did run
 }
 
@@ -205,8 +204,8 @@ void drawLevel(std::filesystem::path const& file) {
         world->step();
     }
     save("-ran", {.time = world->time()});
-    save("-overlays", {.time = world->time(),
-                       .overlays = {.electricity = true, .forces = true, .contacts = true, .motion = true}});
+    save("-overlays",
+         {.time = world->time(), .overlays = {.electricity = true, .forces = true, .contacts = true}});
     save("-field", {.time = world->time(), .overlays = {.forces = true, .fieldLines = true}});
 }
 

@@ -128,7 +128,6 @@ TEST(ScenePicture, overlaysAreDrawnOnlyWhenAsked) {
     stage.closeSwitch();
     Store& store = stage.world.store();
     ObjectId const ball = stage.id["metal object"];
-    store.column<Velocity>().set(ball, {{1, 2}});
     store.slot<MagneticForce>().value().forces = {{ball, {2.4, 1.22}, {0, 300}, {}}};
     store.slot<Contacts>().value().current = {{stage.id["object 1"], stage.id["switch"], {}}};
     Image const plain = draw(stage.world);
@@ -138,7 +137,6 @@ TEST(ScenePicture, overlaysAreDrawnOnlyWhenAsked) {
     EXPECT_GT(changed(with({.forces = true}), plain, {2.4, 1.6}, 30), 60);
     EXPECT_GT(changed(with({.fieldLines = true}), plain, {2.4, 0}, 200), 300);
     EXPECT_GT(changed(with({.contacts = true}), plain, {-3.5, -0.68}, 40), 40);
-    EXPECT_GT(changed(with({.motion = true}), plain, {2.4, 1.22}, 30), 60);
     // Each keeps to its own matter.
     EXPECT_EQ(changed(with({.contacts = true}), plain, {2.4, 1.5}, 60), 0);
     EXPECT_EQ(changed(with({.forces = true}), plain, {-3.5, -0.68}, 60), 0);
@@ -211,7 +209,7 @@ TEST(ScenePicture, drawingNeverChangesTheWorld) {
     auto const before = versions();
     SceneView view;
     view.remember(stage.world);
-    Overlays const everythingOn{true, true, true, true, true};
+    Overlays const everythingOn{true, true, true, true};
     draw(stage.world, {.alpha = 0.5, .selected = stage.id["switch"], .overlays = everythingOn}, view);
     (void)pick(stage.world, {0, 0}, 1);
     (void)pickWire(stage.world, {0, 0}, 1);
@@ -288,10 +286,10 @@ TEST(ScenePicture, survivesWhateverASimulationDoes) {
     stage.world.store().column<Position>().set(stage.id["metal object"], {{1e300, -1e300}});
     stage.world.store().column<Rotation>().set(stage.id["object 2"], {nan});
     stage.world.store().column<MagneticStrength>().set(stage.id["electromagnet"], {1e300, 0});
-    Overlays const everythingOn{true, true, true, true, true};
+    Overlays const everythingOn{true, true, true, true};
     Image const image = draw(stage.world, {.selected = stage.id["switch"], .overlays = everythingOn});
     EXPECT_EQ(image.size(), size);
-    EXPECT_FALSE(sceneBounds(stage.world).empty());
+    EXPECT_FALSE(sceneFocus(stage.world).empty());
     (void)pick(stage.world, {0, 0}, 1);
 }
 

@@ -154,8 +154,6 @@ TEST(InteractionCalls, NothingAfterNothingWakesNobodyButTheFirstAndTheLastWordDo
 struct Ember {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Ember", "ember", "Keeps warm."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct HeatFromEmber final : Interaction<HeatFromEmber, HeatRole, Reads<Ember>> {
     static constexpr ComponentText text{
@@ -191,8 +189,6 @@ struct Trail {
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing = "kept over all parts";
     std::vector<double> energies;
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct Recorder final : Resolver<Recorder, HeatRole, Reads<>, Writes<Heat>, Provides<Trail>> {
     static constexpr ComponentText text{

@@ -39,8 +39,6 @@ struct Weight {
 struct Tag {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Tag", "tag", "Says nothing but that it is there."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 struct Topping {

@@ -99,6 +99,40 @@ TEST(FieldVisitor, TellsRangesAlsoForTheElementsOfLists) {
     EXPECT_NE(ranges.out.str().find("parts{0..9;"), std::string::npos) << ranges.out.str();
 }
 
+// A marker has nothing to describe, and what only components read need not be described. What a level file
+// can state must be: tests/compile_fail/object_property_without_fields.cpp.
+struct Marker {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Marker", "marker", "Is there, or is not."};
+};
+struct Unstated {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Unstated", "unstated", "Only components know it.",
+                                       PropertyPlace::hidden};
+    double number = 0;
+};
+struct Statable {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Statable", "statable", "Levels may state it."};
+    double number = 0;
+};
+static_assert(MayLackFields<Marker> && MayLackFields<Unstated> && MayLackFields<Kept>);
+static_assert(!MayLackFields<Statable> && !MayLackFields<Everything>);
+static_assert(Described<Everything> && !Described<Marker> && !Described<Kept>);
+
+TEST(FieldVisitor, SeesNothingOfWhatHasNoDescription) {
+    Scribe scribe;
+    Column<Marker> markers;
+    markers.set({0, 0}, {});
+    markers.visitCopy({0, 0}, scribe);
+    Column<Unstated> unstated;
+    unstated.set({0, 0}, {3});
+    unstated.visit({0, 0}, scribe);
+    Slot<Kept> const slot;
+    slot.visitCopy(scribe);
+    EXPECT_EQ(scribe.out.str(), "");
+}
+
 TEST(FieldVisitor, VisitingAColumnMarksItAsChangedAndACopyDoesNot) {
     Column<Everything> column;
     column.set({0, 0}, full());

@@ -111,8 +111,6 @@ TEST(Store, DestroysObjectsWithAllTheirProperties) {
 struct AlsoPlace {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Also place", "place", "Another property of that key."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 TEST(Store, RefusesTwoPropertiesOfOneKey) {

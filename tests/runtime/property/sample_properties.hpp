@@ -102,9 +102,6 @@ struct Kept {
     static constexpr PropertyText text{"Kept", "kept", "What a resolver keeps."};
     static constexpr Coverage coverage = hashed;
     int number = 3;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 } // namespace trembler::sample

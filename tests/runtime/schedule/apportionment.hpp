@@ -19,8 +19,6 @@ namespace trembler::apportionment {
         static constexpr PropertyText text{name, key, "As in 6.13.1."};                                      \
         static constexpr Coverage coverage = hashed;                                                         \
         static constexpr std::string_view standing = "empty";                                                \
-        template <class Self, class Visitor>                                                                 \
-        static void describe(Self&, Visitor&&) {}                                                            \
     }
 TREMBLER_TEST_PROPERTY(Mass, object, "Mass", "mass");
 TREMBLER_TEST_PROPERTY(Shape, object, "Shape", "shape");

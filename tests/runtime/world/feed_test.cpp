@@ -36,8 +36,6 @@ struct BellLog {
     std::vector<int> rings;
     std::vector<std::string> by;
     int chimes = 0;
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct Bell final : Resolver<Bell, BellRole, Reads<Heat>, Writes<>, Provides<BellLog>> {
     static constexpr ComponentText text{.name = "Bell", .effect = "bell", .level = "", .work = "Rings."};

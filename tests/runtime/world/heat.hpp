@@ -47,9 +47,6 @@ struct StoveLog {
     int held = 0; ///< calls
     int once = 0; ///< calls
     int onceEver = 0;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 /// The sum of all heat, as of the last update, and who worked it out.
@@ -59,9 +56,6 @@ struct Glow {
     double total = 0;
     int updatesByExact = 0;
     int updatesByRough = 0;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 struct AddHeat {

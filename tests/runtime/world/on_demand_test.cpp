@@ -17,8 +17,6 @@ struct Diary {
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing = "counts over all parts";
     int entries = 0;
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct Note {
     static constexpr CallText text{"note", "(object)", "Notes the object."};
@@ -61,8 +59,6 @@ struct Fame {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Fame", "fame", "Twice the entries."};
     int twice = 0;
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct FameByDiary final : Dps<FameByDiary, Reads<Diary>, Derives<Fame>> {
     static constexpr ComponentText text{.name = "Fame", .effect = "fame", .level = "", .work = "Doubles."};

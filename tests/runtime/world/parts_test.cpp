@@ -35,8 +35,6 @@ struct Beats {
             frame.beats.push_back(beat);
         }
     }
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct MetronomeRole {
     static constexpr std::string_view name = "Metronome";
@@ -75,8 +73,6 @@ struct Turns {
     static constexpr std::string_view standing = "kept over all parts";
     static constexpr Coverage coverage = hashed;
     std::vector<double> durations; ///< s
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct ListenerRole {
     static constexpr std::string_view name = "Listener";

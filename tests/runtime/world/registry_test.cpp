@@ -113,8 +113,6 @@ TEST(RegistryRules, TwoResolversOfferingOnePropertyAreRefused) {
 struct Aura {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Aura", "aura", "What glows around things."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct GlowAndAura final : Dps<GlowAndAura, Reads<Heat>, Derives<Glow, Aura>> {
     static constexpr ComponentText text{
@@ -151,8 +149,6 @@ TEST(RegistryRules, TwoComponentsOfOneTitleAreRefused) {
 struct OtherHeat {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Other heat", "heat", "Another property with the key of Heat."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 
 TEST(RegistryRules, TwoPropertiesOfOneKeyAreRefused) {
@@ -188,6 +184,61 @@ TEST(Registry, KnowsEveryObjectPropertyOfItsComponentsByKey) {
     EXPECT_EQ(registry.objectProperty("fuel"), &propertyInfo<Fuel>());
     EXPECT_EQ(registry.objectProperty("stove_log"), nullptr) << "a resolver property belongs to no object";
     EXPECT_EQ(registry.objectProperty("hea"), nullptr);
+}
+
+// One type, registered for several powers.
+struct Power {
+    ComponentText text;
+    double joules = 0; // in each turn
+    bool (*suits)(Store const&) = nullptr;
+    std::string_view missing{};
+};
+class Hob final : public Resolver<Hob, RoleOf<4>, Reads<>, Writes<Heat>> {
+public:
+    using Activation = NeedsAll<Heat>;
+    static constexpr Coverage memory = leftOut("a constant of its registration");
+    Hob(ComponentInfo const& info, Power const& power) : Resolver(info), joules_(power.joules) {}
+    [[nodiscard]] bool restless() const { return true; }
+    void advance(Access& access) {
+        for (Heat& heat : access.write<Heat>().values()) {
+            heat.value += joules_;
+        }
+    }
+
+private:
+    double joules_;
+};
+constexpr Power low{.text{.name = "Low", .effect = "hob", .level = "low", .work = "Heats.", .rank = 1},
+                    .joules = 1,
+                    .suits = [](Store const& store) { return store.findColumn<Fuel>() != nullptr; }};
+constexpr Power high{.text{.name = "High", .effect = "hob", .level = "high", .work = "Heats.", .rank = 2},
+                     .joules = 100};
+constexpr Power absent{.text{.name = "Absent", .effect = "hob", .level = "absent", .work = "Nothing."},
+                       .missing = "there is no gas"};
+
+TEST(Registry, RegistersATypeSeveralTimesWithValuesThatTellItsComponentsApart) {
+    Registry registry;
+    for (Power const* power : {&low, &high, &absent}) {
+        registry.component<Hob>(*power);
+    }
+    ASSERT_EQ(registry.components().size(), 3U);
+    EXPECT_EQ(registry.components()[0].suits, low.suits);
+    EXPECT_EQ(registry.components()[1].suits, nullptr);
+    EXPECT_EQ(registry.components()[2].missing, "there is no gas");
+    EXPECT_EQ(title(*registry.components()[1].info), "High Resolver");
+    EXPECT_EQ(registry.components()[1].info->writes, registry.components()[0].info->writes);
+    EXPECT_EQ(refusalOf(registry), "(accepted)") << "resolvers of one role swap";
+
+    World world(registry);
+    ObjectId const pan = world.store().create("pan");
+    world.store().column<Heat>().set(pan, {0});
+    world.start();
+    world.step();
+    EXPECT_EQ(world.find<Heat>(pan)->value, 100) << "the low one does not suit";
+    world.setDetail("hob", "low");
+    world.step();
+    EXPECT_EQ(world.find<Heat>(pan)->value, 101);
+    EXPECT_THROW(world.setDetail("hob", "absent"), std::invalid_argument);
 }
 
 TEST(Registry, TakesPeriodsAndSuitabilityFromTheComponent) {

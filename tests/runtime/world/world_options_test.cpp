@@ -187,8 +187,6 @@ struct NeedsGlowLog {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Nobody's", "nobodys", "What no resolver provides."};
     static constexpr Coverage coverage = hashed;
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct CheapButBlind final : Dps<CheapButBlind, Reads<Heat, NeedsGlowLog>, Derives<Glow>> {
     static constexpr ComponentText text{

@@ -90,8 +90,6 @@ TEST(WorldShortcut, SleepsWithItsDerivedPropertySet) {
 struct Shade {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Shade", "shade", "Where it is dark."};
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 struct Shading final : Dps<Shading, Reads<Heat>, Derives<Shade>> {
     static constexpr ComponentText text{.name = "Shading", .effect = "shade", .level = "", .work = "Shades."};

@@ -61,7 +61,7 @@ private:
         double pulls = 0; // N, of the forces on each body, whichever way they point
         std::vector<Edge> edges;
         std::size_t order = 0; // in which the walk came here, from 1
-        std::size_t low = 0;   // the earliest that it or what is below reaches by another way
+        std::size_t low = 0;   // the earliest that it or a node below it reaches by another way
         std::size_t next = 0;  // edge
         std::size_t by = none; // joint over which the walk came here
         std::size_t from = none;
@@ -99,7 +99,7 @@ private:
             finished_.push_back(at);
             Node& parent = nodes_[node.from];
             parent.low = std::min(parent.low, node.low);
-            if (node.from != ground_) { // what hangs side by side from the ground stays apart
+            if (node.from != ground_) { // bodies that hang side by side from the ground stay apart
                 parent.mass += node.mass;
                 parent.moment += node.moment;
                 parent.force += node.force;

@@ -6,8 +6,8 @@
 namespace trembler {
 namespace {
 
-// Of all forces on a body, for it to count as pressed: a body that floats hangs between two that are alike.
-// What is pressed at all is pressed by so much along one of four directions.
+// Of all forces on a body, for it to count as pressed: a body that floats hangs between two that are alike. A
+// body that is pressed at all is pressed by so much along one of four directions.
 constexpr double leastPress = 0.3;
 
 struct Rest {
@@ -72,7 +72,7 @@ std::vector<Support> supportsOf(BodyTable const& bodies, std::span<TouchingPair 
     return supports;
 }
 
-// The greatest ratio of what rests on a body to its own mass, `up` (a unit vector) being up.
+// The greatest ratio of the mass that rests on a body to its own, `up` (a unit vector) being up.
 double loadRatioUnder(Vec2 up, DynamicsColumns const& columns, BodyTable const& bodies,
                       std::span<TouchingPair const> touching, std::span<LoadSum const> loads) {
     std::vector<Rest> rests(bodies.bodies().size());

@@ -95,7 +95,7 @@ double bendingFrequency(DynamicsColumns const& columns, BodyTable const& bodies,
         if (load.mass <= 0 || !load.alone || tied.joint.form != JointForm::weld) {
             continue;
         }
-        ObjectId const a = bodies[tied.a].object; // what is fixed need not state how it is turned
+        ObjectId const a = bodies[tied.a].object; // a fixed body need not state how it is turned
         double const angle = columns.rotation.has(a) ? columns.rotation.find(a)->angle : 0;
         Vec2 const at = columns.position.find(a)->value + rotated(tied.anchors.onA, angle);
         double const moment = load.pull * length(load.centre - at);

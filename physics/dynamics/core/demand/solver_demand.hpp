@@ -1,5 +1,5 @@
-// How finely a scene asks to be computed: what follows from its bodies, joints, contacts and from the forces
-// that act, whichever effects they come from; never from a clock. The figures behind the automatic settings;
+// How finely a scene asks to be computed. It follows from its bodies, joints, contacts and the forces that
+// act, whichever effects they come from; never from a clock. The figures behind the automatic settings;
 // docs/measurements/stability.md measures whether they suffice.
 #pragma once
 
@@ -9,13 +9,14 @@
 
 namespace trembler {
 
-/// What the joints of a scene ask for.
+/// The demand of a scene's joints.
 struct JointDemand {
     /// rad/s, of the fastest zig-zag. A body between taut joints turns to and fro with ω² = T l / I (T pull
     /// in N, l between its joints in m, I moment of inertia in kg m²; for a rod this is the √(12 T / (m l))
-    /// of a chain's link). T is what pulls at the joint: all forces on the side that nothing else holds
-    /// if the joint is all that ties it to the ground, on the lighter side if nothing is held, and on all
-    /// that is tied together where a loop leaves the share open. Springs and gears pull nothing taut.
+    /// of a chain's link). T is the sum of the forces that pull at the joint: all forces on the side that
+    /// nothing else holds if the joint is all that ties it to the ground, on the lighter side if nothing is
+    /// held, and on all that is tied together where a loop leaves the share open. Springs and gears pull
+    /// nothing taut.
     double zigZag = 0;
     /// rad/s: the same for welds, ω² = W d / I, with the load W at a distance d that a weld must keep from
     /// turning. Only an engine that solves joints one by one has such a motion.
@@ -33,8 +34,8 @@ struct JointDemand {
 /// twenty bodies move, whose gaps and overlaps add up to little, 0.06 units will do.
 [[nodiscard]] double scaleFor(DynamicsColumns const& columns);
 
-/// The smallest of a few numbers of substeps, from 1 to 64, that is not below `wanted`: few, so that what
-/// changes a little does not change the step all the time.
+/// The smallest of a few numbers of substeps, from 1 to 64, that is not below `wanted`: few, so that small
+/// changes of the scene do not change the step all the time.
 [[nodiscard]] int roundedSubsteps(double wanted);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// What touches, how it presses and what hits what, as Box2D tells it.
+// Contacts, their pressure and impacts, as Box2D reports them.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 
 #include <algorithm>
@@ -60,8 +60,8 @@ float Box2dEngine::speedGain(b2Body const* body) const {
     return slot == noSlot || !(mass > 0) ? 0 : bodies_[slot].force.Length() * substep_ / mass;
 }
 
-// What a strong pull presses on something gains, in every substep, a speed that looks like an impact;
-// bouncing that back would go on for ever. Only speed that the pull cannot explain bounces.
+// A body that a strong pull presses on another gains, in every substep, a speed that looks like an impact;
+// bouncing that back would never end. Only speed that the pull cannot explain bounces.
 void Box2dEngine::PreSolve(b2Contact* contact, b2Manifold const*) {
     if (contact->GetRestitution() > 0) {
         float const explained =

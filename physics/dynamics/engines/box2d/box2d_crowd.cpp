@@ -32,8 +32,8 @@ bool CrowdFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {
     }
     b2Body* const a = fixtureA->GetBody();
     b2Body* const b = fixtureB->GetBody();
-    // Nothing makes a contact without asking here, so as long as there are as many as expected none has gone,
-    // and who was crowded still is.
+    // No contact is made without asking here, so as long as there are as many as expected none has gone, and
+    // bodies that were crowded still are.
     int32 const contacts = a->GetWorld()->GetContactCount();
     if (contacts != expected_) {
         ++turn_;

@@ -9,10 +9,10 @@
 
 namespace trembler {
 
-/// Box2D's own rules for who may touch whom; but n bodies in one place would make n² contacts, which no
-/// memory holds: between two that move and have this many contacts with others that move, each, none is made.
-/// Bodies that do not lie inside of each other have far fewer. Hence at most this many contacts for each
-/// body, all in all.
+/// Box2D's own rules for which bodies may touch; but n bodies in one place would make n² contacts, for which
+/// no memory is enough: between two that move and have this many contacts with others that move, each, none
+/// is made. Bodies that do not lie inside of each other have far fewer. Hence at most this many contacts for
+/// each body, all in all.
 ///
 /// In a crowd Box2D asks about nearly all pairs in each step. Which bodies are crowded is therefore kept
 /// until contacts may have gone; bodies carry small numbers of their own as user data.

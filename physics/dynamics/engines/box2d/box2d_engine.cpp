@@ -85,7 +85,7 @@ void Box2dEngine::removeBody(SlotIndex slot) {
     forgetReported(slot);
     bodies_[slot] = {};
     awake_[slot] = 0;
-    disturbed_ = true; // Box2D has woken those that touched it
+    disturbed_ = true; // Box2D has woken the bodies that touched it
     if (slot < dragged_.size()) {
         dragged_[slot] = {};
     }
@@ -152,7 +152,7 @@ void Box2dEngine::applyJoints(float substep) {
         BodyEntry const& entry = bodies_[slotOf(&body)];
         return JointsAtOnce::Pull{entry.force, entry.torque};
     });
-    // Box2D starts from the impulses of its last step, which would carry what is carried already.
+    // Box2D starts from the impulses of its last step, which would carry loads that are carried already.
     world_.SetWarmStarting(!std::exchange(coldStart_, false));
 }
 

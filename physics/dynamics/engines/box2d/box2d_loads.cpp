@@ -1,4 +1,4 @@
-// What acts on bodies from outside while Box2D moves them, and what resists them.
+// The forces that act on bodies from outside while Box2D moves them, and those that resist motion.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 
 namespace trembler {

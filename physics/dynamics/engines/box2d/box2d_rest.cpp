@@ -1,4 +1,4 @@
-// What sleeps and what wakes: Box2D's own bookkeeping, but with the loads of those that sleep.
+// Which bodies sleep and which wake: Box2D's own bookkeeping, and the loads of sleeping bodies.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 
 #include <cmath>
@@ -7,7 +7,8 @@
 namespace trembler {
 namespace {
 
-// What drifts freely, however slowly, does not come to rest by itself: above these it must not fall asleep.
+// A body that drifts freely, however slowly, does not come to rest by itself: above these it must not fall
+// asleep.
 constexpr double driftAcceleration = 1e-3; // m/s²
 constexpr double driftSpeed = 1e-4;        // m/s
 constexpr double driftSpin = 1e-3;         // rad/s
@@ -43,7 +44,8 @@ void Box2dEngine::wakeAll(b2Body* body) {
     }
 }
 
-// Box2D wakes bodies by itself too: when what they rested on is destroyed, or when sleep is forbidden.
+// Box2D wakes bodies by itself too: when the body that they rested on is destroyed, or when sleep is
+// forbidden.
 void Box2dEngine::loadWoken() {
     if (!std::exchange(disturbed_, false)) {
         return;

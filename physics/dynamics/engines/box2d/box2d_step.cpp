@@ -73,7 +73,7 @@ void Box2dEngine::noteStart() {
 
 void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last) {
     if (double const added = std::exchange(added_, 0); added * added > mostLooks) {
-        // Box2D finds out what touches what is new in a step only. One without time does nothing else.
+        // Box2D finds the contacts of new bodies only in a step. A step of no time does nothing else.
         guardBox2d([&] { world_.Step(0, settings.velocityIterations, settings.positionIterations); });
     }
     bool const many = tooManyImpacts();

@@ -1,6 +1,6 @@
 #include "physics/dynamics/engines/box2d/joints_at_once.hpp"
 
-// Only what is under the Mozilla Public License; and plain arithmetic in a stated order, whatever the
+// Only the parts under the Mozilla Public License; and plain arithmetic in a stated order, whatever the
 // compiler.
 #define EIGEN_MPL2_ONLY
 #define EIGEN_DONT_VECTORIZE

@@ -13,11 +13,12 @@
 namespace trembler {
 
 /// Box2D solves one joint after the other, again and again. A pull needs about as many rounds to get through
-/// a chain as the square of its links, and more the heavier what hangs on it: what is missing makes the chain
-/// swing. Here the impulses that keep all hinges, welds and rigid distances together in the coming step are
-/// found exactly, from J M⁻¹ Jᵀ λ = -J (v + h M⁻¹ f) (Baraff 1996), by a sparse LDLᵀ factorisation whose
-/// symbolic part is kept. They are given to the bodies before the step; Box2D's own joints then have nothing
-/// to do but to share with contacts, limits and motors, and to keep positions together.
+/// a chain as the square of its links, and more the heavier the load at its end: the missing part of the pull
+/// makes the chain swing. Here the impulses that keep all hinges, welds and rigid distances together in the
+/// coming step are found exactly, from J M⁻¹ Jᵀ λ = -J (v + h M⁻¹ f) (Baraff 1996), by a sparse LDLᵀ
+/// factorisation whose symbolic part is kept. They are given to the bodies before the step; Box2D's own
+/// joints then have nothing to do but to share with contacts, limits and motors, and to keep positions
+/// together.
 ///
 /// Redundant joints share their load by a regularisation of 1e-12. Deterministic. Where joints form a net
 /// rather than chains, trees and rings, factorising would cost more than it gains, and nothing is done.
@@ -33,12 +34,12 @@ public:
     JointsAtOnce(JointsAtOnce const&) = delete;
     JointsAtOnce& operator=(JointsAtOnce const&) = delete;
 
-    /// The joints of the world, by slot; nullptr where there is none. To be told before the next solve()
+    /// The joints of the world, by slot; nullptr where there is none. To be called before the next solve()
     /// whenever any has come or gone.
     void setJoints(std::span<b2Joint* const> joints);
-    /// Gives the bodies the impulses for a step of `h` (s); `pullOn` says what acts on a body in it.
+    /// Gives the bodies the impulses for a step of `h` (s); `pullOn` gives the pull on a body in it.
     void solve(float h, std::function<Pull(b2Body const&)> const& pullOn);
-    /// What a joint did in the last solve(), in units of the engine: the impulse on its Box2D body B.
+    /// The impulse of a joint in the last solve(), in units of the engine, on its Box2D body B.
     [[nodiscard]] b2Vec2 impulse(SlotIndex slot) const {
         return slot < impulses_.size() ? impulses_[slot] : b2Vec2_zero;
     }
@@ -47,7 +48,7 @@ private:
     struct Factor;
     struct Mover {
         b2Body* body = nullptr;
-        double inverseMass = 0; // of what damping leaves of an impulse
+        double inverseMass = 0; // of the part of an impulse that damping leaves
         double inverseInertia = 0;
         double vx = 0; // velocity that it would have after the step without any joint
         double vy = 0;

@@ -1,4 +1,4 @@
-// What Chipmunk tells of contacts while it steps.
+// Contacts, as Chipmunk reports them while it steps.
 #ifdef TREMBLER_HAS_CHIPMUNK
 #include "physics/dynamics/engines/chipmunk/chipmunk_engine.hpp"
 

@@ -1,7 +1,7 @@
 // Dynamics computed by Chipmunk.
 #pragma once
 
-#include "physics/dynamics/core/dynamics_resolver.hpp"
+#include "physics/dynamics/core/dynamics_engine.hpp"
 
 namespace trembler {
 
@@ -10,22 +10,20 @@ namespace trembler {
 [[nodiscard]] std::unique_ptr<Engine> makeChipmunkEngine(double scale);
 #endif
 
-class ChipmunkDynamics final : public DynamicsResolver<ChipmunkDynamics> {
-public:
-    static constexpr ComponentText text{
-        .name = "Chipmunk Dynamics",
-        .effect = "dynamics",
-        .level = "chipmunk",
-        .work = "Performs both collision detection and rigid body simulation, with Chipmunk, in the world's "
-                "number of substeps; carries out the forces and impulses that were asked for.",
-        .rank = 10};
+inline constexpr DynamicsEngine chipmunkDynamics{
+    .text{.name = "Chipmunk Dynamics",
+          .effect = "dynamics",
+          .level = "chipmunk",
+          .work =
+              "Performs both collision detection and rigid body simulation, with Chipmunk, in the world's "
+              "number of substeps; carries out the forces and impulses that were asked for.",
+          .rank = 10},
 #ifdef TREMBLER_HAS_CHIPMUNK
-    static constexpr EngineMaker engineMaker = makeChipmunkEngine;
+    .make = makeChipmunkEngine
 #else
-    static constexpr EngineMaker engineMaker = nullptr;
-    static constexpr std::string_view missing =
-        "this program was built without Chipmunk; install libchipmunk-dev and build it again with "
-        "TREMBLER_CHIPMUNK=ON";
+    .make = nullptr,
+    .missing = "this program was built without Chipmunk; install libchipmunk-dev and build it again with "
+               "TREMBLER_CHIPMUNK=ON"
 #endif
 };
 

@@ -13,7 +13,7 @@ namespace trembler {
 ChipmunkEngine::ChipmunkEngine() : space_(newSpaceQuietly()) {
     cpSpaceSetGravity(space_.get(), cpvzero); // gravity is a force like any other
     cpSpaceSetCollisionSlop(space_.get(), skinDepth);
-    // Only what is told to sleeps, but Chipmunk must know that anything may.
+    // Bodies sleep only when this engine says so, but Chipmunk must know that they may.
     cpSpaceSetSleepTimeThreshold(space_.get(), 1e30);
     cpCollisionHandler* const handler = cpSpaceAddDefaultCollisionHandler(space_.get());
     handler->userData = this;
@@ -98,7 +98,7 @@ void ChipmunkEngine::layToRest(std::span<SlotIndex const> island) {
 }
 
 void ChipmunkEngine::move(double h, DynamicsSettings const& settings, std::vector<PieceContact>& found) {
-    // A fifth of what skins overlap goes in each substep, whatever its length.
+    // Each substep corrects a fifth of the overlap of skins, whatever its length.
     cpSpaceSetCollisionBias(space_.get(), std::pow(0.8, 1 / h));
     cpSpaceSetIterations(space_.get(), settings.velocityIterations);
     h_ = h;

@@ -20,7 +20,7 @@ public:
     ~ChipmunkEngine() override;
 
 private:
-    struct Place { // what a body's callbacks need
+    struct Place { // for a body's callbacks
         ChipmunkEngine* engine = nullptr;
         SlotIndex slot = noSlot;
     };

@@ -1,4 +1,4 @@
-// What Chipmunk says of itself goes to nobody's terminal, and its failed checks end no program.
+// Chipmunk's messages are kept off the terminal, and its failed checks do not end the program.
 #ifdef TREMBLER_HAS_CHIPMUNK
 #include "physics/dynamics/engines/chipmunk/chipmunk_engine.hpp"
 

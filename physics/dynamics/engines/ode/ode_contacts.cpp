@@ -1,4 +1,4 @@
-// What touches in ODE's world, found by Box2D's collision routines, and what presses.
+// Contacts in ODE's world, found by Box2D's collision routines, and their pressure.
 #ifdef TREMBLER_HAS_ODE
 #include "physics/dynamics/engines/ode/ode_engine.hpp"
 
@@ -33,7 +33,7 @@ void OdeEngine::findTouches() {
     std::vector<SlotIndex> asked;
     std::vector<std::uint8_t> done(motions_.size(), 0);
     for (;;) {
-        // Whom a touch wakes may touch, and wake, others.
+        // A body that a touch wakes may touch, and wake, others.
         asked.clear();
         for (SlotIndex slot = 0; slot < motions_.size(); ++slot) {
             if (done[slot] == 0 && moves(slot) && isAwake(slot)) {

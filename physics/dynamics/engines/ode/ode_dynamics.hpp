@@ -1,7 +1,7 @@
 // Dynamics computed by ODE.
 #pragma once
 
-#include "physics/dynamics/core/dynamics_resolver.hpp"
+#include "physics/dynamics/core/dynamics_engine.hpp"
 
 namespace trembler {
 
@@ -10,22 +10,21 @@ namespace trembler {
 [[nodiscard]] std::unique_ptr<Engine> makeOdeEngine(double scale);
 #endif
 
-class OdeDynamics final : public DynamicsResolver<OdeDynamics> {
-public:
-    static constexpr ComponentText text{
-        .name = "ODE Dynamics",
-        .effect = "dynamics",
-        .level = "ode",
-        .work = "Performs both collision detection and rigid body simulation, with the Open Dynamics Engine "
-                "kept in the plane, in the world's number of substeps; carries out the forces and impulses "
-                "that were asked for. Gears, pulleys and wheels are approximated.",
-        .rank = 20};
+inline constexpr DynamicsEngine odeDynamics{
+    .text{.name = "ODE Dynamics",
+          .effect = "dynamics",
+          .level = "ode",
+          .work =
+              "Performs both collision detection and rigid body simulation, with the Open Dynamics Engine "
+              "kept in the plane, in the world's number of substeps; carries out the forces and impulses "
+              "that were asked for. Gears, pulleys and wheels are approximated.",
+          .rank = 20},
 #ifdef TREMBLER_HAS_ODE
-    static constexpr EngineMaker engineMaker = makeOdeEngine;
+    .make = makeOdeEngine
 #else
-    static constexpr EngineMaker engineMaker = nullptr;
-    static constexpr std::string_view missing =
-        "this program was built without ODE; install libode-dev and build it again with TREMBLER_ODE=ON";
+    .make = nullptr,
+    .missing =
+        "this program was built without ODE; install libode-dev and build it again with TREMBLER_ODE=ON"
 #endif
 };
 

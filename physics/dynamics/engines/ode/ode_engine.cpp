@@ -72,7 +72,7 @@ void OdeEngine::setMotion(SlotIndex slot, Motion const& motion) {
         tell(slot);
         return;
     }
-    for (auto const& joined : joined_) { // what is fixed is part of ODE's world
+    for (auto const& joined : joined_) { // fixed bodies are part of ODE's world
         if (joined && (joined->a == slot || joined->b == slot)) {
             attach(*joined);
         }

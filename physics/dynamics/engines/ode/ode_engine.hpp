@@ -1,8 +1,9 @@
 // The Open Dynamics Engine behind the engine interface.
 //
-// ODE knows three dimensions; nothing here acts out of the plane, and what rounding lets out is put back in
-// every substep. It counts in double precision, so it works in metres. Its solvers and joints are used; what
-// touches is found by Box2D's collision routines, as ODE's are made for boxes and balls in space.
+// ODE knows three dimensions; no force here acts out of the plane, and bodies that rounding moves out of it
+// are put back in every substep. It computes in double precision, so it works in metres. Its solvers and
+// joints are used; contacts are found by Box2D's collision routines, as ODE's are made for boxes and balls in
+// space.
 #pragma once
 
 #include "physics/dynamics/engines/ode/ode_handles.hpp"
@@ -73,7 +74,7 @@ private:
     void addContacts(double h);
     [[nodiscard]] PieceContact contactOf(FoundTouch const& touch) const;
     void reportContacts(double h, std::vector<PieceContact>& found) const;
-    /// Rows of the largest island: what an exact solution would cost.
+    /// Rows of the largest island, from which the cost of an exact solution follows.
     [[nodiscard]] std::size_t largestIsland();
     /// Sweeps of the approximate solution, after largestIsland().
     /// Of ODE's relaxation, in a substep of `h` seconds.
@@ -88,7 +89,7 @@ private:
     std::map<Pair, int> apart_; // joined bodies that must not hit each other
     std::vector<FoundTouch> touches_;
     std::vector<std::array<dJointFeedback, 2>> feedback_; // of touches_
-    std::vector<std::uint8_t> pressing_;                  // of touches_: ODE is told of it
+    std::vector<std::uint8_t> pressing_;                  // of touches_: ODE has received it
     std::vector<SlotIndex> awakeSlots_;
     std::vector<std::size_t> parents_;
     std::vector<std::size_t> rowsOf_;

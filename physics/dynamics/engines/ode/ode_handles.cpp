@@ -33,7 +33,7 @@ OdeWorld::OdeWorld() {
         }
         dSetErrorHandler(failed);
         dSetDebugHandler(failed);
-        // Where its solver meets a singular case ODE says so and goes on; what it says helps no player.
+        // Where its solver meets a singular case ODE says so and goes on; its messages help no player.
         dSetMessageHandler([](int, char const*, va_list) {});
     });
     world_ = dWorldCreate();

@@ -70,7 +70,7 @@ void OdeEngine::attach(Joined& joined) {
     dBodyID const b = idOf(joined.b);
     dBodyID const first = joined.flipped ? b : a;
     dBodyID const second = joined.flipped ? a : b;
-    // Into the joint's zero: what moves is put to what may not, or a to b.
+    // Into the joint's zero: the body that moves is put to the one that may not, or a to b.
     Motion const atA = motionOrOrigin(joined.a);
     Motion const atB = motionOrOrigin(joined.b);
     Motion zeroA = atA;
@@ -145,7 +145,7 @@ void OdeEngine::attach(Joined& joined) {
     }
 }
 
-// ODE's hinges count no whole turns; an angular motor is told its angle.
+// ODE's hinges count no whole turns; an angular motor receives its angle.
 void OdeEngine::attachHinge(Joined& joined) {
     Joint const& joint = joined.joint;
     if (!joint.limited && !joint.motor) {
@@ -249,7 +249,7 @@ void OdeEngine::solveRows(double h, int iterations) {
     if (all.empty()) {
         return;
     }
-    std::vector<Motion> shove(motions_.size()); // what corrects errors of place, and adds no energy
+    std::vector<Motion> shove(motions_.size()); // corrects errors of place, and adds no energy
     auto const push = [&](Solved const& solved, JointRow const& row, double impulse,
                           std::vector<Motion>& on) {
         for (int i = 0; i < row.count; ++i) {

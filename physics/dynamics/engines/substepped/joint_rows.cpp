@@ -79,7 +79,7 @@ JointRows::Coordinate JointRows::turn(Ends const& ends) const {
     return {ends.a.angle - ends.b.angle - anchors_.referenceAngle, {{{a_, {}, 1}, {b_, {}, -1}}}};
 }
 
-// Along a direction that turns with b: what is further away from b's centre moves with its turning, too.
+// Along a direction that turns with b: a point further away from b's centre moves with its turning, too.
 JointRows::Coordinate JointRows::shift(Ends const& ends, Vec2 direction) const {
     return {dot(direction, ends.apart),
             {{{a_, direction, cross(ends.armA, direction)},
@@ -122,7 +122,7 @@ void JointRows::rigid(Coordinate const& along, double error) {
 void JointRows::pin(Ends const& ends) {
     for (Vec2 const direction : {Vec2{1, 0}, Vec2{0, 1}}) {
         Coordinate along = shift(ends, direction);
-        along.terms[1].angular = -cross(ends.armB, direction); // the world's directions turn with nobody
+        along.terms[1].angular = -cross(ends.armB, direction); // the world's directions turn with no body
         rigid(along, along.value);
     }
 }

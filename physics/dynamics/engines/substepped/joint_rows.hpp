@@ -8,7 +8,7 @@
 
 namespace trembler {
 
-/// A body as a joint sees it. The world, and what is fixed, has no inverse mass.
+/// A body as a joint sees it. The world, and a fixed body, has no inverse mass.
 struct JointPose {
     Vec2 centre;               ///< m, of mass
     double angle = 0;          ///< rad
@@ -16,7 +16,7 @@ struct JointPose {
     double inverseInertia = 0; ///< 1/(kg m²)
 };
 
-/// What a row has to do with one body: the Jacobian's part.
+/// The part of a row for one body: the Jacobian's.
 struct RowTerm {
     int body = 0; ///< index into JointRows::slots()
     Vec2 linear;
@@ -40,7 +40,7 @@ struct JointRow {
     double impulse = 0; ///< so far in this step; kept to start the next with
     double push = 0;    ///< the same for the correction
 
-    /// The change of the impulse that brings the row to what it wants, given J v.
+    /// The change of the impulse that brings the row to its target, given J v.
     [[nodiscard]] double solve(double relative);
     /// The same for the correction, given J v'.
     [[nodiscard]] double solveCorrection(double relative);
@@ -54,7 +54,7 @@ public:
     explicit JointRows(JointSpec const& spec, JointRows const* first = nullptr,
                        JointRows const* second = nullptr);
 
-    /// The bodies that rows speak of; noSlot stands for the world. The first is the joint's a.
+    /// The bodies that rows refer to; noSlot stands for the world. The first is the joint's a.
     [[nodiscard]] std::span<SlotIndex const> slots() const {
         return {slots_.data(), static_cast<std::size_t>(bodies_)};
     }
@@ -68,7 +68,7 @@ public:
     [[nodiscard]] JointForm form() const { return joint_.form; }
 
 private:
-    /// What a gear couples: an angle or a shift of a as seen from b, and how it changes.
+    /// A quantity that a gear couples: an angle or a shift of a as seen from b, and how it changes.
     struct Coordinate {
         double value = 0;
         std::array<RowTerm, 2> terms;
@@ -100,7 +100,7 @@ private:
     std::array<JointRow, 5> rows_;
     int count_ = 0;
     std::vector<JointRows> coupled_;   // of a gear
-    std::optional<double> constant_{}; // of a gear: what its sum was when it came into being
+    std::optional<double> constant_{}; // of a gear: its sum when it came into being
 };
 
 } // namespace trembler

@@ -12,7 +12,8 @@ namespace {
 constexpr double slowSpeed = 0.0025;        // m/s
 constexpr double slowSpin = 2.0 / 180 * pi; // rad/s
 constexpr double timeToSleep = 0.5 - 1e-9;  // s
-// What drifts freely, however slowly, does not come to rest by itself: above these it must not fall asleep.
+// A body that drifts freely, however slowly, does not come to rest by itself: above these it must not fall
+// asleep.
 constexpr double driftAcceleration = 1e-3; // m/s²
 constexpr double driftSpeed = 1e-4;        // m/s
 constexpr double driftSpin = 1e-3;         // rad/s

@@ -7,7 +7,7 @@ namespace trembler {
 namespace {
 
 bool near(double x, double y) {
-    return std::abs(x - y) <= 1e-11 * (1 + std::abs(y)); // what turning about a centre rounds away
+    return std::abs(x - y) <= 1e-11 * (1 + std::abs(y)); // rounding by turning about a centre
 }
 
 bool near(Vec2 x, Vec2 y) {

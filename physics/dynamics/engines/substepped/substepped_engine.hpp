@@ -1,5 +1,5 @@
-// What rigid-body libraries other than Box2D lack, or do in ways of their own: loads that stand, drag, rest
-// in islands, contacts that begin and end, impacts, a limit of speed.
+// The features that rigid-body libraries other than Box2D lack, or have in ways of their own: loads that
+// stand, drag, rest in islands, contacts that begin and end, impacts, a limit of speed.
 #pragma once
 
 #include "physics/dynamics/engines/body_core.hpp"
@@ -56,7 +56,7 @@ protected:
         Vec2 force; ///< N, mean over the last step()
     };
 
-    // What a library does.
+    // To be implemented by the library's engine.
     virtual void makeBody(SlotIndex slot, BodySpec const& spec) = 0;
     virtual void dropBody(SlotIndex slot) = 0;
     virtual void makeJoint(SlotIndex slot, JointSpec const& spec) = 0;
@@ -67,17 +67,18 @@ protected:
     virtual void rouse(SlotIndex slot) = 0;
     /// From now on the library leaves these alone, which rest on each other.
     virtual void layToRest(std::span<SlotIndex const> island) = 0;
-    /// Moves all that is awake on by `h` (s) and says what touches, at least one of each two being awake.
+    /// Moves all bodies that are awake on by `h` (s) and reports contacts, at least one body of each pair
+    /// being awake.
     virtual void move(double h, DynamicsSettings const& settings, std::vector<PieceContact>& found) = 0;
-    /// Says what touches the bodies in `fast`, with impulses of 0, where all are now. A library that only
-    /// knows what touched when the substep began returns false.
+    /// Reports the contacts of the bodies in `fast`, with impulses of 0, where all bodies are now. A library
+    /// that only knows the contacts at the substep's beginning returns false.
     virtual bool lookAgain(std::span<SlotIndex const> /*fast*/, std::vector<PieceContact>& /*found*/) {
         return false;
     }
     /// The impulse (N s) on a joint's a in the last substep.
     [[nodiscard]] virtual Vec2 jointImpulse(SlotIndex slot) const = 0;
 
-    // What a library may use.
+    // For the library's engine to use.
     [[nodiscard]] std::span<BodyEntry const> bodies() const { return bodies_; }
     [[nodiscard]] std::span<JointEntry const> joints() const { return joints_; }
     [[nodiscard]] bool moves(SlotIndex slot) const {
@@ -92,10 +93,11 @@ protected:
     }
     /// To be called where a library has woken a body by itself.
     void noteAwake(SlotIndex slot);
-    /// What load, drag and damping make of a body's velocity within `h` (s), for every body once a substep.
+    /// The effect of load, drag and damping on a body's velocity within `h` (s), for every body once a
+    /// substep.
     void accelerate(SlotIndex slot, Motion& motion, double h);
-    /// The speed of approach (m/s) up to which two bodies do not bounce: what a strong pull presses on
-    /// something gains speed in every substep; bouncing that back would go on for ever.
+    /// The speed of approach (m/s) up to which two bodies do not bounce: a body that a strong pull presses on
+    /// another gains speed in every substep; bouncing that back would never end.
     [[nodiscard]] double bounceThreshold(SlotIndex a, SlotIndex b, double h) const;
     /// Coulomb's coefficient of a pair, and Newton's.
     [[nodiscard]] double frictionOf(SlotIndex a, SlotIndex b) const;
@@ -125,8 +127,8 @@ private:
     std::vector<SlotIndex> roots_;
 };
 
-/// What a polygon is larger than it is drawn all around, as in Box2D: things rest on this skin, so that
-/// levels are as tight on every engine.
+/// The width by which a polygon is larger than drawn, all around, as in Box2D: things rest on this skin, so
+/// that levels are as tight on every engine.
 inline constexpr double skin = 0.0025; // m
 /// How deep skins sink into each other where they rest.
 inline constexpr double skinDepth = 0.00125; // m

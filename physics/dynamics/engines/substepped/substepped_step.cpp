@@ -1,4 +1,4 @@
-// A frame of an engine around a library: its substeps, and what has come of them.
+// A frame of an engine around a library: its substeps and their results.
 #include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void SubsteppedEngine::step(double duration, DynamicsSettings const& settings) {
 void SubsteppedEngine::substep(double h, DynamicsSettings const& settings) {
     move(h, settings, found_);
     checkMotion();
-    // A touch wakes; what is left is asleep on both sides.
+    // A touch wakes; the remaining contacts have both bodies asleep.
     for (PieceContact const& contact : found_) {
         rouseSleeper(contact.slotA);
         rouseSleeper(contact.slotB);
@@ -56,9 +56,8 @@ void SubsteppedEngine::substep(double h, DynamicsSettings const& settings) {
     }
 }
 
-// What a substep has found to touch are the places at its beginning. Those of fast bodies are others by now:
-// what has met may have parted, and may lie deep in something else, and the frame's end is what the world
-// sees.
+// A substep finds the contacts at the places at its beginning. Fast bodies are elsewhere by now: a pair that
+// has met may have parted, and a body may lie deep in another one, and the world sees the frame's end.
 void SubsteppedEngine::lookAtFast(double h) {
     std::vector<SlotIndex> fast;
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
@@ -73,7 +72,7 @@ void SubsteppedEngine::lookAtFast(double h) {
         return;
     }
     std::span<PieceContact const> const known = touches_.contacts();
-    for (PieceContact& contact : found_) { // what presses has pressed where it was found before
+    for (PieceContact& contact : found_) { // a contact that presses has pressed where it was found before
         auto const at =
             std::lower_bound(known.begin(), known.end(), contact.key,
                              [](PieceContact const& x, std::uint64_t key) { return x.key < key; });
@@ -88,7 +87,7 @@ void SubsteppedEngine::lookAtFast(double h) {
     });
 }
 
-// The library has not looked at what it made of them yet.
+// The library has not checked its results yet.
 void SubsteppedEngine::checkMotion() const {
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (awake_[slot] != 0) {

@@ -17,7 +17,7 @@ std::unique_ptr<b2Shape> copyOf(b2Shape const& shape) {
     return std::make_unique<b2PolygonShape>(static_cast<b2PolygonShape const&>(shape));
 }
 
-// Tells b2DynamicTree::Query() to go on.
+// Makes b2DynamicTree::Query() go on.
 template <class Visitor>
 struct TreeQuery {
     Visitor visit;

@@ -1,4 +1,4 @@
-// What touches, by Box2D's tree of boxes and its collision routines: for engines that move bodies, but find
+// Contacts, found by Box2D's tree of boxes and its collision routines: for engines that move bodies, but find
 // out too little about polygons that meet.
 #pragma once
 
@@ -32,11 +32,11 @@ public:
     void remove(SlotIndex slot);
     void place(SlotIndex slot, Vec2 centre, double angle);
 
-    /// Appends what touches the pieces of the bodies in `slots`, each pair of pieces once, ascending by key.
-    /// `mayTouch` is asked with the smaller slot first.
+    /// Appends the contacts of the pieces of the bodies in `slots`, each pair of pieces once, ascending by
+    /// key. `mayTouch` is asked with the smaller slot first.
     void find(std::span<SlotIndex const> slots, Filter const& mayTouch, std::vector<FoundTouch>& found);
-    /// The share of its `way` (m) that a disc can go from `start` before it meets what `stops` it; 1 where it
-    /// meets nothing or is in something already.
+    /// The share of its `way` (m) that a disc can go from `start` before it meets a body that `stops` it; 1
+    /// where it meets none or is in one already.
     [[nodiscard]] double freeShare(Vec2 start, double radius, Vec2 way,
                                    std::function<bool(SlotIndex)> const& stops) const;
 

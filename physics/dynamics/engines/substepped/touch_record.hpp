@@ -1,4 +1,4 @@
-// What touches, piece by piece: for engines that only say what they found in a step.
+// Contacts, piece by piece: for engines that only report the contacts of a step.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -26,11 +26,12 @@ struct PieceContact {
     return a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
 }
 
-/// Keeps the contacts of a world from substep to substep and notes what begins and what ends.
+/// Keeps the contacts of a world from substep to substep and notes which begin and which end.
 class TouchRecord {
 public:
-    /// Takes in what a substep found, in any order; empties `found`. What was there and was not found has
-    /// ended, unless `rests` says that nobody looked at it, as both its bodies are asleep or fixed.
+    /// Takes in the contacts that a substep found, in any order; empties `found`. A contact that was there
+    /// and was not found has ended, unless `rests` says that it was not looked for, as both its bodies are
+    /// asleep or fixed.
     void take(std::vector<PieceContact>& found, std::function<bool(PieceContact const&)> const& rests);
     /// Ends all contacts of a body that is going away.
     void remove(SlotIndex slot);

@@ -1,4 +1,5 @@
 // Who touches whom, against brute force.
+#include "physics/dynamics/core/dynamics_resolver.hpp"
 #include "physics/dynamics/engines/body_core.hpp"
 #include "physics/dynamics/engines/box2d/box2d_dynamics.hpp"
 #include "physics/dynamics/engines/substepped/substepped_engine.hpp"
@@ -310,21 +311,18 @@ TEST_P(ContactsTest, PatchesCarryTheWeight) {
 }
 
 // The same engine under another name: to be swapped in.
-class OtherDynamics final : public DynamicsResolver<OtherDynamics> {
-public:
-    static constexpr ComponentText text{.name = "Other Dynamics",
-                                        .effect = "dynamics",
-                                        .level = "other",
-                                        .work = "The same once more.",
-                                        .rank = 5};
-    static constexpr EngineMaker engineMaker = makeBox2dEngine;
-};
+constexpr DynamicsEngine otherDynamics{.text{.name = "Other Dynamics",
+                                             .effect = "dynamics",
+                                             .level = "other",
+                                             .work = "The same once more.",
+                                             .rank = 5},
+                                       .make = makeBox2dEngine};
 
 TEST(Swap, ContactsGoOnWhicheverEngineTakesOver) {
     std::vector<std::string> levels = engines();
     levels.emplace_back("other");
     EXPECT_TRUE(rc::check([&] {
-        Scene scene({.extend = [](Registry& r) { r.component<OtherDynamics>(); }});
+        Scene scene({.extend = [](Registry& r) { r.component<DynamicsResolver>(otherDynamics); }});
         scene.fixed("floor", boxPiece(6, 0.5), {0, -0.25});
         int const count = *rc::gen::inRange(1, 12);
         for (int i = 0; i < count; ++i) {
@@ -343,7 +341,7 @@ TEST(Swap, ContactsGoOnWhicheverEngineTakesOver) {
 }
 
 TEST(Swap, APileThatRestsStaysWhereItIs) {
-    Scene scene({.extend = [](Registry& r) { r.component<OtherDynamics>(); }});
+    Scene scene({.extend = [](Registry& r) { r.component<DynamicsResolver>(otherDynamics); }});
     scene.fixed("floor", boxPiece(6, 0.5), {0, -0.25});
     std::vector<ObjectId> boxes;
     for (int i = 0; i < 5; ++i) {

@@ -14,12 +14,10 @@ namespace {
 /// What the test tells of the forces on an object.
 struct Varying {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Varying", "test_varying", "How fast a force varies, for tests."};
+    static constexpr PropertyText text{"Varying", "test_varying", "How fast a force varies, for tests.",
+                                       PropertyPlace::hidden};
     double rate = 0; ///< 1/s
     bool foreseen = false;
-
-    template <class Self, class Visitor>
-    static void describe(Self&, Visitor&&) {}
 };
 class DynamicsFromVarying final : public Interaction<DynamicsFromVarying, DynamicsRole, Reads<Varying>> {
 public:

@@ -1,5 +1,6 @@
 // What could break the arithmetic: twelve orders of magnitude, ten thousand nodes, loops and stars of ideal
 // conductors, values that no file may state.
+#include "measure/stability/netlist_draft.hpp"
 #include "physics/electricity/analyses/kept_analyses.hpp"
 #include "physics/electricity/analyses/nodal_analysis.hpp"
 #include "tests/physics/electricity/nodal_kit.hpp"
@@ -13,50 +14,10 @@
 namespace trembler::test {
 namespace {
 
+using stability::Draft;
+using stability::localResidual;
 constexpr double residualLimit = 1e-9;
 using Kind = Netlist::Kind;
-
-/// Netlists branch by branch, without objects in between.
-struct Draft {
-    Netlist netlist;
-    explicit Draft(std::uint32_t nodes) {
-        for (std::uint32_t v = 0; v < nodes; ++v) {
-            netlist.objects.push_back({v, 0});
-            netlist.vertex.push_back(v);
-        }
-        netlist.resistances.assign(nodes, 0);
-    }
-    void join(std::uint32_t a, std::uint32_t b, double ohm) {
-        netlist.branches.push_back({a, b, Kind::connection, ohm, 0});
-    }
-    void source(std::uint32_t node, double volt, double ohm) {
-        netlist.branches.push_back({netlist.earth(), node, Kind::source, ohm, volt});
-    }
-    void earth(std::uint32_t node, double ohm) {
-        netlist.branches.push_back({node, netlist.earth(), Kind::returning, ohm, 0});
-    }
-};
-
-/// What every node misses of Kirchhoff's first law, of what passes that very node: stricter than of the
-/// largest current anywhere. Nodes that nothing passes but rounding are left out.
-double localResidual(Netlist const& netlist, NodalSolution const& solution) {
-    std::vector<long double> balance(netlist.objects.size() + 1, 0);
-    std::vector<long double> passing(netlist.objects.size() + 1, 0);
-    for (std::size_t b = 0; b < netlist.branches.size(); ++b) {
-        long double const i = solution.currents[b];
-        balance[netlist.branches[b].from] -= i;
-        balance[netlist.branches[b].to] += i;
-        passing[netlist.branches[b].from] += std::abs(i);
-        passing[netlist.branches[b].to] += std::abs(i);
-    }
-    long double worst = 0;
-    for (std::size_t v = 0; v < netlist.objects.size(); ++v) {
-        if (passing[v] > 1e-13L * solution.largest) {
-            worst = std::max(worst, std::abs(balance[v]) / passing[v]);
-        }
-    }
-    return static_cast<double>(worst);
-}
 
 TEST(ElectricityNodalRobust, ParallelResistorsTwelveOrdersOfMagnitudeApart) {
     Draft draft(2);

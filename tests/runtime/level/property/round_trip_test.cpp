@@ -52,7 +52,7 @@ std::string dump(PropertyValue const& value) {
 /// Writes, prints, parses and reads.
 template <class P>
 std::string throughFile(P const& value, NameTable& names) {
-    std::string const text = writeProperty(ValueOf<P>(value), ObjectNames(names)).dump();
+    std::string const text = writeProperty(ValueOf<P>(value), names).dump();
     auto const document = JsonDocument::parse(text, "f.json");
     Problems problems;
     auto const read =
@@ -142,22 +142,6 @@ TEST(PropertyWriter, LeavesOutWhatIsInitial) {
     set.set(Weight{2});
     set.takeAway(propertyInfo<sample::Tag>());
     EXPECT_EQ(writeProperties(set, PropertyPlace::properties).dump(), R"({"tag":false,"weight":2})");
-}
-
-TEST(PropertyWriter, ShowsAllOfARunningObject) {
-    Store store;
-    ObjectId const a = store.create("a");
-    ObjectId const b = store.create("b");
-    Cake cake;
-    cake.eater = b;
-    cake.flavour = Flavour::sour;
-    cake.tilt = pi;
-    store.column<Cake>().set(a, cake);
-    auto const json = writeColumn(store.column<Cake>(), a, ObjectNames(store));
-    EXPECT_EQ(json["eater"], "b");
-    EXPECT_EQ(json["tilt_deg"], 180);
-    EXPECT_EQ(json["note"], "plain");
-    EXPECT_TRUE(writeColumn(store.column<Cake>(), b, ObjectNames(store)).is_null());
 }
 
 } // namespace

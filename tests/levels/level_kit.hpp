@@ -10,13 +10,14 @@
 
 namespace trembler {
 
-struct Catalog {
-    Catalog();
+/// Every effect, and every part in assets/parts.
+struct LevelKit {
+    LevelKit();
     Registry registry;
     PartLibrary parts;
 };
 
-[[nodiscard]] Catalog const& catalog();
+[[nodiscard]] LevelKit const& levelKit();
 /// A level that has something of everything.
 [[nodiscard]] std::string sampleLevel();
 /// Every level file that is shipped.

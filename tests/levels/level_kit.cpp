@@ -1,4 +1,4 @@
-#include "tests/levels/catalog.hpp"
+#include "tests/levels/level_kit.hpp"
 
 #include "puzzle/data/effects.hpp"
 
@@ -6,13 +6,13 @@
 
 namespace trembler {
 
-Catalog::Catalog() {
+LevelKit::LevelKit() {
     registerEffects(registry);
     parts = loadParts(registry, sourceFolder() / "assets/parts");
 }
 
-Catalog const& catalog() {
-    static Catalog const all;
+LevelKit const& levelKit() {
+    static LevelKit const all;
     return all;
 }
 

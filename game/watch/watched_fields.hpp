@@ -34,6 +34,6 @@ struct WatchedField {
 };
 
 /// All that there is in a program, in order of the properties' keys.
-[[nodiscard]] std::vector<WatchedField> catalogue(Registry const& registry);
+[[nodiscard]] std::vector<WatchedField> watchedFields(Registry const& registry);
 
 } // namespace trembler::watch

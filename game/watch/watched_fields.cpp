@@ -1,4 +1,4 @@
-#include "game/watch/catalogue.hpp"
+#include "game/watch/watched_fields.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -78,7 +78,7 @@ std::string WatchedField::spokenName() const {
     return joined(asWord(property->text.name), key);
 }
 
-std::vector<WatchedField> catalogue(Registry const& registry) {
+std::vector<WatchedField> watchedFields(Registry const& registry) {
     std::map<std::string_view, PropertyInfo const*> properties;
     for (PropertyInfo const* info : registry.objectProperties()) {
         properties.emplace(info->text.key, info);

@@ -1,10 +1,10 @@
-// What the materials look like. Patterns are computed, not stored, so they are crisp at any zoom; where a
-// pattern would be finer than a pixel it fades into its mean.
+// The patterns of surfaces (enum Pattern). They are computed, not stored, so they are crisp at any zoom;
+// where a pattern would be finer than a pixel it fades into its mean.
 #include "render/draw/shaders.hpp"
 
 namespace trembler::render::shaders {
 
-std::string_view const shapeMaterial = R"(
+std::string_view const shapePattern = R"(
 uint scramble(uint x) {
     x ^= x >> 16; x *= 0x7feb352du;
     x ^= x >> 15; x *= 0x846ca68bu;
@@ -101,22 +101,22 @@ vec4 watery(vec4 base, vec2 view, float d) {
 }
 
 // The body's colour at p (shape's frame), not premultiplied; d is the distance to the edge.
-vec4 materialColour(vec4 base, vec2 p, float d) {
+vec4 patternColour(vec4 base, vec2 p, float d) {
     // Parts of different size get different pieces of the pattern.
     vec2 q = p / f_grain + f_half.yx * 3.7;
-#if MATERIAL == 1
+#if PATTERN == 1
     return vec4(brushed(base.rgb, q, 0.75), base.a);
-#elif MATERIAL == 2
+#elif PATTERN == 2
     return vec4(grained(base.rgb, q), base.a);
-#elif MATERIAL == 3
+#elif PATTERN == 3
     return seeThrough(base, d);
-#elif MATERIAL == 4
+#elif PATTERN == 4
     return vec4(stippled(base.rgb, q), base.a);
-#elif MATERIAL == 5
+#elif PATTERN == 5
     return vec4(speckled(base.rgb, q), base.a);
-#elif MATERIAL == 7
+#elif PATTERN == 7
     return vec4(brushed(base.rgb, q, 0.95), base.a);
-#elif MATERIAL == 8
+#elif PATTERN == 8
     return watery(base, toView(p), d);
 #else
     return base;

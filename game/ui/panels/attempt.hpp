@@ -1,0 +1,22 @@
+// Changes of a running world that may be refused.
+#pragma once
+
+#include "render/panels/toasts.hpp"
+
+#include <stdexcept>
+
+namespace trembler::ui {
+
+/// Calls change(); if it throws std::invalid_argument or std::runtime_error, shows the player the reason.
+template <class F>
+void attempt(render::Toasts& toasts, F&& change) {
+    try {
+        change();
+    } catch (std::invalid_argument const& error) {
+        toasts.add(error.what(), render::ToastKind::Trouble);
+    } catch (std::runtime_error const& error) {
+        toasts.add(error.what(), render::ToastKind::Trouble);
+    }
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,30 @@
+#include "render/scene/overlays/overlay_hand.hpp"
+
+#include "render/scene/facts/shape_geometry.hpp"
+#include "runtime/input/input_resolver.hpp"
+
+namespace trembler::render {
+
+void drawHand(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf) {
+    Hand const* const hand = world.find<Hand>();
+    if (hand == nullptr || !world.store().alive(hand->object)) {
+        return;
+    }
+    Facts const held = reader.of(hand->object);
+    if (held.position == nullptr) {
+        return;
+    }
+    Point const from = toWorld(poseOf(held), toPoint(hand->localPoint));
+    Point const to = toPoint(hand->target);
+    // The further it is drawn out, the thinner rubber gets.
+    double const stretch = length(to - from) / canvas.metres(60);
+    auto const pixels = static_cast<float>(2.2 + 3.4 / (1 + stretch));
+    canvas.line(from, to,
+                {.colour = palette::accent, .pixels = pixels, .outline = 1.1F, .round = true, .height = 1.F});
+    canvas.circle({from, 0}, canvas.metres(5),
+                  {.pattern = Pattern::Plastic, .tint = palette::accent, .outline = 1.3F, .height = 0.6F});
+    canvas.ring(to, canvas.metres(10),
+                {.colour = palette::accent, .pixels = 3.F, .outline = 0.F, .alpha = 0.9F});
+}
+
+} // namespace trembler::render
