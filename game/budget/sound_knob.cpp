@@ -6,6 +6,7 @@
 #include <array>
 
 namespace trembler::budget {
+namespace sound_knob {
 namespace {
 
 constexpr std::string_view effect = "sound";
@@ -39,8 +40,10 @@ double meanFrequency(World const& world) {
 }
 
 } // namespace
+} // namespace sound_knob
 
 std::optional<Knob> soundKnob(World const& world) {
+    using namespace sound_knob;
     auto const levels = levelsOf(world, effect);
     auto const now = working(levels);
     if (!now) {

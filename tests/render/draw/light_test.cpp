@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 namespace trembler::render::test {
+namespace light_test {
 namespace {
 
 constexpr Size size{400, 300};
@@ -149,4 +150,5 @@ TEST(Light, statesAreSeen) {
 }
 
 } // namespace
+} // namespace light_test
 } // namespace trembler::render::test

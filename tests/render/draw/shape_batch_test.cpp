@@ -7,6 +7,7 @@
 #include <numbers>
 
 namespace trembler::render::test {
+namespace shape_batch_test {
 namespace {
 
 constexpr Colour black = rgb(0x000000);
@@ -201,4 +202,5 @@ TEST(Shapes, areAsExactFarFromTheOrigin) {
 }
 
 } // namespace
+} // namespace shape_batch_test
 } // namespace trembler::render::test

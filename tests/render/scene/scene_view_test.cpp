@@ -6,6 +6,7 @@
 #include "tests/render/scene/scene_stage.hpp"
 
 namespace trembler::render::test {
+namespace scene_view_test {
 namespace {
 
 constexpr Size size{1280, 720};
@@ -296,4 +297,5 @@ TEST(ScenePicture, survivesWhateverASimulationDoes) {
 }
 
 } // namespace
+} // namespace scene_view_test
 } // namespace trembler::render::test

@@ -7,6 +7,7 @@
 #include <sstream>
 
 namespace trembler {
+namespace field_visitor_test {
 namespace {
 
 using namespace sample;
@@ -113,4 +114,5 @@ TEST(FieldVisitor, VisitingAColumnMarksItAsChangedAndACopyDoesNot) {
 }
 
 } // namespace
+} // namespace field_visitor_test
 } // namespace trembler

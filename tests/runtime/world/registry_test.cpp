@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace trembler {
+namespace registry_test {
 namespace {
 
 using namespace heat;
@@ -200,4 +201,5 @@ TEST(Registry, TakesPeriodsAndSuitabilityFromTheComponent) {
 }
 
 } // namespace
+} // namespace registry_test
 } // namespace trembler

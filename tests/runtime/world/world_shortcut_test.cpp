@@ -7,6 +7,7 @@
 #include <functional>
 
 namespace trembler {
+namespace world_shortcut_test {
 namespace {
 
 using namespace heat;
@@ -158,4 +159,5 @@ TEST(WorldShortcut, IsShownInTheNotation) {
 }
 
 } // namespace
+} // namespace world_shortcut_test
 } // namespace trembler

@@ -13,6 +13,7 @@
 #include <sstream>
 
 namespace trembler::test {
+namespace contacts_test {
 namespace {
 
 class ContactsTest : public OnEveryEngine {};
@@ -376,4 +377,5 @@ TEST(Swap, APileThatRestsStaysWhereItIs) {
 }
 
 } // namespace
+} // namespace contacts_test
 } // namespace trembler::test

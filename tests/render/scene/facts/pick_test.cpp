@@ -8,6 +8,7 @@
 #include <numbers>
 
 namespace trembler::render::test {
+namespace pick_test {
 namespace {
 
 double between(double lower, double upper) {
@@ -198,4 +199,5 @@ TEST(SceneBounds, aPartHasTheExtentOfTheObjectThatItBecomes) {
 }
 
 } // namespace
+} // namespace pick_test
 } // namespace trembler::render::test

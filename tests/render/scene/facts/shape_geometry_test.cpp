@@ -8,6 +8,7 @@
 #include <numbers>
 
 namespace trembler::render::test {
+namespace shape_geometry_test {
 namespace {
 
 double between(double lower, double upper) {
@@ -211,4 +212,5 @@ TEST(SceneGeometry, partsWithoutOverlapsCoverEverythingOnce) {
 }
 
 } // namespace
+} // namespace shape_geometry_test
 } // namespace trembler::render::test

@@ -8,6 +8,7 @@
 #include <map>
 
 namespace trembler {
+namespace build_world_test {
 namespace {
 
 using sample::Tag;
@@ -185,4 +186,5 @@ TEST_F(BuildWorld, DoesNotCareAboutTheOrderOfEntries) {
 }
 
 } // namespace
+} // namespace build_world_test
 } // namespace trembler
