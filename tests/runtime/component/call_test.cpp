@@ -38,7 +38,8 @@ std::vector<double> holds(Channel<HeatRole> const& channel) {
 TEST(CallBuffer, KeepsCausesBesideTheirCalls) {
     CallBuffer<Strike> buffer;
     buffer.push(Strike{{}, 1});
-    buffer.push(Strike{{}, 2}, EventId{7});
+    buffer.push(Strike{{}, 2});
+    buffer.setCauseOfLast(EventId{7});
     buffer.push(Strike{{}, 3});
     ASSERT_EQ(buffer.calls().size(), 3U);
     EXPECT_EQ(buffer.cause(0), EventId{});
