@@ -42,8 +42,8 @@ function(trembler_sources variable)
 endfunction()
 
 # trembler_unity(TARGET): with TREMBLER_UNITY, several files of the target are compiled as one, which takes half the time
-# when all of it is built and more when one file has changed. CMake's property SKIP_UNITY_BUILD_INCLUSION is for files
-# whose names in anonymous namespaces are others', too.
+# when all of it is built and more when one file has changed. Any two files of a target may be joined: what a file has in
+# its anonymous namespace and another one, too, stands in a namespace that is called like the file.
 function(trembler_unity target)
   if(TREMBLER_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)

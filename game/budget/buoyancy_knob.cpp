@@ -18,6 +18,7 @@
 #include <memory>
 
 namespace trembler::budget {
+namespace buoyancy_knob {
 namespace {
 
 constexpr std::string_view effect = "buoyancy";
@@ -170,8 +171,10 @@ double workOfParticles(int count) {
 }
 
 } // namespace
+} // namespace buoyancy_knob
 
 std::optional<Knob> buoyancyKnob(World const& world) {
+    using namespace buoyancy_knob;
     auto const levels = levelsOf(world, effect);
     auto const now = working(levels);
     if (!now) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 namespace trembler::budget {
+namespace dynamics_knob {
 namespace {
 
 constexpr std::string_view effect = "dynamics";
@@ -27,8 +28,10 @@ int fewestSteps(World const& world, int stated) {
 }
 
 } // namespace
+} // namespace dynamics_knob
 
 std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log) {
+    using namespace dynamics_knob;
     auto const levels = levelsOf(world, effect);
     auto const now = working(levels);
     if (!now) {

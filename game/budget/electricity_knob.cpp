@@ -4,13 +4,16 @@
 #include "physics/electricity/core/sufficient_level.hpp"
 
 namespace trembler::budget {
+namespace electricity_knob {
 namespace {
 
 constexpr std::string_view effect = "electricity";
 
 } // namespace
+} // namespace electricity_knob
 
 std::optional<Knob> electricityKnob(World const& world) {
+    using namespace electricity_knob;
     auto const levels = levelsOf(world, effect);
     auto const now = working(levels);
     if (!now) {

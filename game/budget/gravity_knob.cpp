@@ -14,6 +14,7 @@
 #include <cmath>
 
 namespace trembler::budget {
+namespace gravity_knob {
 namespace {
 
 constexpr std::string_view effect = "gravity";
@@ -50,8 +51,10 @@ SampledSum sumOf(World const& world, GravityLaw const& law, Sample const& sample
 }
 
 } // namespace
+} // namespace gravity_knob
 
 std::optional<Knob> gravityKnob(World const& world) {
+    using namespace gravity_knob;
     auto const levels = levelsOf(world, effect);
     auto const now = working(levels);
     if (!now) {

@@ -12,6 +12,7 @@
 #include <cmath>
 
 namespace trembler::budget {
+namespace magnetism_knob {
 namespace {
 
 constexpr std::string_view effect = "magnetism";
@@ -92,8 +93,10 @@ double workOfGrid(double n, double near) {
 }
 
 } // namespace
+} // namespace magnetism_knob
 
 std::optional<Knob> magnetismKnob(World const& world) {
+    using namespace magnetism_knob;
     auto const levels = levelsOf(world, effect);
     auto const now = working(levels);
     if (!now) {

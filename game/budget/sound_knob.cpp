@@ -6,6 +6,7 @@
 #include <array>
 
 namespace trembler::budget {
+namespace sound_knob {
 namespace {
 
 constexpr std::string_view effect = "sound";
@@ -16,11 +17,11 @@ struct Calibrated {
     double microseconds;
     double hertz; ///< by which the mean frequency that is heard of a body is off
 };
-constexpr std::array<Calibrated, 5> ladder{{{"1-mode", 0.622, 82},
-                                            {"4-modes", 0.681, 40.1},
-                                            {"8-modes", 0.757, 31.4},
-                                            {"16-modes", 0.819, 10.3},
-                                            {"32-modes", 0.895, 0}}};
+constexpr std::array<Calibrated, 5> ladder{{{"1-mode", 3.79, 47.8},
+                                            {"4-modes", 4.56, 11.5},
+                                            {"8-modes", 5.13, 7.53},
+                                            {"16-modes", 5.79, 2.55},
+                                            {"32-modes", 7.42, 0}}};
 /// What is heard moves nothing: a pitch that is off by all of itself counts as much as a body that is off by
 /// this.
 constexpr double metresForAll = 0.01;
@@ -39,8 +40,10 @@ double meanFrequency(World const& world) {
 }
 
 } // namespace
+} // namespace sound_knob
 
 std::optional<Knob> soundKnob(World const& world) {
+    using namespace sound_knob;
     auto const levels = levelsOf(world, effect);
     auto const now = working(levels);
     if (!now) {

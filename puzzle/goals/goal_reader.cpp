@@ -1,5 +1,7 @@
 #include "puzzle/goals/goal_reader.hpp"
 
+#include "runtime/level/json/add_problem.hpp"
+
 #include "puzzle/goals/conditions/table.hpp"
 #include "runtime/level/build/joint_names.hpp"
 #include "runtime/level/json/limits.hpp"
@@ -160,10 +162,11 @@ void GoalReader::readSingle(JsonNode const& node, Selector& selector) {
         return;
     }
     if (!known_.contains(*name)) {
-        bool const told = node.problems().hasRoom(); // looking for what was meant costs a walk through all
-        node.complain(fmt::format("there is no object '{}'{}", *name,
-                                  told ? didYouMean(*name, objects_) : std::string()),
-                      "the name of an object of this level; {\"part\": name} for what the player places");
+        addProblem(node.problems(), [&] { // looking for what was meant costs a walk through all names
+            return node.diagnostic(
+                fmt::format("there is no object '{}'{}", *name, didYouMean(*name, objects_)),
+                "the name of an object of this level; {\"part\": name} for what the player places");
+        });
     }
     selector.names.push_back(*name);
 }

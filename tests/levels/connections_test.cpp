@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 namespace trembler {
+namespace connections_test {
 namespace {
 
 using plumbing::Vessel;
@@ -121,4 +122,5 @@ TEST(Connections, OfAnEffectThatIsLeftOutAreStillItsOwn) {
 }
 
 } // namespace
+} // namespace connections_test
 } // namespace trembler

@@ -12,6 +12,7 @@
 #include <set>
 
 namespace trembler {
+namespace shape_keys_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -69,4 +70,5 @@ TEST(ShapeKeys, BelongToTheForm) {
 }
 
 } // namespace
+} // namespace shape_keys_test
 } // namespace trembler

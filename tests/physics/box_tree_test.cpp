@@ -45,7 +45,7 @@ private:
 };
 
 TEST(BoxTree, FindsWhatBruteForceFinds) {
-    rc::check([] {
+    EXPECT_TRUE(rc::check([] {
         RandomBoxes random;
         std::vector<Bounds> const boxes = random.some();
         BoxTree const tree(boxes);
@@ -57,11 +57,11 @@ TEST(BoxTree, FindsWhatBruteForceFinds) {
             RC_ASSERT(found == expected);
             RC_ASSERT(tree.count(where) == expected.size());
         }
-    });
+    }));
 }
 
 TEST(BoxTree, AsksInAscendingOrderUntilTheFirstThatHolds) {
-    rc::check([] {
+    EXPECT_TRUE(rc::check([] {
         RandomBoxes random;
         std::vector<Bounds> const boxes = random.some();
         BoxTree const tree(boxes);
@@ -87,7 +87,7 @@ TEST(BoxTree, AsksInAscendingOrderUntilTheFirstThatHolds) {
             RC_ASSERT(found == answer);
             RC_ASSERT(asked == expected);
         }
-    });
+    }));
 }
 
 TEST(BoxTree, TakesNoWalkThroughACrowd) {

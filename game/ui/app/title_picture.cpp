@@ -9,6 +9,7 @@
 namespace trembler::ui {
 
 using namespace render;
+using render::Pattern; // not that of a Look
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace trembler {
+namespace loudspeaker_test {
 namespace {
 
 using test::ListeningRoom;
@@ -160,4 +161,5 @@ TEST(Loudspeaker, WithoutADeviceItSaysSoAndGoesOn) {
 }
 
 } // namespace
+} // namespace loudspeaker_test
 } // namespace trembler

@@ -7,6 +7,7 @@
 #include <cmath>
 
 namespace trembler {
+namespace openal_output_test {
 namespace {
 
 using test::meanSquareIn;
@@ -187,4 +188,5 @@ TEST(OpenAlOutput, SaysWhyThereIsNoDevice) {
 }
 
 } // namespace
+} // namespace openal_output_test
 } // namespace trembler

@@ -8,6 +8,7 @@
 #include <numeric>
 
 namespace trembler {
+namespace world_sound_test {
 namespace {
 
 using test::ListeningRoom;
@@ -303,4 +304,5 @@ TEST(WorldSound, TheTraceLeadsFromTheTouchToTheStroke) {
 }
 
 } // namespace
+} // namespace world_sound_test
 } // namespace trembler

@@ -8,6 +8,7 @@
 #include <random>
 
 namespace trembler {
+namespace modal_bank_test {
 namespace {
 
 constexpr double rate = 48000;
@@ -152,4 +153,5 @@ TEST(ModalBank, TuningKeepsPhases) {
 }
 
 } // namespace
+} // namespace modal_bank_test
 } // namespace trembler

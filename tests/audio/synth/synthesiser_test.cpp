@@ -9,6 +9,7 @@
 #include <numeric>
 
 namespace trembler {
+namespace synthesiser_test {
 namespace {
 
 using test::centroid;
@@ -342,4 +343,5 @@ TEST(Synthesiser, AFrameIsHeardOnceAndAPauseRingsOn) {
 }
 
 } // namespace
+} // namespace synthesiser_test
 } // namespace trembler

@@ -6,6 +6,7 @@
 #include "tests/game/ui/player.hpp"
 
 namespace trembler::ui::test {
+namespace keeping_test {
 namespace {
 
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
@@ -168,4 +169,5 @@ TEST(Keeping, theMenuStartsTheLevelAgain) {
 }
 
 } // namespace
+} // namespace keeping_test
 } // namespace trembler::ui::test

@@ -16,6 +16,7 @@
 #include <set>
 
 namespace trembler::accuracy {
+namespace accuracy_test {
 namespace {
 
 GameData const& gameData() {
@@ -355,4 +356,5 @@ TEST(Accuracy, AnUnknownEffectIsRefusedWithWhatThereIs) {
 }
 
 } // namespace
+} // namespace accuracy_test
 } // namespace trembler::accuracy

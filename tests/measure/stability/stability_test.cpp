@@ -10,7 +10,7 @@ namespace {
 
 class HardCases : public ::testing::TestWithParam<HardCase> {};
 
-TEST_P(HardCases, holdWithTheAutomaticSettings) {
+TEST_P(HardCases, HoldWithTheAutomaticSettings) {
     for (Figure const& figure : GetParam().run({}, 1)) {
         EXPECT_LE(figure.value, figure.limit) << figure.what << " in " << figure.unit;
     }

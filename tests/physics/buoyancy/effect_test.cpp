@@ -9,7 +9,7 @@
 namespace trembler::test {
 namespace {
 
-TEST(BuoyancyEffect, isAbsentWithoutLiquidsAndComesWithThem) {
+TEST(BuoyancyEffect, IsAbsentWithoutLiquidsAndComesWithThem) {
     Pool dry;
     dry.body("box", boxPiece(0.2, 0.2), {0, 0}, 500);
     dry.run(3);
@@ -25,7 +25,7 @@ TEST(BuoyancyEffect, isAbsentWithoutLiquidsAndComesWithThem) {
     EXPECT_EQ(wet.activity("Particle Buoyancy"), Activity::absent);
 }
 
-TEST(BuoyancyEffect, knowsInTheFirstFrameWhatLiftsInTheSecond) {
+TEST(BuoyancyEffect, KnowsInTheFirstFrameWhatLiftsInTheSecond) {
     // The thesis needs three: collisions in 1, F_B in 2, motion in 3 (6.12.3). Here nothing waits for
     // collisions, and gravity and F_B are felt in the same frame, so what floats in balance never stirs.
     Pool pool;
@@ -42,7 +42,7 @@ TEST(BuoyancyEffect, knowsInTheFirstFrameWhatLiftsInTheSecond) {
     EXPECT_NEAR(pool.at(box).y, 0, 1e-6);
 }
 
-TEST(BuoyancyEffect, liquidsCollideWithNothingAndDoNotMove) {
+TEST(BuoyancyEffect, LiquidsCollideWithNothingAndDoNotMove) {
     Pool pool;
     ObjectId const water = pool.water();
     ObjectId const floor = pool.fixed("floor", boxPiece(10, 1), {0, -5.5});
@@ -62,7 +62,7 @@ TEST(BuoyancyEffect, liquidsCollideWithNothingAndDoNotMove) {
     EXPECT_NEAR(pool.at(stone).y, -4.8, 0.01);
 }
 
-TEST(BuoyancyEffect, aBodyThatTurnsToLiquidIsOneNoMore) {
+TEST(BuoyancyEffect, ABodyThatTurnsToLiquidIsOneNoMore) {
     Pool pool;
     ObjectId const block = pool.fixed("block", boxPiece(4, 2), {0, -1});
     ObjectId const ball = pool.body("ball", circlePiece(0.2), {0, 0.5}, 3000);
@@ -73,7 +73,7 @@ TEST(BuoyancyEffect, aBodyThatTurnsToLiquidIsOneNoMore) {
     EXPECT_LT(pool.at(ball).y, -0.5);
 }
 
-TEST(BuoyancyEffect, comesToRestAndSleeps) {
+TEST(BuoyancyEffect, ComesToRestAndSleeps) {
     Pool pool;
     pool.water();
     ObjectId const box = pool.body("box", boxPiece(0.4, 0.2), {0, 0.3}, 300);
@@ -89,7 +89,7 @@ TEST(BuoyancyEffect, comesToRestAndSleeps) {
     EXPECT_EQ(pool.world->stateHash(), hash);
 }
 
-TEST(BuoyancyEffect, wakesWhenGravityOrLiquidChange) {
+TEST(BuoyancyEffect, WakesWhenGravityOrLiquidChange) {
     Pool pool;
     ObjectId const water = pool.water();
     ObjectId const box = pool.body("box", boxPiece(0.4, 0.2), {0, 0}, 500);
@@ -107,7 +107,7 @@ TEST(BuoyancyEffect, wakesWhenGravityOrLiquidChange) {
     EXPECT_NEAR(1.1 - pool.at(box).y, 0.2 / 3, 1e-3);
 }
 
-TEST(BuoyancyEffect, traceTellsWhoEnteredWhatAndLiftsBecauseOfIt) {
+TEST(BuoyancyEffect, TraceTellsWhoEnteredWhatAndLiftsBecauseOfIt) {
     Pool::Options options;
     options.trace = true;
     Pool pool(options);
@@ -130,7 +130,7 @@ TEST(BuoyancyEffect, traceTellsWhoEnteredWhatAndLiftsBecauseOfIt) {
     EXPECT_GE(lifts->frame, enters->frame);
 }
 
-TEST(BuoyancyEffect, detailLevelsSwapInARunningWorld) {
+TEST(BuoyancyEffect, DetailLevelsSwapInARunningWorld) {
     Pool pool;
     pool.water();
     ObjectId const box = pool.body("box", boxPiece(0.6, 0.2), {0, 0.1}, 400);
@@ -152,7 +152,7 @@ TEST(BuoyancyEffect, detailLevelsSwapInARunningWorld) {
     EXPECT_NEAR(pool.at(box).y, exact, 1e-3);
 }
 
-TEST(BuoyancyEffect, theNumberOfParticlesIsAPropertyOfTheWorld) {
+TEST(BuoyancyEffect, TheNumberOfParticlesIsAPropertyOfTheWorld) {
     auto const force = [](int particles) {
         Pool::Options options;
         options.detail = "particles";
@@ -172,7 +172,7 @@ TEST(BuoyancyEffect, theNumberOfParticlesIsAPropertyOfTheWorld) {
     EXPECT_LT(std::abs(force(256) - exact), std::abs(force(4) - exact));
 }
 
-TEST(BuoyancyEffect, bitsDependOnNoThread) {
+TEST(BuoyancyEffect, BitsDependOnNoThread) {
     for (char const* detail : {"exact", "particles"}) {
         std::vector<std::uint64_t> hashes;
         for (int const threads : {1, 2, 3, 8}) {
@@ -194,7 +194,7 @@ TEST(BuoyancyEffect, bitsDependOnNoThread) {
     }
 }
 
-TEST(BuoyancyEffect, whatIsDestroyedIsForgotten) {
+TEST(BuoyancyEffect, WhatIsDestroyedIsForgotten) {
     Pool pool;
     ObjectId const water = pool.water();
     ObjectId const box = pool.body("box", boxPiece(0.4, 0.2), {0, 0}, 500);

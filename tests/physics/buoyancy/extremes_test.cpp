@@ -20,7 +20,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Levels, Extremes, ::testing::Values("exact", "particles"),
                          [](auto const& info) { return info.param; });
 
-TEST_P(Extremes, anyDensityStaysFiniteAndLightThingsDoNotFlyAway) {
+TEST_P(Extremes, AnyDensityStaysFiniteAndLightThingsDoNotFlyAway) {
     Pool pool(options());
     pool.water();
     pool.fixed("floor", boxPiece(100, 1), {0, -12.5});
@@ -55,7 +55,7 @@ TEST_P(Extremes, anyDensityStaysFiniteAndLightThingsDoNotFlyAway) {
     }
 }
 
-TEST_P(Extremes, whatComesDownFastStopsInTheWater) {
+TEST_P(Extremes, WhatComesDownFastStopsInTheWater) {
     Pool pool(options());
     pool.water();
     pool.fixed("floor", boxPiece(100, 4), {0, -52});
@@ -78,7 +78,7 @@ TEST_P(Extremes, whatComesDownFastStopsInTheWater) {
     }
 }
 
-TEST_P(Extremes, randomHullsComeToRestInAnEquilibrium) {
+TEST_P(Extremes, RandomHullsComeToRestInAnEquilibrium) {
     // Wherever a body ends, its weight is what it displaces, and its centre of buoyancy is below, or above,
     // its centre of mass.
     bool const ok = rc::check([] {
@@ -101,7 +101,7 @@ TEST_P(Extremes, randomHullsComeToRestInAnEquilibrium) {
     EXPECT_TRUE(ok);
 }
 
-TEST_P(Extremes, longPeriodsStayFinite) {
+TEST_P(Extremes, LongPeriodsStayFinite) {
     for (int const period : {2, 5, 12, 60}) {
         Pool::Options slow = options();
         slow.period = period;

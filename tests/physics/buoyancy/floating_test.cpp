@@ -35,7 +35,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Levels, Floating, ::testing::Values("exact", "particles"),
                          [](auto const& info) { return info.param; });
 
-TEST_P(Floating, boxesFindTheirDraught) {
+TEST_P(Floating, BoxesFindTheirDraught) {
     Pool pool(options());
     Liquid calm;
     calm.linearDrag = 3;
@@ -56,7 +56,7 @@ TEST_P(Floating, boxesFindTheirDraught) {
     }
 }
 
-TEST_P(Floating, circlesAndCapsulesFindTheirDraught) {
+TEST_P(Floating, CirclesAndCapsulesFindTheirDraught) {
     Pool pool(options());
     Liquid calm;
     calm.linearDrag = 3;
@@ -80,7 +80,7 @@ TEST_P(Floating, circlesAndCapsulesFindTheirDraught) {
     }
 }
 
-TEST_P(Floating, theMoonChangesNothingButTheTempo) {
+TEST_P(Floating, TheMoonChangesNothingButTheTempo) {
     // Draught does not depend on gravity; force and period do.
     std::array<double, 2> draughts{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -97,7 +97,7 @@ TEST_P(Floating, theMoonChangesNothingButTheTempo) {
     EXPECT_NEAR(draughts[1], 0.08, exact() ? 1e-3 : 6e-3);
 }
 
-TEST_P(Floating, withoutGravityNothingIsLifted) {
+TEST_P(Floating, WithoutGravityNothingIsLifted) {
     Pool::Options space = options();
     space.gravity = {};
     Pool pool(space);
@@ -108,7 +108,7 @@ TEST_P(Floating, withoutGravityNothingIsLifted) {
     EXPECT_EQ(length(pool.force(box)), 0);
 }
 
-TEST_P(Floating, gravityMayPointAnywhere) {
+TEST_P(Floating, GravityMayPointAnywhere) {
     // A pool on its side, its surface to the right, in a world where down is to the left.
     Pool::Options sideways = options();
     sideways.gravity = {-9.81, 0};
@@ -121,7 +121,7 @@ TEST_P(Floating, gravityMayPointAnywhere) {
     EXPECT_GT(pool.force(box).x, 0);
 }
 
-TEST_P(Floating, anyLiquidWillDo) {
+TEST_P(Floating, AnyLiquidWillDo) {
     // Iron floats on mercury, 7870 / 13546 of it below the surface; wood does not float on petrol's vapour.
     Pool pool(options());
     pool.liquid("mercury", boxPiece(4, 2), {0, -1}, 13546);
@@ -133,7 +133,7 @@ TEST_P(Floating, anyLiquidWillDo) {
     EXPECT_LT(pool.at(wood).y, -50);
 }
 
-TEST_P(Floating, betweenTwoLiquids) {
+TEST_P(Floating, BetweenTwoLiquids) {
     // Oil on water: a box of a density in between carries both; what it displaces of the two is its mass.
     Pool pool(options());
     pool.liquid("water", boxPiece(20, 5), {0, -2.5}, 1000);
@@ -145,7 +145,7 @@ TEST_P(Floating, betweenTwoLiquids) {
     EXPECT_EQ(pool.world->find<Immersions>()->entries.size(), 2U);
 }
 
-TEST_P(Floating, downATiltedSurfaceThingsSlide) {
+TEST_P(Floating, DownATiltedSurfaceThingsSlide) {
     // Across the surface the displaced mass is the ball's, as on a level one; along it nothing holds the ball
     // but drag: g sin t = c v, with as much liquid displaced as there is mass, and v the velocity of what is
     // immersed (the ball turns, too, as only its lower half is held back).

@@ -18,7 +18,7 @@ double metacentricHeight(double b, double h, double r) {
     return draught / 2 + b * b / (12 * draught) - h / 2;
 }
 
-TEST(Stability, aLoadOffTheMiddleHeelsABoxByTheWallSidedFormula) {
+TEST(Stability, ALoadOffTheMiddleHeelsABoxByTheWallSidedFormula) {
     // A small dense weight is fastened to the deck, out of the water. While neither deck nor bottom crosses
     // the surface, the righting arm is sin a (GM + BM/2 tan² a), and the heeling arm is the common centre of
     // mass's distance from the middle times cos a.
@@ -96,7 +96,7 @@ Pool::Options wakeful() {
     return options;
 }
 
-TEST(Stability, smallHeaveHasThePeriodOfItsDraught) {
+TEST(Stability, SmallHeaveHasThePeriodOfItsDraught) {
     // ω² = ρ g b d / m = g / T for whatever has vertical sides.
     for (double const ratio : {0.2, 0.5, 0.8}) {
         double const height = 0.3;
@@ -115,7 +115,7 @@ TEST(Stability, smallHeaveHasThePeriodOfItsDraught) {
     }
 }
 
-TEST(Stability, smallRollHasThePeriodOfItsMetacentricHeight) {
+TEST(Stability, SmallRollHasThePeriodOfItsMetacentricHeight) {
     // ω² = Δ g GM / I with I = m (b² + h²) / 12.
     for (double const ratio : {0.3, 0.5, 0.7}) {
         double const beam = 0.9;
@@ -137,7 +137,7 @@ TEST(Stability, smallRollHasThePeriodOfItsMetacentricHeight) {
     }
 }
 
-TEST(Stability, lookingAheadIsWhatKeepsAnOscillationFromGrowing) {
+TEST(Stability, LookingAheadIsWhatKeepsAnOscillationFromGrowing) {
     // A force that stands for n frames lags by half of that, which feeds the heave at a rate of ω² t / 4
     // (1 - 1/N), N being the number of substeps in the time t.
     constexpr int substeps = 4;
@@ -166,7 +166,7 @@ TEST(Stability, lookingAheadIsWhatKeepsAnOscillationFromGrowing) {
     }
 }
 
-TEST(Stability, whatIsTallAndNarrowFallsOver) {
+TEST(Stability, WhatIsTallAndNarrowFallsOver) {
     // GM is negative: it must end on its side, whichever way it falls.
     ASSERT_LT(metacentricHeight(0.2, 0.8, 0.5), 0);
     for (double const tilt : {0.01, -0.01}) {
@@ -180,7 +180,7 @@ TEST(Stability, whatIsTallAndNarrowFallsOver) {
     }
 }
 
-TEST(Stability, aSquareLogFloatsAskew) {
+TEST(Stability, ASquareLogFloatsAskew) {
     // The classical case: a square log of relative density 1/2 is unstable with level sides and floats on its
     // edge, turned by 45 degrees; one of relative density 0.1 stays level (GM = a (1/(12 r) - (1 - r)/2) >
     // 0).
@@ -193,7 +193,7 @@ TEST(Stability, aSquareLogFloatsAskew) {
     EXPECT_NEAR(pool.angle(light), 0, 0.01);
 }
 
-TEST(Stability, anOverturnedHullRightsItself) {
+TEST(Stability, AnOverturnedHullRightsItself) {
     // A hull with a keel of lead, put upside down.
     Pool pool;
     pool.water();

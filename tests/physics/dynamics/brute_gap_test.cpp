@@ -7,6 +7,7 @@
 #include <numbers>
 
 namespace trembler::test {
+namespace brute_gap_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -68,4 +69,5 @@ TEST(BruteGap, IsTheShortestWayOut) {
 }
 
 } // namespace
+} // namespace brute_gap_test
 } // namespace trembler::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace trembler::test {
+namespace motion_test {
 namespace {
 
 class Motion : public OnEveryEngine {};
@@ -161,4 +162,5 @@ TEST_P(Motion, ForcesBeyondReasonAreCutDownAndTheWorldGoesOn) {
 }
 
 } // namespace
+} // namespace motion_test
 } // namespace trembler::test

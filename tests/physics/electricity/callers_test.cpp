@@ -7,6 +7,7 @@
 #include <algorithm>
 
 namespace trembler::test {
+namespace callers_test {
 namespace {
 
 /// battery and lamp, with nothing between them.
@@ -133,4 +134,5 @@ TEST(ElectricityCallers, SwappingDetailLevelsChangesNoCount) {
 }
 
 } // namespace
+} // namespace callers_test
 } // namespace trembler::test

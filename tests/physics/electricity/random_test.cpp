@@ -8,6 +8,7 @@
 #include <algorithm>
 
 namespace trembler::test {
+namespace random_test {
 namespace {
 
 using Line = Script::Line;
@@ -276,4 +277,5 @@ TEST(ElectricityRandom, APeriodDelaysTheStateButLosesNothing) {
 }
 
 } // namespace
+} // namespace random_test
 } // namespace trembler::test

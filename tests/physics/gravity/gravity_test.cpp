@@ -12,6 +12,7 @@
 #include <cmath>
 
 namespace trembler {
+namespace gravity_test {
 namespace {
 
 Registry const& rules() {
@@ -196,4 +197,5 @@ TEST(RealGravityParallel, IsTheSameBitsForAnyNumberOfThreads) {
 }
 
 } // namespace
+} // namespace gravity_test
 } // namespace trembler

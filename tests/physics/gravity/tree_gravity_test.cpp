@@ -12,6 +12,7 @@
 #include <cmath>
 
 namespace trembler {
+namespace tree_gravity_test {
 namespace {
 
 Registry const& rules() {
@@ -144,4 +145,5 @@ TEST(TreeGravity, DoesNotDependOnTheOrderOfObjects) {
 }
 
 } // namespace
+} // namespace tree_gravity_test
 } // namespace trembler

@@ -12,6 +12,7 @@
 #include <tuple>
 
 namespace trembler {
+namespace magnetic_levels_test {
 namespace {
 
 using namespace test;
@@ -365,4 +366,5 @@ TEST(MagneticForces, PullHarderThanPointDipolesAsTheSeriesSays) {
 }
 
 } // namespace
+} // namespace magnetic_levels_test
 } // namespace trembler

@@ -165,7 +165,7 @@ TEST(ElectricMotor, StallsWhereSomethingHoldsIt) {
 }
 
 TEST(MotorTorque, IsAStraightLineThatNeverOvershoots) {
-    rc::check([] {
+    EXPECT_TRUE(rc::check([] {
         auto const number = [](int low, int high) { return *rc::gen::inRange(low, high) / 16.0; };
         ElectricMotor const motor{number(-1000, 1000), number(1, 1000), {}};
         double const inertia = number(1, 10000);
@@ -178,7 +178,7 @@ TEST(MotorTorque, IsAStraightLineThatNeverOvershoots) {
         if (inertia * 60 * motor.idleSpeed >= std::abs(motor.torque)) { // heavy enough: the very line
             RC_ASSERT(std::abs(torque - motor.torque * (1 - speed / idle)) < 1e-6);
         }
-    });
+    }));
 }
 
 class GeneratorBench : public Bench {

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 namespace trembler {
+namespace goal_judge_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -250,4 +251,5 @@ TEST(GoalJudge, RefusesGoalsThatASmallFileMakesTooLarge) {
 }
 
 } // namespace
+} // namespace goal_judge_test
 } // namespace trembler

@@ -11,7 +11,7 @@
 namespace trembler::render::test {
 namespace {
 
-TEST(CameraSums, roundTripIsExactToAMillionthOfAPixel) {
+TEST(CameraSums, RoundTripIsExactToAMillionthOfAPixel) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int i = 0; i < 1000; ++i) {
@@ -24,13 +24,13 @@ TEST(CameraSums, roundTripIsExactToAMillionthOfAPixel) {
     }
 }
 
-TEST(CameraSums, upIsUp) {
+TEST(CameraSums, UpIsUp) {
     Camera const camera;
     EXPECT_LT(camera.toScreen({0, 1}).y, camera.toScreen({0, 0}).y);
     EXPECT_EQ(camera.toScreen(camera.centre), (Point{640, 360}));
 }
 
-TEST(CameraSums, zoomKeepsWhatIsUnderTheCursor) {
+TEST(CameraSums, ZoomKeepsWhatIsUnderTheCursor) {
     Camera camera{{3, -2}, 80, {1280, 720}};
     Point const cursor{200, 650};
     Point const under = camera.toWorld(cursor);
@@ -49,7 +49,7 @@ TEST(CameraSums, zoomKeepsWhatIsUnderTheCursor) {
     }
 }
 
-TEST(CameraSums, panMovesTheWorldWithTheCursor) {
+TEST(CameraSums, PanMovesTheWorldWithTheCursor) {
     Camera camera;
     Point const grabbed = camera.toWorld({100, 100});
     camera.pan({50, -20});
@@ -57,7 +57,7 @@ TEST(CameraSums, panMovesTheWorldWithTheCursor) {
     EXPECT_NEAR(camera.toScreen(grabbed).y, 80, 1e-9);
 }
 
-TEST(CameraSums, fitShowsAll) {
+TEST(CameraSums, FitShowsAll) {
     Camera camera;
     camera.fit({-10, -1}, {30, 2}, 40);
     EXPECT_NEAR(camera.toScreen({-10, 0}).x, 40, 1e-9);
@@ -67,7 +67,7 @@ TEST(CameraSums, fitShowsAll) {
     EXPECT_EQ(camera.centre, before);
 }
 
-TEST(Grid, linesAreNeverCloserThanSevenPixelsAndNeverJump) {
+TEST(Grid, LinesAreNeverCloserThanSevenPixelsAndNeverJump) {
     auto const strength = [](double scale, double spacing) {
         float most = 0.F;
         for (auto const& ruling : rulingsFor(scale, 1.F)) {
@@ -90,7 +90,7 @@ TEST(Grid, linesAreNeverCloserThanSevenPixelsAndNeverJump) {
     }
 }
 
-TEST(Grid, linesLieOnWholeMetresAndAreSharp) {
+TEST(Grid, LinesLieOnWholeMetresAndAreSharp) {
     Camera camera;
     camera.centre = {0.1234, 0.777};
     camera.pixelsPerMetre = 100.37;
@@ -107,7 +107,7 @@ TEST(Grid, linesLieOnWholeMetresAndAreSharp) {
     }
 }
 
-TEST(Paths, runFromEndToEnd) {
+TEST(Paths, RunFromEndToEnd) {
     auto const wire = hangingWire({0, 1}, {2, 1}, 0.5, 20);
     EXPECT_EQ(wire.front(), (Point{0, 1}));
     EXPECT_EQ(wire.back(), (Point{2, 1}));
@@ -121,7 +121,7 @@ TEST(Paths, runFromEndToEnd) {
     EXPECT_EQ(pointAlong({}, 1), (Point{0, 0}));
 }
 
-TEST(UiScale, growsWithTheWindow) {
+TEST(UiScale, GrowsWithTheWindow) {
     EXPECT_FLOAT_EQ(uiScaleFor({1280, 720}), 1.F);
     EXPECT_GT(uiScaleFor({3840, 2160}), 2.2F);
     EXPECT_LT(uiScaleFor({3840, 2160}), 3.F);

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 namespace trembler::render::test {
+namespace light_test {
 namespace {
 
 constexpr Size size{400, 300};
@@ -26,7 +27,7 @@ void expectMonotone(Image const& image, Pixel from, Pixel to, int first) {
     }
 }
 
-TEST(Light, glowHasNoDarkRim) {
+TEST(Light, GlowHasNoDarkRim) {
     for (auto const ground : {palette::paper, rgb(0x000000), rgb(0xFFFFFF), palette::rubber}) {
         auto const image = picture(size, ground, [](Canvas& canvas) {
             canvas.glow({}, 0.4, {palette::live, 0.9, 0.9F});
@@ -37,7 +38,7 @@ TEST(Light, glowHasNoDarkRim) {
     }
 }
 
-TEST(Light, glowIsEvenAlongABentPath) {
+TEST(Light, GlowIsEvenAlongABentPath) {
     // If segments overlapped, the joints would be brighter than the middles.
     auto const wire = bezier({-1.6, 0}, {-0.6, 0}, {0.6, 0}, {1.6, 0}, 16);
     auto const image = picture(size, rgb(0x000000), [&](Canvas& canvas) {
@@ -55,7 +56,7 @@ TEST(Light, glowIsEvenAlongABentPath) {
     }
 }
 
-TEST(Light, seeThroughLineIsEvenAtSharpBends) {
+TEST(Light, SeeThroughLineIsEvenAtSharpBends) {
     std::array const zigzag{Point{-1.5, -0.8}, Point{-0.5, 0.8}, Point{0.5, -0.8}, Point{1.5, 0.8}};
     auto const image = picture(size, rgb(0x000000), [&](Canvas& canvas) {
         canvas.polyline(zigzag, {.colour = rgb(0xFFFFFF), .width = 0.4, .alpha = 0.5F});
@@ -67,7 +68,7 @@ TEST(Light, seeThroughLineIsEvenAtSharpBends) {
     EXPECT_NEAR(brightest, 128, 2);
 }
 
-TEST(Light, hairpinHasNoHoles) {
+TEST(Light, HairpinHasNoHoles) {
     // A bend much tighter than the line is wide.
     auto const tight = bezier({-1, 0.1}, {1.2, 0.1}, {1.2, -0.1}, {-1, -0.1}, 40);
     for (float const alpha : {1.F, 0.6F}) {
@@ -83,7 +84,7 @@ TEST(Light, hairpinHasNoHoles) {
     }
 }
 
-TEST(Light, shadowsCanBeSwitchedOff) {
+TEST(Light, ShadowsCanBeSwitchedOff) {
     auto const draw = [](bool shadows, float height) {
         return picture(size, palette::paper,
                        [&](Canvas& canvas) {
@@ -103,7 +104,7 @@ TEST(Light, shadowsCanBeSwitchedOff) {
     }
 }
 
-TEST(Light, shadowsOfOneSheetLieUnderAllOfItsShapes) {
+TEST(Light, ShadowsOfOneSheetLieUnderAllOfItsShapes) {
     auto const draw = [](bool newSheet) {
         return picture(size, palette::paper, [&](Canvas& canvas) {
             canvas.box({{0, -0.5}, 0}, {0.6, 0.3}, 0, {.pattern = Pattern::Plain});
@@ -117,7 +118,7 @@ TEST(Light, shadowsOfOneSheetLieUnderAllOfItsShapes) {
     EXPECT_LT(draw(true).at(200, 150 + 24)[1], draw(false).at(200, 150 + 24)[1]);
 }
 
-TEST(Light, materialsDiffer) {
+TEST(Light, MaterialsDiffer) {
     std::vector<Image> seen;
     for (int i = 0; i <= static_cast<int>(Pattern::Water); ++i) {
         // The same tint, so that only the pattern is left to tell them apart.
@@ -132,7 +133,7 @@ TEST(Light, materialsDiffer) {
     }
 }
 
-TEST(Light, statesAreSeen) {
+TEST(Light, StatesAreSeen) {
     auto const draw = [](void (*change)(Style&)) {
         Style style{.pattern = Pattern::Wood};
         change(style);
@@ -149,4 +150,5 @@ TEST(Light, statesAreSeen) {
 }
 
 } // namespace
+} // namespace light_test
 } // namespace trembler::render::test

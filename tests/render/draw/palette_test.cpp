@@ -70,7 +70,7 @@ double contrast(Colour a, Colour b) {
     return (high + 0.05) / (low + 0.05);
 }
 
-TEST(Palette, pairsThatMeanOppositesAreToldApartByAllEyes) {
+TEST(Palette, PairsThatMeanOppositesAreToldApartByAllEyes) {
     struct Pair {
         char const* what;
         Colour a;
@@ -93,7 +93,7 @@ TEST(Palette, pairsThatMeanOppositesAreToldApartByAllEyes) {
     }
 }
 
-TEST(Palette, overlaysStandOutFromThePaper) {
+TEST(Palette, OverlaysStandOutFromThePaper) {
     for (auto const colour :
          {palette::force, palette::fieldLine, palette::contact, palette::deadWire, palette::warning,
           palette::goal, palette::accent, palette::northPole, palette::southPole}) {
@@ -101,7 +101,7 @@ TEST(Palette, overlaysStandOutFromThePaper) {
     }
 }
 
-TEST(Palette, textCanBeRead) {
+TEST(Palette, TextCanBeRead) {
     for (auto const ground : {palette::paper, palette::paperLight, palette::paperShade}) {
         EXPECT_GT(contrast(palette::ink, ground), 7);
     }
@@ -111,7 +111,7 @@ TEST(Palette, textCanBeRead) {
     EXPECT_GT(contrast(palette::paperLight, palette::goal), 4.5);
 }
 
-TEST(Colours, areMixedAndPacked) {
+TEST(Colours, AreMixedAndPacked) {
     static_assert(rgb(0x123456) == Colour{0x12, 0x34, 0x56, 255});
     static_assert(packed(rgb(0x123456)) == 0xFF563412U);
     static_assert(mix(rgb(0x000000), rgb(0xFFFFFF), 0.5F).green == 128);

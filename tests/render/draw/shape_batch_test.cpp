@@ -7,6 +7,7 @@
 #include <numbers>
 
 namespace trembler::render::test {
+namespace shape_batch_test {
 namespace {
 
 constexpr Colour black = rgb(0x000000);
@@ -34,7 +35,7 @@ Image whiteShape(std::function<void(Canvas&, Style const&)> const& draw) {
     return picture(size, black, [&](Canvas& canvas) { draw(canvas, style); });
 }
 
-TEST(Shapes, circleCoversItsArea) {
+TEST(Shapes, CircleCoversItsArea) {
     auto const image = whiteShape([](Canvas& canvas, Style const& style) {
         canvas.circle({{0.313, -0.207}, 0.5}, 0.8, style);
     });
@@ -52,7 +53,7 @@ TEST(Shapes, circleCoversItsArea) {
     }
 }
 
-TEST(Shapes, turnedBoxCoversItsArea) {
+TEST(Shapes, TurnedBoxCoversItsArea) {
     auto const sharp = whiteShape([](Canvas& canvas, Style const& style) {
         canvas.box({{0.1, 0.2}, 0.7}, {0.9, 0.4}, 0, style);
     });
@@ -63,7 +64,7 @@ TEST(Shapes, turnedBoxCoversItsArea) {
     EXPECT_NEAR(whiteArea(rounded) / (4 * 0.9 * 0.4 - (4 - std::numbers::pi) * 0.09), 1.0, 0.01);
 }
 
-TEST(Shapes, capsuleCoversItsArea) {
+TEST(Shapes, CapsuleCoversItsArea) {
     auto const image = whiteShape([](Canvas& canvas, Style const& style) {
         canvas.capsule({-0.9, -0.5}, {0.6, 0.4}, 0.25, style);
     });
@@ -71,7 +72,7 @@ TEST(Shapes, capsuleCoversItsArea) {
     EXPECT_NEAR(whiteArea(image) / (span * 0.5 + std::numbers::pi * 0.0625), 1.0, 0.01);
 }
 
-TEST(Shapes, polygonCoversItsAreaWhicheverWayRound) {
+TEST(Shapes, PolygonCoversItsAreaWhicheverWayRound) {
     std::array corners{Point{-0.8, -0.6}, Point{0.9, -0.5}, Point{0.7, 0.6}, Point{-0.1, 0.9},
                        Point{-0.7, 0.3}};
     double twice = 0;
@@ -88,7 +89,7 @@ TEST(Shapes, polygonCoversItsAreaWhicheverWayRound) {
     EXPECT_NEAR(whiteArea(whiteShape(draw)) / (0.5 * twice), 1.0, 0.01);
 }
 
-TEST(Shapes, polygonNeedNotBeConvex) {
+TEST(Shapes, PolygonNeedNotBeConvex) {
     std::array const corners{Point{-0.8, -0.8}, Point{0.8, -0.8}, Point{0.8, 0.8}, Point{0, 0},
                              Point{-0.8, 0.8}};
     auto const image =
@@ -96,7 +97,7 @@ TEST(Shapes, polygonNeedNotBeConvex) {
     EXPECT_NEAR(whiteArea(image) / (1.6 * 1.6 - 0.8 * 0.8), 1.0, 0.01);
 }
 
-TEST(Shapes, ringAndArcCoverTheirArea) {
+TEST(Shapes, RingAndArcCoverTheirArea) {
     Stroke const stroke{.colour = white, .width = 0.2};
     auto const ring = picture(size, black, [&](Canvas& canvas) { canvas.ring({0, 0}, 0.8, stroke); });
     EXPECT_NEAR(whiteArea(ring) / (2 * std::numbers::pi * 0.8 * 0.2), 1.0, 0.01);
@@ -104,7 +105,7 @@ TEST(Shapes, ringAndArcCoverTheirArea) {
     EXPECT_NEAR(whiteArea(arc) / (2.5 * 0.8 * 0.2 + std::numbers::pi * 0.01), 1.0, 0.01);
 }
 
-TEST(Shapes, arrowEndsAtItsPoint) {
+TEST(Shapes, ArrowEndsAtItsPoint) {
     auto const image = picture(size, black, [](Canvas& canvas) {
         canvas.arrow({-1, 0.005}, {1, 0.005}, {.colour = white, .width = 0.1});
     });
@@ -115,7 +116,7 @@ TEST(Shapes, arrowEndsAtItsPoint) {
     EXPECT_EQ(image.at(200 - 102, row)[1], 0);
 }
 
-TEST(Shapes, laterOnesLieOnTop) {
+TEST(Shapes, LaterOnesLieOnTop) {
     auto const red = rgb(0xFF0000);
     auto const blue = rgb(0x0000FF);
     Style first = bare();
@@ -136,7 +137,7 @@ TEST(Shapes, laterOnesLieOnTop) {
     EXPECT_EQ(image.at(200, 150), (Pixel{0, 0, 255, 255}));
 }
 
-TEST(Shapes, outlineLiesInsideTheTrueEdge) {
+TEST(Shapes, OutlineLiesInsideTheTrueEdge) {
     auto const draw = [](float outline) {
         return whiteArea(picture(size, black, [&](Canvas& canvas) {
             canvas.circle({}, 0.8,
@@ -150,7 +151,7 @@ TEST(Shapes, outlineLiesInsideTheTrueEdge) {
     EXPECT_DOUBLE_EQ(draw(0.F), draw(6.F));
 }
 
-TEST(Shapes, nonsenseIsLeftOutAndNothingElse) {
+TEST(Shapes, NonsenseIsLeftOutAndNothingElse) {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const far = std::numeric_limits<double>::infinity();
     auto const image = whiteShape([&](Canvas& canvas, Style const& style) {
@@ -174,7 +175,7 @@ TEST(Shapes, nonsenseIsLeftOutAndNothingElse) {
     EXPECT_NEAR(whiteArea(image) / (std::numbers::pi * 0.25), 1.0, 0.01);
 }
 
-TEST(Shapes, whatIsOutOfViewIsNotSent) {
+TEST(Shapes, WhatIsOutOfViewIsNotSent) {
     picture(size, black, [](Canvas& canvas) {
         for (int i = 0; i < 100; ++i) {
             canvas.circle({{50.0 + i, 0}, 0}, 0.5, {});
@@ -184,7 +185,7 @@ TEST(Shapes, whatIsOutOfViewIsNotSent) {
     EXPECT_EQ(canvas().drawn(), 1U);
 }
 
-TEST(Shapes, areAsExactFarFromTheOrigin) {
+TEST(Shapes, AreAsExactFarFromTheOrigin) {
     auto const draw = [](double offset) {
         Camera camera;
         camera.centre = {offset, -offset};
@@ -201,4 +202,5 @@ TEST(Shapes, areAsExactFarFromTheOrigin) {
 }
 
 } // namespace
+} // namespace shape_batch_test
 } // namespace trembler::render::test

@@ -112,11 +112,11 @@ void save(std::string const& name, void (*draw)(Canvas&)) {
     }
 }
 
-TEST(Sheets, materials) {
+TEST(Sheets, Materials) {
     save("materials", drawMaterials);
 }
 
-TEST(Sheets, lines) {
+TEST(Sheets, Lines) {
     save("lines", drawLines);
 }
 

@@ -55,7 +55,7 @@ struct Bench {
     [[nodiscard]] Point at() const { return {static_cast<double>(middle.x), static_cast<double>(middle.y)}; }
 };
 
-TEST_F(Panels, aPushedClickClicks) {
+TEST_F(Panels, APushedClickClicks) {
     Bench bench;
     int clicks = 0;
     auto const draw = [&] { bench.show([&] { clicks += ImGui::Button("Press me") ? 1 : 0; }); };
@@ -73,7 +73,7 @@ TEST_F(Panels, aPushedClickClicks) {
     EXPECT_EQ(clicks, 1);
 }
 
-TEST_F(Panels, aClickWithinOneFrameClicks) {
+TEST_F(Panels, AClickWithinOneFrameClicks) {
     Bench bench;
     int clicks = 0;
     auto const draw = [&] { bench.show([&] { clicks += bigButton("Start") ? 1 : 0; }); };
@@ -94,7 +94,7 @@ TEST_F(Panels, aClickWithinOneFrameClicks) {
     EXPECT_FALSE(gui_->wantsMouse());
 }
 
-TEST_F(Panels, aDisabledButtonDoesNot) {
+TEST_F(Panels, ADisabledButtonDoesNot) {
     Bench bench;
     int clicks = 0;
     auto const draw = [&] { bench.show([&] { clicks += bigButton("Start", {.enabled = false}) ? 1 : 0; }); };
@@ -106,7 +106,7 @@ TEST_F(Panels, aDisabledButtonDoesNot) {
     EXPECT_EQ(clicks, 0);
 }
 
-TEST_F(Panels, dragsMoveSliders) {
+TEST_F(Panels, DragsMoveSliders) {
     Bench bench;
     float value = 0.F;
     auto const draw = [&] {
@@ -131,7 +131,7 @@ TEST_F(Panels, dragsMoveSliders) {
     EXPECT_GT(value, 0.7F);
 }
 
-TEST_F(Panels, textIsTyped) {
+TEST_F(Panels, TextIsTyped) {
     Bench bench;
     std::string text;
     auto const draw = [&] { bench.show([&] { ImGui::InputText("##text", &text); }); };
@@ -159,7 +159,7 @@ TEST_F(Panels, textIsTyped) {
     EXPECT_EQ(text, "");
 }
 
-TEST_F(Panels, aTileIsTakenWhenTheMouseGoesDown) {
+TEST_F(Panels, ATileIsTakenWhenTheMouseGoesDown) {
     Bench bench;
     int taken = 0;
     int count = 1;
@@ -183,7 +183,7 @@ TEST_F(Panels, aTileIsTakenWhenTheMouseGoesDown) {
     EXPECT_EQ(taken, 1);
 }
 
-TEST_F(Panels, inputTellsWhatHappened) {
+TEST_F(Panels, InputTellsWhatHappened) {
     auto const nothing = [] {};
     frame(nothing);
     pushMouseMove(window(), {10, 20});
@@ -214,7 +214,7 @@ TEST_F(Panels, inputTellsWhatHappened) {
     EXPECT_TRUE(input_->quit());
 }
 
-TEST_F(Panels, lettersFollowTheScale) {
+TEST_F(Panels, LettersFollowTheScale) {
     frame([] {});
     float const small = gui_->fonts().body->FontSize;
     EXPECT_FALSE(gui_->fonts().message.empty());
@@ -227,7 +227,7 @@ TEST_F(Panels, lettersFollowTheScale) {
     }
 }
 
-TEST_F(Panels, toastsComeAndGo) {
+TEST_F(Panels, ToastsComeAndGo) {
     Toasts toasts;
     for (int i = 0; i < 8; ++i) {
         toasts.add("Number " + std::to_string(i), ToastKind::News, 1);
@@ -276,7 +276,7 @@ void sampleWorld(Canvas& sheet) {
     sheet.circle({{3.4, -1.9}, 0.4}, 0.45, {.pattern = Pattern::Rubber});
 }
 
-TEST_F(Panels, sampleScreen) {
+TEST_F(Panels, SampleScreen) {
     for (auto const size : {Size{1280, 720}, Size{3840, 2160}}) {
         window().resize(size);
         float const scale = window().uiScale();

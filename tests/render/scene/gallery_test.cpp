@@ -12,7 +12,7 @@ namespace {
 
 std::filesystem::path const root = TREMBLER_SOURCE_DIR;
 
-TEST(SceneGallery, everyPart) {
+TEST(SceneGallery, EveryPart) {
     PartLibrary const library = loadParts(everything(), root / "assets" / "parts");
     Size const size{1280, 720};
     Camera camera;
@@ -46,7 +46,7 @@ TEST(SceneGallery, everyPart) {
 }
 
 // A world with one of each kind of joint, after a second in which gravity has pulled at it.
-TEST(SceneGallery, everyJoint) {
+TEST(SceneGallery, EveryJoint) {
     World world(everything());
     Store& store = world.store();
     store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
@@ -209,7 +209,7 @@ void drawLevel(std::filesystem::path const& file) {
     save("-field", {.time = world->time(), .overlays = {.forces = true, .fieldLines = true}});
 }
 
-TEST(SceneGallery, everyLevel) {
+TEST(SceneGallery, EveryLevel) {
     for (auto const& entry : std::filesystem::recursive_directory_iterator(root / "levels")) {
         if (entry.path().extension() == ".json" &&
             entry.path().filename().string().find("schema") == std::string::npos) {

@@ -6,6 +6,7 @@
 #include "tests/render/scene/scene_stage.hpp"
 
 namespace trembler::render::test {
+namespace scene_view_test {
 namespace {
 
 constexpr Size size{1280, 720};
@@ -45,7 +46,7 @@ Point cableMiddle(ExperimentStage& stage, std::string const& a, std::string cons
     return centreOf(cablePath(from, poseOf(from), to, poseOf(to)));
 }
 
-TEST(ScenePicture, experimentForPeople) {
+TEST(ScenePicture, ExperimentForPeople) {
     ExperimentStage stage;
     writePng(draw(stage.world), pictureFolder() / "scene-rest.png");
     stage.closeSwitch();
@@ -62,13 +63,13 @@ TEST(ScenePicture, experimentForPeople) {
              pictureFolder() / "scene-on-2160.png");
 }
 
-TEST(ScenePicture, theSameWorldGivesTheSamePicture) {
+TEST(ScenePicture, TheSameWorldGivesTheSamePicture) {
     ExperimentStage stage;
     stage.closeSwitch();
     EXPECT_EQ(draw(stage.world, {.time = 0.3}), draw(stage.world, {.time = 0.3}));
 }
 
-TEST(ScenePicture, anObjectIsWhereItIs) {
+TEST(ScenePicture, AnObjectIsWhereItIs) {
     ExperimentStage stage;
     Image const before = draw(stage.world);
     Vec2 const away{-0.5, 0.5};
@@ -79,7 +80,7 @@ TEST(ScenePicture, anObjectIsWhereItIs) {
     EXPECT_EQ(changed(before, after, {-4, 2}, 60), 0);
 }
 
-TEST(ScenePicture, currentLightsTheCable) {
+TEST(ScenePicture, CurrentLightsTheCable) {
     ExperimentStage stage;
     stage.closeSwitch();
     Image const on = draw(stage.world, {.time = 0.3});
@@ -101,7 +102,7 @@ TEST(ScenePicture, currentLightsTheCable) {
     EXPECT_GT(warm(on), warm(off) + 500);
 }
 
-TEST(ScenePicture, currentMovesWithTimeAndOnlyWhereItIsOn) {
+TEST(ScenePicture, CurrentMovesWithTimeAndOnlyWhereItIsOn) {
     ExperimentStage stage;
     EXPECT_EQ(draw(stage.world, {.time = 0}), draw(stage.world, {.time = 0.1}));
     stage.closeSwitch();
@@ -111,7 +112,7 @@ TEST(ScenePicture, currentMovesWithTimeAndOnlyWhereItIsOn) {
     EXPECT_EQ(changed(early, late, {2.4, -2.2}, 40), 0);
 }
 
-TEST(ScenePicture, theMagnetGlowsWhileItPulls) {
+TEST(ScenePicture, TheMagnetGlowsWhileItPulls) {
     ExperimentStage stage;
     Image const off = draw(stage.world);
     stage.world.store().column<Magnet>().set(stage.id["electromagnet"], {true, 1});
@@ -123,7 +124,7 @@ TEST(ScenePicture, theMagnetGlowsWhileItPulls) {
     EXPECT_EQ(changed(off, on, {-3, 0}, 100), 0);
 }
 
-TEST(ScenePicture, overlaysAreDrawnOnlyWhenAsked) {
+TEST(ScenePicture, OverlaysAreDrawnOnlyWhenAsked) {
     ExperimentStage stage;
     stage.closeSwitch();
     Store& store = stage.world.store();
@@ -144,7 +145,7 @@ TEST(ScenePicture, overlaysAreDrawnOnlyWhenAsked) {
     EXPECT_EQ(with({.forces = true}), plain);
 }
 
-TEST(ScenePicture, selectionAndHoverAreSeen) {
+TEST(ScenePicture, SelectionAndHoverAreSeen) {
     ExperimentStage stage;
     Image const plain = draw(stage.world);
     ObjectId const bar = stage.id["switch"];
@@ -155,7 +156,7 @@ TEST(ScenePicture, selectionAndHoverAreSeen) {
     EXPECT_EQ(draw(stage.world, {.selected = ObjectId{9999, 3}}), plain);
 }
 
-TEST(ScenePicture, areasAndGoalsAreSeenWhereTheyAre) {
+TEST(ScenePicture, AreasAndGoalsAreSeenWhereTheyAre) {
     ExperimentStage stage;
     Image const plain = draw(stage.world);
     std::vector<Area> const placing{{Box{{-0.9, -0.5}, {1, 1}}, {}}};
@@ -171,7 +172,7 @@ TEST(ScenePicture, areasAndGoalsAreSeenWhereTheyAre) {
     EXPECT_EQ(labelAnchor(goal), (Point{1, -1}));
 }
 
-TEST(ScenePicture, aGhostTellsWhetherItMayStand) {
+TEST(ScenePicture, AGhostTellsWhetherItMayStand) {
     ExperimentStage stage;
     Prototype part;
     part.values.push_back(std::make_unique<ValueOf<Shape>>(Shape{{boxPiece(0.8, 0.2), boxPiece(0.2, 0.8)}}));
@@ -190,7 +191,7 @@ TEST(ScenePicture, aGhostTellsWhetherItMayStand) {
     EXPECT_GT(changed(ghost(false), ghost(true), {}, 40), 2000);
 }
 
-TEST(ScenePicture, drawingNeverChangesTheWorld) {
+TEST(ScenePicture, DrawingNeverChangesTheWorld) {
     ExperimentStage stage;
     stage.closeSwitch();
     stage.world.start();
@@ -218,7 +219,7 @@ TEST(ScenePicture, drawingNeverChangesTheWorld) {
     EXPECT_EQ(versions(), before);
 }
 
-TEST(ScenePicture, theHandsCordIsSeenWhileItHolds) {
+TEST(ScenePicture, TheHandsCordIsSeenWhileItHolds) {
     ExperimentStage stage;
     stage.world.start();
     stage.world.step();
@@ -233,7 +234,7 @@ TEST(ScenePicture, theHandsCordIsSeenWhileItHolds) {
     EXPECT_GT(changed(held, free, {-1.4, 1.32}, 30), 50); // the cord
 }
 
-TEST(SceneView, showsWhatLiesBetweenTwoFrames) {
+TEST(SceneView, ShowsWhatLiesBetweenTwoFrames) {
     World world(everything());
     ObjectId const ball = body(world, "ball", {circlePiece(0.3)}, {0, 0});
     SceneView view;
@@ -249,7 +250,7 @@ TEST(SceneView, showsWhatLiesBetweenTwoFrames) {
     EXPECT_EQ(view.poseOf(world, ball, 0.25).at, (Point{1, 2}));
 }
 
-TEST(SceneView, neverDrawsTheWayOfWhatWasPutElsewhere) {
+TEST(SceneView, NeverDrawsTheWayOfWhatWasPutElsewhere) {
     World world(everything());
     ObjectId const ball = body(world, "ball", {circlePiece(0.3)}, {0, 0});
     SceneView view;
@@ -262,7 +263,7 @@ TEST(SceneView, neverDrawsTheWayOfWhatWasPutElsewhere) {
     EXPECT_EQ(view.poseOf(world, stranger, 0.5).at, (Point{2, 0})); // the place was another's
 }
 
-TEST(SceneView, givesTheWordsOnObjects) {
+TEST(SceneView, GivesTheWordsOnObjects) {
     World world(everything());
     ObjectId const crate = body(world, "crate", {boxPiece(1, 0.5)}, {3, 1});
     world.store().column<Look>().set(crate, {trembler::Pattern::wood, "", "XII"});
@@ -278,7 +279,7 @@ TEST(SceneView, givesTheWordsOnObjects) {
     EXPECT_LT(labels[0].metresHigh, 0.5);
 }
 
-TEST(ScenePicture, survivesWhateverASimulationDoes) {
+TEST(ScenePicture, SurvivesWhateverASimulationDoes) {
     ExperimentStage stage;
     stage.closeSwitch();
     double const nan = std::nan("");
@@ -294,4 +295,5 @@ TEST(ScenePicture, survivesWhateverASimulationDoes) {
 }
 
 } // namespace
+} // namespace scene_view_test
 } // namespace trembler::render::test

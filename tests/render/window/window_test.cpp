@@ -31,36 +31,36 @@ protected:
     void SetUp() override { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
 };
 
-TEST_F(WindowFailure, noDisplayIsSaid) {
+TEST_F(WindowFailure, NoDisplayIsSaid) {
     EXPECT_EXIT(openAndReport("NO_SUCH_SETTING", "1", WindowMode::Visible), testing::ExitedWithCode(0),
                 "kind 0: .*no display|kind 0: .*no video driver");
 }
 
-TEST_F(WindowFailure, aDriverThatShowsNothingIsNoDisplay) {
+TEST_F(WindowFailure, ADriverThatShowsNothingIsNoDisplay) {
     EXPECT_EXIT(openAndReport("SDL_VIDEODRIVER", "dummy", WindowMode::Visible), testing::ExitedWithCode(0),
                 "kind 0: There is no display");
     EXPECT_EXIT(openAndReport("SDL_VIDEODRIVER", "offscreen", WindowMode::Visible),
                 testing::ExitedWithCode(0), "kind 0: There is no display");
 }
 
-TEST_F(WindowFailure, noOpenGlIsSaid) {
+TEST_F(WindowFailure, NoOpenGlIsSaid) {
     EXPECT_EXIT(openAndReport("SDL_VIDEO_EGL_DRIVER", "/no/such/library.so", WindowMode::Offscreen),
                 testing::ExitedWithCode(0), "kind 1: .*OpenGL");
 }
 
-TEST_F(WindowFailure, offscreenNeedsNoDisplay) {
+TEST_F(WindowFailure, OffscreenNeedsNoDisplay) {
     EXPECT_EXIT(openAndReport("SDL_VIDEODRIVER", "x11", WindowMode::Offscreen), testing::ExitedWithCode(0),
                 "opened");
 }
 
-TEST(Windows, describeTheirDriver) {
+TEST(Windows, DescribeTheirDriver) {
     EXPECT_FALSE(window().renderer().empty());
     EXPECT_FALSE(window().videoDriver().empty());
     EXPECT_EQ(window().mode(), WindowMode::Offscreen);
     EXPECT_FLOAT_EQ(window().pixelsPerPoint(), 1.F);
 }
 
-TEST(Windows, offscreenTakesAnySize) {
+TEST(Windows, OffscreenTakesAnySize) {
     for (auto const size : {Size{64, 48}, Size{3840, 2160}, Size{641, 479}}) {
         window().resize(size);
         window().beginFrame(rgb(0x336699));
@@ -73,7 +73,7 @@ TEST(Windows, offscreenTakesAnySize) {
     EXPECT_EQ(window().size(), (Size{641, 479})); // what was there stays
 }
 
-TEST(Windows, twoKeepApart) {
+TEST(Windows, TwoKeepApart) {
     window().resize({64, 48});
     window().beginFrame(rgb(0x336699));
     {
@@ -87,7 +87,7 @@ TEST(Windows, twoKeepApart) {
     EXPECT_EQ(window().readPixels().at(63, 47), (Pixel{0x00, 0xAA, 0x00, 255}));
 }
 
-TEST(Pictures, comeBackFromPngAsTheyWere) {
+TEST(Pictures, ComeBackFromPngAsTheyWere) {
     auto const image = picture({320, 200}, palette::paper, [](Canvas& canvas) {
         canvas.paper();
         canvas.circle({{0.5, 0.5}, 0}, 0.4, {.pattern = Pattern::Copper});
@@ -98,7 +98,7 @@ TEST(Pictures, comeBackFromPngAsTheyWere) {
     EXPECT_EQ(image.at(0, 0)[3], 255);
 }
 
-TEST(Pictures, firstRowIsTheUpperOne) {
+TEST(Pictures, FirstRowIsTheUpperOne) {
     auto const image = picture({100, 100}, rgb(0), [](Canvas& canvas) {
         canvas.box({{0, 0.4}, 0}, {0.5, 0.1}, 0, {.tint = rgb(0xFFFFFF), .outline = 0.F, .height = 0.F});
     });
@@ -106,7 +106,7 @@ TEST(Pictures, firstRowIsTheUpperOne) {
     EXPECT_EQ(image.at(50, 90)[0], 0);
 }
 
-TEST(Pictures, failuresNameTheFile) {
+TEST(Pictures, FailuresNameTheFile) {
     Image const image({2, 2});
     try {
         writePng(image, "/no/such/folder/picture.png");
@@ -122,7 +122,7 @@ TEST(Pictures, failuresNameTheFile) {
     EXPECT_THROW(Image({-1, 2}), std::invalid_argument);
 }
 
-TEST(Framebuffers, areDrawnIntoAndReadAlone) {
+TEST(Framebuffers, AreDrawnIntoAndReadAlone) {
     window().resize({64, 64});
     window().beginFrame(rgb(0xFF0000));
     Framebuffer const target({32, 32});

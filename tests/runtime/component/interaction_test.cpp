@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace trembler {
+namespace interaction_test {
 namespace {
 
 using namespace heat;
@@ -276,4 +277,5 @@ TEST(Interaction, KnowsItsFirstTimeAfterEveryConstruction) {
 }
 
 } // namespace
+} // namespace interaction_test
 } // namespace trembler

@@ -7,6 +7,7 @@
 #include <sstream>
 
 namespace trembler {
+namespace field_visitor_test {
 namespace {
 
 using namespace sample;
@@ -147,4 +148,5 @@ TEST(FieldVisitor, VisitingAColumnMarksItAsChangedAndACopyDoesNot) {
 }
 
 } // namespace
+} // namespace field_visitor_test
 } // namespace trembler

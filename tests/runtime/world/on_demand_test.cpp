@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace trembler {
+namespace on_demand_test {
 namespace {
 
 using namespace heat;
@@ -195,4 +196,5 @@ TEST(OnDemand, WantingChangesNoState) {
 }
 
 } // namespace
+} // namespace on_demand_test
 } // namespace trembler

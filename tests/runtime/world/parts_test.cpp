@@ -11,6 +11,7 @@
 #include <sstream>
 
 namespace trembler {
+namespace parts_test {
 namespace {
 
 using namespace heat;
@@ -387,4 +388,5 @@ TEST(FrameParts, AreOneWithoutTheResolverThatDividesFrames) {
 }
 
 } // namespace
+} // namespace parts_test
 } // namespace trembler

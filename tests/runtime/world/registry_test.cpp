@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace trembler {
+namespace registry_test {
 namespace {
 
 using namespace heat;
@@ -251,4 +252,5 @@ TEST(Registry, TakesPeriodsAndSuitabilityFromTheComponent) {
 }
 
 } // namespace
+} // namespace registry_test
 } // namespace trembler

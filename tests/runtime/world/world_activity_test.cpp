@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace trembler {
+namespace world_activity_test {
 namespace {
 
 using namespace heat;
@@ -252,4 +253,5 @@ TEST(WorldActivity, ComponentsThatReadDerivedPropertiesWaitForTheirProvider) {
 }
 
 } // namespace
+} // namespace world_activity_test
 } // namespace trembler

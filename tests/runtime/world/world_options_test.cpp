@@ -6,6 +6,7 @@
 #include <functional>
 
 namespace trembler {
+namespace world_options_test {
 namespace {
 
 using namespace heat;
@@ -208,4 +209,5 @@ TEST(WorldOptions, AnAlternativeWhoseReadsNobodyProvidesIsNotPicked) {
 }
 
 } // namespace
+} // namespace world_options_test
 } // namespace trembler

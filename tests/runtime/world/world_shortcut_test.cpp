@@ -7,6 +7,7 @@
 #include <functional>
 
 namespace trembler {
+namespace world_shortcut_test {
 namespace {
 
 using namespace heat;
@@ -156,4 +157,5 @@ TEST(WorldShortcut, IsShownInTheNotation) {
 }
 
 } // namespace
+} // namespace world_shortcut_test
 } // namespace trembler

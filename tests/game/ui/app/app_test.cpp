@@ -10,6 +10,7 @@
 #include <sstream>
 
 namespace trembler::ui::test {
+namespace app_test {
 namespace {
 
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
@@ -225,4 +226,5 @@ TEST(Program, withoutADisplayTheRecordedSolutionIsPlayed) {
 }
 
 } // namespace
+} // namespace app_test
 } // namespace trembler::ui::test

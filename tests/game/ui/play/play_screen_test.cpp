@@ -7,6 +7,7 @@
 #include <fstream>
 
 namespace trembler::ui::test {
+namespace play_screen_test {
 namespace {
 
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
@@ -291,4 +292,5 @@ TEST(Running, overlaysAreToggledByKeyAndButton) {
 }
 
 } // namespace
+} // namespace play_screen_test
 } // namespace trembler::ui::test

@@ -7,6 +7,7 @@
 #include <cmath>
 
 namespace trembler::accuracy {
+namespace co_simulation_test {
 namespace {
 
 GameData const& gameData() {
@@ -118,4 +119,5 @@ TEST(CoSimulation, AFloatOnASpringGainsItTooUnlessItLooksAhead) {
 }
 
 } // namespace
+} // namespace co_simulation_test
 } // namespace trembler::accuracy

@@ -8,7 +8,7 @@
 namespace trembler::test {
 namespace {
 
-TEST(LiquidDrag, momentumFadesExponentiallyUnderLinearDrag) {
+TEST(LiquidDrag, MomentumFadesExponentiallyUnderLinearDrag) {
     // As dense as the liquid: no force but drag. v = v0 exp(-c t).
     Pool pool;
     pool.water({.linearDrag = 0.8, .quadraticDrag = 0, .current = {}});
@@ -26,7 +26,7 @@ TEST(LiquidDrag, momentumFadesExponentiallyUnderLinearDrag) {
     EXPECT_NEAR(pool.at(box).y, -5, 0.01);
 }
 
-TEST(LiquidDrag, quadraticDragAloneFadesAsOneOverTime) {
+TEST(LiquidDrag, QuadraticDragAloneFadesAsOneOverTime) {
     // v = v0 / (1 + k v0 t), k = ½ ρ Cd w d / m = Cd w / (2 A) for what is as dense as the liquid.
     Pool pool;
     pool.water({.linearDrag = 0, .quadraticDrag = 1.2, .current = {}});
@@ -37,7 +37,7 @@ TEST(LiquidDrag, quadraticDragAloneFadesAsOneOverTime) {
     EXPECT_NEAR(pool.velocity(box).x, 4 / (1 + k * 4 * (3 - 1.0 / 60)), 0.01);
 }
 
-TEST(LiquidDrag, whatSinksReachesItsTerminalVelocity) {
+TEST(LiquidDrag, WhatSinksReachesItsTerminalVelocity) {
     // (ρ_b - ρ) A g = c1 ρ A v + ½ ρ Cd w v².
     double const c = 0.5;
     double const cd = 1;
@@ -54,7 +54,7 @@ TEST(LiquidDrag, whatSinksReachesItsTerminalVelocity) {
     }
 }
 
-TEST(LiquidDrag, aPlateSinksFasterEdgeOn) {
+TEST(LiquidDrag, APlateSinksFasterEdgeOn) {
     // Width across the motion: 0.6 m broadside on, 0.06 m edge on.
     Pool pool;
     pool.water({.linearDrag = 0, .quadraticDrag = 1, .current = {}});
@@ -65,7 +65,7 @@ TEST(LiquidDrag, aPlateSinksFasterEdgeOn) {
     EXPECT_NEAR(-pool.velocity(flat).y, std::sqrt(2 * 9.81 * 0.06), 0.01);
 }
 
-TEST(LiquidDrag, aCurrentCarriesThingsAlong) {
+TEST(LiquidDrag, ACurrentCarriesThingsAlong) {
     Pool pool;
     pool.water({.linearDrag = 1, .quadraticDrag = 1, .current = {0.7, 0}});
     ObjectId const box = pool.body("box", boxPiece(0.4, 0.2), {0, 0}, 500);
@@ -74,7 +74,7 @@ TEST(LiquidDrag, aCurrentCarriesThingsAlong) {
     EXPECT_NEAR(pool.velocity(box).y, 0, 0.01);
 }
 
-TEST(LiquidDrag, whatIsOutOfTheLiquidIsNotSlowedDown) {
+TEST(LiquidDrag, WhatIsOutOfTheLiquidIsNotSlowedDown) {
     Pool pool;
     pool.water();
     ObjectId const ball = pool.body("ball", circlePiece(0.1), {0, 20}, 500);
@@ -84,7 +84,7 @@ TEST(LiquidDrag, whatIsOutOfTheLiquidIsNotSlowedDown) {
     EXPECT_EQ(pool.world->find<LiquidResistance>()->entries.size(), 0U);
 }
 
-TEST(DragImpulse, solvesTheImplicitEulerStep) {
+TEST(DragImpulse, SolvesTheImplicitEulerStep) {
     // (M + h D) v' = free, checked by multiplying out; and no motion gains energy by it.
     EXPECT_TRUE(rc::check([] {
         Drag drag;
@@ -116,7 +116,7 @@ TEST(DragImpulse, solvesTheImplicitEulerStep) {
     }));
 }
 
-TEST(DragImpulse, refusesWhatIsNoResistance) {
+TEST(DragImpulse, RefusesWhatIsNoResistance) {
     EXPECT_TRUE(isResistance(1, 0.5, 1, 0));
     EXPECT_TRUE(isResistance(0, 0, 0, 0));
     EXPECT_FALSE(isResistance(-1, 0, 1, 0));

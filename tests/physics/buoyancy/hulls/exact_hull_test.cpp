@@ -29,7 +29,7 @@ Strips inWorld(AreaMoments const& wet, Pose const& pose) {
     return {turned.area, turned.area > 0 ? turned.centroid() : Vec2{}, turned.xx, turned.xy, turned.yy};
 }
 
-TEST(ExactHull, agreesWithStripsForAnyConvexPieces) {
+TEST(ExactHull, AgreesWithStripsForAnyConvexPieces) {
     EXPECT_TRUE(rc::check([] {
         ShapePiece const body = *piece();
         ShapePiece liquid = *rc::gen::oneOf(
@@ -56,7 +56,7 @@ TEST(ExactHull, agreesWithStripsForAnyConvexPieces) {
     }));
 }
 
-TEST(ExactHull, twoLiquidsSideBySideHoldAsMuchAsOne) {
+TEST(ExactHull, TwoLiquidsSideBySideHoldAsMuchAsOne) {
     // Whatever line cuts the liquid in two, nothing is lost or counted twice along it.
     EXPECT_TRUE(rc::check([] {
         ShapePiece const body = *piece();
@@ -78,7 +78,7 @@ TEST(ExactHull, twoLiquidsSideBySideHoldAsMuchAsOne) {
     }));
 }
 
-TEST(ExactHull, waterlineIsTheRateAtWhichTheDisplacedAreaChanges) {
+TEST(ExactHull, WaterlineIsTheRateAtWhichTheDisplacedAreaChanges) {
     EXPECT_TRUE(rc::check([] {
         ShapePiece const body = *piece();
         Vec2 const at = *point(0.5);
@@ -105,7 +105,7 @@ TEST(ExactHull, waterlineIsTheRateAtWhichTheDisplacedAreaChanges) {
     }));
 }
 
-TEST(ExactHull, touchingSidesAreCountedOnce) {
+TEST(ExactHull, TouchingSidesAreCountedOnce) {
     // A box that stands exactly on the liquid's floor, in its corner, and one as large as the liquid.
     ShapePiece const pool = boxPiece(4, 2);
     EXPECT_NEAR(displaced(boxPiece(1, 1), Pose({-1.5, -0.5}, 0), pool, Pose({}, 0)).wet.area, 1, 1e-14);
@@ -116,7 +116,7 @@ TEST(ExactHull, touchingSidesAreCountedOnce) {
     EXPECT_NEAR(displaced(circlePiece(1), Pose({1, 0}, 0), pool, Pose({}, 0)).wet.area, pi, 1e-14);
 }
 
-TEST(ExactHull, discSegmentIsItsIntegral) {
+TEST(ExactHull, DiscSegmentIsItsIntegral) {
     for (double const distance : {-0.999, -0.7, -0.2, 0.0, 0.4, 0.95, 1.0}) {
         double const radius = 0.6;
         Segment const segment = discSegment(radius, distance * radius);
@@ -144,7 +144,7 @@ TEST(ExactHull, discSegmentIsItsIntegral) {
     EXPECT_NEAR(discSegment(0.6, 2).area, pi * 0.36, 1e-15);
 }
 
-TEST(ExactHull, aDiscAgainstManySidesIsTheSegmentAgainstOne) {
+TEST(ExactHull, ADiscAgainstManySidesIsTheSegmentAgainstOne) {
     // A circle at the surface, far from the walls and near to one: the two ways of reckoning must meet.
     ShapePiece const pool = boxPiece(10, 4);
     ShapePiece const disc = circlePiece(0.5);
@@ -162,14 +162,14 @@ TEST(ExactHull, aDiscAgainstManySidesIsTheSegmentAgainstOne) {
     }
 }
 
-TEST(ExactHull, roundLiquidsHaveTheirArea) {
+TEST(ExactHull, RoundLiquidsHaveTheirArea) {
     for (ShapePiece const& liquid : {circlePiece(0.8), capsulePiece(3, 0.8)}) {
         double const area = displaced(boxPiece(10, 10), Pose({}, 0.3), liquid, Pose({0.1, 0.2}, 1)).wet.area;
         EXPECT_NEAR(area, areaOf(liquid), 2e-3 * areaOf(liquid));
     }
 }
 
-TEST(ExactHull, compoundsAreTheSumsOfTheirPieces) {
+TEST(ExactHull, CompoundsAreTheSumsOfTheirPieces) {
     Shape const compound{
         {boxPiece(1, 0.2), circlePiece(0.3, {0.5, 0.4}), capsulePiece(1, 0.2, {-0.4, 0.3}, 0.7)}};
     Pose const pose({0.1, 0.05}, 0.4);

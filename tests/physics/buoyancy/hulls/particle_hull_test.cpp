@@ -9,7 +9,7 @@
 namespace trembler::test {
 namespace {
 
-TEST(ParticleHull, hasTheAreaAndTheCentroidOfTheShape) {
+TEST(ParticleHull, HasTheAreaAndTheCentroidOfTheShape) {
     EXPECT_TRUE(rc::check([] {
         Shape shape{{*piece()}};
         if (*rc::gen::arbitrary<bool>()) {
@@ -36,7 +36,7 @@ TEST(ParticleHull, hasTheAreaAndTheCentroidOfTheShape) {
     }));
 }
 
-TEST(ParticleHull, isTheSameEveryTime) {
+TEST(ParticleHull, IsTheSameEveryTime) {
     Shape const shape{{boxPiece(0.7, 0.3), circlePiece(0.2, {0.4, 0})}};
     ParticleHull const a(shape, 100);
     ParticleHull const b(shape, 100);
@@ -46,7 +46,7 @@ TEST(ParticleHull, isTheSameEveryTime) {
     }
 }
 
-TEST(ParticleHull, whatIsSymmetricHasItsCentreInTheMiddle) {
+TEST(ParticleHull, WhatIsSymmetricHasItsCentreInTheMiddle) {
     for (ShapePiece const& piece : {boxPiece(0.8, 0.3), circlePiece(0.4), capsulePiece(0.9, 0.15)}) {
         ParticleHull const hull(Shape{{piece}}, 52);
         for (double const level : {-0.1, -0.02, 0.0, 0.07}) {
@@ -85,7 +85,7 @@ std::pair<double, double> errors(int count) {
     return worst;
 }
 
-TEST(ParticleHull, comesNearerTheMoreParticlesThereAre) {
+TEST(ParticleHull, ComesNearerTheMoreParticlesThereAre) {
     auto const few = errors(16);
     auto const some = errors(64);
     auto const many = errors(256);
@@ -97,7 +97,7 @@ TEST(ParticleHull, comesNearerTheMoreParticlesThereAre) {
     EXPECT_LT(many.second, 0.02);
 }
 
-TEST(ParticleHull, aSingleSurfaceCutsParticlesAsItCutsDiscs) {
+TEST(ParticleHull, ASingleSurfaceCutsParticlesAsItCutsDiscs) {
     // Against a body that is made of nothing but those discs.
     ParticleHull const hull(Shape{{boxPiece(0.5, 0.3)}}, 16);
     Shape discs;

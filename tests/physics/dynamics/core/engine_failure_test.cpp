@@ -9,6 +9,7 @@
 #include <cmath>
 
 namespace trembler::test {
+namespace engine_failure_test {
 namespace {
 
 class EngineFailures : public OnEveryEngine {};
@@ -222,4 +223,5 @@ TEST_P(EngineFailures, AreToldAndAreTheSameEveryTime) {
 }
 
 } // namespace
+} // namespace engine_failure_test
 } // namespace trembler::test

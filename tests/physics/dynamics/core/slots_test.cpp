@@ -11,7 +11,7 @@ namespace trembler {
 namespace {
 
 TEST(SlotBook, TakesTheLowestFreeSlotWhateverTheOrderOfReleases) {
-    rc::check([] {
+    EXPECT_TRUE(rc::check([] {
         std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
         SlotBook book;
         std::set<SlotIndex> free; // as an ordered set sees it
@@ -38,7 +38,7 @@ TEST(SlotBook, TakesTheLowestFreeSlotWhateverTheOrderOfReleases) {
                 RC_ASSERT(book.objects()[slot] == object);
             }
         }
-    });
+    }));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace trembler::test {
+namespace hand_test {
 namespace {
 
 class Hand : public OnEveryEngine {};
@@ -100,4 +101,5 @@ TEST_P(Hand, DoesNotMoveWhatIsFixedNorForgetWhatIsGone) {
 }
 
 } // namespace
+} // namespace hand_test
 } // namespace trembler::test

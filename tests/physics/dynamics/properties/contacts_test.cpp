@@ -14,6 +14,7 @@
 #include <sstream>
 
 namespace trembler::test {
+namespace contacts_test {
 namespace {
 
 class ContactsTest : public OnEveryEngine {};
@@ -374,4 +375,5 @@ TEST(Swap, APileThatRestsStaysWhereItIs) {
 }
 
 } // namespace
+} // namespace contacts_test
 } // namespace trembler::test

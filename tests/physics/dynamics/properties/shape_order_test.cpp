@@ -11,6 +11,7 @@
 #include <algorithm>
 
 namespace trembler::test {
+namespace shape_order_test {
 namespace {
 
 class ShapeOrder : public OnEveryEngine {};
@@ -125,4 +126,5 @@ TEST(ShapeOrder, LeavesNumbersThatAreNoneAlone) {
 }
 
 } // namespace
+} // namespace shape_order_test
 } // namespace trembler::test

@@ -9,6 +9,7 @@
 #include <cmath>
 
 namespace trembler::test {
+namespace flow_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -208,4 +209,5 @@ TEST(ElectricityFlow, IsTheMinimumCutOverAllSetsOfObjects) {
 }
 
 } // namespace
+} // namespace flow_test
 } // namespace trembler::test

@@ -8,6 +8,7 @@
 #include <numbers>
 
 namespace trembler::render::test {
+namespace pick_test {
 namespace {
 
 double between(double lower, double upper) {
@@ -55,7 +56,7 @@ std::vector<ShapePiece> anyPieces() {
     }
 }
 
-TEST(ScenePick, topmostByBruteForce) {
+TEST(ScenePick, TopmostByBruteForce) {
     EXPECT_TRUE(rc::check([] {
         World world(everything());
         struct Placed {
@@ -100,7 +101,7 @@ TEST(ScenePick, topmostByBruteForce) {
     }));
 }
 
-TEST(ScenePick, takesTheNearestWithinTheTolerance) {
+TEST(ScenePick, TakesTheNearestWithinTheTolerance) {
     World world(everything());
     ObjectId const left = body(world, "left", {circlePiece(0.5)}, {-1, 0});
     ObjectId const right = body(world, "right", {boxPiece(1, 1)}, {1, 0});
@@ -111,7 +112,7 @@ TEST(ScenePick, takesTheNearestWithinTheTolerance) {
     EXPECT_EQ(pick(world, {std::nan(""), 0}, 0.5), ObjectId{});
 }
 
-TEST(ScenePick, agreesWithThePicture) {
+TEST(ScenePick, AgreesWithThePicture) {
     ExperimentStage stage;
     // Without cables, whose pictures lie over the bodies.
     stage.world.store().column<ElectricityGraph>().removeAll(
@@ -157,7 +158,7 @@ TEST(ScenePick, agreesWithThePicture) {
     EXPECT_GT(misses, 5000);
 }
 
-TEST(SceneBounds, coverExactlyWhatIsThere) {
+TEST(SceneBounds, CoverExactlyWhatIsThere) {
     World world(everything());
     EXPECT_TRUE(sceneFocus(world).empty());
     body(world, "bar", {boxPiece(2, 0.2)}, {1, 2}, std::numbers::pi / 2);
@@ -169,7 +170,7 @@ TEST(SceneBounds, coverExactlyWhatIsThere) {
     EXPECT_NEAR(bounds.upper.y, 3, 1e-12);
 }
 
-TEST(SceneBounds, focusLeavesOutTheFarEndsOfTheFloor) {
+TEST(SceneBounds, FocusLeavesOutTheFarEndsOfTheFloor) {
     World world(everything());
     body(world, "ball", {circlePiece(0.5)}, {3, 0.5});
     body(world, "crate", {boxPiece(1, 1)}, {-3, 0.5});
@@ -184,7 +185,7 @@ TEST(SceneBounds, focusLeavesOutTheFarEndsOfTheFloor) {
     EXPECT_NEAR(extentOf(whole, poseOf(whole)).upper.x, 1000, 1e-9);
 }
 
-TEST(SceneBounds, aPartHasTheExtentOfTheObjectThatItBecomes) {
+TEST(SceneBounds, APartHasTheExtentOfTheObjectThatItBecomes) {
     Prototype part;
     part.values.push_back(
         std::make_unique<ValueOf<Shape>>(Shape{{boxPiece(1, 0.2), circlePiece(0.3, {0.5, 0})}}));
@@ -199,4 +200,5 @@ TEST(SceneBounds, aPartHasTheExtentOfTheObjectThatItBecomes) {
 }
 
 } // namespace
+} // namespace pick_test
 } // namespace trembler::render::test

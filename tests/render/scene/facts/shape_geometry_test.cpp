@@ -8,6 +8,7 @@
 #include <numbers>
 
 namespace trembler::render::test {
+namespace shape_geometry_test {
 namespace {
 
 double between(double lower, double upper) {
@@ -74,7 +75,7 @@ double area(std::vector<Point> const& corners) {
     return 0.5 * twice;
 }
 
-TEST(SceneGeometry, distanceAgreesWithSamples) {
+TEST(SceneGeometry, DistanceAgreesWithSamples) {
     EXPECT_TRUE(rc::check([] {
         ShapePiece const piece = anyPiece();
         Point const p{between(-1.5, 1.5), between(-1.5, 1.5)};
@@ -89,7 +90,7 @@ TEST(SceneGeometry, distanceAgreesWithSamples) {
     }));
 }
 
-TEST(SceneGeometry, outlinesRunAnticlockwiseAndEncloseTheArea) {
+TEST(SceneGeometry, OutlinesRunAnticlockwiseAndEncloseTheArea) {
     EXPECT_TRUE(rc::check([] {
         ShapePiece const piece = anyPiece();
         double const enclosed = area(outlineOf(piece, 62));
@@ -98,7 +99,7 @@ TEST(SceneGeometry, outlinesRunAnticlockwiseAndEncloseTheArea) {
     }));
 }
 
-TEST(SceneGeometry, extentIsTheTightestRectangle) {
+TEST(SceneGeometry, ExtentIsTheTightestRectangle) {
     EXPECT_TRUE(rc::check([] {
         ShapePiece const piece = anyPiece();
         Pose const pose{{between(-5, 5), between(-5, 5)}, between(-4, 4)};
@@ -113,7 +114,7 @@ TEST(SceneGeometry, extentIsTheTightestRectangle) {
     }));
 }
 
-TEST(SceneGeometry, twoHalvesMakeTheWhole) {
+TEST(SceneGeometry, TwoHalvesMakeTheWhole) {
     EXPECT_TRUE(rc::check([] {
         std::vector<Point> const outline = outlineOf(anyPiece());
         Point const at{between(-0.5, 0.5), between(-0.5, 0.5)};
@@ -137,7 +138,7 @@ TEST(SceneGeometry, twoHalvesMakeTheWhole) {
     }));
 }
 
-TEST(SceneGeometry, insetLiesInsideByTheDistance) {
+TEST(SceneGeometry, InsetLiesInsideByTheDistance) {
     EXPECT_TRUE(rc::check([] {
         std::vector<Point> const outline = outlineOf(anyPiece());
         double const distance = between(0.001, 0.1);
@@ -152,7 +153,7 @@ TEST(SceneGeometry, insetLiesInsideByTheDistance) {
     }));
 }
 
-TEST(SceneGeometry, compoundEdgeOfTwoBoxesThatMeet) {
+TEST(SceneGeometry, CompoundEdgeOfTwoBoxesThatMeet) {
     // An L of two boxes, 1 by 0.2 and 0.2 by 0.6, that share a side of 0.2.
     Shape const shape{{boxPiece(1, 0.2, {0.5, 0.1}), boxPiece(0.2, 0.6, {0.1, 0.5})}};
     CompoundEdges const edges = edgesOf(shape, 0.01);
@@ -168,7 +169,7 @@ TEST(SceneGeometry, compoundEdgeOfTwoBoxesThatMeet) {
     }
 }
 
-TEST(SceneGeometry, compoundEdgeOfBoxesThatOverlapHasNoSeam) {
+TEST(SceneGeometry, CompoundEdgeOfBoxesThatOverlapHasNoSeam) {
     Shape const cross{{boxPiece(1, 0.2), boxPiece(0.2, 1)}};
     CompoundEdges const edges = edgesOf(cross, 0.01);
     double outer = 0;
@@ -179,7 +180,7 @@ TEST(SceneGeometry, compoundEdgeOfBoxesThatOverlapHasNoSeam) {
     EXPECT_TRUE(edges.seams.empty());
 }
 
-TEST(SceneGeometry, partsWithoutOverlapsCoverEverythingOnce) {
+TEST(SceneGeometry, PartsWithoutOverlapsCoverEverythingOnce) {
     EXPECT_TRUE(rc::check([] {
         Shape shape;
         for (int i = 0; i < 3; ++i) {
@@ -211,4 +212,5 @@ TEST(SceneGeometry, partsWithoutOverlapsCoverEverythingOnce) {
 }
 
 } // namespace
+} // namespace shape_geometry_test
 } // namespace trembler::render::test

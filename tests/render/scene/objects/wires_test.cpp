@@ -30,7 +30,7 @@ bool leaves(Link const& link, ObjectId from) {
     return (link.a == from) == link.forward;
 }
 
-TEST(SceneWires, areDeadUntilTheCircuitIsClosed) {
+TEST(SceneWires, AreDeadUntilTheCircuitIsClosed) {
     ExperimentStage stage;
     std::vector<Link> const before = linksOf(stage.world);
     ASSERT_EQ(before.size(), 5U);
@@ -46,7 +46,7 @@ TEST(SceneWires, areDeadUntilTheCircuitIsClosed) {
     }
 }
 
-TEST(SceneWires, currentRunsFromTheSourceToTheReturn) {
+TEST(SceneWires, CurrentRunsFromTheSourceToTheReturn) {
     ExperimentStage stage;
     stage.closeSwitch();
     std::vector<Link> const links = linksOf(stage.world);
@@ -59,7 +59,7 @@ TEST(SceneWires, currentRunsFromTheSourceToTheReturn) {
     }
 }
 
-TEST(SceneWires, aCableHangsBetweenItsObjectsAndIsFoundThere) {
+TEST(SceneWires, ACableHangsBetweenItsObjectsAndIsFoundThere) {
     ExperimentStage stage;
     FactsReader const reader(stage.world);
     Facts const a = reader.of(stage.id["object 2"]);
@@ -74,7 +74,7 @@ TEST(SceneWires, aCableHangsBetweenItsObjectsAndIsFoundThere) {
     EXPECT_FALSE(pickWire(stage.world, middle + Point{0.3, -0.3}, 0.02).a.valid());
 }
 
-TEST(SceneWires, contactsAreNoCables) {
+TEST(SceneWires, ContactsAreNoCables) {
     ExperimentStage stage;
     stage.closeSwitch();
     FactsReader const reader(stage.world);
@@ -85,7 +85,7 @@ TEST(SceneWires, contactsAreNoCables) {
     EXPECT_FALSE(found.a == a.id && found.b == b.id);
 }
 
-TEST(SceneRopes, areAsLongAsTheyAre) {
+TEST(SceneRopes, AreAsLongAsTheyAre) {
     EXPECT_TRUE(rc::check([] {
         double const rope = *rc::gen::inRange(100, 300) / 100.0;
         double const span = rope * *rc::gen::inRange(5, 100) / 100.0;
@@ -97,7 +97,7 @@ TEST(SceneRopes, areAsLongAsTheyAre) {
     EXPECT_EQ(ropePath({0, 0}, {1, 0}, 1).size(), 2U); // taut: straight
 }
 
-TEST(SceneJoints, staysOnItsObjectsWhileTheySwing) {
+TEST(SceneJoints, StaysOnItsObjectsWhileTheySwing) {
     World world(everything());
     Store& store = world.store();
     store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
@@ -124,7 +124,7 @@ TEST(SceneJoints, staysOnItsObjectsWhileTheySwing) {
     EXPECT_FALSE(placesOf(world, FactsReader(world), pin, present).has_value());
 }
 
-TEST(SceneContacts, aBoxOnTheFloorTouchesAtItsCorners) {
+TEST(SceneContacts, ABoxOnTheFloorTouchesAtItsCorners) {
     Shape const floor{{boxPiece(10, 1)}};
     Shape const box{{boxPiece(0.6, 0.4)}};
     auto points = touchingPoints(floor, {{0, -0.5}, 0}, box, {{1, 0.2}, 0});
@@ -139,7 +139,7 @@ TEST(SceneContacts, aBoxOnTheFloorTouchesAtItsCorners) {
     EXPECT_EQ(touchingPoints(floor, {{0, -0.5}, 0}, box, {{1, 0.33}, 0.5}).size(), 1U);
 }
 
-TEST(SceneContacts, aBallTouchesWhereItIsLowest) {
+TEST(SceneContacts, ABallTouchesWhereItIsLowest) {
     auto const points =
         touchingPoints({{boxPiece(10, 1)}}, {{0, -0.5}, 0}, {{circlePiece(0.3)}}, {{1, 0.3}, 0});
     ASSERT_EQ(points.size(), 1U);
@@ -147,7 +147,7 @@ TEST(SceneContacts, aBallTouchesWhereItIsLowest) {
     EXPECT_NEAR(points[0].y, 0, 0.002);
 }
 
-TEST(SceneContacts, patchesAreShownOnlyWhileTheyAreKeptUp) {
+TEST(SceneContacts, PatchesAreShownOnlyWhileTheyAreKeptUp) {
     World world(everything());
     Store& store = world.store();
     store.column<GravityField>().set(store.create("world"), {{0, -9.81}});

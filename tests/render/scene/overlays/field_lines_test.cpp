@@ -16,7 +16,7 @@ Extent square(double half) {
     return extent;
 }
 
-TEST(FieldLines, fieldIsTheForceOnAUnitPole) {
+TEST(FieldLines, FieldIsTheForceOnAUnitPole) {
     std::vector<FieldPole> const poles{{{-0.4, 0.1}, 3e4}, {{0.5, -0.2}, -1e4}, {{0.1, 0.9}, 2e4}};
     for (Vec2 const at : {Vec2{0, 0}, Vec2{1, 2}, Vec2{-0.4, 0.13}, Vec2{0.5, -0.2}}) {
         Vec2 expected;
@@ -29,7 +29,7 @@ TEST(FieldLines, fieldIsTheForceOnAUnitPole) {
     }
 }
 
-TEST(FieldLines, followTheStreamFunctionOfTwoPoles) {
+TEST(FieldLines, FollowTheStreamFunctionOfTwoPoles) {
     // Of point poles on the x axis, sum(q cos(angle to the axis)) is constant along a line (axial symmetry).
     std::vector<FieldPole> const poles{{{-0.5, 0}, 2}, {{0.5, 0}, -1}};
     auto const stream = [&](Point p) {
@@ -51,7 +51,7 @@ TEST(FieldLines, followTheStreamFunctionOfTwoPoles) {
     }
 }
 
-TEST(FieldLines, runFromNorthToSouthOrAway) {
+TEST(FieldLines, RunFromNorthToSouthOrAway) {
     std::vector<FieldPole> const poles{{{-0.5, 0}, 1}, {{0.5, 0}, -1}};
     auto const lines = fieldLines(poles, square(6));
     int arrived = 0;
@@ -66,7 +66,7 @@ TEST(FieldLines, runFromNorthToSouthOrAway) {
     EXPECT_GE(arrived, 10);
 }
 
-TEST(FieldLines, ofOnePoleAreStraight) {
+TEST(FieldLines, OfOnePoleAreStraight) {
     std::vector<FieldPole> const pole{{{1, 2}, 5}};
     auto const lines = fieldLines(pole, square(5), {.linesPerPole = 8});
     ASSERT_EQ(lines.size(), 8U);
@@ -80,7 +80,7 @@ TEST(FieldLines, ofOnePoleAreStraight) {
     }
 }
 
-TEST(FieldLines, aSouthPoleAloneHasLinesThatComeIn) {
+TEST(FieldLines, ASouthPoleAloneHasLinesThatComeIn) {
     auto const lines = fieldLines(std::vector<FieldPole>{{{0, 0}, -1}}, square(2), {.linesPerPole = 6});
     ASSERT_EQ(lines.size(), 6U);
     for (auto const& line : lines) {
@@ -89,7 +89,7 @@ TEST(FieldLines, aSouthPoleAloneHasLinesThatComeIn) {
     }
 }
 
-TEST(FieldLines, shorterStepsAreMuchMoreExact) {
+TEST(FieldLines, ShorterStepsAreMuchMoreExact) {
     std::vector<FieldPole> const poles{{{-0.5, 0}, 1}, {{0.5, 0}, -1}};
     // The height at which the same line crosses the middle, by linear interpolation between dense points.
     auto const height = [&](double step) {
@@ -110,7 +110,7 @@ TEST(FieldLines, shorterStepsAreMuchMoreExact) {
     EXPECT_LT(std::abs(height(0.01) - exact), 0.3 * coarse + 1e-9);
 }
 
-TEST(FieldLines, onlyMagnetsThatActHavePoles) {
+TEST(FieldLines, OnlyMagnetsThatActHavePoles) {
     ExperimentStage stage;
     EXPECT_TRUE(activePoles(stage.world).empty());
     stage.closeSwitch();
@@ -121,7 +121,7 @@ TEST(FieldLines, onlyMagnetsThatActHavePoles) {
     EXPECT_EQ(poles[0].strength, 1e4);
 }
 
-TEST(MagneticOverlay, arrowsGrowByDecades) {
+TEST(MagneticOverlay, ArrowsGrowByDecades) {
     EXPECT_EQ(arrowLength(0, 1), 0);
     EXPECT_EQ(arrowLength(std::nan(""), 1), 0);
     double const ten = arrowLength(10, 1);

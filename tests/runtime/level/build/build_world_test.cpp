@@ -11,6 +11,7 @@
 #include <set>
 
 namespace trembler {
+namespace build_world_test {
 namespace {
 
 using sample::Tag;
@@ -260,4 +261,5 @@ TEST_F(BuildWorld, DoesNotCareAboutTheOrderOfEntries) {
 }
 
 } // namespace
+} // namespace build_world_test
 } // namespace trembler

@@ -1,0 +1,28 @@
+// What the tests of all knobs have in common: scenes as text, and whether options do what they say.
+#pragma once
+
+#include "game/budget/knobs.hpp"
+#include "tests/support/experiment.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace trembler::budget {
+
+/// A disc of stars that turns, small enough for a test. `more` are further members of the file.
+[[nodiscard]] LevelFile starDisc(GameData const& gameData, int count, std::string const& more = {});
+
+class KnobTest : public Experiment {
+protected:
+    using Maker = std::function<std::optional<Knob>(World const&)>;
+
+    /// A level of these members: R"("world": {...}, "objects": [...])".
+    [[nodiscard]] static LevelFile levelOf(std::string const& members);
+    /// The option of that name; fails the test if there is none.
+    [[nodiscard]] static Option const& named(Knob const& knob, std::string const& name);
+    /// Makes each option that may be made in the world that is open, and looks whether the world then has it.
+    void expectOptionsAreMade(Maker const& of);
+};
+
+} // namespace trembler::budget
