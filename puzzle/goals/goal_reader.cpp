@@ -1,9 +1,8 @@
 #include "puzzle/goals/goal_reader.hpp"
 
-#include "runtime/level/json/add_problem.hpp"
-
 #include "puzzle/goals/conditions/table.hpp"
 #include "runtime/level/build/joint_names.hpp"
+#include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/json/suggestion.hpp"
 

@@ -168,7 +168,7 @@ private:
     /// In the last substep: far enough for touches to be stale, or brought to a stop on its way.
     enum class Moved : std::uint8_t { little, far, stopped };
     std::vector<Moved> movedFar_;    // by slot
-    std::vector<Way> ways_; // by slot
+    std::vector<Way> ways_;          // by slot
     std::vector<Reported> reported_; // since the end of the last frame
     bool impactsWanted_ = false;
     ImpactBook pressures_;
