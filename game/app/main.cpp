@@ -33,6 +33,7 @@ int runCommand(int argc, char** argv) {
     trembler::addSchemaCommand(program, result);
     trembler::addAccuracyCommand(program, result);
     trembler::addScreenshotCommand(program, result);
+    trembler::addKeysCommand(program, result);
     try {
         program.parse(argc, argv);
     } catch (CLI::Success const& help) {

@@ -1,5 +1,7 @@
 #include "game/ui/app/app.hpp"
 
+#include "game/ui/app/command_lists.hpp"
+#include "game/ui/app/title_screen.hpp"
 #include "render/draw/palette.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
@@ -18,22 +20,41 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                   .catalog = PartCatalog(parts, context_.canvas),
                                   .levels = LevelCatalog(registry, options.levels),
                                   .profile = Profile(options.profile),
+                                  .keys = KeyBindings(commandLists()),
                                   .recorder = Recorder(options.pictures),
                                   .loudspeaker = options.loudspeaker},
-      title_(context_) {
+      screen_(std::make_unique<TitleScreen>(context_)) {
     applySettings(context_);
+    std::vector<std::string> troubles = context_.profile.troubles();
+    for (std::string& trouble : context_.keys.load(context_.profile.keys())) {
+        troubles.push_back(std::move(trouble));
+    }
+    for (std::string const& trouble : troubles) {
+        context_.toasts.add(trouble, render::ToastKind::Trouble, 12);
+    }
 }
 
-GameApp::~GameApp() = default;
+GameApp::~GameApp() {
+    screen_->leave();
+}
+
+void GameApp::show(std::unique_ptr<Screen> screen) {
+    screen_->leave();
+    screen_ = std::move(screen);
+}
 
 void GameApp::open(std::filesystem::path const& level) {
-    play_ = std::make_unique<PlayScreen>(context_, level, options_.world);
+    show(std::make_unique<PlayScreen>(context_, level, options_.world));
     menu_.close();
 }
 
-void GameApp::tryOpen(CatalogEntry const& entry) {
+void GameApp::showTitle() {
+    show(std::make_unique<TitleScreen>(context_));
+}
+
+void GameApp::tryOpen(std::filesystem::path const& level) {
     try {
-        open(entry.file);
+        open(level);
     } catch (InputError const& error) {
         context_.toasts.add(error.what(), render::ToastKind::Trouble, 10);
     }
@@ -48,103 +69,42 @@ void GameApp::toggleFullscreen() {
     context_.shadows = shadows;
 }
 
-void GameApp::follow(PlayRequest request) {
-    switch (request) {
-    case PlayRequest::none:
-        break;
-    case PlayRequest::menu:
-        menu_.open(MenuPage::main);
-        break;
-    case PlayRequest::levels:
-        menu_.open(MenuPage::levels);
-        break;
-    case PlayRequest::help:
-        menu_.open(MenuPage::help);
-        break;
-    case PlayRequest::fullscreen:
-        toggleFullscreen();
-        break;
-    case PlayRequest::nextLevel:
-        if (CatalogEntry const* const next = context_.levels.after(play_->file())) {
-            tryOpen(*next);
-        }
-        break;
-    }
-}
-
-void GameApp::updateMenu() {
-    auto const& input = context_.input;
-    if (input.keyPressed(SDLK_ESCAPE)) {
-        menu_.back();
-        return;
-    }
-    CatalogEntry const* level = nullptr;
-    auto const choice = menu_.draw(context_, play_ ? play_->file() : std::filesystem::path(), level);
-    if (level != nullptr) {
-        tryOpen(*level);
-        return;
-    }
-    if (!choice) {
-        return;
-    }
-    menu_.close();
-    switch (*choice) {
-    case MenuChoice::resume:
-        break;
-    case MenuChoice::restart:
-        play_->restart();
-        break;
-    case MenuChoice::toTitle:
-        showTitle();
-        break;
-    case MenuChoice::quit:
-        going_ = false;
-        break;
-    }
+void GameApp::follow(ScreenRequest const& asked) {
+    struct Follower {
+        GameApp& app;
+        void operator()(request::OpenMenu const& menu) const { app.menu_.open(menu.page); }
+        void operator()(request::OpenLevel const& wanted) const { app.tryOpen(wanted.level); }
+        void operator()(request::ShowTitle const&) const { app.showTitle(); }
+        void operator()(request::SwitchFullscreen const&) const { app.toggleFullscreen(); }
+        void operator()(request::Quit const&) const { app.going_ = false; }
+    };
+    std::visit(Follower{*this}, asked);
 }
 
 void GameApp::update(double seconds) {
+    std::optional<ScreenRequest> asked;
     if (menu_.isOpen()) {
-        if (play_) {
-            play_->updateBehindMenu();
-        } else {
-            title_.update(seconds, true);
-        }
-        updateMenu();
-        return;
+        screen_->updateBehindMenu(seconds);
+        asked = menu_.draw(context_, *screen_);
+    } else {
+        asked = screen_->update(seconds);
     }
-    if (play_) {
-        follow(play_->update(seconds));
-        return;
+    if (asked) {
+        follow(*asked);
     }
-    TitleChoice const choice = title_.update(seconds, false);
-    if (context_.input.keyPressed(SDLK_F11)) {
-        toggleFullscreen();
-    }
-    if (choice.level != nullptr) {
-        tryOpen(*choice.level);
-    } else if (choice.settings) {
-        menu_.open(MenuPage::settings);
-    }
-    going_ = going_ && !choice.quit;
 }
 
 bool GameApp::frame(double seconds) {
     context_.input.poll();
     context_.gui.beginFrame(context_.input, seconds);
     context_.layout.beginFrame();
+    context_.focus.beginFrame();
     update(seconds);
     context_.window.beginFrame(render::palette::paper);
-    if (play_) {
-        play_->draw();
-    } else {
-        title_.draw();
-    }
+    screen_->draw();
     context_.toasts.draw(seconds);
     context_.gui.endFrame();
-    if (play_) {
-        play_->takePictures();
-    }
+    screen_->pictureComplete();
     context_.window.present();
     return going_ && !context_.input.quit();
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "game/ui/app/menu.hpp"
-#include "game/ui/app/title_screen.hpp"
 #include "game/ui/play/play_screen.hpp"
+#include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
 #include <filesystem>
@@ -33,29 +33,30 @@ public:
 
     /// Opens a level. Throws InputError if it cannot be read or built; what was on the screen then stays.
     void open(std::filesystem::path const& level);
-    void showTitle() { play_.reset(); }
+    void showTitle();
+    /// Puts a screen in the place of the one before, which is left. Not nullptr.
+    void show(std::unique_ptr<Screen> screen);
 
     /// One picture: takes SDL's events, lets `seconds` pass, draws and presents. False once the player wants
     /// to go.
     bool frame(double seconds);
 
-    /// The level on the screen, or nullptr on the title screen.
-    [[nodiscard]] PlayScreen* play() { return play_.get(); }
+    [[nodiscard]] Screen& screen() { return *screen_; }
+    /// The screen if it is that of a level, else nullptr: for tests, the program itself does not ask.
+    [[nodiscard]] PlayScreen* play() { return dynamic_cast<PlayScreen*>(screen_.get()); }
     [[nodiscard]] UiContext& context() { return context_; }
     [[nodiscard]] Menu const& menu() const { return menu_; }
 
 private:
     void update(double seconds);
-    void updateMenu();
-    void follow(PlayRequest request);
-    void tryOpen(CatalogEntry const& entry);
+    void follow(ScreenRequest const& request);
+    void tryOpen(std::filesystem::path const& level);
     void toggleFullscreen();
 
     GameOptions options_;
     UiContext context_;
-    TitleScreen title_;
     Menu menu_;
-    std::unique_ptr<PlayScreen> play_;
+    std::unique_ptr<Screen> screen_; // never nullptr
     bool going_ = true;
 };
 

@@ -45,8 +45,9 @@ std::string fitted(std::string const& text, float width) {
 
 bool drawRow(UiContext& context, CatalogEntry const& entry, bool current) {
     float const width = ImGui::GetContentRegionAvail().x;
-    bool const clicked = ImGui::InvisibleButton(entry.id.c_str(), {width, scaled(rowHeight)});
+    bool clicked = ImGui::InvisibleButton(entry.id.c_str(), {width, scaled(rowHeight)});
     context.layout.item("level " + entry.id);
+    clicked = context.focus.item() || clicked;
     bool const hovered = ImGui::IsItemHovered();
     bool const trouble = !entry.trouble.empty();
     ImVec2 const low = ImGui::GetItemRectMin();

@@ -2,6 +2,8 @@
 
 #include "game/ui/app/level_list.hpp"
 #include "game/ui/app/title_picture.hpp"
+#include "game/ui/commands/carry_out_keys.hpp"
+#include "game/ui/commands/common_commands.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
@@ -13,12 +15,19 @@ namespace trembler::ui {
 
 using namespace render;
 
-TitleChoice TitleScreen::update(double seconds, bool hidden) {
-    time_ += std::clamp(seconds, 0.0, 0.1);
-    TitleChoice choice;
-    if (hidden) {
-        return choice;
-    }
+namespace {
+
+constexpr Command<TitleScreen> titleTable[] = {
+    {.info = common::fullscreen, .run = [](TitleScreen& title) { title.ask(request::SwitchFullscreen{}); }},
+};
+
+} // namespace
+
+std::span<Command<TitleScreen> const> titleCommands() {
+    return titleTable;
+}
+
+void TitleScreen::drawTitle() {
     Layout& layout = context_.layout;
     layout.beginCard("title", "",
                      {.anchor = Anchor::TopLeft, .offset = {64, 56}, .width = 520, .bare = true});
@@ -32,24 +41,48 @@ TitleChoice TitleScreen::update(double seconds, bool hidden) {
     ImGui::Dummy({0, scaled(10)});
     caption(words::tagline);
     layout.endCard();
+}
 
+void TitleScreen::drawButtons() {
+    Layout& layout = context_.layout;
+    layout.beginCard("title buttons", "", {.anchor = Anchor::BottomLeft, .offset = {64, 48}, .bare = true});
+    bool const settings = bigButton(words::settings, {.icon = Icon::Settings});
+    layout.item("settings");
+    if (context_.focus.item() || settings) {
+        ask(request::OpenMenu{MenuPage::settings});
+    }
+    ImGui::SameLine(0, scaled(10));
+    bool const quit = bigButton(words::quit, {.icon = Icon::Cross});
+    layout.item("quit");
+    if (context_.focus.item() || quit) {
+        ask(request::Quit{});
+    }
+    layout.endCard();
+}
+
+void TitleScreen::updateBehindMenu(double seconds) {
+    time_ += std::clamp(seconds, 0.0, 0.1);
+}
+
+std::optional<ScreenRequest> TitleScreen::update(double seconds) {
+    time_ += std::clamp(seconds, 0.0, 0.1);
+    request_.reset();
+    carryOutKeys(context_.input.events(), context_.keys, commands_);
+    context_.focus.begin("title", context_.input.events(), context_.input.mouseMoved() != Point{});
+    drawTitle();
+    Layout& layout = context_.layout;
     float const screen = ImGui::GetIO().DisplaySize.y / theme().scale;
     layout.beginCard("title levels", words::levels,
                      {.anchor = Anchor::Right, .offset = {56, 0}, .width = 430});
-    choice.level = drawLevelList(context_, {}, screen - 190);
+    if (CatalogEntry const* const level = drawLevelList(context_, {}, screen - 190)) {
+        ask(request::OpenLevel{level->file});
+    }
     layout.endCard();
-
-    layout.beginCard("title buttons", "", {.anchor = Anchor::BottomLeft, .offset = {64, 48}, .bare = true});
-    choice.settings = bigButton(words::settings, {.icon = Icon::Settings});
-    layout.item("settings");
-    ImGui::SameLine(0, scaled(10));
-    choice.quit = bigButton(words::quit, {.icon = Icon::Cross});
-    layout.item("quit");
-    layout.endCard();
-    return choice;
+    drawButtons();
+    return request_;
 }
 
-void TitleScreen::draw() const {
+void TitleScreen::draw() {
     Canvas& canvas = context_.canvas;
     Size const size = context_.window.size();
     auto const scale = static_cast<double>(context_.window.uiScale());

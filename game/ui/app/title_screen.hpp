@@ -1,28 +1,38 @@
 // What one sees first: the name, a bell that rings itself, and the levels.
 #pragma once
 
+#include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
 namespace trembler::ui {
 
-struct TitleChoice {
-    CatalogEntry const* level = nullptr;
-    bool settings = false;
-    bool quit = false;
-};
+class TitleScreen;
+/// The table of what the title screen can be asked to do.
+[[nodiscard]] std::span<Command<TitleScreen> const> titleCommands();
 
 /// Window thread only; the context must outlive it.
-class TitleScreen {
+class TitleScreen final : public Screen {
 public:
-    explicit TitleScreen(UiContext& context) : context_(context) {}
-    /// Between Gui::beginFrame and draw(). `hidden`: a menu lies over it.
-    TitleChoice update(double seconds, bool hidden);
-    /// The picture behind the cards; after Window::beginFrame, before Gui::endFrame.
-    void draw() const;
+    explicit TitleScreen(UiContext& context) : context_(context), commands_(titleCommands(), *this) {}
+
+    std::optional<ScreenRequest> update(double seconds) override;
+    void updateBehindMenu(double seconds) override;
+    /// The picture behind the cards.
+    void draw() override;
+    [[nodiscard]] CommandSet& commands() override { return commands_; }
+    [[nodiscard]] std::filesystem::path const& level() const override { return none_; }
+    /// What the next update() asks for, unless more is asked for.
+    void ask(ScreenRequest request) { request_ = std::move(request); }
 
 private:
+    void drawTitle();
+    void drawButtons();
+
     UiContext& context_;
-    double time_ = 0; // s
+    CommandsOf<TitleScreen> commands_;
+    std::filesystem::path none_;
+    std::optional<ScreenRequest> request_; // of this picture
+    double time_ = 0;                      // s
 };
 
 } // namespace trembler::ui

@@ -1,7 +1,6 @@
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
-#include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
 
 namespace trembler::ui {
@@ -35,10 +34,9 @@ std::vector<GoalLine> linesOf(Session const& session) {
     return lines;
 }
 
-std::optional<Command> drawHints(Layout& layout, Session const& session, PlayState const& state) {
+void drawHints(Session const& session, std::size_t hintsShown, CommandButtons& buttons) {
     auto const& hints = session.level().hints;
-    std::optional<Command> asked;
-    std::size_t const shown = std::min(state.hintsShown, hints.size());
+    std::size_t const shown = std::min(hintsShown, hints.size());
     for (std::size_t i = 0; i < shown; ++i) {
         smallHeading(words::hintOf(i + 1, hints.size()));
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - scaled(5)); // it belongs to what follows
@@ -46,20 +44,14 @@ std::optional<Command> drawHints(Layout& layout, Session const& session, PlaySta
         ImGui::Dummy({0, scaled(2)});
     }
     if (shown < hints.size()) {
-        char const* const label = shown == 0 ? words::hint : words::nextHint;
-        if (bigButton(label, {.icon = Icon::Hint, .tip = words::hintTip})) {
-            asked = Command::hint;
-        }
-        layout.item("hint");
+        buttons.big("hint", {.label = shown == 0 ? words::hint : words::nextHint});
     }
-    return asked;
 }
 
 } // namespace
 
-std::optional<Command> drawGoalCard(Layout& layout, Session const& session, PlayState const& state) {
+void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons) {
     LevelFile const& level = session.level();
-    std::optional<Command> asked;
     layout.beginCard("goal", "", {.anchor = Anchor::TopLeft, .width = goalCardWidth});
     ImGui::PushFont(theme().fonts.heading);
     ImGui::TextWrapped("%s", level.title.c_str());
@@ -69,7 +61,7 @@ std::optional<Command> drawGoalCard(Layout& layout, Session const& session, Play
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, y}, {low.x + scaled(36), y + scaled(3)},
                                               imColour(palette::accent), scaled(1.5F));
     ImGui::Dummy({0, scaled(3)});
-    if (!state.goalsShort && !level.text.empty()) {
+    if (!look.brief && !level.text.empty()) {
         caption(level.text.c_str());
         rule();
     }
@@ -77,17 +69,16 @@ std::optional<Command> drawGoalCard(Layout& layout, Session const& session, Play
     if (lines.empty()) {
         caption(words::noGoal);
     } else {
-        if (!state.goalsShort) {
+        if (!look.brief) {
             smallHeading(words::goal);
         }
         goalLines(lines);
     }
-    if (!state.goalsShort && !state.still && !level.hints.empty()) {
+    if (!look.brief && buttons != nullptr && !level.hints.empty()) {
         rule();
-        asked = drawHints(layout, session, state);
+        drawHints(session, look.hintsShown, *buttons);
     }
     layout.endCard();
-    return asked;
 }
 
 } // namespace trembler::ui

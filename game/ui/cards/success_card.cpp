@@ -1,7 +1,7 @@
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/play/celebration.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
-#include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -70,47 +70,38 @@ void drawSeal(ImVec2 centre, float radius, double age) {
 
 } // namespace
 
-std::optional<Command> drawSuccess(Layout& layout, Session const& session, PlayState const& state) {
-    std::optional<Command> asked;
-    if (!state.celebrating) {
-        return asked;
+void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration) {
+    if (!celebration.showing()) {
+        return;
     }
-    drawConfetti(state.celebratedFor);
+    Layout& layout = buttons.layout();
+    drawConfetti(celebration.age());
     layout.beginCard("success", "", {.anchor = Anchor::Top, .width = 404});
     float const seal = scaled(30);
     ImVec2 const at = ImGui::GetCursorScreenPos();
-    drawSeal({at.x + seal, at.y + seal}, seal, state.celebratedFor);
+    drawSeal({at.x + seal, at.y + seal}, seal, celebration.age());
     ImGui::SetCursorScreenPos({at.x + 2 * seal + scaled(16), at.y - scaled(2)});
     ImGui::BeginGroup();
     ImGui::PushFont(theme().fonts.heading);
     ImGui::TextUnformatted(words::solved);
     ImGui::PopFont();
     std::string const line =
-        words::solvedWith(state.solvedAt.value_or(0), static_cast<int>(session.placed().size()));
+        words::solvedWith(celebration.solvedAt().value_or(0), static_cast<int>(session.placed().size()));
     caption(line.c_str());
-    if (!state.nextLevel) {
+    bool const another = buttons.available("next-level");
+    if (!another) {
         caption(words::lastLevel);
     }
     ImGui::EndGroup();
     ImGui::SetCursorScreenPos({at.x, std::max(ImGui::GetItemRectMax().y, at.y + 2 * seal) + scaled(12)});
-    if (state.nextLevel) {
-        if (bigButton(words::nextLevel, {.icon = Icon::Next, .look = ButtonLook::Primary, .width = -1})) {
-            asked = Command::nextLevel;
-        }
-        layout.item("next level");
+    if (another) {
+        buttons.big("next-level", {.look = ButtonLook::Primary, .width = -1, .withTip = false});
     }
     float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
-    if (bigButton(words::watchAgain, {.icon = Icon::Play, .width = half})) {
-        asked = Command::watchAgain;
-    }
-    layout.item("watch again");
+    buttons.big("watch-again", {.width = half, .withTip = false});
     ImGui::SameLine(0, scaled(8));
-    if (bigButton(words::keepPlaying, {.width = half})) {
-        asked = Command::keepPlaying;
-    }
-    layout.item("keep playing");
+    buttons.big("keep-playing", {.width = half, .withTip = false});
     layout.endCard();
-    return asked;
 }
 
 } // namespace trembler::ui

@@ -1,151 +1,75 @@
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/play/asked_twice.hpp"
+#include "game/ui/play/run_control.hpp"
 #include "game/ui/shared/words.hpp"
-#include "render/draw/palette.hpp"
-#include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
+
+#include <initializer_list>
 
 namespace trembler::ui {
 namespace {
 
 using namespace render;
 
-/// A square button that asks for a command.
-void ask(Layout& layout, std::optional<Command>& asked, Command command, char const* name, Icon icon,
-         char const* tip, bool on = false, bool enabled = true) {
-    if (iconButton(name, icon, tip, on, enabled)) {
-        asked = command;
-    }
-    layout.item(name);
-}
+constexpr float runWidth = 168;
 
 void next() {
     ImGui::SameLine(0, scaled(7));
 }
 
+/// Side by side.
+void row(CommandButtons& buttons, std::initializer_list<char const*> ids) {
+    bool first = true;
+    for (char const* id : ids) {
+        if (!first) {
+            next();
+        }
+        first = false;
+        buttons.icon(id);
+    }
+}
+
 } // namespace
 
-std::optional<Command> drawTransport(Layout& layout, Session const& session, PlayState const& state) {
-    std::optional<Command> asked;
-    bool const building = session.mode() == SessionMode::building;
+void drawTransport(CommandButtons& buttons, RunControl const& run, AskedTwice const& allBack) {
+    Layout& layout = buttons.layout();
     layout.beginCard("transport", "", {.anchor = Anchor::Bottom, .bare = true});
-    if (building) {
-        ask(layout, asked, Command::undo, "undo", Icon::Undo, words::undoTip, false, session.canUndo());
+    if (run.building()) {
+        row(buttons, {"undo", "redo"});
         next();
-        ask(layout, asked, Command::redo, "redo", Icon::Redo, words::redoTip, false, session.canRedo());
+        buttons.big("run", {.look = ButtonLook::Primary, .width = runWidth});
         next();
-        if (bigButton(
-                words::run,
-                {.icon = Icon::Play, .look = ButtonLook::Primary, .width = 168, .tip = words::runTip})) {
-            asked = Command::runOrStop;
-        }
-        layout.item("run");
-        next();
-        if (state.askAllBack) {
-            if (bigButton(words::allBackAsk, {.look = ButtonLook::Danger, .tip = words::allBackTip})) {
-                asked = Command::allBack;
-            }
-            layout.item("all back");
+        if (allBack.waiting()) {
+            buttons.big("all-back",
+                        {.label = words::allBackAsk, .look = ButtonLook::Danger, .withIcon = false});
         } else {
-            ask(layout, asked, Command::allBack, "all back", Icon::Reset, words::allBackTip, false,
-                !session.placed().empty());
-            next();
-            ask(layout, asked, Command::step, "step", Icon::Step, words::stepTip);
+            row(buttons, {"all-back", "step"});
         }
     } else {
-        bool const running = session.mode() == SessionMode::running;
-        ask(layout, asked, Command::pauseOrGo, "pause", running ? Icon::Pause : Icon::Play,
-            running ? words::pauseTip : words::resumeTip, !running);
+        row(buttons, {"pause", "step"});
         next();
-        ask(layout, asked, Command::step, "step", Icon::Step, words::stepTip);
+        buttons.big("run", {.item = "stop", .look = ButtonLook::Primary, .width = runWidth});
         next();
-        if (bigButton(
-                words::stop,
-                {.icon = Icon::Stop, .look = ButtonLook::Primary, .width = 168, .tip = words::stopTip})) {
-            asked = Command::runOrStop;
-        }
-        layout.item("stop");
-        next();
-        ask(layout, asked, Command::fastForward, "fast", Icon::FastForward, words::fastTip, state.fast);
-        next();
-        ask(layout, asked, Command::record, "record", Icon::Record,
-            state.recording ? words::recordStopTip : words::recordTip, state.recording);
+        row(buttons, {"fast", "record"});
     }
     layout.endCard();
-    return asked;
 }
 
-std::optional<Command> drawTools(Layout& layout, Session const& session, PlayState const& state) {
-    std::optional<Command> asked;
+void drawTools(CommandButtons& buttons, Session const& session) {
+    Layout& layout = buttons.layout();
     layout.beginCard("tools", "", {.anchor = Anchor::BottomLeft, .bare = true});
-    ask(layout, asked, Command::electricity, "electricity", Icon::Bolt, words::electricityTip,
-        state.electricity);
-    next();
-    ask(layout, asked, Command::magnetism, "magnetism", Icon::Magnet, words::magnetismTip, state.magnetism);
-    next();
-    ask(layout, asked, Command::contacts, "contacts", Icon::Contact, words::contactsTip, state.contacts);
-    next();
-    ask(layout, asked, Command::names, "names", Icon::Eye, words::namesTip, state.names);
-    next();
-    ask(layout, asked, Command::components, "components", Icon::Gauge, words::componentsTip,
-        state.components);
+    row(buttons, {"electricity", "magnetism", "contacts", "names", "components"});
     if (session.mode() != SessionMode::building) {
         next();
-        ask(layout, asked, Command::cut, "cut", Icon::Scissors, words::cutTip, state.cutting);
+        buttons.icon("cut");
     }
     layout.endCard();
-    return asked;
 }
 
-std::optional<Command> drawCorner(Layout& layout) {
-    std::optional<Command> asked;
+void drawCorner(CommandButtons& buttons) {
+    Layout& layout = buttons.layout();
     layout.beginCard("corner", "", {.anchor = Anchor::TopRight, .bare = true});
-    ask(layout, asked, Command::fit, "fit", Icon::Fit, words::fitTip);
-    next();
-    ask(layout, asked, Command::save, "save", Icon::Save, words::saveTip);
-    next();
-    ask(layout, asked, Command::picture, "picture", Icon::Camera, words::pictureTip);
-    next();
-    ask(layout, asked, Command::help, "help", Icon::Why, words::helpTip);
-    next();
-    ask(layout, asked, Command::levels, "levels", Icon::List, words::levelsTip);
-    next();
-    ask(layout, asked, Command::menu, "menu", Icon::Menu, words::menuTip);
-    layout.endCard();
-    return asked;
-}
-
-void drawHelp(Layout& layout, bool& open) {
-    layout.beginCard("help", words::keys, {.anchor = Anchor::Middle, .width = 560});
-    ImGui::PushFont(theme().fonts.small);
-    constexpr auto count = static_cast<int>(std::size(words::keyHelp));
-    if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingStretchProp)) {
-        for (char const* column : {"a", "b", "c", "d"}) {
-            ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthStretch,
-                                    *column % 2 == 1 ? 0.19F : 0.31F);
-        }
-        int const half = (count + 1) / 2;
-        for (int row = 0; row < half; ++row) {
-            ImGui::TableNextRow();
-            for (int i : {row, row + half}) {
-                if (i >= count) {
-                    continue;
-                }
-                ImGui::TableNextColumn();
-                ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::accent));
-                ImGui::TextWrapped("%s", words::keyHelp[i].keys);
-                ImGui::PopStyleColor();
-                ImGui::TableNextColumn();
-                ImGui::TextWrapped("%s", words::keyHelp[i].does);
-            }
-        }
-        ImGui::EndTable();
-    }
-    ImGui::PopFont();
-    ImGui::Dummy({0, scaled(4)});
-    if (bigButton(words::back, {.icon = Icon::Back, .width = -1})) {
-        open = false;
-    }
-    layout.item("close help");
+    row(buttons, {"fit", "save", "picture", "help", "levels", "menu"});
     layout.endCard();
 }
 

@@ -1,5 +1,6 @@
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/shared/words.hpp"
+#include "game/ui/tools/placing_tool.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 #include "render/panels/toolbox_tile.hpp"
@@ -36,7 +37,9 @@ void drawWhereToDrop() {
 } // namespace
 
 std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartCatalog& catalog,
-                                       PlayState const& state) {
+                                       PlacingTool const& placing, std::string const& hint) {
+    auto const& carried = placing.carried();
+    bool const carrying = carried && !carried->turning;
     std::optional<std::string> taken;
     auto const slots = session.toolbox();
     if (slots.empty()) {
@@ -66,7 +69,7 @@ std::optional<std::string> drawToolbox(Layout& layout, Session const& session, P
             ImGui::SetCursorPosX(left);
         }
         ToolboxSlot const& slot = slots[i];
-        bool const inHand = state.carrying && state.carriedPart == slot.part;
+        bool const inHand = carrying && carried->landing.part == slot.part;
         std::string const title = catalog.titleOf(slot.part);
         auto const pixels = static_cast<int>(std::lround(scaled(tileSide - 12)));
         TileUse const use = toolboxTile({.id = slot.part.c_str(),
@@ -79,7 +82,7 @@ std::optional<std::string> drawToolbox(Layout& layout, Session const& session, P
         if (use.taken) {
             taken = slot.part;
         }
-        if (use.hovered && !state.carrying) {
+        if (use.hovered && !carrying) {
             tipFor(catalog, slot.part);
         }
     }
@@ -89,9 +92,9 @@ std::optional<std::string> drawToolbox(Layout& layout, Session const& session, P
         ImGui::PopStyleColor();
     }
     ImGui::PushFont(theme().fonts.small);
-    caption(state.carrying ? words::dropHere : words::toolboxHint);
+    caption(carrying ? words::dropHere : hint.c_str());
     ImGui::PopFont();
-    if (state.carrying) {
+    if (carrying) {
         drawWhereToDrop();
     }
     layout.endCard();

@@ -35,8 +35,6 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
     view.setView(window.size(), {left, rest, rest, rest});
     Image image;
     SceneView const scene;
-    PlayState state;
-    state.still = true;
     // ImGui knows the size of a card only after it has laid it out once.
     constexpr int passes = 3;
     for (int pass = 1; pass <= passes; ++pass) {
@@ -46,7 +44,7 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
         gui.beginFrame(input, 1.0 / 60);
         layout.beginFrame();
         if (goals) {
-            drawGoalCard(layout, session, state);
+            drawGoalCard(layout, session, {}, nullptr);
         }
         window.beginFrame(palette::paper);
         canvas.begin(view.camera(),

@@ -14,6 +14,8 @@ class ComponentsPanel {
 public:
     void toggle() { open_ = !open_; }
     [[nodiscard]] bool open() const { return open_; }
+    /// See CostRows.
+    void setTips(CostRows::Tips tips) { costs_.setTips(std::move(tips)); }
     /// Between Gui::beginFrame and endFrame, in pixels at UI scale 1: where its top is and how high it may
     /// be.
     void draw(Layout& layout, Session& session, budget::BudgetMode& mode, render::Toasts& toasts, float top,

@@ -92,7 +92,7 @@ void CostRows::drawBudget(Layout& layout, budget::BudgetMode& mode) {
         mode.setBudget(on ? std::optional(1000.0 * static_cast<double>(wanted_)) : std::nullopt);
     }
     layout.item("budget");
-    tip(words::budgetTip);
+    tip(tips_.budget);
     ImGui::SameLine(0, scaled(16));
     ImGui::BeginDisabled(!on);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - scaled(92));
@@ -104,7 +104,7 @@ void CostRows::drawBudget(Layout& layout, budget::BudgetMode& mode) {
     }
     ImGui::EndDisabled();
     layout.item("budget of a frame");
-    tip(words::budgetSliderTip);
+    tip(tips_.slider);
     ImGui::SameLine(0, scaled(10));
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(on ? palette::ink : palette::inkSoft));

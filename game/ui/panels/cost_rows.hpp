@@ -45,6 +45,12 @@ std::string changeBudget(budget::BudgetMode& mode, double factor);
 
 class CostRows {
 public:
+    /// What the switch and the slider of the budget say of themselves, with the keys for it.
+    struct Tips {
+        std::string budget;
+        std::string slider;
+    };
+    void setTips(Tips tips) { tips_ = std::move(tips); }
     /// The switch, how much, and what it did last. Both inside a card, as wide as that.
     void drawBudget(Layout& layout, budget::BudgetMode& mode);
     /// `all`: absent effects too.
@@ -57,7 +63,8 @@ private:
                  EffectCost const& cost, double scale);
 
     std::vector<EffectLevels> levels_; // of this picture
-    float wanted_ = 2;                 // ms, while it is off
+    Tips tips_;
+    float wanted_ = 2; // ms, while it is off
 };
 
 } // namespace trembler::ui

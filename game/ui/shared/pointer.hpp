@@ -20,10 +20,15 @@ struct Pointer {
     bool released = false;
     bool held = false;
     bool twice = false;        ///< pressed for a double click
+    bool inside = true;        ///< over the window, or pressed there and still held
+    render::Point moved;       ///< pixels, in this picture
+    bool rightPressed = false; ///< right button, in this picture
+    bool rightHeld = false;
     bool rightClicked = false; ///< pressed and released without a drag
-    double wheel = 0;          ///< notches
-    bool fine = false;         ///< Shift: small steps
-    bool free = false;         ///< Ctrl or Alt: no grid
+    bool middleHeld = false;
+    double wheel = 0;  ///< notches
+    bool fine = false; ///< Shift: small steps
+    bool free = false; ///< Ctrl or Alt: no grid
 
     /// Pixels at UI scale 1 between here and another place on the screen.
     [[nodiscard]] double strayed(render::Point from) const { return render::length(screen - from) / uiScale; }

@@ -1,5 +1,6 @@
 #include "game/ui/shared/profile.hpp"
 
+#include "game/ui/shared/words.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,6 +15,26 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+using Keys = std::map<std::string, std::vector<std::string>>;
+
+/// {"run": ["Space"], "redo": ["Ctrl+Y", "Ctrl+R"], "hint": []}; one that is damaged must not cost the
+/// others.
+Keys readKeys(Json const& stated, std::vector<std::string>& troubles) {
+    Keys keys;
+    if (!stated.is_object()) {
+        troubles.push_back(words::keysNotRead("an object, like {\"run\": [\"Space\"]}"));
+        return keys;
+    }
+    for (auto const& [id, names] : stated.items()) {
+        auto const isText = [](Json const& name) { return name.is_string(); };
+        if (!names.is_array() || !std::all_of(names.begin(), names.end(), isText)) {
+            troubles.push_back(words::keysNotRead("\"" + id + "\" to be a list of keys, like [\"Space\"]"));
+            continue;
+        }
+        keys[id] = names.get<std::vector<std::string>>();
+    }
+    return keys;
+}
 
 } // namespace
 
@@ -25,6 +46,11 @@ void Profile::setSettings(Settings const& settings) {
     settings_ = settings;
     settings_.uiScale = std::clamp(settings.uiScale, 0.5F, 3.F);
     settings_.volume = std::clamp(settings.volume, 0, 100);
+    write();
+}
+
+void Profile::setKeys(Keys keys) {
+    keys_ = std::move(keys);
     write();
 }
 
@@ -70,6 +96,9 @@ void Profile::read() {
     if (auto const volume = all.find("volume"); volume != all.end() && volume->is_number_integer()) {
         settings_.volume = std::clamp(volume->get<int>(), 0, 100);
     }
+    if (auto const keys = all.find("keys"); keys != all.end()) {
+        keys_ = readKeys(*keys, troubles_);
+    }
     if (auto const solved = all.find("solved"); solved != all.end() && solved->is_array()) {
         for (Json const& id : *solved) {
             if (id.is_string()) {
@@ -86,13 +115,16 @@ void Profile::write() const {
     }
     std::error_code ignored;
     fs::create_directories(file_.parent_path(), ignored);
-    Json const all{{"ui_scale", settings_.uiScale},
-                   {"shadows", settings_.shadows},
-                   {"fullscreen", settings_.fullscreen},
-                   {"names", settings_.names},
-                   {"volume", settings_.volume},
-                   {"hrtf", settings_.hrtf},
-                   {"solved", solved_}};
+    Json all{{"ui_scale", settings_.uiScale},
+             {"shadows", settings_.shadows},
+             {"fullscreen", settings_.fullscreen},
+             {"names", settings_.names},
+             {"volume", settings_.volume},
+             {"hrtf", settings_.hrtf},
+             {"solved", solved_}};
+    if (!keys_.empty()) {
+        all["keys"] = keys_;
+    }
     // Whole or not at all: a crash while writing must not cost the player's progress.
     try {
         writeFile(file_, all.dump(2) + "\n");

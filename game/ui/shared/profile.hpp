@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace trembler::ui {
 
@@ -28,9 +30,14 @@ public:
     [[nodiscard]] bool solved(std::string const& levelId) const { return solved_.count(levelId) != 0; }
     /// True if it was not marked before.
     bool markSolved(std::string const& levelId);
-    [[nodiscard]] bool stated() const {
-        return stated_;
-    } ///< there was a file: these are the player's own settings
+    /// There was a file: these are the player's own settings.
+    [[nodiscard]] bool stated() const { return stated_; }
+
+    /// Keys other than the usual ones, by ids of commands and names of keys, as the file has them.
+    [[nodiscard]] std::map<std::string, std::vector<std::string>> const& keys() const { return keys_; }
+    void setKeys(std::map<std::string, std::vector<std::string>> keys);
+    /// What could not be read of the keys, a sentence for each.
+    [[nodiscard]] std::vector<std::string> const& troubles() const { return troubles_; }
 
     /// $XDG_DATA_HOME/trembler/profile.json, or below ~/.local/share; empty if there is no home.
     [[nodiscard]] static std::filesystem::path usualFile();
@@ -41,6 +48,8 @@ private:
 
     std::filesystem::path file_;
     Settings settings_;
+    std::map<std::string, std::vector<std::string>> keys_;
+    std::vector<std::string> troubles_;
     std::set<std::string> solved_;
     bool stated_ = false;
 };

@@ -1,6 +1,8 @@
 // What every screen of the program works with.
 #pragma once
 
+#include "game/ui/commands/key_bindings.hpp"
+#include "game/ui/shared/focus.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "game/ui/shared/level_catalog.hpp"
 #include "game/ui/shared/part_catalog.hpp"
@@ -26,9 +28,11 @@ struct UiContext {
     render::Canvas canvas;
     render::Toasts toasts;
     Layout layout;
+    Focus focus;
     PartCatalog catalog;
     LevelCatalog levels;
     Profile profile;
+    KeyBindings keys;
     Recorder recorder;
     Loudspeaker* loudspeaker = nullptr; ///< nullptr: nobody listens
     bool shadows = true;                ///< soft shadows, as the settings or the graphics card have it

@@ -1,5 +1,6 @@
 #include "game/ui/shared/words.hpp"
 
+#include "runtime/file/visible_text.hpp"
 #include "runtime/math/vec2.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +11,39 @@
 #include <cmath>
 
 namespace trembler::ui::words {
+
+std::string toolboxHint(std::string const& turnLeft, std::string const& turnRight) {
+    std::string keys = turnLeft;
+    if (!turnRight.empty()) {
+        keys += (keys.empty() ? "" : " and ") + turnRight;
+    }
+    return "Drag a part into the world. " +
+           (keys.empty()
+                ? "The wheel turns it."
+                : "Wheel or " + keys + (turnLeft.empty() || turnRight.empty() ? " turns it." : " turn it."));
+}
+std::string hold(std::string const& key) {
+    return "hold " + key;
+}
+std::string keyIsTaken(std::string const& key, std::string const& command) {
+    return fmt::format("{} is the key of \"{}\"", key, command);
+}
+std::string keepsItsKey(std::string const& command) {
+    return fmt::format("\"{}\" keeps its key", command);
+}
+std::string noSuchCommand(std::string const& id) {
+    return fmt::format("Keys in your profile: there is no command \"{}\".", visible(id));
+}
+std::string notAKey(std::string const& id, std::string const& text) {
+    return fmt::format("Keys in your profile: \"{}\" has \"{}\", which is no key; it has its usual one.",
+                       visible(id), visible(text));
+}
+std::string keysNotTaken(std::string const& id, std::string const& why) {
+    return fmt::format("Keys in your profile: {}, so \"{}\" has its usual one.", why, visible(id));
+}
+std::string keysNotRead(std::string const& what) {
+    return fmt::format("Keys in your profile: expected {}.", visible(what));
+}
 
 std::string cannotWrite(std::string const& path, std::string const& why) {
     return fmt::format("Nothing can be written to {}: {}.", path, why);

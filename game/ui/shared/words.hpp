@@ -1,4 +1,4 @@
-// Everything that the window says, in one place and in British English.
+// What the window says, in one place and in British English; what commands are called stands in their tables.
 #pragma once
 
 #include <cstddef>
@@ -23,45 +23,19 @@ inline constexpr char const* back = "Back";
 inline constexpr char const* cannotPlay = "This level cannot be played:";
 
 // Running.
-inline constexpr char const* run = "Run";
-inline constexpr char const* stop = "Stop";
-inline constexpr char const* runTip = "Let the world run (Space)";
-inline constexpr char const* stopTip = "Stop and put everything back as it was placed (Space)";
-inline constexpr char const* pauseTip = "Pause (P)";
-inline constexpr char const* resumeTip = "Go on (P)";
-inline constexpr char const* stepTip = "One frame, a sixtieth of a second (F)";
-inline constexpr char const* fastTip = "Four times as fast (hold Tab)";
-inline constexpr char const* undoTip = "Undo (Ctrl+Z)";
-inline constexpr char const* redoTip = "Redo (Ctrl+Shift+Z)";
-inline constexpr char const* allBackTip = "Put all parts back into the toolbox (Backspace)";
 inline constexpr char const* allBackAsk = "Put all back?";
 inline constexpr char const* allBackAgain =
     "Once more, and all parts go back into the toolbox. Undo brings them back.";
 inline constexpr char const* allBackDone = "All parts are back in the toolbox";
 
 // Tools.
-inline constexpr char const* electricityTip = "Show the electricity graph (1)";
-inline constexpr char const* magnetismTip = "Show magnetic forces and field lines (2)";
-inline constexpr char const* contactsTip = "Show contacts (3)";
-inline constexpr char const* namesTip = "Show names (N)";
-inline constexpr char const* componentsTip = "Components of the simulation (C)";
-inline constexpr char const* cutTip = "Cut a wire (X)";
-inline constexpr char const* recordTip = "Record frames as pictures (R)";
-inline constexpr char const* recordStopTip = "End the recording (R)";
-inline constexpr char const* pictureTip = "Take a picture (F12)";
-inline constexpr char const* saveTip = "Save what you placed and did as a solution (Ctrl+S)";
 inline constexpr char const* mySolution = "my solution";
 inline constexpr char const* runBeforeSaving =
     "Run it first: what is saved is what you placed and what you did while it ran.";
-inline constexpr char const* fitTip = "Show everything (Home)";
-inline constexpr char const* menuTip = "Menu (Esc)";
-inline constexpr char const* levelsTip = "Levels (L)";
-inline constexpr char const* helpTip = "Keys (F1)";
 inline constexpr char const* closeTip = "Close";
 
 // Toolbox and placing.
 inline constexpr char const* toolbox = "Toolbox";
-inline constexpr char const* toolboxHint = "Drag a part into the world. Wheel or Q and E turn it.";
 inline constexpr char const* dropHere = "Let go here to put it back";
 
 // Goal, hints, success.
@@ -69,7 +43,6 @@ inline constexpr char const* goal = "Goal";
 inline constexpr char const* noGoal = "There is nothing to reach here. Try things out.";
 inline constexpr char const* hint = "Hint";
 inline constexpr char const* nextHint = "Another hint";
-inline constexpr char const* hintTip = "Show a hint (H)";
 inline constexpr char const* noHints = "There is no hint for this level.";
 inline constexpr char const* solved = "It works!";
 inline constexpr char const* nextLevel = "Next level";
@@ -89,8 +62,20 @@ inline constexpr char const* shadowsTip = "Look better, cost time on a computer 
 inline constexpr char const* volume = "Volume";
 inline constexpr char const* hrtf = "Spatial sound for headphones";
 inline constexpr char const* hrtfTip = "Left, right and behind as the shape of our ears tells them";
-inline constexpr char const* fullscreen = "Fill the whole screen (F11)";
+inline constexpr char const* fullscreen = "Fill the whole screen";
 inline constexpr char const* keys = "Keys";
+inline constexpr char const* changeKeys = "Change the keys";
+inline constexpr char const* resetKeys = "All keys as they were";
+inline constexpr char const* pressAKey = "Press a key …";
+inline constexpr char const* pressAKeyOrEsc = "Press the key that it is to have. Esc leaves it as it is.";
+inline constexpr char const* changeKeysHint = "Click a line, or go to it with the arrow keys and press "
+                                              "Enter. The cross, or Delete, leaves it without a key.";
+inline constexpr char const* chooseAnother = "Press another one.";
+inline constexpr char const* noKeyTip = "No key";
+inline constexpr char const* groupBuilding = "Building";
+inline constexpr char const* groupRunning = "Running";
+inline constexpr char const* groupLooking = "Looking";
+inline constexpr char const* groupProgram = "The program";
 
 // Inspector.
 inline constexpr char const* rightNow = "Right now";
@@ -158,46 +143,26 @@ inline constexpr char const* keepToBudget = "Keep to a time budget";
 inline constexpr char const* budgetTip =
     "Levels, settings and periods are chosen, once a second, so that a frame takes no longer than this on "
     "average and "
-    "the error is least. What is chosen becomes part of what you save. (B)";
+    "the error is least. What is chosen becomes part of what you save.";
 inline constexpr char const* budgetFormat = "%.2f ms";
-inline constexpr char const* budgetSliderTip = "Less with the comma key, more with the full stop.";
+inline constexpr char const* lessOrMore = "Less or more of it";
 inline constexpr char const* budgetOff = "No time budget: levels stay as they are";
 inline constexpr char const* budgetMissed = "The last second took longer than that.";
 inline constexpr char const* budgetHopeless = "Nothing that would do is cheap enough for this budget.";
 inline constexpr char const* nothingToChange = "Everything is as it should be: nothing to change.";
 inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 
-/// A key and what it does.
-struct KeyHelp {
-    char const* keys;
-    char const* does;
-};
-inline constexpr KeyHelp keyHelp[] = {
-    {"Space", "run and stop"},
-    {"P", "pause"},
-    {"F", "one frame"},
-    {"Tab", "hold: four times as fast"},
-    {"wheel, Q, E", "turn the part in hand (Shift: 1°)"},
-    {"arrows", "move the selected part (Shift: finer)"},
-    {"Ctrl, Alt", "hold: place without the grid"},
-    {"Delete", "put the part back"},
-    {"right click", "put a part back, let go"},
-    {"Ctrl+Z, Ctrl+Y", "undo, redo"},
-    {"Backspace", "put all parts back"},
-    {"wheel", "zoom; drag the paper to move it"},
-    {"Home", "show everything"},
-    {"I", "inspect the selected part"},
-    {"1, 2, 3, N", "electricity, magnetism, contacts, names"},
-    {"X", "cut a wire"},
-    {"H", "hint"},
-    {"C or F3", "components, what they cost"},
-    {"B", "keep to a time budget"},
-    {", and .", "less and more of it"},
-    {"R", "record frames"},
-    {"F12", "take a picture"},
-    {"Ctrl+S", "save what you did"},
-    {"L, Esc", "levels, menu"},
-};
+/// For the toolbox; keys may be empty.
+[[nodiscard]] std::string toolboxHint(std::string const& turnLeft, std::string const& turnRight);
+/// "hold Tab"
+[[nodiscard]] std::string hold(std::string const& key);
+[[nodiscard]] std::string keyIsTaken(std::string const& key, std::string const& command);
+[[nodiscard]] std::string keepsItsKey(std::string const& command);
+// What is wrong with the keys of a profile; commands by their ids.
+[[nodiscard]] std::string noSuchCommand(std::string const& id);
+[[nodiscard]] std::string notAKey(std::string const& id, std::string const& text);
+[[nodiscard]] std::string keysNotTaken(std::string const& id, std::string const& why);
+[[nodiscard]] std::string keysNotRead(std::string const& what);
 
 [[nodiscard]] std::string cannotWrite(std::string const& path, std::string const& why);
 [[nodiscard]] std::string pictureTaken(std::string const& path);

@@ -111,7 +111,7 @@ TEST_P(BudgetPanel, ABudgetIsKeptAndSaysWhatItDid) {
     player.look(named("cost-budget"));
     if (std::getenv("TREMBLER_PICTURES") != nullptr) { // the one in docs/budget.md
         for (int i = 0; i < 20; ++i) {
-            player.play().carryOut(Command::moreBudget);
+            player.play().commands().run("more-budget");
         }
         player.simulate(200);
         player.frames(150); // until nobody talks of the budget any more
@@ -142,7 +142,7 @@ TEST(Budget, WhatItDecidedIsWatchedAgainBitForBit) {
     player.key(SDLK_b);
     player.key(SDLK_COMMA);
     for (int i = 0; i < 40; ++i) {
-        player.play().carryOut(Command::lessBudget);
+        player.play().commands().run("less-budget");
     }
     player.key(SDLK_SPACE);
     player.simulate(136);
@@ -152,7 +152,7 @@ TEST(Budget, WhatItDecidedIsWatchedAgainBitForBit) {
     std::uint64_t const hash = player.session().world().stateHash();
     auto const changes = player.session().changes().size();
     player.key(SDLK_b);
-    player.play().carryOut(Command::watchAgain);
+    player.play().commands().run("watch-again");
     while (player.session().world().frame() + 8 <= frame) {
         player.simulate(8);
     }

@@ -146,7 +146,7 @@ TEST(Running, theSwitchIsLiftedByMouseAndTheRunCanBeWatchedAgain) {
     auto const frame = world().frame();
     auto const hash = world().stateHash();
     // Watched again, bit for bit.
-    player.play().carryOut(Command::watchAgain);
+    player.play().commands().run("watch-again");
     while (world().frame() < frame) {
         player.app().frame(1.0 / 60);
     }
@@ -263,32 +263,32 @@ TEST(Running, filmsAndPicturesAreWritten) {
 TEST(Running, hintsComeOneAtATime) {
     Player player;
     player.open(firstContact);
-    EXPECT_EQ(player.play().state().hintsShown, 0U);
+    EXPECT_EQ(player.play().hintsShown(), 0U);
     player.key(SDLK_h);
-    EXPECT_EQ(player.play().state().hintsShown, 1U);
+    EXPECT_EQ(player.play().hintsShown(), 1U);
     player.frames(2); // the card grows
     player.clickItem("hint");
-    EXPECT_EQ(player.play().state().hintsShown, 2U);
+    EXPECT_EQ(player.play().hintsShown(), 2U);
     for (int i = 0; i < 9; ++i) {
         player.key(SDLK_h);
     }
-    EXPECT_EQ(player.play().state().hintsShown, player.session().level().hints.size());
+    EXPECT_EQ(player.play().hintsShown(), player.session().level().hints.size());
 }
 
 TEST(Running, overlaysAreToggledByKeyAndButton) {
     Player player;
     player.open(experiment);
     player.key(SDLK_1);
-    EXPECT_TRUE(player.play().state().electricity);
+    EXPECT_TRUE(player.play().shown().electricity);
     player.key(SDLK_2);
-    EXPECT_TRUE(player.play().state().magnetism);
+    EXPECT_TRUE(player.play().shown().magnetism);
     player.key(SDLK_3);
-    EXPECT_TRUE(player.play().state().contacts);
+    EXPECT_TRUE(player.play().shown().contacts);
     for (char const* name : {"electricity", "magnetism", "contacts"}) {
         player.clickItem(name);
     }
-    EXPECT_FALSE(player.play().state().electricity || player.play().state().magnetism ||
-                 player.play().state().contacts);
+    EXPECT_FALSE(player.play().shown().electricity || player.play().shown().magnetism ||
+                 player.play().shown().contacts);
 }
 
 } // namespace

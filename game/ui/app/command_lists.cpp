@@ -1,0 +1,13 @@
+#include "game/ui/app/command_lists.hpp"
+
+#include "game/ui/app/title_screen.hpp"
+#include "game/ui/play/play_commands.hpp"
+#include "game/ui/play/play_parts.hpp"
+
+namespace trembler::ui {
+
+std::vector<CommandList> commandLists() {
+    return {listOf(playCommands()), listOf(titleCommands())};
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,15 @@
+// Commands that several screens have; each says in its own table what it does for them.
+#pragma once
+
+#include "game/ui/commands/command.hpp"
+
+namespace trembler::ui::common {
+
+inline constexpr CommandInfo fullscreen{.id = "fullscreen",
+                                        .keys = {{{SDLK_F11}}},
+                                        .group = CommandGroup::program,
+                                        .name = "Full screen",
+                                        .tip = "Fill the whole screen, or no longer",
+                                        .help = "fill the whole screen"};
+
+} // namespace trembler::ui::common

@@ -1,0 +1,124 @@
+#include "game/ui/commands/key_help.hpp"
+
+#include "game/ui/shared/words.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace trembler::ui {
+namespace {
+
+/// Each between two marks, separated by commas.
+std::string joined(std::span<Chord const> keys, char const* mark) {
+    std::string all;
+    for (Chord const& chord : keys) {
+        all += (all.empty() ? "" : ", ") + std::string(mark) + labelOf(chord) + mark;
+    }
+    return all;
+}
+
+/// Appends to the last row if that says the same.
+void append(std::vector<HelpLine>& lines, std::string const& keys, std::string const& does) {
+    if (!lines.empty() && lines.back().does == does) {
+        lines.back().keys += ", " + keys;
+    } else {
+        lines.push_back({keys, does});
+    }
+}
+
+/// "Pause; go on": what it does, and what a switch does while it is on.
+std::string doesOf(CommandInfo const& command) {
+    std::string does = command.tip;
+    if (command.whenOn.tip != nullptr) {
+        std::string other = command.whenOn.tip;
+        other[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(other[0])));
+        does += "; " + other;
+    }
+    return does;
+}
+
+/// `heading` for each group, then a line for each of its commands.
+template <class Heading, class Line>
+std::string grouped(KeyBindings const& bindings, Heading&& heading, Line&& line) {
+    std::string text;
+    CommandInfo const* before = nullptr;
+    for (CommandInfo const* command : bindings.inGroups()) {
+        if (before == nullptr || before->group != command->group) {
+            text += (before == nullptr ? "" : "\n") + heading(titleOf(command->group));
+        }
+        before = command;
+        text += line(*command);
+    }
+    return text;
+}
+
+} // namespace
+
+char const* titleOf(CommandGroup group) {
+    switch (group) {
+    case CommandGroup::building:
+        return words::groupBuilding;
+    case CommandGroup::running:
+        return words::groupRunning;
+    case CommandGroup::looking:
+        return words::groupLooking;
+    case CommandGroup::program:
+        break;
+    }
+    return words::groupProgram;
+}
+
+std::string labelsOf(std::span<Chord const> keys) {
+    return joined(keys, "");
+}
+
+std::vector<HelpLine> helpLines(CommandSet const& commands, std::span<Gesture const> gestures,
+                                KeyBindings const& bindings) {
+    std::vector<HelpLine> lines;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        CommandInfo const& command = commands.info(i);
+        auto const gesturesHere = [&](bool shared) {
+            for (Gesture const& gesture : gestures) {
+                if (gesture.beside == command.id &&
+                    (command.help == std::string_view(gesture.does)) == shared) {
+                    append(lines, gesture.with, gesture.does);
+                }
+            }
+        };
+        gesturesHere(true);
+        if (auto const keys = bindings.keysOf(command.id); !keys.empty()) {
+            append(lines, labelsOf(keys), command.help);
+        }
+        gesturesHere(false);
+    }
+    return lines;
+}
+
+std::string keysMarkdown(KeyBindings const& bindings) {
+    return grouped(
+        bindings,
+        [](char const* group) {
+            return fmt::format("### {}\n\n| what it does | keys | name in the profile |\n|---|---|---|\n",
+                               group);
+        },
+        [&](CommandInfo const& command) {
+            std::string const keys = joined(bindings.keysOf(command.id), "`");
+            std::string const shown = keys.empty()                  ? words::nothingStated
+                                      : command.use == KeyUse::held ? words::hold(keys)
+                                                                    : keys;
+            return fmt::format("| {} | {} | `{}` |\n", doesOf(command), shown, command.id);
+        });
+}
+
+std::string keysText(KeyBindings const& bindings) {
+    return grouped(
+        bindings, [](char const* group) { return fmt::format("{}\n", group); },
+        [&](CommandInfo const& command) {
+            std::string const keys = labelsOf(bindings.keysOf(command.id));
+            return fmt::format("  {:<14} {:<24} {}\n", command.id, keys.empty() ? words::nothingStated : keys,
+                               doesOf(command));
+        });
+}
+
+} // namespace trembler::ui

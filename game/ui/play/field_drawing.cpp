@@ -1,0 +1,125 @@
+#include "game/ui/play/field_drawing.hpp"
+
+#include "game/ui/shared/scene_words.hpp"
+#include "game/ui/shared/words.hpp"
+#include "render/panels/world_label.hpp"
+#include "render/scene/objects/body.hpp"
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+
+/// The knob that turns the selected part, on its arc.
+void drawHandle(PlayParts const& parts) {
+    auto const handle = parts.handle();
+    if (!handle) {
+        return;
+    }
+    auto const& carried = parts.placing.carried();
+    Placement const& placement = handle->placement;
+    Canvas& canvas = parts.context.canvas;
+    Point const centre = toPoint(placement.at);
+    double const arm = length(handle->at - placement.at);
+    Colour const colour = palette::accent;
+    double const angle = placement.angle + pi / 2;
+    canvas.arc(centre, arm, angle - 0.5, 0.36, {.colour = colour, .pixels = 2, .alpha = 0.55F});
+    canvas.arc(centre, arm, angle + 0.14, 0.36, {.colour = colour, .pixels = 2, .alpha = 0.55F});
+    Pointer const& pointer = parts.pointer;
+    bool const near =
+        length(pointer.world - handle->at) < handleReach * pointer.pixel || (carried && carried->turning);
+    canvas.circle(
+        {toPoint(handle->at), 0}, canvas.metres(near ? 10 : 8),
+        {.tint = near ? palette::accent : palette::paperLight, .outline = 2.4F, .outlineColour = colour});
+}
+
+void drawCarried(PlayParts const& parts) {
+    auto const& carried = parts.placing.carried();
+    if (!carried || parts.pointer.overToolbox) {
+        return;
+    }
+    if (Prototype const* const part = parts.context.catalog.prototype(carried->landing.part)) {
+        parts.context.canvas.newSheet();
+        drawGhost(parts.context.canvas, *part, {toPoint(carried->landing.at), carried->landing.angle},
+                  carried->verdict.ok);
+    }
+}
+
+/// The wire that a click would cut.
+void drawBlades(PlayParts const& parts) {
+    auto const& wire = parts.hand.wireUnderBlades();
+    if (!parts.hand.cutting() || !wire.a.valid()) {
+        return;
+    }
+    World const& world = parts.session.world();
+    FactsReader const reader(world);
+    Facts const a = reader.of(wire.a);
+    Facts const b = reader.of(wire.b);
+    auto const path = cablePath(a, parts.scene.poseOf(world, wire.a), b, parts.scene.poseOf(world, wire.b));
+    parts.context.canvas.polyline(path, {.colour = palette::warning, .pixels = 5, .alpha = 0.8F});
+}
+
+void drawWords(PlayParts const& parts) {
+    World const& world = parts.session.world();
+    Camera const& camera = parts.camera();
+    drawSceneWords(camera, world, parts.scene, parts.run.alpha(), parts.shown.names);
+    parts.goals.drawWords(camera);
+    auto const chip = [&](Vec2 at, std::string const& text, Colour colour, float below) {
+        worldLabel(camera, toPoint(at), text.c_str(),
+                   {.look = LabelLook::Chip, .colour = colour, .below = below});
+    };
+    auto const& carried = parts.placing.carried();
+    if (carried && !carried->verdict.ok && !parts.pointer.overCard) {
+        chip(carried->landing.at, carried->verdict.why, palette::warning, 40);
+    }
+    if (carried && carried->turning) {
+        auto const degrees = static_cast<int>(std::lround(carried->landing.angle * 180 / pi));
+        chip(carried->landing.at, std::to_string(degrees) + "°", palette::accent, 40);
+    }
+    if (auto const& wire = parts.hand.wireUnderBlades(); parts.hand.cutting() && wire.a.valid()) {
+        chip(parts.pointer.world, words::cutThis(world.store().nameOf(wire.a), world.store().nameOf(wire.b)),
+             palette::warning, 28);
+    }
+}
+
+SceneOptions sceneOptions(PlayParts& parts, double time) {
+    World const& world = parts.session.world();
+    SceneOptions options{.time = time, .alpha = parts.run.alpha(), .overlays = parts.shown.overlays()};
+    auto const& carried = parts.placing.carried();
+    if (parts.session.level().placing && carried && !carried->turning) {
+        options.placing = *parts.session.level().placing;
+    }
+    if (parts.placing.selected() && !carried) {
+        options.selected = parts.session.objectOf(*parts.placing.selected());
+    } else if (parts.inspector.open()) {
+        options.selected = world.store().find(parts.inspector.name());
+    }
+    ObjectId const hovered = parts.picking.hovered();
+    bool const canTake =
+        parts.run.building() ? parts.session.numberOf(hovered).has_value() : !parts.hand.cutting();
+    options.hovered = canTake && !carried ? hovered : ObjectId{};
+    options.hidden = carried && carried->number ? parts.session.objectOf(*carried->number) : ObjectId{};
+    options.goals = parts.goals.regions(parts.session.judge().status());
+    return options;
+}
+
+} // namespace
+
+void drawField(PlayParts& parts) {
+    UiContext& context = parts.context;
+    Canvas& canvas = context.canvas;
+    World const& world = parts.session.world();
+    double const time = std::max(world.time() + (parts.run.alpha() - 1) * frameDuration, 0.0);
+    canvas.begin(parts.camera(),
+                 {.uiScale = context.window.uiScale(), .time = time, .shadows = context.shadows});
+    canvas.paper();
+    parts.scene.draw(canvas, world, sceneOptions(parts, time));
+    canvas.newSheet();
+    drawBlades(parts);
+    drawHandle(parts);
+    drawCarried(parts);
+    canvas.end();
+    drawWords(parts);
+}
+
+} // namespace trembler::ui

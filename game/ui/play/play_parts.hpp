@@ -1,0 +1,67 @@
+// What a level's screen is made of; its commands, its cards and its drawing work on these.
+#pragma once
+
+#include "game/budget/budget_mode.hpp"
+#include "game/ui/panels/components_panel.hpp"
+#include "game/ui/panels/inspector.hpp"
+#include "game/ui/play/asked_twice.hpp"
+#include "game/ui/play/celebration.hpp"
+#include "game/ui/play/field_mouse.hpp"
+#include "game/ui/play/film.hpp"
+#include "game/ui/play/goal_areas.hpp"
+#include "game/ui/play/level_audio.hpp"
+#include "game/ui/play/run_control.hpp"
+#include "game/ui/play/shown.hpp"
+#include "game/ui/play/turn_handle.hpp"
+#include "game/ui/shared/screen.hpp"
+#include "game/ui/shared/ui_context.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace trembler::ui {
+
+/// Each part owns what it is about and nobody copies it. Here is only what concerns several of them. Window
+/// thread only; the context must outlive it.
+struct PlayParts {
+    /// Throws InputError if the level cannot be read or built.
+    PlayParts(UiContext& uiContext, std::filesystem::path levelFile, WorldOptions const& options);
+    PlayParts(PlayParts const&) = delete;
+    PlayParts& operator=(PlayParts const&) = delete;
+
+    UiContext& context;
+    std::filesystem::path const file;
+    Session session;
+    PlacingTool placing;
+    HandTool hand;
+    budget::BudgetMode budget;
+    Inspector inspector;
+    ComponentsPanel components;
+    CameraControl view;
+    render::SceneView scene;
+    GoalAreas goals;
+    LevelAudio audio;
+    RunControl run;
+    Celebration celebration;
+    Film film;
+    Picking picking;
+    FieldMouse mouse;
+    AskedTwice allBack;
+    Shown shown;
+    std::size_t hintsShown = 0;
+    Pointer pointer;                      ///< of this picture
+    std::optional<ScreenRequest> request; ///< what this picture asks of the program
+
+    [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
+    /// The session's world is another one: what was remembered of the old one goes.
+    void newWorld();
+    /// Everything as it was when the level was opened: parts in the toolbox, the world at rest.
+    void restart();
+    [[nodiscard]] std::optional<TurnHandle> handle() const;
+
+private:
+    [[nodiscard]] RunEvents runEvents();
+    [[nodiscard]] render::Extent subject() const;
+};
+
+} // namespace trembler::ui

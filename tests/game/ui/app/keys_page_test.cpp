@@ -1,0 +1,183 @@
+// Keys given to commands by the player: with the keyboard alone, and with the mouse but for the key itself.
+#include "tests/game/ui/player.hpp"
+
+#include <algorithm>
+
+namespace trembler::ui::test {
+namespace {
+
+class GivingKeys : public testing::Test {
+protected:
+    GivingKeys() {
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+        start();
+    }
+
+    void start() {
+        player.reset();
+        player = std::make_unique<Player>(render::Size{1280, 720}, folder / "profile.json");
+        player->open(levelsFolder() / "first/1-first-contact.json");
+    }
+    [[nodiscard]] MenuPage page() const { return player->app().menu().page(); }
+    void openByMouse() {
+        player->clickItem("menu");
+        player->frames(3);
+        player->clickItem("Settings");
+        player->frames(3);
+        player->clickItem("Change the keys");
+        player->frames(3);
+        ASSERT_EQ(page(), MenuPage::keys);
+    }
+    void press(SDL_Keycode key, int times) {
+        for (int i = 0; i < times; ++i) {
+            player->key(key);
+        }
+    }
+    [[nodiscard]] std::string keysOf(std::string_view id) const {
+        std::string all;
+        for (Chord const& chord : player->app().context().keys.keysOf(id)) {
+            all += (all.empty() ? "" : " ") + nameOf(chord);
+        }
+        return all;
+    }
+    /// Of a command in the list.
+    [[nodiscard]] int rowOf(std::string_view id) const {
+        auto const commands = player->app().context().keys.inGroups();
+        auto const found = std::find_if(commands.begin(), commands.end(),
+                                        [&](CommandInfo const* command) { return command->id == id; });
+        return static_cast<int>(found - commands.begin());
+    }
+    [[nodiscard]] KeysPage const& keysPage() const { return player->app().menu().keysPage(); }
+
+    std::filesystem::path const folder = pictureFolder() / "keys-page-test";
+    std::unique_ptr<Player> player;
+};
+
+TEST_F(GivingKeys, ByMouse) {
+    openByMouse();
+    player->clickItem("key of undo");
+    EXPECT_TRUE(keysPage().waiting());
+    player->look("changing-a-key-720");
+    player->key(SDLK_LCTRL, KMOD_LCTRL); // on the way to the key that is meant
+    EXPECT_TRUE(keysPage().waiting());
+    player->key(SDLK_k, KMOD_LCTRL);
+    EXPECT_FALSE(keysPage().waiting());
+    EXPECT_EQ(keysOf("undo"), "Ctrl+K");
+    // It is kept, and works.
+    start();
+    EXPECT_EQ(keysOf("undo"), "Ctrl+K");
+    player->drag(player->item("part steel bar"), player->at({-1.8, 1.5}));
+    player->key(SDLK_z, KMOD_LCTRL);
+    EXPECT_EQ(player->session().placed().size(), 1U);
+    player->key(SDLK_k, KMOD_LCTRL);
+    EXPECT_TRUE(player->session().placed().empty());
+    openByMouse();
+    player->clickItem("no key for undo");
+    EXPECT_EQ(keysOf("undo"), "");
+    player->clickItem("reset keys");
+    EXPECT_EQ(keysOf("undo"), "Ctrl+Z");
+    player->clickItem("close keys");
+    EXPECT_EQ(page(), MenuPage::settings);
+    start();
+    EXPECT_EQ(keysOf("undo"), "Ctrl+Z");
+}
+
+TEST_F(GivingKeys, AKeyOfAnotherCommandIsRefused) {
+    openByMouse();
+    player->clickItem("key of undo");
+    player->key(SDLK_SPACE);
+    EXPECT_TRUE(keysPage().waiting()) << "for another one";
+    EXPECT_NE(keysPage().complaint().find("\"Run\""), std::string::npos) << keysPage().complaint();
+    player->frames(2);
+    player->look("refused-key-720");
+    EXPECT_EQ(keysOf("undo"), "Ctrl+Z");
+    EXPECT_EQ(keysOf("run"), "Space");
+    player->key(SDLK_ESCAPE); // leaves it as it is, and the page where it is
+    EXPECT_FALSE(keysPage().waiting());
+    EXPECT_EQ(page(), MenuPage::keys);
+    EXPECT_EQ(keysOf("undo"), "Ctrl+Z");
+    player->key(SDLK_ESCAPE);
+    EXPECT_EQ(page(), MenuPage::settings);
+    player->key(SDLK_ESCAPE);
+    EXPECT_EQ(page(), MenuPage::main);
+    player->key(SDLK_ESCAPE);
+    EXPECT_FALSE(player->app().menu().isOpen());
+}
+
+TEST_F(GivingKeys, ByKeyboardAlone) {
+    player->key(SDLK_F1);
+    player->frames(2);
+    ASSERT_EQ(page(), MenuPage::help);
+    player->key(SDLK_DOWN);
+    player->key(SDLK_RETURN);
+    player->frames(2);
+    ASSERT_EQ(page(), MenuPage::keys);
+    int const row = rowOf("cut");
+    press(SDLK_DOWN, row);
+    player->key(SDLK_RETURN);
+    ASSERT_TRUE(keysPage().waiting());
+    player->key(SDLK_DOWN); // an arrow can be a key, too: this one is taken
+    EXPECT_NE(keysPage().complaint().find("\"Move down\""), std::string::npos) << keysPage().complaint();
+    player->key(SDLK_F7);
+    EXPECT_FALSE(keysPage().waiting());
+    EXPECT_EQ(keysOf("cut"), "F7");
+    player->key(SDLK_DELETE);
+    EXPECT_EQ(keysOf("cut"), "");
+    press(SDLK_UP, row + 2); // from the first line round to the last button but one
+    player->key(SDLK_RETURN);
+    EXPECT_EQ(keysOf("cut"), "X");
+    player->key(SDLK_TAB);
+    player->key(SDLK_RETURN);
+    EXPECT_EQ(page(), MenuPage::help) << "back where it was opened";
+}
+
+TEST_F(GivingKeys, EscapeKeepsItsMeaning) {
+    player->key(SDLK_F1);
+    player->frames(2);
+    player->key(SDLK_DOWN);
+    player->key(SDLK_RETURN);
+    player->frames(2);
+    press(SDLK_DOWN, rowOf("back"));
+    player->key(SDLK_RETURN);
+    EXPECT_FALSE(keysPage().waiting());
+    EXPECT_NE(keysPage().complaint().find("\"Back\""), std::string::npos) << keysPage().complaint();
+    player->key(SDLK_DELETE);
+    EXPECT_EQ(keysOf("back"), "Escape");
+}
+
+TEST_F(GivingKeys, TheListIsTidyAtEverySize) {
+    for (render::Size const size : {render::Size{1280, 720}, render::Size{1920, 1080}}) {
+        player.reset();
+        player = std::make_unique<Player>(size, folder / "profile.json");
+        player->open(levelsFolder() / "first/1-first-contact.json");
+        openByMouse();
+        auto const card = player->layout().card("key bindings");
+        ASSERT_TRUE(card);
+        EXPECT_GE(card->low.y, 0);
+        EXPECT_LE(card->high.y, size.height);
+        for (Placed const& placed : player->layout().cards()) {
+            EXPECT_LE(placed.overflow, 1.0) << placed.name;
+        }
+        auto const& items = player->layout().items();
+        EXPECT_GT(items.size(), 10U);
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                EXPECT_FALSE(items[i].rect.overlaps(items[j].rect))
+                    << items[i].name << " lies on " << items[j].name;
+            }
+        }
+        player->look("changing-keys-" + std::to_string(size.height));
+        player->key(SDLK_ESCAPE);
+        player->frames(2);
+        player->look("settings-with-keys-" + std::to_string(size.height));
+        player->key(SDLK_ESCAPE);
+        player->key(SDLK_ESCAPE);
+        player->key(SDLK_F1);
+        player->frames(3);
+        player->look("keys-page-" + std::to_string(size.height));
+    }
+}
+
+} // namespace
+} // namespace trembler::ui::test

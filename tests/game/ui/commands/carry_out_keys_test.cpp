@@ -1,0 +1,55 @@
+// From key events to commands, with the modifiers that tools use as well.
+#include "game/ui/commands/carry_out_keys.hpp"
+#include "tests/game/ui/commands/counting_screen.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler::ui::test {
+namespace {
+
+using Done = std::map<std::string, int>;
+
+/// What the keys of one picture do.
+Done after(std::vector<SDL_Event> const& events, bool mayJump = true) {
+    Counting counting;
+    counting.mayJump = mayJump;
+    CommandsOf<Counting> commands(countingTable, counting);
+    KeyBindings const bindings(countingLists());
+    carryOutKeys(events, bindings, commands);
+    return counting.done;
+}
+
+TEST(Keys, CarryOutTheirCommands) {
+    EXPECT_EQ(after({keyDown(SDLK_w)}), (Done{{"w", 1}}));
+    EXPECT_EQ(after({keyDown(SDLK_UP)}), (Done{{"w", 1}}));
+    EXPECT_EQ(after({keyDown(SDLK_j, KMOD_RCTRL), keyDown(SDLK_w)}), (Done{{"j", 1}, {"w", 1}}));
+    EXPECT_EQ(after({keyDown(SDLK_q)}), Done{});
+    EXPECT_EQ(after({keyDown(SDLK_j)}), Done{}) << "without Ctrl it is another key";
+    EXPECT_EQ(after({keyDown(SDLK_j, KMOD_LCTRL)}, false), Done{}) << "it is not available";
+}
+
+TEST(Keys, ModifiersCountWhereACommandNamesThem) {
+    EXPECT_EQ(after({keyDown(SDLK_w, KMOD_LSHIFT)}), (Done{{"r", 1}}));
+    EXPECT_EQ(after({keyDown(SDLK_UP, KMOD_LSHIFT)}), (Done{{"w", 1}}))
+        << "nobody else has it: tools mean it";
+    EXPECT_EQ(after({keyDown(SDLK_w, KMOD_LALT)}), (Done{{"w", 1}}));
+    EXPECT_EQ(after({keyDown(SDLK_w, KMOD_LCTRL)}), Done{});
+    EXPECT_EQ(after({keyDown(SDLK_j, KMOD_LCTRL | KMOD_LSHIFT)}), (Done{{"j", 1}}));
+    EXPECT_EQ(after({keyDown(SDLK_ESCAPE, KMOD_LCTRL)}), (Done{{"l", 1}})) << "it is fixed: any modifier";
+}
+
+TEST(Keys, RepeatOnlyWhereTheyAreMeantTo) {
+    EXPECT_EQ(after({keyDown(SDLK_j, KMOD_LCTRL, true)}), (Done{{"j", 1}}));
+    EXPECT_EQ(after({keyDown(SDLK_w, KMOD_NONE, true)}), Done{});
+    EXPECT_EQ(after({keyDown(SDLK_w), keyDown(SDLK_w), keyDown(SDLK_UP)}), (Done{{"w", 1}}))
+        << "once per picture";
+    EXPECT_EQ(after({keyDown(SDLK_c)}), Done{}) << "it is held, not pressed";
+}
+
+TEST(Keys, NothingFollowsTheKeyThatLeadsBack) {
+    EXPECT_EQ(after({keyDown(SDLK_w), keyDown(SDLK_ESCAPE), keyDown(SDLK_j, KMOD_LCTRL)}),
+              (Done{{"l", 1}, {"w", 1}}));
+}
+
+} // namespace
+} // namespace trembler::ui::test

@@ -1,0 +1,52 @@
+// The page of keys, from the tables.
+#include "game/ui/commands/key_help.hpp"
+#include "tests/game/ui/commands/counting_screen.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler::ui::test {
+namespace {
+
+std::vector<std::string> rows(KeyBindings const& bindings, std::span<Gesture const> gestures) {
+    Counting counting;
+    CommandsOf<Counting> const commands(countingTable, counting);
+    std::vector<std::string> all;
+    for (HelpLine const& line : helpLines(commands, gestures, bindings)) {
+        all.push_back(line.keys + ": " + line.does);
+    }
+    return all;
+}
+
+TEST(KeyHelp, HasARowForWhateverHasAKey) {
+    KeyBindings bindings(countingLists());
+    EXPECT_EQ(rows(bindings, {}),
+              (std::vector<std::string>{"W, ↑, Shift+W: go", "Ctrl+J: jump", "C: crouch", "Esc: leave"}));
+    EXPECT_FALSE(bindings.bind(infoOf(bindings, "door"), {SDLK_d}));
+    bindings.unbind(infoOf(bindings, "jump"));
+    EXPECT_EQ(rows(bindings, {}),
+              (std::vector<std::string>{"W, ↑, Shift+W: go", "C: crouch", "Esc: leave", "D: door"}));
+}
+
+TEST(KeyHelp, GesturesStandBesideTheirCommands) {
+    KeyBindings const bindings(countingLists());
+    constexpr Gesture gestures[] = {{"wheel", "go", "walk"}, {"click", "look", "jump"}};
+    EXPECT_EQ(rows(bindings, gestures), (std::vector<std::string>{"wheel, W, ↑, Shift+W: go", "Ctrl+J: jump",
+                                                                  "click: look", "C: crouch", "Esc: leave"}));
+}
+
+TEST(KeyHelp, MarkdownHasEveryCommandOnce) {
+    KeyBindings const bindings(countingLists());
+    std::string const page = keysMarkdown(bindings);
+    for (CommandInfo const* command : bindings.commands()) {
+        std::string const id = "`" + std::string(command->id) + "` |";
+        auto const at = page.find(id);
+        ASSERT_NE(at, std::string::npos) << page;
+        EXPECT_EQ(page.find(id, at + 1), std::string::npos) << id;
+    }
+    EXPECT_NE(page.find("| Jump | `Ctrl+J` | `jump` |\n"), std::string::npos) << page;
+    EXPECT_NE(page.find("| Crouch | hold `C` | `crouch` |\n"), std::string::npos) << page;
+    EXPECT_NE(page.find("| Door | – | `door` |\n"), std::string::npos) << page;
+}
+
+} // namespace
+} // namespace trembler::ui::test
