@@ -103,6 +103,8 @@ void PlayScreen::draw() {
     options.hovered = canTake && !carried ? hovered_ : ObjectId{};
     options.hidden = carried && carried->number ? session_.objectOf(*carried->number) : ObjectId{};
     options.goals = goals_.regions(session_.judge().status());
+    std::vector<Ripple> const ripples = sounds_.ripples();
+    options.ripples = ripples;
     scene_.draw(canvas, world, options);
     canvas.newSheet();
     drawBlades();

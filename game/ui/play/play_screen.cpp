@@ -229,7 +229,9 @@ void PlayScreen::stepOnce() {
     replay_.beforeStep(session_);
     budget_.beforeStep(session_, !replay_.loaded()); // what was decided then is being repeated
     scene_.remember(session_.world());
+    sounds_.beforeStep(session_.world());
     session_.step();
+    sounds_.afterStep(session_.world());
     // In fast motion every fourth frame is heard, at its own pitch.
     if (!fast() || session_.world().frame() % fastFactor == 0) {
         audio_.frame(session_.world(), camera());

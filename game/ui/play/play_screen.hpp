@@ -8,6 +8,7 @@
 #include "game/ui/play/goal_areas.hpp"
 #include "game/ui/play/level_audio.hpp"
 #include "game/ui/play/replay.hpp"
+#include "game/ui/play/sound_view.hpp"
 #include "game/ui/shared/command.hpp"
 #include "game/ui/shared/frame_clock.hpp"
 #include "game/ui/shared/ui_context.hpp"
@@ -108,6 +109,7 @@ private:
     FrameClock clock_;
     Replay replay_;
     LevelAudio audio_;
+    SoundView sounds_;
     render::SceneView scene_;
     GoalAreas goals_;
     PlayState state_;
