@@ -108,7 +108,7 @@ struct Sample {
     friend bool operator==(Sample const&, Sample const&) = default;
 };
 
-/// Marks what listens, for goals and for people to see.
+/// Marks what listens, for people to see how loud it is there.
 struct Ear {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Ear", "ear", "How loud it is here is worked out for the object."};

@@ -7,6 +7,7 @@
 #include "runtime/placement.hpp"
 #include "tests/game/ui/player.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -27,16 +28,16 @@ void step(Session& session, SoundView& sounds) {
     sounds.afterStep(session.world());
 }
 
+/// Whether the two have begun to touch in the last frame, or did so within it only.
 bool beginsToTouch(World const& world, std::string const& a, std::string const& b) {
     ObjectId const first = world.store().find(a);
     ObjectId const second = world.store().find(b);
     auto const* const contacts = world.find<Contacts>();
-    for (TouchingPair const& pair : contacts->begun) {
-        if ((pair.a == first && pair.b == second) || (pair.a == second && pair.b == first)) {
-            return true;
-        }
-    }
-    return false;
+    auto const theirs = [&](TouchingPair const& pair) {
+        return (pair.a == first && pair.b == second) || (pair.a == second && pair.b == first);
+    };
+    return std::any_of(contacts->begun.begin(), contacts->begun.end(), theirs) ||
+           std::any_of(contacts->brief.begin(), contacts->brief.end(), theirs);
 }
 
 TEST(SoundView, ARingBeginsWhereTheBellIsHit) {
@@ -90,7 +91,6 @@ TEST(SoundView, NothingIsLeftOfARunThatHasEnded) {
     step(*session, sounds);
     EXPECT_TRUE(sounds.ripples().empty()) << "nothing has fallen yet";
 }
-
 
 } // namespace
 } // namespace trembler::ui::test
