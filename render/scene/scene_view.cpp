@@ -42,7 +42,7 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
     }
 }
 
-// In order from the ground up; another overlay (rings of sound, for one) is one more line here.
+// In order from the ground up; another overlay is one more line here.
 void drawOverlays(Canvas& canvas, World const& world, FactsReader const& reader,
                   std::vector<Link> const& links, PoseOf const& place, Overlays const& overlays) {
     if (overlays.fieldLines) {
@@ -78,6 +78,7 @@ void SceneView::draw(Canvas& canvas, World const& world, SceneOptions const& opt
     drawWires(canvas, reader, links, place, options.time);
     canvas.newSheet();
     drawOverlays(canvas, world, reader, links, place, options.overlays);
+    drawRipples(canvas, options.ripples);
     drawHand(canvas, world, reader, place);
 }
 

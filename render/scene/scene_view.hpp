@@ -6,6 +6,7 @@
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/labels.hpp"
 #include "render/scene/objects/wires.hpp"
+#include "render/scene/overlays/overlay_sound.hpp"
 
 #include <span>
 
@@ -28,6 +29,7 @@ struct SceneOptions {
     Overlays overlays{};
     std::span<Area const> placing{};     ///< where parts may be placed
     std::span<GoalRegion const> goals{}; ///< that a goal asks about
+    std::span<Ripple const> ripples{};   ///< of what sounds
 };
 
 /// Draws a world. Holds the poses that drawing must remember from frame to frame, and nothing of the world

@@ -107,7 +107,7 @@ struct Sample {
     friend bool operator==(Sample const&, Sample const&) = default;
 };
 
-/// Marks an object that listens, for goals and for people to see.
+/// Marks an object that listens, so that people see how loud it is there.
 struct Ear {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Ear", "ear", "How loud it is here is worked out for the object."};

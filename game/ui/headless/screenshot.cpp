@@ -2,6 +2,7 @@
 
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/play/goal_areas.hpp"
+#include "game/ui/play/sound_view.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "game/ui/tools/camera_control.hpp"
 #include "puzzle/solutions/solution_file.hpp"
@@ -53,7 +54,8 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
         scene.draw(canvas, world,
                    {.time = world.time(),
                     .overlays = options.overlays,
-                    .goals = areas.regions(session.judge().status())});
+                    .goals = areas.regions(session.judge().status()),
+                    .ripples = options.ripples});
         canvas.end();
         drawSceneWords(view.camera(), world, scene, 1, options.names);
         areas.drawWords(view.camera());
@@ -72,14 +74,19 @@ Image screenshot(GameData const& gameData, ScreenshotOptions const& options) {
     } else if (options.firstSolution && !session.level().solutions.empty()) {
         session.load(session.level().solutions.front());
     }
+    SoundView sounds;
     for (std::uint64_t done = 0; done < options.frame; ++done) {
+        sounds.beforeStep(session.world());
         session.step();
+        sounds.afterStep(session.world());
         if (options.progress) {
             options.progress(done + 1);
         }
     }
     Window window({.size = options.size, .mode = WindowMode::Offscreen});
-    return pictureOf(window, gameData, session, options.picture);
+    PictureOptions picture = options.picture;
+    picture.ripples = sounds.ripples();
+    return pictureOf(window, gameData, session, picture);
 }
 
 } // namespace trembler::ui

@@ -9,12 +9,14 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace trembler::ui {
 
 /// How a picture of a session looks.
 struct PictureOptions {
     render::Overlays overlays{};
+    std::vector<render::Ripple> ripples{}; ///< of what sounds
     bool names = false;
     bool card = true; ///< title and goals
     bool shadows = true;
@@ -33,7 +35,7 @@ struct ScreenshotOptions {
     render::Size size{1280, 720}; ///< pixels
     std::string solution;         ///< by name or from a file; empty: none is placed
     bool firstSolution = false;   ///< the level's first recorded one, if it has any
-    PictureOptions picture{};
+    PictureOptions picture{};     ///< the ripples are those of the run
     WorldOptions world{};
     /// Called after each frame with the frames done, for a sign of progress; may be empty.
     std::function<void(std::uint64_t)> progress;

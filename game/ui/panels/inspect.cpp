@@ -1,3 +1,5 @@
+#include "audio/effect/hearing/loudness.hpp"
+#include "audio/effect/properties/decibel.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/shared/words.hpp"
 #include "physics/dynamics/properties/body.hpp"
@@ -134,6 +136,36 @@ std::string forceText(Vec2 force) {
     return fmt::format("{} N {}", readable(length(force)), words::direction(std::atan2(force.y, force.x)));
 }
 
+/// `level` in dB(A). Nobody hears what is below 0.
+std::string levelText(double level) {
+    return level >= 0 ? fmt::format("{:.1f} dB(A)", level) : std::string(words::silence);
+}
+
+/// Pa², A-weighted, at 1 m: of all that the object sounds like at the moment.
+double soundOf(Sounds const& sounds, ObjectId object) {
+    double sum = 0;
+    for (Sounds::Body const& body : sounds.bodies) {
+        sum += body.object == object ? body.loudness : 0;
+    }
+    for (Sounds::Recording const& recording : sounds.recordings) {
+        sum += recording.object == object ? recording.loudness : 0;
+    }
+    return sum;
+}
+
+/// How loud the object is, and how loud it is where the object is, if it listens.
+void saySound(World const& world, ObjectId object, std::vector<InspectorRow>& rows) {
+    if (auto const* sounds = world.find<Sounds>(); sounds != nullptr) {
+        if (double const own = levelOf(soundOf(*sounds, object)); own >= 0) {
+            rows.push_back({words::sounds, levelText(own), {}, words::soundsMeaning});
+        }
+    }
+    bool const listens = world.find<Ear>(object) != nullptr || world.find<SoundSensor>(object) != nullptr;
+    if (auto const* loudness = world.find<Loudness>(); listens && loudness != nullptr) {
+        rows.push_back({words::hears, levelText(loudness->at(object)), {}, words::hearsMeaning});
+    }
+}
+
 InspectorSection situation(World const& world, ObjectId object) {
     InspectorSection section{std::string(words::rightNow), {}, {}};
     auto& rows = section.rows;
@@ -206,6 +238,7 @@ InspectorSection situation(World const& world, ObjectId object) {
             say(words::magneticPull, forceText(force), words::magneticMeaning);
         }
     }
+    saySound(world, object, rows);
     return section;
 }
 

@@ -24,8 +24,9 @@ struct InspectorSection {
     std::vector<InspectorRow> rows;
 };
 
-/// What the inspector says of an object: first what goes on with it (speed, electricity, contacts, forces),
-/// then every property that it has, in order of keys. Empty if the object does not exist.
+/// What the inspector says of an object: first what goes on with it (speed, electricity, contacts, forces,
+/// sound), then every property that it has, in order of keys. How loud an object is it knows while
+/// somebody wants the world's Sounds, as SoundView does. Empty if the object does not exist.
 [[nodiscard]] std::vector<InspectorSection> inspect(World const& world, ObjectId object);
 
 /// A number as people read it: four digits, SI's own spelling of what is very large or small.

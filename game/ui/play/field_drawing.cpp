@@ -113,7 +113,10 @@ void drawField(PlayParts& parts) {
     canvas.begin(parts.camera(),
                  {.uiScale = context.window.uiScale(), .time = time, .shadows = context.shadows});
     canvas.paper();
-    parts.scene.draw(canvas, world, sceneOptions(parts, time));
+    std::vector<render::Ripple> const ripples = parts.sounds.ripples();
+    render::SceneOptions options = sceneOptions(parts, time);
+    options.ripples = ripples;
+    parts.scene.draw(canvas, world, options);
     canvas.newSheet();
     drawBlades(parts);
     drawHandle(parts);

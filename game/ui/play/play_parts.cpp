@@ -19,9 +19,14 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile, Worl
 
 RunEvents PlayParts::runEvents() {
     return {.newWorld = [this] { newWorld(); },
-            .beforeStep = [this] { scene.remember(session.world()); },
+            .beforeStep =
+                [this] {
+                    scene.remember(session.world());
+                    sounds.beforeStep(session.world());
+                },
             .afterStep =
                 [this] {
+                    sounds.afterStep(session.world());
                     if (!celebration.noteStep(session)) {
                         return;
                     }

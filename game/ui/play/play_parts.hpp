@@ -12,6 +12,7 @@
 #include "game/ui/play/level_audio.hpp"
 #include "game/ui/play/run_control.hpp"
 #include "game/ui/play/shown.hpp"
+#include "game/ui/play/sound_view.hpp"
 #include "game/ui/play/turn_handle.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
@@ -39,6 +40,7 @@ struct PlayParts {
     ComponentsPanel components;
     CameraControl view;
     render::SceneView scene;
+    SoundView sounds;
     GoalAreas goals;
     LevelAudio audio;
     RunControl run;

@@ -107,6 +107,11 @@ inline constexpr char const* shortMeaning =
     "it loses nearly all of its voltage inside, or drives next to no load";
 inline constexpr char const* magneticPull = "magnetic force";
 inline constexpr char const* magneticMeaning = "the sum of all magnetic forces on it";
+inline constexpr char const* sounds = "sounds";
+inline constexpr char const* soundsMeaning = "how loud it is, at a distance of 1 m";
+inline constexpr char const* hears = "hears";
+inline constexpr char const* hearsMeaning = "how loud it is where it is";
+inline constexpr char const* silence = "silence";
 inline constexpr char const* objectIsGone = "It is not in the world at the moment.";
 inline constexpr char const* yes = "yes";
 inline constexpr char const* no = "no";

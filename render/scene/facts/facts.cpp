@@ -15,15 +15,6 @@ P const* valueIn(Prototype const& prototype) {
     return nullptr;
 }
 
-template <class P>
-P const* in(Column<P> const* column, ObjectId id) {
-    return column == nullptr ? nullptr : column->find(id);
-}
-
-bool has(ColumnBase const* column, ObjectId id) {
-    return column != nullptr && column->has(id);
-}
-
 void guessSubstance(Facts& facts) {
     bool const attracted = facts.strength != nullptr && facts.strength->susceptibility > 0;
     facts.fixed = facts.fixed || facts.liquid; // it stays where it is
@@ -44,49 +35,48 @@ int level(Facts const& facts) {
     return facts.liquid ? 0 : (facts.fixed ? 1 : 2);
 }
 
+/// `find.operator()<P>()` returns the object's property P, or nullptr.
+template <class Find>
+Facts gather(Find const& find) {
+    Facts facts;
+    facts.position = find.template operator()<Position>();
+    facts.rotation = find.template operator()<Rotation>();
+    facts.shape = find.template operator()<Shape>();
+    facts.fixed = find.template operator()<Fixed>() != nullptr;
+    facts.liquid = find.template operator()<Liquid>() != nullptr;
+    facts.conductor = find.template operator()<Conductor>() != nullptr;
+    facts.source = find.template operator()<ElectricalSource>() != nullptr;
+    facts.earth = find.template operator()<ElectricalReturn>() != nullptr;
+    facts.device = find.template operator()<ElectricalDevice>() != nullptr;
+    facts.poles = find.template operator()<MagneticPoles>();
+    facts.magnet = find.template operator()<Magnet>();
+    facts.strength = find.template operator()<MagneticStrength>();
+    facts.coil = find.template operator()<Electromagnet>();
+    facts.madeOf = find.template operator()<MadeOf>();
+    facts.look = find.template operator()<Look>();
+    guessSubstance(facts);
+    return facts;
+}
+
 } // namespace
 
 FactsReader::FactsReader(World const& world)
-    : positions_(world.store().findColumn<Position>()), rotations_(world.store().findColumn<Rotation>()),
-      shapes_(world.store().findColumn<Shape>()), fixed_(world.store().findColumn<Fixed>()),
-      liquids_(world.store().findColumn<Liquid>()), conductors_(world.store().findColumn<Conductor>()),
-      sources_(world.store().findColumn<ElectricalSource>()),
-      returns_(world.store().findColumn<ElectricalReturn>()),
-      devices_(world.store().findColumn<ElectricalDevice>()),
-      poles_(world.store().findColumn<MagneticPoles>()), magnets_(world.store().findColumn<Magnet>()),
-      strengths_(world.store().findColumn<MagneticStrength>()),
-      coils_(world.store().findColumn<Electromagnet>()), state_(world.find<ElectricalState>()),
-      madeOf_(world.store().findColumn<MadeOf>()), looks_(world.store().findColumn<Look>()) {}
+    : columns_(world.store()), state_(world.find<ElectricalState>()) {}
 
 Facts FactsReader::of(ObjectId id) const {
-    Facts facts;
+    Facts facts = gather([&]<class P>() { return columns_.find<P>(id); });
     facts.id = id;
-    facts.position = in(positions_, id);
-    facts.rotation = in(rotations_, id);
-    facts.shape = in(shapes_, id);
-    facts.fixed = has(fixed_, id);
-    facts.liquid = has(liquids_, id);
-    facts.conductor = has(conductors_, id);
-    facts.source = has(sources_, id);
-    facts.earth = has(returns_, id);
-    facts.device = has(devices_, id);
     facts.on = state_ != nullptr && state_->isOn(id);
-    facts.poles = in(poles_, id);
-    facts.magnet = in(magnets_, id);
-    facts.strength = in(strengths_, id);
-    facts.coil = in(coils_, id);
-    facts.madeOf = in(madeOf_, id);
-    facts.look = in(looks_, id);
-    guessSubstance(facts);
     return facts;
 }
 
 std::vector<Facts> FactsReader::drawOrder() const {
     std::vector<Facts> all;
-    if (positions_ == nullptr) {
+    auto const* const positions = std::get<Column<Position> const*>(columns_.all);
+    if (positions == nullptr) {
         return all;
     }
-    for (ObjectId const id : positions_->owners()) {
+    for (ObjectId const id : positions->owners()) {
         Facts const facts = of(id);
         if (facts.visible()) {
             all.push_back(facts);
@@ -98,24 +88,7 @@ std::vector<Facts> FactsReader::drawOrder() const {
 }
 
 Facts factsOf(Prototype const& prototype) {
-    Facts facts;
-    facts.position = valueIn<Position>(prototype);
-    facts.rotation = valueIn<Rotation>(prototype);
-    facts.shape = valueIn<Shape>(prototype);
-    facts.fixed = valueIn<Fixed>(prototype) != nullptr;
-    facts.liquid = valueIn<Liquid>(prototype) != nullptr;
-    facts.conductor = valueIn<Conductor>(prototype) != nullptr;
-    facts.source = valueIn<ElectricalSource>(prototype) != nullptr;
-    facts.earth = valueIn<ElectricalReturn>(prototype) != nullptr;
-    facts.device = valueIn<ElectricalDevice>(prototype) != nullptr;
-    facts.poles = valueIn<MagneticPoles>(prototype);
-    facts.magnet = valueIn<Magnet>(prototype);
-    facts.strength = valueIn<MagneticStrength>(prototype);
-    facts.coil = valueIn<Electromagnet>(prototype);
-    facts.madeOf = valueIn<MadeOf>(prototype);
-    facts.look = valueIn<Look>(prototype);
-    guessSubstance(facts);
-    return facts;
+    return gather([&]<class P>() { return valueIn<P>(prototype); });
 }
 
 } // namespace trembler::render

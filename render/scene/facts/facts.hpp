@@ -12,6 +12,9 @@
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
 
+#include <tuple>
+#include <vector>
+
 namespace trembler::render {
 
 /// Null or false where the object lacks the property. Pointers are valid until the world changes.
@@ -58,22 +61,21 @@ public:
     [[nodiscard]] std::vector<Facts> drawOrder() const;
 
 private:
-    Column<Position> const* positions_;
-    Column<Rotation> const* rotations_;
-    Column<Shape> const* shapes_;
-    Column<Fixed> const* fixed_;
-    Column<Liquid> const* liquids_;
-    Column<Conductor> const* conductors_;
-    Column<ElectricalSource> const* sources_;
-    Column<ElectricalReturn> const* returns_;
-    Column<ElectricalDevice> const* devices_;
-    Column<MagneticPoles> const* poles_;
-    Column<Magnet> const* magnets_;
-    Column<MagneticStrength> const* strengths_;
-    Column<Electromagnet> const* coils_;
+    /// Of a world, the columns of these properties; nullptr where it has none.
+    template <class... P>
+    struct ColumnsOf {
+        explicit ColumnsOf(Store const& store) : all(store.findColumn<P>()...) {}
+        template <class Q>
+        [[nodiscard]] Q const* find(ObjectId id) const {
+            auto const* const column = std::get<Column<Q> const*>(all);
+            return column == nullptr ? nullptr : column->find(id);
+        }
+        std::tuple<Column<P> const*...> all;
+    };
+    ColumnsOf<Position, Rotation, Shape, Fixed, Liquid, Conductor, ElectricalSource, ElectricalReturn,
+              ElectricalDevice, MagneticPoles, Magnet, MagneticStrength, Electromagnet, MadeOf, Look>
+        columns_;
     ElectricalState const* state_;
-    Column<MadeOf> const* madeOf_;
-    Column<Look> const* looks_;
 };
 
 /// The same of a part that is not in any world; it lies at the origin unless its values say otherwise.

@@ -50,5 +50,68 @@ TEST(SoundRings, KeepTheStrongest) {
     }
 }
 
+Sounds::Body bodyAt(ObjectId object, Vec2 at, double level) {
+    Sounds::Body body;
+    body.object = object;
+    body.at = at;
+    body.loudness = meanSquareOf(level);
+    return body;
+}
+
+TEST(SoundRings, WhatSoundsOnMakesOneRingAfterTheOther) {
+    ObjectId const bell{1};
+    ObjectId const gramophone{2};
+    ObjectId const feather{3};
+    Sounds sounds;
+    sounds.bodies = {bodyAt(bell, {0, 1}, 80), bodyAt(feather, {9, 9}, 20)};
+    Sounds::Recording recording;
+    recording.object = gramophone;
+    recording.at = {4, 0};
+    recording.loudness = meanSquareOf(90);
+    sounds.recordings = {recording};
+    SoundRings rings;
+    int ofBell = 0;
+    int ofGramophone = 0;
+    constexpr int framesPerSecond = 60;
+    for (int frame = 1; frame <= 10 * framesPerSecond; ++frame) {
+        rings.advance(1.0 / framesPerSecond);
+        sounds.frame = static_cast<std::uint64_t>(frame);
+        rings.hear(sounds);
+        for (SoundRing const& ring : rings.rings()) {
+            EXPECT_NE(ring.from, feather) << "too soft";
+            if (ring.radius == 0) {
+                (ring.from == bell ? ofBell : ofGramophone) += 1;
+                EXPECT_EQ(ring.at, ring.from == bell ? (Vec2{0, 1}) : (Vec2{4, 0}));
+            }
+        }
+    }
+    // A ring of 80 dB(A) is seen for 0.8 s * 35/65 = 0.43 s, of 90 dB(A) for 0.55 s: at every second pulse.
+    EXPECT_NEAR(ofBell, 12, 1);
+    EXPECT_NEAR(ofGramophone, 12, 1);
+}
+
+TEST(SoundRings, WhatWasHitHasTheImpactsRingAndNoOther) {
+    ObjectId const striker{1};
+    ObjectId const bell{2};
+    Sounds sounds;
+    SoundRings rings;
+    for (int frame = 1; frame <= 300; ++frame) {
+        rings.advance(1.0 / 60);
+        sounds.frame = static_cast<std::uint64_t>(frame);
+        sounds.bodies = {bodyAt(bell, {0, 1}, 95)};
+        sounds.impacts.clear();
+        if (frame % 20 == 1) {
+            sounds.impacts = {impactAt({0.3, 1}, 100)};
+            sounds.impacts[0].object = striker;
+            sounds.impacts[0].other = bell;
+        }
+        rings.hear(sounds);
+        for (SoundRing const& ring : rings.rings()) {
+            EXPECT_EQ(ring.at, (Vec2{0.3, 1})) << "where it was hit";
+        }
+    }
+    EXPECT_FALSE(rings.rings().empty());
+}
+
 } // namespace
 } // namespace trembler
