@@ -169,7 +169,10 @@ TEST_F(BuildWorld, SaysWhichObjectEachEntryBecame) {
         }
         std::vector<Placement> placements;
         for (std::size_t const i : shuffledTo(6)) { // two of them equal
-            placements.push_back({i % 2 == 0 ? "thing" : "other", {std::min<double>(i, 3), 0}, 0.5, ""});
+            placements.push_back({i % 2 == 0 ? "thing" : "other",
+                                  {static_cast<double>(std::min<std::size_t>(i, 3)), 0},
+                                  0.5,
+                                  ""});
         }
         LevelFile const level = sample::read(
             registry,
