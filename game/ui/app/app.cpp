@@ -17,6 +17,7 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                   .canvas = {},
                                   .toasts = {},
                                   .layout = {},
+                                  .focus = {},
                                   .catalog = PartCatalog(parts, context_.canvas),
                                   .levels = LevelCatalog(registry, options.levels),
                                   .profile = Profile(options.profile),

@@ -64,7 +64,7 @@ void KeysPage::drawRow(UiContext& context, CommandInfo const& command) {
     bool const hovered = ImGui::IsItemHovered();
     context.layout.item("key of " + id);
     chosen = context.focus.item() || chosen;
-    bool none = context.focus.here() && !waiting() && context.input.keyPressed(SDLK_DELETE);
+    bool none = context.focus.here() && !taking_ && context.input.keyPressed(SDLK_DELETE);
     drawKeyRow(command, labelsOf(context.keys.keysOf(command.id)), waiting_ == &command,
                hovered && !command.fixed);
     if (hovered) {
@@ -108,7 +108,8 @@ void KeysPage::drawRows(UiContext& context) {
 }
 
 bool KeysPage::draw(UiContext& context) {
-    if (waiting()) {
+    taking_ = waiting();
+    if (taking_) {
         takeKey(context);
     }
     Layout& layout = context.layout;

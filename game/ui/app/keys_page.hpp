@@ -24,6 +24,7 @@ private:
     void drawRow(UiContext& context, CommandInfo const& command);
 
     CommandInfo const* waiting_ = nullptr; // for its key
+    bool taking_ = false;                  // the keys of this picture are for it
     std::string complaint_;
 };
 

@@ -25,7 +25,7 @@ void drawVeil() {
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, screen, imColour(faded(palette::paper, 0.80F)));
 }
 
-char const* nameOf(MenuPage page) {
+char const* pageName(MenuPage page) {
     switch (page) {
     case MenuPage::main:
         return "main";
@@ -219,7 +219,7 @@ std::optional<ScreenRequest> Menu::draw(UiContext& context, Screen& behind) {
     }
     drawVeil();
     auto const events = keys_.waiting() ? std::span<SDL_Event const>() : context.input.events();
-    context.focus.begin(nameOf(page()), events, context.input.mouseMoved() != Point{});
+    context.focus.begin(pageName(page()), events, context.input.mouseMoved() != Point{});
     switch (page()) {
     case MenuPage::main:
         return drawMain(context, behind);

@@ -69,6 +69,9 @@ std::optional<Chord> chordFrom(std::string_view name) {
         chord.shift = chord.shift || shift;
         taken = ctrl || alt || shift;
     }
+    if (name.empty() || static_cast<unsigned char>(name.front()) < 0x20) {
+        return std::nullopt; // SDL takes a control character for a key
+    }
     chord.key = SDL_GetKeyFromName(std::string(name).c_str());
     if (!chord.any() || isModifier(chord.key)) {
         return std::nullopt;

@@ -3,6 +3,8 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 
+#include <algorithm>
+
 namespace trembler::ui {
 
 void Focus::beginFrame() {
@@ -73,12 +75,16 @@ bool Focus::item(bool adjusts) {
         return false;
     }
     adjusts_ = adjusts;
+    // Around the item, and not beyond what is seen of its list.
     float const gap = render::scaled(3);
+    float const line = render::scaled(2.4F);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float const left = list.GetClipRectMin().x + line;
+    float const right = list.GetClipRectMax().x - line;
     ImVec2 const low = ImGui::GetItemRectMin();
     ImVec2 const high = ImGui::GetItemRectMax();
-    ImGui::GetWindowDrawList()->AddRect({low.x - gap, low.y - gap}, {high.x + gap, high.y + gap},
-                                        render::imColour(render::palette::accent), render::scaled(10), 0,
-                                        render::scaled(2.4F));
+    list.AddRect({std::max(low.x - gap, left), low.y - gap}, {std::min(high.x + gap, right), high.y + gap},
+                 render::imColour(render::palette::accent), render::scaled(10), 0, line);
     if (moved_ && ImGui::GetScrollMaxY() > 0) {
         ImGui::SetScrollHereY();
     }

@@ -68,8 +68,8 @@ inline constexpr char const* changeKeys = "Change the keys";
 inline constexpr char const* resetKeys = "All keys as they were";
 inline constexpr char const* pressAKey = "Press a key …";
 inline constexpr char const* pressAKeyOrEsc = "Press the key that it is to have. Esc leaves it as it is.";
-inline constexpr char const* changeKeysHint = "Click a line, or go to it with the arrow keys and press "
-                                              "Enter. The cross, or Delete, leaves it without a key.";
+inline constexpr char const* changeKeysHint =
+    "Click a line, or press Enter on it. The cross, or Delete, takes its key away.";
 inline constexpr char const* chooseAnother = "Press another one.";
 inline constexpr char const* noKeyTip = "No key";
 inline constexpr char const* groupBuilding = "Building";

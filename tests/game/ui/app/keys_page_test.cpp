@@ -122,7 +122,13 @@ TEST_F(GivingKeys, ByKeyboardAlone) {
     player->key(SDLK_F7);
     EXPECT_FALSE(keysPage().waiting());
     EXPECT_EQ(keysOf("cut"), "F7");
-    player->key(SDLK_DELETE);
+    player->key(SDLK_RETURN);
+    player->key(SDLK_DELETE); // a key as well, though that of another command
+    EXPECT_TRUE(keysPage().waiting());
+    EXPECT_EQ(keysOf("cut"), "F7");
+    player->key(SDLK_DELETE, KMOD_LCTRL); // and with Ctrl nobody's
+    EXPECT_EQ(keysOf("cut"), "Ctrl+Delete");
+    player->key(SDLK_DELETE); // while it does not wait: no key
     EXPECT_EQ(keysOf("cut"), "");
     press(SDLK_UP, row + 2); // from the first line round to the last button but one
     player->key(SDLK_RETURN);

@@ -1,7 +1,8 @@
 // The program holds one screen and knows none by its type; menus over it work with the keyboard alone.
 #include "tests/game/ui/player.hpp"
 
-#include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace trembler::ui::test {
 namespace {

@@ -7,7 +7,10 @@
 
 #include <array>
 #include <map>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace trembler::ui::test {

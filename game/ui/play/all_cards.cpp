@@ -1,4 +1,4 @@
-#include "game/ui/play/card_table.hpp"
+#include "game/ui/play/all_cards.hpp"
 
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/shared/words.hpp"
