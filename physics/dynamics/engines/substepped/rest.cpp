@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -109,23 +110,26 @@ void SubsteppedEngine::findRest(double duration) {
             least[roots[slot]] = std::min(least[roots[slot]], bodies_[slot].idle);
         }
     }
-    std::vector<std::vector<SlotIndex>> resting(bodies_.size()); // by root
+    std::vector<std::pair<SlotIndex, SlotIndex>> resting; // root and body, of each body that falls asleep
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (awake_[slot] != 0 && least[roots[slot]] >= timeToSleep) {
-            resting[roots[slot]].push_back(slot);
+            resting.emplace_back(roots[slot], slot);
         }
     }
-    for (std::vector<SlotIndex> const& island : resting) {
-        for (SlotIndex const slot : island) {
+    std::sort(resting.begin(), resting.end());
+    std::vector<SlotIndex> island;
+    for (auto first = resting.begin(); first != resting.end();) {
+        island.clear();
+        for (SlotIndex const root = first->first; first != resting.end() && first->first == root; ++first) {
+            SlotIndex const slot = first->second;
             Motion still = motionOf(slot);
             still.velocity = {};
             still.spin = 0;
             setMotion(slot, still);
             awake_[slot] = 0;
+            island.push_back(slot);
         }
-        if (!island.empty()) {
-            layToRest(island);
-        }
+        layToRest(island);
     }
 }
 
