@@ -24,7 +24,7 @@ std::string outputOf(std::string const& command) {
     return output;
 }
 
-nlohmann::json hashesOf(std::string const& environment, std::string const& level, int threads) {
+nlohmann::json hashesOfProgram(std::string const& environment, std::string const& level, int threads) {
     std::string const command = environment + " " + TREMBLER_BINARY_DIR + "/trembler run " + level +
                                 " --json --frames 300 --hash-every 60 --threads " + std::to_string(threads);
     auto const report = nlohmann::json::parse(outputOf(command), nullptr, false);
@@ -33,10 +33,11 @@ nlohmann::json hashesOf(std::string const& environment, std::string const& level
 
 TEST(Processes, GiveTheSameHashes) {
     for (auto const& path : gameData().levels()) {
-        auto const first = hashesOf("", path.string(), 1);
+        auto const first = hashesOfProgram("", path.string(), 1);
         ASSERT_TRUE(first.is_array()) << first;
         EXPECT_EQ(first.size(), 5U);
-        EXPECT_EQ(first, hashesOf("LANG=de_DE.UTF-8 MALLOC_PERTURB_=42 FILLER=$(seq 1 999 | tr '\\n' x)",
+        EXPECT_EQ(first,
+                  hashesOfProgram("LANG=de_DE.UTF-8 MALLOC_PERTURB_=42 FILLER=$(seq 1 999 | tr '\\n' x)",
                                   path.string(), 2));
     }
 }
