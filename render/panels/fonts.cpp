@@ -36,19 +36,23 @@ constexpr std::array<ImWchar, 11> text{0x0020, 0x017F, 0x0370, 0x03FF, 0x2010, 0
 constexpr std::array<ImWchar, 11> symbols{0x2190, 0x21FF, 0x2200, 0x22FF, 0x2300, 0x23FF,
                                           0x25A0, 0x25FF, 0x2600, 0x27BF, 0};
 
+/// Arrow keys are shown in small letters, too.
+constexpr std::array<ImWchar, 3> arrows{0x2190, 0x2193, 0};
+
 bool there(char const* file) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(file, ignored);
 }
 
-ImFont* load(char const* file, float pixels, ImWchar const* range, bool withSymbols) {
+/// `symbolRange`: what is taken from the other family; nullptr: nothing.
+ImFont* load(char const* file, float pixels, ImWchar const* range, ImWchar const* symbolRange = nullptr) {
     ImFontConfig config;
     config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
     auto& atlas = *ImGui::GetIO().Fonts;
     ImFont* font = atlas.AddFontFromFileTTF(file, pixels, &config, range);
-    if (font != nullptr && withSymbols && there(signs.regular)) {
+    if (font != nullptr && symbolRange != nullptr && there(signs.regular)) {
         config.MergeMode = true;
-        atlas.AddFontFromFileTTF(signs.regular, pixels * 0.94F, &config, symbols.data());
+        atlas.AddFontFromFileTTF(signs.regular, pixels * 0.94F, &config, symbolRange);
     }
     return font;
 }
@@ -84,11 +88,11 @@ Fonts loadFonts(float scale) {
         }
         atlas.Clear();
         Fonts fonts;
-        fonts.body = load(family.regular, 17 * scale, text.data(), true);
-        fonts.small = load(family.regular, 14 * scale, text.data(), false);
-        fonts.strong = load(family.strong, 17 * scale, text.data(), false);
-        fonts.heading = load(family.strong, 23 * scale, latin.data(), false);
-        fonts.title = load(family.bold, 46 * scale, latin.data(), false);
+        fonts.body = load(family.regular, 17 * scale, text.data(), symbols.data());
+        fonts.small = load(family.regular, 14 * scale, text.data(), arrows.data());
+        fonts.strong = load(family.strong, 17 * scale, text.data());
+        fonts.heading = load(family.strong, 23 * scale, latin.data());
+        fonts.title = load(family.bold, 46 * scale, latin.data());
         bool const all = fonts.body != nullptr && fonts.small != nullptr && fonts.strong != nullptr &&
                          fonts.heading != nullptr && fonts.title != nullptr;
         if (all && atlas.Build()) {

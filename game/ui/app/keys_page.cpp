@@ -67,7 +67,7 @@ void KeysPage::drawRow(UiContext& context, CommandInfo const& command) {
     bool none = context.focus.here() && !taking_ && context.input.keyPressed(SDLK_DELETE);
     drawKeyRow(command, labelsOf(context.keys.keysOf(command.id)), waiting_ == &command,
                hovered && !command.fixed);
-    if (hovered) {
+    if (hovered && command.tip != command.name) {
         ImGui::SetTooltip("%s", words::wrapped(command.tip, 60).c_str());
     }
     if (!command.fixed) {

@@ -20,7 +20,7 @@ protected:
     static LevelFile pool(std::string const& bodies, std::string const& settings,
                           std::string const& detail = "exact") {
         return levelOf(R"("world": {"gravity": [0, -10], "buoyancy": )" + settings +
-                       R"(}, "detail": {"buoyancy": ")" + detail + R"("}, "objects": [
+                       R"(, "detail": {"buoyancy": ")" + detail + R"("}}, "objects": [
             {"name": "water", "at": [0, -10], "properties": {"density": 1000,
              "shape": [{"form": "box", "width": 100, "height": 20}],
              "liquid": {"linear_drag": 0, "quadratic_drag": 0}}}, )" +

@@ -52,7 +52,7 @@ TEST_F(MagnetismKnob, EveryOptionCanBeMadeAndIsThenTheCurrentOne) {
 // Their nearest poles are 2.3 m apart: a cutoff below that leaves nothing, and one of which four fifths are
 // above 3.7 m, the distance of the farthest, leaves all.
 TEST_F(MagnetismKnob, OfTwoMagnetsACutoffLeavesAllOrNothing) {
-    open(levelOf(R"("world": {"magnetism": {"look_ahead": false}}, "detail": {"magnetism": "pairwise"},
+    open(levelOf(R"("world": {"magnetism": {"look_ahead": false}, "detail": {"magnetism": "pairwise"}},
         "objects": [{"name": "one", "part": "bar magnet", "at": [0, 0]},
                     {"name": "two", "part": "bar magnet", "at": [3, 0]}])"));
     runTo(1);

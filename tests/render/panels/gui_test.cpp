@@ -55,6 +55,19 @@ struct Bench {
     [[nodiscard]] Point at() const { return {static_cast<double>(middle.x), static_cast<double>(middle.y)}; }
 };
 
+// Keys are named in body text and, on the page of keys, in small text. Both come from a font that lacks
+// arrows.
+TEST_F(Panels, TextOfBothSizesHasTheArrowKeys) {
+    if (theme().fonts.builtIn) {
+        GTEST_SKIP() << "no font is installed";
+    }
+    for (ImFont const* const font : {theme().fonts.body, theme().fonts.small}) {
+        for (ImWchar arrow = 0x2190; arrow <= 0x2193; ++arrow) {
+            EXPECT_NE(font->FindGlyphNoFallback(arrow), nullptr) << std::hex << arrow;
+        }
+    }
+}
+
 TEST_F(Panels, APushedClickClicks) {
     Bench bench;
     int clicks = 0;
