@@ -72,6 +72,12 @@ private:
     void takeStep(float h, DynamicsSettings const& settings, bool last);
     /// Whether Box2D would spend too much on looking for impacts within the coming substep.
     [[nodiscard]] bool tooManyImpacts() const;
+    [[nodiscard]] static bool stops(b2Body const& body) {
+        return body.GetType() != b2_dynamicBody || body.IsBullet();
+    }
+    [[nodiscard]] static bool isActive(b2Body const& body) {
+        return body.GetType() != b2_staticBody && body.IsAwake();
+    }
     void noteStart();
     /// Puts what was too fast back to where its path was first blocked, after a substep without impacts.
     void holdBack();
@@ -89,6 +95,8 @@ private:
         SlotIndex slot = noSlot;
         SlotIndex other = noSlot;
     };
+    /// Whether it touches otherwise than Box2D takes it to.
+    [[nodiscard]] static bool isStale(b2Contact* contact);
     /// How a body moved in the last substep, in engine units.
     struct Way {
         b2Vec2 from = b2Vec2_zero;
@@ -147,6 +155,7 @@ private:
     b2World world_;
     b2Body* ground_ = nullptr; // what joints to the world hold on to
     std::vector<BodyEntry> bodies_;
+    std::vector<SlotIndex> stopping_; // fixed bodies and bullets
     std::vector<JointEntry> joints_;
     std::vector<DraggedBody> dragged_;     // by slot
     std::vector<SlotIndex> draggedSlots_;  // of those that any drag acts on

@@ -8,6 +8,7 @@
 // news. Its own state is left as it is: a step without time would find the same, but it changes what Box2D
 // starts the next step from, and takes a tenth of a frame.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
+#include "runtime/component/component.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +16,15 @@
 namespace trembler {
 namespace {
 
-bool isActive(b2Body const* body) {
-    return body->GetType() != b2_staticBody && body->IsAwake();
-}
+constexpr double usualSubstep = frameDuration / 4; // s
+
+} // namespace
 
 // As Box2D itself decides whether it looks at a contact, and whether that touches.
-bool isStale(b2Contact* contact) {
+bool Box2dEngine::isStale(b2Contact* contact) {
     b2Body const* const a = contact->GetFixtureA()->GetBody();
     b2Body const* const b = contact->GetFixtureB()->GetBody();
-    if (!isActive(a) && !isActive(b)) {
+    if (!isActive(*a) && !isActive(*b)) {
         return false;
     }
     b2Manifold now;
@@ -31,16 +32,18 @@ bool isStale(b2Contact* contact) {
     return (now.pointCount > 0) != contact->IsTouching();
 }
 
-} // namespace
-
 Box2dEngine::Way Box2dEngine::wayFrom(SlotIndex slot, Place const& start) const {
     b2Body const& body = *bodies_[slot].body;
     return {start.centre, body.GetPosition() - start.centre, body.GetAngle() - start.angle,
             static_cast<float>(bodies_[slot].extent * scale_)};
 }
 
+// A world that states fewer substeps than usual has coarser steps, and what touches is as coarse: touches may
+// then be late by what goes as far in such a step as farInSubstep is in a usual one.
 bool Box2dEngine::isFar(Way const& way) const {
-    return way.by.Length() + std::abs(way.turn) * way.extent > static_cast<float>(farInSubstep * scale_);
+    double const coarse = std::max(1.0, static_cast<double>(substep_) / usualSubstep);
+    return way.by.Length() + std::abs(way.turn) * way.extent >
+           static_cast<float>(farInSubstep * coarse * scale_);
 }
 
 bool Box2dEngine::isFarApart(Way const& a, Way const& b) const {

@@ -48,16 +48,15 @@ bool Box2dEngine::tooManyImpacts() const {
     if (contacts * contacts <= mostLooks) {
         return false;
     }
+    // Box2D looks for impacts on what is fixed, and on and of bullets: each such contact once.
     double impacts = 0; // that there may be
-    for (b2Contact const* contact = world_.GetContactList(); contact != nullptr;
-         contact = contact->GetNext()) {
-        b2Body const* const a = contact->GetFixtureA()->GetBody();
-        b2Body const* const b = contact->GetFixtureB()->GetBody();
-        bool const stops = a->GetType() != b2_dynamicBody || b->GetType() != b2_dynamicBody ||
-                           a->IsBullet() || b->IsBullet();
-        bool const moves = (a->GetType() == b2_dynamicBody && a->IsAwake()) ||
-                           (b->GetType() == b2_dynamicBody && b->IsAwake());
-        impacts += stops && moves ? 1 : 0;
+    for (SlotIndex const slot : stopping_) {
+        bool const moves = isActive(*bodies_[slot].body);
+        for (b2ContactEdge const* edge = bodies_[slot].body->GetContactList(); edge != nullptr;
+             edge = edge->next) {
+            bool const seen = stops(*edge->other) && slotOf(edge->other) < slot;
+            impacts += !seen && (moves || isActive(*edge->other)) ? 1 : 0;
+        }
     }
     return contacts * impacts > mostLooks;
 }
