@@ -6,19 +6,13 @@
 // are looked at again where they are, and what differs is reported as begun or ended. Box2D itself comes to
 // the same result when it next looks, at the beginning of the next substep, and its word for it is then no
 // news. Its own state is left as it is: a step without time would find the same, but it changes what Box2D
-// starts the next step from, and takes a tenth of a frame.
+// starts the next step from, and looks at all contacts instead of a few.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
-#include "runtime/component/component.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace trembler {
-namespace {
-
-constexpr double usualSubstep = frameDuration / 4; // s
-
-} // namespace
 
 // As Box2D itself decides whether it looks at a contact, and whether that touches.
 bool Box2dEngine::isStale(b2Contact* contact) {
@@ -38,12 +32,8 @@ Box2dEngine::Way Box2dEngine::wayFrom(SlotIndex slot, Place const& start) const 
             static_cast<float>(bodies_[slot].extent * scale_)};
 }
 
-// A world that states fewer substeps than usual has coarser steps, and what touches is as coarse: touches may
-// then be late by what goes as far in such a step as farInSubstep is in a usual one.
 bool Box2dEngine::isFar(Way const& way) const {
-    double const coarse = std::max(1.0, static_cast<double>(substep_) / usualSubstep);
-    return way.by.Length() + std::abs(way.turn) * way.extent >
-           static_cast<float>(farInSubstep * coarse * scale_);
+    return way.by.Length() + std::abs(way.turn) * way.extent > static_cast<float>(farInSubstep * scale_);
 }
 
 bool Box2dEngine::isFarApart(Way const& a, Way const& b) const {
