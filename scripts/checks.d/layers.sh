@@ -1,8 +1,8 @@
 # shellcheck shell=bash
 # Includes point down only, and an effect shows others nothing but its public face.
 #
-# Layers, from below: runtime, physics, sound (audio/effect), then side by side audio/synth with audio/device above it,
-# render, and puzzle; then side by side measure and game; game/ui; game/app. Tests and benches may look at anything,
+# Layers, from below: runtime, physics, sound (audio/effect) and lua, then side by side audio/synth with audio/device
+# above it, render, and puzzle; then side by side measure and game; game/ui; game/app. Tests and benches may look at anything,
 # and nothing may look at them.
 #
 # The face of an effect (a folder of physics/ with a register.hpp, and audio/effect) is calls.hpp and properties.hpp or
@@ -16,7 +16,7 @@ for face in physics/*/register.hpp; do
     effects+=("$(dirname "$face")")
 done
 folders=()
-for folder in runtime physics audio render puzzle measure game; do
+for folder in runtime physics audio lua render puzzle measure game; do
     if [[ -d $folder ]]; then
         folders+=("$folder")
     fi
@@ -43,14 +43,15 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
         below["runtime"] = "runtime"
         below["physics"] = "runtime physics"
         below["sound"] = "runtime physics sound"
+        below["lua"] = "runtime physics lua"
         below["synth"] = "runtime physics sound synth"
         below["device"] = "runtime physics sound synth device"
         below["render"] = "runtime physics render"
-        below["puzzle"] = "runtime physics sound puzzle"
-        below["measure"] = "runtime physics sound puzzle measure"
-        below["game"] = "runtime physics sound puzzle game"
-        below["ui"] = "runtime physics sound synth device render puzzle game ui"
-        below["app"] = "runtime physics sound synth device render puzzle measure game ui app"
+        below["puzzle"] = "runtime physics sound lua puzzle"
+        below["measure"] = "runtime physics sound lua puzzle measure"
+        below["game"] = "runtime physics sound lua puzzle game"
+        below["ui"] = "runtime physics sound lua synth device render puzzle game ui"
+        below["app"] = "runtime physics sound lua synth device render puzzle measure game ui app"
     }
     {
         split($0, part, ":")

@@ -1,0 +1,50 @@
+// What a script may use up in one turn. Everything is counted in instructions and bytes, never in time, so a
+// script is stopped at the same instruction on every machine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace trembler::lua {
+
+/// Limits of one turn, the application of one scripted interaction in one part of a frame. `objects` in the
+/// names below is the number of objects, or pairs, that it is applied to.
+struct ScriptLimits {
+    std::uint64_t instructions = 20'000;
+    std::uint64_t instructionsPerObject = 200;      ///< on average: an object may use what others leave
+    std::size_t memory = std::size_t{4} << 20U;     ///< bytes at any time
+    std::size_t allocation = std::size_t{4} << 20U; ///< bytes, the sum over all that is allocated in a turn
+    std::size_t allocationPerObject = 1024;         ///< bytes
+    std::uint32_t calls = 100;                      ///< of functions of the resolver
+    std::uint32_t callsPerObject = 10;
+    std::uint32_t logLines = 10;
+
+    /// What a manifest may ask for at most.
+    [[nodiscard]] static constexpr ScriptLimits greatest() {
+        return {.instructions = 200'000,
+                .instructionsPerObject = 2'000,
+                .memory = std::size_t{16} << 20U,
+                .allocation = std::size_t{16} << 20U,
+                .allocationPerObject = 4096,
+                .calls = 1'000,
+                .callsPerObject = 100,
+                .logLines = 100};
+    }
+};
+
+/// Limits that no manifest can change.
+inline constexpr std::size_t longestSource = 65'536; ///< bytes of a script
+inline constexpr std::size_t longestLiteral = 1'000; ///< bytes of a string that a script states
+inline constexpr std::size_t longestLogLine = 300;   ///< bytes
+/// Bytes of one new block: it bounds the length of strings, and so the work of one instruction on them.
+inline constexpr std::size_t largestNewBlock = 8'192;
+/// Bytes to which a block may grow: it bounds the length of arrays and the depth of the stack.
+inline constexpr std::size_t largestGrownBlock = 32'768;
+
+/// How far a script is trusted.
+enum class Trust : std::uint8_t {
+    untrusted, ///< interpreted, every limit counted: whatever is installed
+    trusted,   ///< may be compiled; its instructions are not counted, as compiled code cannot be stopped
+};
+
+} // namespace trembler::lua

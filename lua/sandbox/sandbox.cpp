@@ -1,0 +1,404 @@
+#include "lua/sandbox/sandbox.hpp"
+
+#include "lua/sandbox/exact_math.hpp"
+#include "lua/sandbox/prelude.hpp"
+#include "lua/sandbox/source_check.hpp"
+#include "runtime/level/json/suggestion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <lua.hpp>
+#include <new>
+#include <stdexcept>
+#include <vector>
+
+namespace trembler::lua {
+namespace {
+
+// The hook is called every so many instructions: rarely enough to cost little.
+constexpr int hookStep = 100;
+constexpr char sandboxKey = 0; // its address is the key of the sandbox in the registry
+
+std::string textAt(lua_State* L, int index) {
+    std::size_t size = 0;
+    char const* const text = lua_type(L, index) == LUA_TSTRING ? lua_tolstring(L, index, &size) : nullptr;
+    return text == nullptr ? std::string() : std::string(text, size);
+}
+
+double angleAt(lua_State* L) {
+    double const angle = luaL_checknumber(L, 1);
+    if (!(std::abs(angle) <= largestAngle)) {
+        Sandbox::of(L).raise(L, fmt::format("an angle of {} rad; expected at most {}", angle, largestAngle));
+    }
+    return angle;
+}
+
+void push(lua_State* L, std::string_view text) {
+    lua_pushlstring(L, text.data(), text.size());
+}
+
+} // namespace
+
+std::vector<std::string> stringKeys(lua_State* L, int index) {
+    std::vector<std::string> keys;
+    int const table = index < 0 ? lua_gettop(L) + 1 + index : index;
+    lua_pushnil(L);
+    while (lua_next(L, table) != 0) {
+        if (lua_type(L, -2) == LUA_TSTRING) {
+            keys.push_back(textAt(L, -2));
+        }
+        lua_pop(L, 1);
+    }
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
+std::string kindOf(lua_State* L, int index) {
+    switch (lua_type(L, index)) {
+    case LUA_TNONE:
+    case LUA_TNIL:
+        return "nil";
+    case LUA_TTABLE: {
+        int const table = index < 0 ? lua_gettop(L) + 1 + index : index;
+        bool vector = false;
+        if (lua_getmetatable(L, table) != 0) {
+            Sandbox::of(L).pushVectorMeta(L);
+            vector = lua_rawequal(L, -1, -2) != 0;
+            lua_pop(L, 2);
+        }
+        return vector ? "vector" : "table";
+    }
+    case LUA_TUSERDATA:
+        return "object";
+    default:
+        return lua_typename(L, lua_type(L, index));
+    }
+}
+
+// What the prelude is given. None of these has an object with a destructor on its stack when it calls what
+// may raise an error, but for short strings, which Lua's errors unwind on the platforms that it is built for.
+struct Sandbox::Functions {
+    static int charge(lua_State* L) {
+        of(L).charge(L, luaL_checknumber(L, 1));
+        return 0;
+    }
+    static int show(lua_State* L) {
+        std::string shown = textAt(L, 1);
+        if (lua_type(L, 1) == LUA_TNUMBER) {
+            shown = fmt::format("[{}]", lua_tonumber(L, 1));
+        } else if (lua_type(L, 1) != LUA_TSTRING) {
+            shown = fmt::format("[{}]", kindOf(L, 1));
+        }
+        shown.resize(std::min<std::size_t>(shown.size(), 60));
+        push(L, shown);
+        return 1;
+    }
+    static int suggest(lua_State* L) {
+        std::string const word = textAt(L, 1);
+        std::vector<std::string> const known = stringKeys(L, 2);
+        push(L, word.empty() || word.size() > 60 ? std::string() : didYouMean(word, known));
+        return 1;
+    }
+    static int list(lua_State* L) {
+        std::string all;
+        for (std::string const& key : stringKeys(L, 1)) {
+            all += ", " + key;
+        }
+        push(L, all);
+        return 1;
+    }
+    static int kind(lua_State* L) {
+        push(L, kindOf(L, 1));
+        return 1;
+    }
+    static int log(lua_State* L) {
+        Sandbox& sandbox = of(L);
+        std::string line = textAt(L, 1);
+        line.resize(std::min(line.size(), longestLogLine));
+        if (sandbox.logged_ < sandbox.limits_.logLines && sandbox.onLog) {
+            ++sandbox.logged_;
+            sandbox.onLog(line);
+        }
+        return 0;
+    }
+    static int limited(lua_State* L) {
+        Sandbox const& sandbox = of(L);
+        lua_pushboolean(L, !sandbox.stopped_.empty() || sandbox.memory_.exhausted() ? 1 : 0);
+        return 1;
+    }
+    static int limitText(lua_State* L) {
+        Sandbox const& sandbox = of(L);
+        push(L, sandbox.stopped_.empty() ? std::string_view("not enough memory") : sandbox.stopped_);
+        return 1;
+    }
+    static int sin(lua_State* L) {
+        lua_pushnumber(L, exactSin(angleAt(L)));
+        return 1;
+    }
+    static int cos(lua_State* L) {
+        lua_pushnumber(L, exactCos(angleAt(L)));
+        return 1;
+    }
+    static int atan2(lua_State* L) {
+        lua_pushnumber(L, exactAtan2(luaL_checknumber(L, 1), luaL_checknumber(L, 2)));
+        return 1;
+    }
+    static int exp(lua_State* L) {
+        lua_pushnumber(L, exactExp(luaL_checknumber(L, 1)));
+        return 1;
+    }
+    static int logE(lua_State* L) {
+        lua_pushnumber(L, exactLog(luaL_checknumber(L, 1)));
+        return 1;
+    }
+    static constexpr luaL_Reg all[] = {
+        {"charge", charge}, {"show", show},       {"suggest", suggest},     {"list", list},    {"kind", kind},
+        {"log", log},       {"limited", limited}, {"limitText", limitText}, {"sin", sin},      {"cos", cos},
+        {"atan2", atan2},   {"exp", exp},         {"log_e", logE},          {nullptr, nullptr}};
+
+    static int body(lua_State* L) {
+        auto const& body = *static_cast<Body const*>(lua_touserdata(L, 1));
+        lua_settop(L, 0);
+        body(L);
+        return 0;
+    }
+    static int handler(lua_State* L) {
+        Sandbox& sandbox = of(L);
+        sandbox.memory_.setHost(true);
+        sandbox.error_.message = lua_type(L, 1) == LUA_TSTRING ? textAt(L, 1)
+                                 : lua_type(L, 1) == LUA_TNUMBER
+                                     ? fmt::format("{}", lua_tonumber(L, 1))
+                                     : fmt::format("the error is no text but a {}", kindOf(L, 1));
+        constexpr std::size_t longest = 1000;
+        sandbox.error_.message.resize(std::min(sandbox.error_.message.size(), longest));
+        luaL_traceback(L, L, nullptr, 1);
+        sandbox.error_.traceback = textAt(L, -1);
+        sandbox.error_.traceback.resize(std::min(sandbox.error_.traceback.size(), 2 * longest));
+        return 1;
+    }
+};
+
+Sandbox::Sandbox(ScriptLimits const& limits) : limits_(limits) {
+    state_ = lua_newstate(Memory::allocate, &memory_);
+    if (state_ == nullptr) {
+        throw std::bad_alloc();
+    }
+    open();
+}
+
+Sandbox::~Sandbox() {
+    lua_close(state_);
+}
+
+Sandbox& Sandbox::of(lua_State* L) {
+    lua_pushlightuserdata(L, const_cast<char*>(&sandboxKey)); // NOLINT: only its address is used
+    lua_rawget(L, LUA_REGISTRYINDEX);
+    auto* const sandbox = static_cast<Sandbox*>(lua_touserdata(L, -1));
+    lua_pop(L, 1);
+    return *sandbox;
+}
+
+void Sandbox::open() {
+    auto const failed = protect([this](lua_State* L) {
+        lua_pushlightuserdata(L, const_cast<char*>(&sandboxKey)); // NOLINT: only its address is used
+        lua_pushlightuserdata(L, this);
+        lua_rawset(L, LUA_REGISTRYINDEX);
+        for (lua_CFunction const library : {luaopen_base, luaopen_string, luaopen_math, luaopen_table}) {
+            lua_pushcfunction(L, library);
+            lua_pushliteral(L, "");
+            lua_call(L, 1, 0);
+        }
+        // Nothing is compiled: compiled loops are not counted, and so cannot be stopped.
+        luaJIT_setmode(L, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
+        lua_gc(L, LUA_GCSETPAUSE, 110); // or garbage is taken for memory that is needed
+        std::string_view const text = preludeText();
+        if (luaL_loadbuffer(L, text.data(), text.size(), "=(prelude)") != 0) {
+            lua_error(L);
+        }
+        lua_pushvalue(L, LUA_GLOBALSINDEX);
+        lua_newtable(L);
+        luaL_register(L, nullptr, Functions::all);
+        lua_call(L, 2, 4);
+        vectorMeta_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        reset_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        surroundings_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        globals_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        lua_pushliteral(L, "x");
+        vectorX_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        lua_pushliteral(L, "y");
+        vectorY_ = luaL_ref(L, LUA_REGISTRYINDEX);
+    });
+    if (failed) {
+        lua_close(state_);
+        throw std::runtime_error("a Lua state could not be made: " + failed->message);
+    }
+    memory_.setCap(limits_.memory);
+}
+
+std::optional<ScriptError> Sandbox::protect(Body const& body) {
+    memory_.setHost(true);
+    return run(body);
+}
+
+std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) {
+    memory_.beginTurn(limits_.allocation + limits_.allocationPerObject * objects);
+    budget_ = limits_.instructions + limits_.instructionsPerObject * objects;
+    mostCalls_ = limits_.calls + std::uint64_t{limits_.callsPerObject} * objects;
+    spent_ = 0;
+    calls_ = 0;
+    logged_ = 0;
+    counting_ = true;
+    lua_sethook(state_, count, LUA_MASKCOUNT, hookStep);
+    auto failed = protect([&](lua_State* L) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, reset_);
+        lua_call(L, 0, 0);
+        body(L);
+    });
+    lua_sethook(state_, nullptr, 0, 0);
+    counting_ = false;
+    if (!failed && !stopped_.empty()) { // it ended before the next instruction was counted
+        failed = ScriptError{stopped_, {}, true};
+    }
+    if (!failed && memory_.exhausted()) {
+        failed = ScriptError{"not enough memory", {}, true};
+    }
+    if (failed && (!stopped_.empty() || memory_.exhausted())) {
+        failed->limit = true;
+        if (!stopped_.empty() && failed->message.find(stopped_) == std::string::npos) {
+            failed->message = stopped_; // the script has put something else in its place
+        } else if (stopped_.empty()) {
+            failed->message =
+                fmt::format("the script needs more memory than its limits, {} bytes at a time and "
+                            "{} in a turn, or calls itself too deeply",
+                            limits_.memory, limits_.allocation);
+        }
+    }
+    stopped_.clear();
+    memory_.beginTurn(static_cast<std::size_t>(-1));
+    return failed;
+}
+
+std::optional<ScriptError> Sandbox::run(Body const& body) {
+    error_ = {};
+    lua_State* const L = state_;
+    int const top = lua_gettop(L);
+    // Pushing these needs no memory beyond the stack that every state has.
+    lua_pushcfunction(L, Functions::handler);
+    lua_pushcfunction(L, Functions::body);
+    lua_pushlightuserdata(L, const_cast<Body*>(&body)); // NOLINT: it is called as const
+    int const status = lua_pcall(L, 1, 0, top + 1);
+    memory_.setHost(true);
+    std::optional<ScriptError> failed;
+    if (status != 0) {
+        failed = std::move(error_);
+        if (failed->message.empty()) {
+            failed->message = status == LUA_ERRMEM ? "not enough memory" : textAt(L, -1);
+        }
+    }
+    lua_settop(L, top);
+    return failed;
+}
+
+std::optional<ScriptError> Sandbox::load(std::string_view text, std::string const& name) {
+    if (auto const fault = faultInSource(text)) {
+        std::string const place = fault->line == 0 ? name : fmt::format("{}:{}", name, fault->line);
+        return ScriptError{fmt::format("{}: {}", place, fault->message), {}, false};
+    }
+    return protect([&](lua_State* L) {
+        if (luaL_loadbuffer(L, text.data(), text.size(), ("@" + name).c_str()) != 0) {
+            lua_error(L);
+        }
+        lua_rawgeti(L, LUA_REGISTRYINDEX, globals_);
+        lua_setfenv(L, -2);
+        chunk_ = luaL_ref(L, LUA_REGISTRYINDEX);
+    });
+}
+
+void Sandbox::pushChunk(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, chunk_);
+}
+void Sandbox::pushSurroundings(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, surroundings_);
+}
+void Sandbox::pushVectorMeta(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorMeta_);
+}
+void Sandbox::pushVector(lua_State* L, double x, double y) const {
+    lua_createtable(L, 0, 2);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorX_);
+    lua_pushnumber(L, x);
+    lua_rawset(L, -3);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorY_);
+    lua_pushnumber(L, y);
+    lua_rawset(L, -3);
+    pushVectorMeta(L);
+    lua_setmetatable(L, -2);
+}
+
+void Sandbox::callScript(lua_State* L, int arguments, int results) {
+    memory_.setHost(false);
+    lua_call(L, arguments, results);
+    memory_.setHost(true);
+}
+
+void Sandbox::count(lua_State* L, lua_Debug* /*at*/) {
+    Sandbox& sandbox = of(L);
+    if (!sandbox.stopped_.empty()) {
+        sandbox.stop(L, sandbox.stopped_);
+    }
+    if (sandbox.memory_.exhausted()) {
+        sandbox.stop(L, "not enough memory");
+    }
+    sandbox.charge(L, hookStep);
+}
+
+void Sandbox::charge(lua_State* L, double instructions) {
+    if (!counting_) {
+        return;
+    }
+    spent_ += static_cast<std::uint64_t>(std::clamp(instructions, 0.0, 1e15));
+    if (spent_ > budget_) {
+        stop(L, fmt::format("the script takes more than its {} instructions in a turn", budget_));
+    }
+}
+
+void Sandbox::chargeCall(lua_State* L) {
+    if (counting_ && ++calls_ > mostCalls_) {
+        stop(L, fmt::format("the script makes more than its {} calls in a turn", mostCalls_));
+    }
+}
+
+// From here on every single instruction raises the error again, so no pcall can hold it up.
+void Sandbox::stop(lua_State* L, std::string const& message) {
+    if (&message != &stopped_) {
+        stopped_ = message;
+    }
+    lua_sethook(L, count, LUA_MASKCOUNT, 1);
+    push(L, stopped_);
+    lua_error(L);
+    std::abort(); // lua_error() does not return
+}
+
+void Sandbox::raise(lua_State* L, std::string const& message) {
+    for (int level = 0; level < 20; ++level) { // the first of the callers that is the script
+        lua_Debug at{};
+        if (lua_getstack(L, level, &at) == 0) {
+            break;
+        }
+        lua_getinfo(L, "Sl", &at);
+        if (at.currentline > 0 && at.source[0] == '@') {
+            lua_pushfstring(L, "%s:%d: ", at.short_src, at.currentline);
+            push(L, message);
+            lua_concat(L, 2);
+            lua_error(L);
+        }
+    }
+    push(L, message);
+    lua_error(L);
+    std::abort(); // lua_error() does not return
+}
+
+} // namespace trembler::lua

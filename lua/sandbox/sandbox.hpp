@@ -1,0 +1,107 @@
+// One Lua state in which one script runs, with nothing in it that leads outside.
+#pragma once
+
+#include "lua/sandbox/limits.hpp"
+#include "lua/sandbox/memory.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct lua_State;
+struct lua_Debug;
+
+namespace trembler::lua {
+
+/// Why a script could not go on.
+struct ScriptError {
+    std::string message;   ///< with the script's file and line where they are known
+    std::string traceback; ///< the calls that led there; may be empty
+    bool limit = false;    ///< a limit was reached
+};
+
+/// The memory, the instructions and the functions that a script gets. A script's text is run anew in each
+/// turn, and nothing of what it makes lasts to the next one, so it cannot keep a state that nobody hashes.
+/// Used by one thread at a time.
+class Sandbox {
+public:
+    /// Throws std::bad_alloc.
+    explicit Sandbox(ScriptLimits const& limits);
+    ~Sandbox();
+    Sandbox(Sandbox const&) = delete;
+    Sandbox& operator=(Sandbox const&) = delete;
+
+    /// Compiles a text; `name` stands for it in messages, "wind.lua". Once.
+    [[nodiscard]] std::optional<ScriptError> load(std::string_view text, std::string const& name);
+
+    /// A function that is called back in protected mode. It may call whatever raises a Lua error. What it has
+    /// on its stack is taken away afterwards.
+    using Body = std::function<void(lua_State*)>;
+    /// Runs the host's own code in protected mode: running out of memory is then no abort.
+    [[nodiscard]] std::optional<ScriptError> protect(Body const& body);
+    /// A turn: `body` within the limits for `objects` objects.
+    [[nodiscard]] std::optional<ScriptError> turn(std::size_t objects, Body const& body);
+
+    // For the functions that scripts call, and within protect() and turn():
+
+    /// Pushes the function into which the text was compiled.
+    void pushChunk(lua_State* L) const;
+    /// Pushes the table of what scripts see besides their own; what is set in it is seen by the script.
+    void pushSurroundings(lua_State* L) const;
+    /// Pushes the metatable of vectors.
+    void pushVectorMeta(lua_State* L) const;
+    /// Pushes a vector.
+    void pushVector(lua_State* L, double x, double y) const;
+    /// Calls the function below `arguments` arguments, as the script's own code: blocks are bounded.
+    void callScript(lua_State* L, int arguments, int results);
+    /// Counts instructions that the host's work is worth. Raises a Lua error beyond the limit.
+    void charge(lua_State* L, double instructions);
+    /// Counts a call of the resolver.
+    void chargeCall(lua_State* L);
+    /// Raises an error with the place in the script that is under way.
+    [[noreturn]] void raise(lua_State* L, std::string const& message);
+
+    /// Takes what the script logs; set before the turn. Lines beyond the limit are dropped.
+    std::function<void(std::string const&)> onLog;
+    /// Instructions and bytes of the last turn.
+    [[nodiscard]] std::uint64_t instructions() const { return spent_; }
+    [[nodiscard]] Memory const& memory() const { return memory_; }
+    [[nodiscard]] lua_State* state() const { return state_; }
+    /// The sandbox of a state.
+    [[nodiscard]] static Sandbox& of(lua_State* L);
+
+private:
+    struct Functions; // those of the host that the prelude is given
+    static void count(lua_State* L, lua_Debug* at);
+    [[noreturn]] void stop(lua_State* L, std::string const& message);
+    void open();
+    std::optional<ScriptError> run(Body const& body);
+
+    ScriptLimits limits_;
+    Memory memory_;
+    lua_State* state_ = nullptr;
+    int chunk_ = 0; // references into the registry
+    int surroundings_ = 0;
+    int globals_ = 0;
+    int reset_ = 0;
+    int vectorMeta_ = 0;
+    int vectorX_ = 0;
+    int vectorY_ = 0;
+    std::uint64_t budget_ = 0;
+    std::uint64_t spent_ = 0;
+    std::uint64_t calls_ = 0;
+    std::uint64_t mostCalls_ = 0;
+    std::uint32_t logged_ = 0;
+    std::string stopped_; // why a limit ended the turn; empty: none has
+    bool counting_ = false;
+    ScriptError error_; // of the run under way: filled by its message handler
+};
+
+/// Collects the keys of the table at `index` that are strings, ascending.
+[[nodiscard]] std::vector<std::string> stringKeys(lua_State* L, int index);
+/// "a number", "a vector", "an object": what a value is, in words.
+[[nodiscard]] std::string kindOf(lua_State* L, int index);
+
+} // namespace trembler::lua

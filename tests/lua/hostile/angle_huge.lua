@@ -1,0 +1,3 @@
+-- tries to take the sine of a number without a meaningful one
+-- expect: error
+return math.sin(1e300)

@@ -1,0 +1,3 @@
+-- tries to run compiled code
+-- expect: error
+return loadstring('\27LJ')

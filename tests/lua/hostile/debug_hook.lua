@@ -1,0 +1,3 @@
+-- tries to take the counter of instructions away
+-- expect: error
+debug.sethook()

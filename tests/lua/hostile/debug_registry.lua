@@ -1,0 +1,3 @@
+-- tries to reach what the host keeps
+-- expect: error
+return debug.getregistry()

@@ -1,0 +1,4 @@
+-- tries to loop by goto
+-- expect: limit
+::again::
+goto again

@@ -1,0 +1,3 @@
+-- tries to loop for ever
+-- expect: limit
+while true do end

@@ -1,0 +1,3 @@
+-- tries to change the globals of the host's functions
+-- expect: error
+setfenv(1, {})

@@ -1,0 +1,3 @@
+-- tries to fail without a message
+-- expect: error
+error(nil)

@@ -1,0 +1,3 @@
+-- tries to reach the memory of the process
+-- expect: error
+return require('ffi')

@@ -1,0 +1,3 @@
+-- tries to run code when memory is collected
+-- expect: error
+newproxy(true)

@@ -1,0 +1,3 @@
+-- tries to compile more code
+-- expect: error
+return load('return 1')()

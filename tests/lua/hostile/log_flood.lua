@@ -1,0 +1,3 @@
+-- tries to flood the log
+-- expect: limit
+while true do log('again') end

@@ -1,0 +1,3 @@
+-- tries to compute powers, whose last bits differ between compiled and interpreted code
+-- expect: refused
+return 2 ^ 0.5

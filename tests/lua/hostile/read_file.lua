@@ -1,0 +1,3 @@
+-- tries to read a file
+-- expect: error
+return io.open('/etc/passwd')

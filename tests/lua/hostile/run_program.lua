@@ -1,0 +1,3 @@
+-- tries to run a program
+-- expect: error
+os.execute('true')

@@ -1,0 +1,3 @@
+-- tries to get at compiled code
+-- expect: error
+return string.dump(function() end)

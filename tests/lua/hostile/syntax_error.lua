@@ -1,0 +1,3 @@
+-- tries to be no script at all
+-- expect: refused
+local = = 3

@@ -1,0 +1,3 @@
+-- tries to change all vectors
+-- expect: error
+getmetatable(vec2(1, 2)).__add = nil

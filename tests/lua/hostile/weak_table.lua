@@ -1,0 +1,3 @@
+-- tries to see when memory is collected
+-- expect: error
+setmetatable({}, { __mode = 'k' })

@@ -1,0 +1,3 @@
+-- tries to yield where nobody resumes
+-- expect: error
+coroutine.yield()

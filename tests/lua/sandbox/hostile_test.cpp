@@ -1,0 +1,109 @@
+// Every script of tests/lua/hostile, each named for what it tries: it is stopped, and the state is as good as
+// new afterwards. No time is measured: that the test ends is what it is about.
+#include "lua/sandbox/sandbox.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <lua.hpp>
+
+namespace trembler::lua {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> hostileScripts() {
+    std::vector<fs::path> all;
+    for (auto const& entry : fs::directory_iterator(fs::path(TREMBLER_SOURCE_DIR) / "tests/lua/hostile")) {
+        all.push_back(entry.path());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+std::string textOf(fs::path const& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string expectedOf(std::string const& text) {
+    std::string const key = "-- expect: ";
+    auto const at = text.find(key);
+    return at == std::string::npos ? "refused"
+                                   : text.substr(at + key.size(), text.find('\n', at) - at - key.size());
+}
+
+std::optional<ScriptError> turnOf(Sandbox& sandbox, std::size_t objects = 1) {
+    return sandbox.turn(objects, [&](lua_State* L) {
+        sandbox.pushChunk(L);
+        sandbox.callScript(L, 0, 0);
+    });
+}
+
+// What a script of a good turn sees, as one line.
+std::string surroundings(Sandbox& sandbox) {
+    std::string seen;
+    sandbox.onLog = [&](std::string const& line) { seen += line + "\n"; };
+    auto const failed = sandbox.protect([&](lua_State* L) {
+        sandbox.pushSurroundings(L);
+        for (std::string const& key : stringKeys(L, -1)) {
+            lua_getfield(L, -1, key.c_str());
+            seen += key + " " + kindOf(L, -1) + "\n";
+            lua_pop(L, 1);
+        }
+    });
+    return failed ? failed->message : seen;
+}
+
+class Hostile : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Hostile, IsStoppedAndLeavesNothingBehind) {
+    std::string const text = textOf(GetParam());
+    std::string const expected = expectedOf(text);
+    ScriptLimits const limits;
+    Sandbox sandbox(limits);
+    std::string const before = surroundings(sandbox);
+    if (auto const refused = sandbox.load(text, "hostile.lua")) {
+        EXPECT_EQ(expected, "refused") << refused->message;
+        return;
+    }
+    std::string last;
+    std::uint64_t instructions = 0;
+    for (int turn = 0; turn < 3; ++turn) { // the same in every turn, at the same instruction
+        int lines = 0;
+        sandbox.onLog = [&](std::string const& line) {
+            ++lines;
+            EXPECT_LE(line.size(), longestLogLine);
+        };
+        auto const failed = turnOf(sandbox);
+        std::string const got = !failed ? "harmless" : failed->limit ? "limit" : "error";
+        EXPECT_EQ(got, expected) << (failed ? failed->message : "");
+        EXPECT_LE(sandbox.instructions(), limits.instructions + limits.instructionsPerObject + 2000 * 100);
+        EXPECT_LE(sandbox.memory().used(), limits.memory);
+        EXPECT_LE(lines, static_cast<int>(limits.logLines));
+        if (failed) {
+            EXPECT_FALSE(failed->message.empty());
+            EXPECT_LE(failed->message.size(), 1100U);
+        }
+        std::string const message = failed ? failed->message : "";
+        if (turn > 0) {
+            EXPECT_EQ(message, last);
+            EXPECT_EQ(sandbox.instructions(), instructions);
+        }
+        last = message;
+        instructions = sandbox.instructions();
+    }
+    EXPECT_EQ(surroundings(sandbox), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scripts, Hostile, testing::ValuesIn(hostileScripts()),
+                         [](auto const& info) { return info.param.stem().string(); });
+
+TEST(HostileScripts, AreAtLeastForty) {
+    EXPECT_GE(hostileScripts().size(), 40U);
+}
+
+} // namespace
+} // namespace trembler::lua
