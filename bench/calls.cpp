@@ -48,6 +48,11 @@ struct Pull {
     static constexpr Algebra algebra = Algebra::sumOfRates;
     ObjectId object;
     Vec2 force;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "force", .unit = "N", .meaning = "force", .required = true}, self.force);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
 };
 struct Push {
@@ -55,6 +60,12 @@ struct Push {
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId object;
     Vec2 impulse;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "impulse", .unit = "N s", .meaning = "impulse", .required = true},
+              self.impulse);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
 };
 struct PullRole {

@@ -3,6 +3,7 @@
 
 #include "runtime/component/call.hpp"
 #include "runtime/math/vec2.hpp"
+#include "runtime/property/description.hpp"
 
 #include <array>
 
@@ -21,6 +22,46 @@ struct Strike {
     double impulse = 0; ///< N s
     double contact = 0; ///< s, how long the impact lasts
     double since = 0;   ///< s, from the beginning of the frame to the impact
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "what rings", .required = true}, self.object);
+        visit(FieldInfo{.key = "other", .unit = "", .meaning = "what it is hit by", .required = true},
+              self.other);
+        visit(FieldInfo{.key = "point",
+                        .unit = "m",
+                        .meaning = "in the object's frame",
+                        .minimum = -1e6,
+                        .maximum = 1e6,
+                        .required = true},
+              self.point);
+        visit(FieldInfo{.key = "normal",
+                        .unit = "",
+                        .meaning = "unit vector in the object's frame: which way the object is pushed",
+                        .minimum = -2,
+                        .maximum = 2,
+                        .required = true},
+              self.normal);
+        visit(FieldInfo{.key = "impulse",
+                        .unit = "N s",
+                        .meaning = "how hard",
+                        .minimum = 0,
+                        .maximum = 1e12,
+                        .required = true},
+              self.impulse);
+        visit(FieldInfo{.key = "contact",
+                        .unit = "s",
+                        .meaning = "how long the impact lasts",
+                        .minimum = 0,
+                        .maximum = 10,
+                        .required = true},
+              self.contact);
+        visit(FieldInfo{.key = "since",
+                        .unit = "s",
+                        .meaning = "from the beginning of the frame to the impact",
+                        .minimum = 0,
+                        .maximum = 10},
+              self.since);
+    }
     [[nodiscard]] std::array<ObjectId, 2> objects() const { return {object, other}; }
     [[nodiscard]] std::pair<ObjectId, ObjectId> key() const { return {object, other}; }
 };
@@ -37,6 +78,39 @@ struct Rub {
     Vec2 normal;          ///< unit, in the object's frame, into the object
     double force = 0;     ///< N, root mean square of the noise
     double bandwidth = 0; ///< Hz: bumps per second
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "what rings", .required = true}, self.object);
+        visit(FieldInfo{.key = "other", .unit = "", .meaning = "what rubs", .required = true}, self.other);
+        visit(FieldInfo{.key = "point",
+                        .unit = "m",
+                        .meaning = "in the object's frame",
+                        .minimum = -1e6,
+                        .maximum = 1e6,
+                        .required = true},
+              self.point);
+        visit(FieldInfo{.key = "normal",
+                        .unit = "",
+                        .meaning = "unit vector in the object's frame, into the object",
+                        .minimum = -2,
+                        .maximum = 2,
+                        .required = true},
+              self.normal);
+        visit(FieldInfo{.key = "force",
+                        .unit = "N",
+                        .meaning = "root mean square of the noise",
+                        .minimum = 0,
+                        .maximum = 1e12,
+                        .required = true},
+              self.force);
+        visit(FieldInfo{.key = "bandwidth",
+                        .unit = "Hz",
+                        .meaning = "bumps per second",
+                        .minimum = 0,
+                        .maximum = 1e6,
+                        .required = true},
+              self.bandwidth);
+    }
     [[nodiscard]] std::array<ObjectId, 2> objects() const { return {object, other}; }
     [[nodiscard]] std::pair<ObjectId, ObjectId> key() const { return {object, other}; }
     [[nodiscard]] double magnitude() const { return force; }
@@ -49,6 +123,15 @@ struct PlaySample {
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId object;
     double share = 1; ///< of its sound power; sums count as 1 at the most
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "what has the recording", .required = true},
+              self.object);
+        visit(
+            FieldInfo{
+                .key = "share", .unit = "", .meaning = "of its sound power", .minimum = 0, .maximum = 1},
+            self.share);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] ObjectId key() const { return object; }
 };
@@ -59,6 +142,11 @@ struct HoldSample {
                                    "Plays the object's recording over and over while anybody holds it."};
     static constexpr Algebra algebra = Algebra::anyOf;
     ObjectId object;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "what has the recording", .required = true},
+              self.object);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] ObjectId key() const { return object; }
 };

@@ -3,6 +3,7 @@
 
 #include "runtime/component/call.hpp"
 #include "runtime/math/vec2.hpp"
+#include "runtime/property/description.hpp"
 
 #include <array>
 
@@ -18,6 +19,21 @@ struct SetLinearGravity {
     static constexpr Algebra algebra = Algebra::sumOfRates;
     ObjectId field; ///< the object that the field belongs to: the world
     Vec2 gravity;   ///< m/s²
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "field",
+                        .unit = "",
+                        .meaning = "the object that the field belongs to: the world",
+                        .required = true},
+              self.field);
+        visit(FieldInfo{.key = "gravity",
+                        .unit = "m/s²",
+                        .meaning = "acceleration",
+                        .minimum = -1e6,
+                        .maximum = 1e6,
+                        .required = true},
+              self.gravity);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {field}; }
 };
 

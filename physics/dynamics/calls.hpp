@@ -3,6 +3,7 @@
 
 #include "runtime/component/call.hpp"
 #include "runtime/math/vec2.hpp"
+#include "runtime/property/description.hpp"
 
 #include <array>
 
@@ -18,6 +19,17 @@ struct AddForce {
     static constexpr double negligible = negligibleForce;
     ObjectId object;
     Vec2 force; ///< N
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "force",
+                        .unit = "N",
+                        .meaning = "force at the centre of mass",
+                        .minimum = -1e12,
+                        .maximum = 1e12,
+                        .required = true},
+              self.force);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] double magnitude() const { return length(force); }
 };
@@ -30,6 +42,24 @@ struct AddForceToPoint {
     ObjectId object;
     Vec2 point; ///< m, in the world
     Vec2 force; ///< N
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "point",
+                        .unit = "m",
+                        .meaning = "where it acts, in the world",
+                        .minimum = -1e6,
+                        .maximum = 1e6,
+                        .required = true},
+              self.point);
+        visit(FieldInfo{.key = "force",
+                        .unit = "N",
+                        .meaning = "force",
+                        .minimum = -1e12,
+                        .maximum = 1e12,
+                        .required = true},
+              self.force);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] double magnitude() const { return length(force); }
 };
@@ -40,6 +70,17 @@ struct AddTorque {
     static constexpr double negligible = negligibleForce;
     ObjectId object;
     double torque = 0; ///< N m
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "torque",
+                        .unit = "N m",
+                        .meaning = "anticlockwise",
+                        .minimum = -1e12,
+                        .maximum = 1e12,
+                        .required = true},
+              self.torque);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] double magnitude() const { return std::abs(torque); }
 };
@@ -56,6 +97,33 @@ struct AddDrag {
     double xy = 0;      ///< kg/s
     double yy = 0;      ///< kg/s
     double angular = 0; ///< kg m²/s: the torque is -angular times the angular velocity
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "point",
+                        .unit = "m",
+                        .meaning = "where it acts, in the world",
+                        .minimum = -1e6,
+                        .maximum = 1e6,
+                        .required = true},
+              self.point);
+        visit(FieldInfo{.key = "xx",
+                        .unit = "kg/s",
+                        .meaning = "the force is -(xx, xy; xy, yy) times the velocity of the point",
+                        .minimum = -1e12,
+                        .maximum = 1e12},
+              self.xx);
+        visit(FieldInfo{.key = "xy", .unit = "kg/s", .meaning = "see xx", .minimum = -1e12, .maximum = 1e12},
+              self.xy);
+        visit(FieldInfo{.key = "yy", .unit = "kg/s", .meaning = "see xx", .minimum = -1e12, .maximum = 1e12},
+              self.yy);
+        visit(FieldInfo{.key = "angular",
+                        .unit = "kg m²/s",
+                        .meaning = "the torque is -angular times the angular velocity",
+                        .minimum = -1e12,
+                        .maximum = 1e12},
+              self.angular);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] double magnitude() const { return xx + yy + angular; }
 };
@@ -76,6 +144,25 @@ struct TellRate {
     double rate = 0;       ///< 1/s, >= 0
     bool foreseen = false; ///< the force is that of where the object will be, or acts against its motion
     bool swings = true;    ///< it depends on where the object is; shorter parts of a frame follow it better
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "rate",
+                        .unit = "1/s",
+                        .meaning = "how fast the force varies",
+                        .minimum = 0,
+                        .maximum = 1e12,
+                        .required = true},
+              self.rate);
+        visit(
+            FieldInfo{.key = "foreseen",
+                      .unit = "",
+                      .meaning =
+                          "whether it is the force of where the object will be, or acts against its motion"},
+            self.foreseen);
+        visit(FieldInfo{.key = "swings", .unit = "", .meaning = "whether it depends on where the object is"},
+              self.swings);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] std::uint64_t key() const { return packed(object); }
     [[nodiscard]] double value() const { return rate; }
@@ -89,6 +176,24 @@ struct AddImpulse {
     ObjectId object;
     Vec2 point;   ///< m, in the world
     Vec2 impulse; ///< N s
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "point",
+                        .unit = "m",
+                        .meaning = "where it acts, in the world",
+                        .minimum = -1e6,
+                        .maximum = 1e6,
+                        .required = true},
+              self.point);
+        visit(FieldInfo{.key = "impulse",
+                        .unit = "N s",
+                        .meaning = "impulse",
+                        .minimum = -1e12,
+                        .maximum = 1e12,
+                        .required = true},
+              self.impulse);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
 };
 

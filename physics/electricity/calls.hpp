@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/component/call.hpp"
+#include "runtime/property/description.hpp"
 
 #include <array>
 #include <string_view>
@@ -19,6 +20,11 @@ struct ConnectionKey {
     static constexpr Algebra algebra = Algebra::countedSet;
     ObjectId a;
     ObjectId b;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "a", .unit = "", .meaning = "one conductor", .required = true}, self.a);
+        visit(FieldInfo{.key = "b", .unit = "", .meaning = "the other conductor", .required = true}, self.b);
+    }
     [[nodiscard]] std::array<ObjectId, 2> objects() const { return {a, b}; }
     [[nodiscard]] auto key() const { return a < b ? std::pair{a, b} : std::pair{b, a}; }
 };
@@ -54,6 +60,11 @@ struct CutWire {
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId a;
     ObjectId b;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "a", .unit = "", .meaning = "one conductor", .required = true}, self.a);
+        visit(FieldInfo{.key = "b", .unit = "", .meaning = "the other conductor", .required = true}, self.b);
+    }
     [[nodiscard]] std::array<ObjectId, 2> objects() const { return {a, b}; }
 };
 
@@ -63,6 +74,10 @@ struct BlowFuse {
                                    "Blows a fuse, for good: it loses its connections and takes no more."};
     static constexpr Algebra algebra = Algebra::destroy;
     ObjectId fuse;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "fuse", .unit = "", .meaning = "the fuse", .required = true}, self.fuse);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {fuse}; }
     [[nodiscard]] ObjectId key() const { return fuse; }
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/component/call.hpp"
+#include "runtime/property/description.hpp"
 
 #include <array>
 
@@ -15,6 +16,11 @@ struct EnableMagnet {
                                    "Switches the electromagnet on for as long as the call is held."};
     static constexpr Algebra algebra = Algebra::anyOf;
     ObjectId object;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the electromagnet", .required = true},
+              self.object);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] std::uint64_t key() const { return packed(object); }
 };
@@ -26,6 +32,11 @@ struct DisableMagnet {
                                    "Leaves the electromagnet off unless anybody enables it."};
     static constexpr Algebra algebra = Algebra::anyOf;
     ObjectId object;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the electromagnet", .required = true},
+              self.object);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] std::uint64_t key() const { return packed(object); }
 };

@@ -11,6 +11,8 @@
 
 namespace trembler {
 
+struct RoleInfo;
+
 enum class ComponentKind : std::uint8_t { resolver, dps, interaction };
 [[nodiscard]] std::string_view nameOf(ComponentKind kind);
 
@@ -41,7 +43,8 @@ struct ComponentInfo {
     std::optional<std::type_index>
         role{}; ///< of a resolver: its own; of an interaction: that of its resolver
     std::string_view roleName{};
-    std::vector<CallInfo> calls{}; ///< of a resolver: its interaction functions
+    RoleInfo const* roleInfo = nullptr; ///< of a resolver: its calls and their arguments, see role_info.hpp
+    std::vector<CallInfo> calls{};      ///< of a resolver: its interaction functions
     std::vector<PropertyInfo const*> neededAll{};
     std::vector<PropertyInfo const*> neededAny{};
     bool onDemand = false;            ///< constructed only while a property that it offers is read

@@ -3,10 +3,9 @@
 #pragma once
 
 #include "runtime/component/bindings.hpp"
+#include "runtime/component/call_trace.hpp"
 #include "runtime/component/channels.hpp"
 #include "runtime/component/component.hpp"
-
-#include <map>
 
 namespace trembler {
 
@@ -53,7 +52,7 @@ public:
         template <class C>
         [[gnu::noinline, gnu::cold]] void traceLast(EventId cause) {
             auto& buffer = std::get<CallBuffer<C>>(buffers_);
-            buffer.setCauseOfLast(self_.trace(buffer.calls().back(), cause, *sink_, chunk_));
+            buffer.setCauseOfLast(self_.trace_.record(buffer.calls().back(), cause, *sink_, chunk_));
         }
 
         Interaction& self_;
@@ -122,16 +121,13 @@ public:
     void run(FrameContext const& context) final {
         bool const stood = !source_.empty();
         source_.clearHeld();
-        newTold_.assign(1, {});
+        trace_.begin();
         openSinks(context, 1, Phase::interaction);
         {
             Access access(*this, context);
             static_cast<Self&>(*this).apply(access);
         }
-        told_.clear();
-        for (auto& chunk : newTold_) {
-            told_.merge(chunk);
-        }
+        trace_.end();
         if (stood || !source_.empty()) { // otherwise nothing has changed for the resolver
             ++source_.version;
         }
@@ -170,39 +166,11 @@ protected:
     explicit Interaction(ComponentInfo const& info) : Component(info) {}
 
 private:
-    // A held call is an event only when it is new: "this will be done for every frame from now on and will
-    // not be mentioned again" (6.8.3). Later ones carry the first one's id.
-    using TellKey = std::pair<std::string_view, std::vector<ObjectId>>;
-
-    template <class C>
-    EventId trace(C const& c, EventId cause, EventSink& sink, std::size_t chunk) {
-        auto const objects = c.objects();
-        if constexpr (isHeld(C::algebra)) {
-            if constexpr (requires { c.magnitude(); }) {
-                if (!(c.magnitude() > C::negligible)) {
-                    return {};
-                }
-            }
-            TellKey key{C::text.name, {objects.begin(), objects.end()}};
-            EventId id;
-            if (auto const known = told_.find(key); known != told_.end()) {
-                id = known->second;
-            } else if (auto const here = newTold_[chunk].find(key); here != newTold_[chunk].end()) {
-                id = here->second;
-            } else {
-                id = sink.record(C::text.name, objects, std::array{cause});
-            }
-            newTold_[chunk].emplace(std::move(key), id);
-            return id;
-        } else {
-            return sink.record(C::text.name, objects, std::array{cause});
-        }
-    }
     void prepareChunks(std::size_t chunks, FrameContext const& context) {
         if (source_.chunks.size() < chunks) {
             source_.chunks.resize(chunks);
         }
-        newTold_.resize(std::max(chunks, newTold_.size()));
+        trace_.widen(chunks);
         if (sinks_.size() < chunks && context.tracing) {
             for (std::size_t chunk = sinks_.size(); chunk < chunks; ++chunk) {
                 sinks_.emplace_back(context.store, context.when, context.component,
@@ -214,8 +182,7 @@ private:
     bool first_ = true; // not last: no member of Self may hide in the bytes after it, see copyMemory()
     detail::Bindings<ReadsList> reads_;
     CallSource<Role> source_;
-    std::map<TellKey, EventId> told_; // held calls of the last apply, while tracing
-    std::vector<std::map<TellKey, EventId>> newTold_;
+    CallTrace trace_;
 };
 
 } // namespace trembler

@@ -4,6 +4,7 @@
 #include "runtime/component/bindings.hpp"
 #include "runtime/component/channels.hpp"
 #include "runtime/component/component.hpp"
+#include "runtime/component/role_info.hpp"
 #include "runtime/property/news.hpp"
 
 namespace trembler {
@@ -146,6 +147,7 @@ public:
         made.offers = detail::infos(ProvidesList{});
         made.role = typeid(Role);
         made.roleName = Role::name;
+        made.roleInfo = &roleInfo<Role>();
         [&]<class... C>(CallList<C...> const&) {
             made.calls = {CallInfo{C::text, C::algebra}...};
         }(typename Role::Calls{});

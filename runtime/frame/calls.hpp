@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/component/call.hpp"
+#include "runtime/property/description.hpp"
 
 #include <array>
 
@@ -16,6 +17,16 @@ struct SplitFrame {
     static constexpr Algebra algebra = Algebra::least;
     double longest = 0; ///< s
 
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "longest",
+                        .unit = "s",
+                        .meaning = "length of a part; at or below 0 asks for nothing",
+                        .minimum = 0,
+                        .maximum = 1,
+                        .required = true},
+              self.longest);
+    }
     [[nodiscard]] std::array<ObjectId, 0> objects() const { return {}; }
     [[nodiscard]] int key() const { return 0; }
     [[nodiscard]] double value() const { return longest; }

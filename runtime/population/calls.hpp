@@ -3,6 +3,7 @@
 
 #include "runtime/component/call.hpp"
 #include "runtime/math/vec2.hpp"
+#include "runtime/property/description.hpp"
 
 #include <array>
 
@@ -23,6 +24,44 @@ struct CreateObject {
     ObjectId maker;              ///< the object on whose behalf it is created
     std::uint64_t number = 0;    ///< unique among the births by this maker
 
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(
+            FieldInfo{
+                .key = "part", .unit = "", .meaning = "the part that it is made from", .required = true},
+            self.prototype);
+        visit(FieldInfo{.key = "position",
+                        .unit = "m",
+                        .meaning = "where",
+                        .minimum = -1e6,
+                        .maximum = 1e6,
+                        .required = true},
+              self.position);
+        visit(FieldInfo{.key = "maker",
+                        .unit = "",
+                        .meaning = "the object on whose behalf it is created",
+                        .required = true},
+              self.maker);
+        visit(FieldInfo{.key = "number",
+                        .unit = "",
+                        .meaning = "unique among those that this maker has created",
+                        .required = true},
+              self.number);
+        visit(
+            FieldInfo{
+                .key = "angle", .unit = "rad", .meaning = "anticlockwise", .minimum = -1e6, .maximum = 1e6},
+            self.angle);
+        visit(FieldInfo{.key = "velocity",
+                        .unit = "m/s",
+                        .meaning = "of its centre",
+                        .minimum = -1e4,
+                        .maximum = 1e4},
+              self.velocity);
+        visit(
+            FieldInfo{
+                .key = "spin", .unit = "rad/s", .meaning = "anticlockwise", .minimum = -1e4, .maximum = 1e4},
+            self.spin);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {maker}; }
     [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> key() const { return {packed(maker), number}; }
 };
@@ -33,6 +72,10 @@ struct DestroyObject {
     static constexpr Algebra algebra = Algebra::destroy;
     ObjectId object;
 
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] std::uint64_t key() const { return packed(object); }
 };

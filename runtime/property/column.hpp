@@ -67,6 +67,8 @@ public:
     /// Visits a copy of the value, so that the visitor can change nothing.
     virtual void visitCopy(ObjectId id, FieldVisitor& visitor) const = 0;
     virtual void hash(StateHash& hash) const = 0;
+    /// The first of its values, which lie side by side; see PropertyInfo::size and fields.
+    [[nodiscard]] virtual void const* data() const = 0;
 
 protected:
     /// Makes room for a row and returns its position; rows above move up by one.
@@ -184,6 +186,7 @@ public:
         P copy = (*this)[id];
         visitFields(copy, visitor);
     }
+    [[nodiscard]] void const* data() const override { return values_.data(); }
     void hash(StateHash& hash) const override {
         hash.integer(size());
         hash.bytes(owners().data(), owners().size_bytes());

@@ -3,6 +3,7 @@
 
 #include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
+#include "runtime/property/field_place.hpp"
 #include "runtime/property/field_visitor.hpp"
 
 #include <memory>
@@ -24,6 +25,8 @@ struct PropertyInfo {
     std::unique_ptr<SlotBase> (*makeSlot)();       ///< resolver and derived properties only
     std::unique_ptr<PropertyValue> (*makeValue)(); ///< object properties only: a value outside any column
     Coverage coverage{};                           ///< by the state hash
+    std::size_t size = 0;                          ///< of a value, in bytes
+    std::vector<FieldPlace> (*fields)() = nullptr; ///< where its fields lie; nullptr: it describes none
 };
 
 /// How the state hash covers a property. Object properties are always hashed; derived properties follow from
@@ -60,6 +63,10 @@ template <Property P>
 [[nodiscard]] PropertyInfo const& propertyInfo() {
     static PropertyInfo const info = [] {
         PropertyInfo made{typeid(P), P::kind, P::text, nullptr, nullptr, nullptr, coverageOf<P>()};
+        made.size = sizeof(P);
+        if constexpr (Described<P>) {
+            made.fields = [] { return fieldPlaces<P>(); };
+        }
         if constexpr (ObjectProperty<P>) {
             made.makeColumn = []() -> std::unique_ptr<ColumnBase> { return std::make_unique<Column<P>>(); };
             made.makeValue = []() -> std::unique_ptr<PropertyValue> {

@@ -34,6 +34,10 @@ public:
     virtual void endPart(double /* begin, s */, double /* share */) {}
     /// Visits a copy of ofFrame(), so that the visitor can change nothing.
     virtual void visitCopy(FieldVisitor& visitor) const = 0;
+    /// Visits a copy of the current value, which components read: of a part of a frame.
+    virtual void visitCurrent(FieldVisitor& visitor) const = 0;
+    /// The current value; see PropertyInfo::fields.
+    [[nodiscard]] virtual void const* data() const = 0;
     /// Hashes the value, unless the property is one that is always left out.
     virtual void hash(StateHash& hash) const = 0;
 
@@ -85,6 +89,11 @@ public:
         P copy = ofFrame();
         visitFields(copy, visitor);
     }
+    void visitCurrent(FieldVisitor& visitor) const override {
+        P copy = value_;
+        visitFields(copy, visitor);
+    }
+    [[nodiscard]] void const* data() const override { return &value_; }
     void hash(StateHash& hash) const override {
         if constexpr (coverageOf<P>().kind != Coverage::Kind::leftOut) {
             hash.members(value_);

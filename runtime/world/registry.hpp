@@ -59,7 +59,7 @@ struct ObjectRule {
     PropertyInfo const* property; ///< whose entry in the file is at fault
     /// Checks an object that has the property; returns the error and the expected condition, in words, or
     /// nothing.
-    std::optional<std::string> (*check)(Store const&, ObjectId) = nullptr;
+    std::function<std::optional<std::string>(Store const&, ObjectId)> check = nullptr;
     /// For a condition that compares objects with each other: checks all that have the property at once, so
     /// that its cost need not grow with the square of their number. At most one entry of an object,
     /// ascending by object.
@@ -133,6 +133,13 @@ public:
     }
     template <class C, class Variant>
     void component(Variant const&&) = delete; // it would not outlive the registry
+    /// A component whose description was made while the program runs. `made.info` must live as long as
+    /// `made.make` does, so that the function is the one to own it.
+    void component(Registration const& made) { add(made); }
+    /// Makes the name of an extension known, a set of components that levels can state to need.
+    void extension(std::string name) { extensions_.push_back(std::move(name)); }
+    /// In order of registration.
+    [[nodiscard]] std::span<std::string const> extensions() const { return extensions_; }
     /// Runs `I` directly after `X` has updated, inside the same task. Checked at start. Several shortcuts of
     /// one `I` must be in alternatives.
     template <class I, class X>
@@ -155,7 +162,7 @@ public:
         }
     }
     /// Adds a condition that files must meet beyond the ranges of single fields; see ObjectRule.
-    void rule(ObjectRule rule) { rules_.push_back(rule); }
+    void rule(ObjectRule rule) { rules_.push_back(std::move(rule)); }
 
     /// In order of registration; see completionOrder() for the order of their turns.
     [[nodiscard]] std::span<CompletionInfo const* const> completions() const { return completions_; }
@@ -189,6 +196,7 @@ private:
     std::vector<CompletionInfo const*> completions_;
     std::vector<ObjectRule> rules_;
     std::vector<Connector> connectors_;
+    std::vector<std::string> extensions_;
 };
 
 /// True if two registered components serve the same need, so that a world constructs one of them: resolvers

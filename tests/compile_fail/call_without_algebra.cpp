@@ -9,6 +9,10 @@ struct Cool {
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
 #endif
     ObjectId object;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const {
         return {object};
     }

@@ -69,6 +69,7 @@ trembler_compile_fail(interaction_writes interaction/writes.cpp
 trembler_compile_fail(interaction_calls_second_resolver interaction/calls_second_resolver.cpp
   "an interaction calls functions of its own resolver only")
 
+trembler_compile_fail(call_without_description call_without_description.cpp "describes its arguments")
 trembler_compile_fail(call_without_algebra call_without_algebra.cpp
   "a call states its algebra, by which the order of calls does not matter")
 trembler_compile_fail(counted_set_without_delta counted_set_without_delta.cpp

@@ -70,12 +70,21 @@ struct AddHeat {
     static constexpr Algebra algebra = Algebra::sumOfRates;
     ObjectId object;
     double power = 0; ///< W
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "power", .unit = "W", .meaning = "heat", .required = true}, self.power);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
 };
 struct Paint {
     static constexpr CallText text{"paint", "(object)", "Paints the object."};
     static constexpr Algebra algebra = Algebra::anyOf;
     ObjectId object;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] std::uint64_t key() const { return packed(object); }
 };

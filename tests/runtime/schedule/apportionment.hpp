@@ -44,6 +44,10 @@ struct AddForceToPoint {
                                    "Adds the specified force to the object at the specified point."};
     static constexpr Algebra algebra = Algebra::sumOfRates;
     ObjectId object;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
 };
 struct ChangeConnection {
@@ -54,6 +58,12 @@ struct ChangeConnection {
     ObjectId a;
     ObjectId b;
     int change = 1;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "a", .unit = "", .meaning = "one", .required = true}, self.a);
+        visit(FieldInfo{.key = "b", .unit = "", .meaning = "the other", .required = true}, self.b);
+        visit(FieldInfo{.key = "change", .unit = "", .meaning = "how often", .required = true}, self.change);
+    }
     [[nodiscard]] std::array<ObjectId, 2> objects() const { return {a, b}; }
     [[nodiscard]] std::pair<ObjectId, ObjectId> key() const { return {a, b}; }
     [[nodiscard]] int delta() const { return change; }
@@ -63,6 +73,10 @@ struct EnableMagnet {
                                    "Sets the on/off flag for the specified object."};
     static constexpr Algebra algebra = Algebra::anyOf;
     ObjectId object;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] ObjectId key() const { return object; }
 };
@@ -70,6 +84,11 @@ struct SetLinearGravity {
     static constexpr CallText text{"setLinearGravity", "(vector)", "Defines the linear gravity vector."};
     static constexpr Algebra algebra = Algebra::sumOfRates;
     Vec2 vector;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "vector", .unit = "m/s²", .meaning = "acceleration", .required = true},
+              self.vector);
+    }
     [[nodiscard]] std::array<ObjectId, 0> objects() const { return {}; }
 };
 

@@ -21,6 +21,11 @@ struct Chime {
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId object;
     int amount = 0;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "amount", .unit = "", .meaning = "how often", .required = true}, self.amount);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
 };
 struct BellRole {

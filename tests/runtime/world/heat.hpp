@@ -64,6 +64,11 @@ struct AddHeat {
     static constexpr Algebra algebra = Algebra::sumOfRates;
     ObjectId object;
     double power = 0; ///< W
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "power", .unit = "W", .meaning = "heat", .required = true}, self.power);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
 };
 struct Strike {
@@ -71,6 +76,11 @@ struct Strike {
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId object;
     double energy = 0; ///< J
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+        visit(FieldInfo{.key = "energy", .unit = "J", .meaning = "heat", .required = true}, self.energy);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
 };
 

@@ -23,6 +23,10 @@ struct Note {
     static constexpr CallText text{"note", "(object)", "Notes the object."};
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId object;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+    }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
 };
 struct ScribeRole {

@@ -1,0 +1,38 @@
+// A call that does not describe its arguments, so that no script could make it.
+#include "tests/compile_fail/kit.hpp"
+
+namespace trembler {
+
+struct Cool {
+    static constexpr CallText text{"cool", "(object)", "Cools the object."};
+    static constexpr Algebra algebra = Algebra::sumOfAmounts;
+    ObjectId object;
+#ifdef TREMBLER_CONTROL
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
+    }
+#endif
+    [[nodiscard]] std::array<ObjectId, 1> objects() const {
+        return {object};
+    }
+};
+struct CoolRole {
+    static constexpr std::string_view name = "Cool";
+    using Calls = CallList<Cool>;
+};
+struct Fridge final : Resolver<Fridge, CoolRole, Reads<>, Writes<Heat>> {
+    static constexpr ComponentText text{.name = "Fridge", .effect = "heat", .level = "", .work = "Cools."};
+    using Activation = NeedsAny<Heat>;
+    void advance(Access& access) {
+        access.forCalls<Cool>([](Cool const&, CallOrigin) {});
+    }
+};
+
+template <class C>
+Component* made() {
+    return new C;
+}
+template Component* made<Fridge>();
+
+} // namespace trembler
