@@ -393,6 +393,11 @@ local chance = "random numbers are frame.random(), which a replay repeats"
 local power = "powers differ from machine to machine; write x * x, or math.exp(y * math.log(x))"
 env.math = readOnly("math.", math, { random = chance, randomseed = chance, pow = power })
 
+function env.interaction(manifest)
+  if type(manifest) ~= "table" then error("interaction takes a table: interaction { name = ..., ... }", 2) end
+  return manifest
+end
+
 -- The script's globals ------------------------------------------------------------------------------------------
 
 local absent = {}

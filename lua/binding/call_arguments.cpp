@@ -1,0 +1,208 @@
+#include "lua/binding/call_arguments.hpp"
+
+#include "lua/binding/values.hpp"
+#include "runtime/level/json/suggestion.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <lua.hpp>
+
+namespace trembler::lua {
+namespace {
+
+constexpr double largestWhole = 9007199254740992.0; // 2^53: all whole numbers up to it are doubles
+
+class ArgumentReader {
+public:
+    ArgumentReader(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
+                   ObjectAt const& objectAt, CallBytes& into)
+        : L_(L), sandbox_(sandbox), store_(store), call_(call), objectAt_(objectAt), into_(into) {}
+
+    void read(FieldPlace const& place, int index) {
+        switch (place.kind) {
+        case FieldKind::boolean:
+            if (lua_type(L_, index) != LUA_TBOOLEAN) {
+                refuseType(place, index, "true or false");
+            }
+            put(place, lua_toboolean(L_, index) != 0);
+            return;
+        case FieldKind::number:
+            put(place, number(place, index, place.info.minimum, place.info.maximum));
+            return;
+        case FieldKind::integer:
+            put(place, static_cast<std::int32_t>(whole(place, index, -2147483648.0, 2147483647.0)));
+            return;
+        case FieldKind::whole:
+            put(place, static_cast<std::uint64_t>(whole(place, index, 0, largestWhole)));
+            return;
+        case FieldKind::vector: {
+            auto const vector = vectorAt(L_, index);
+            if (!vector) {
+                refuseType(place, index, "a vector, vec2(x, y)");
+            }
+            for (double const coordinate : {vector->x, vector->y}) {
+                checkRange(place, coordinate, place.info.minimum, place.info.maximum);
+            }
+            put(place, *vector);
+            return;
+        }
+        case FieldKind::object: {
+            auto const object = objectAt_(L_, index);
+            if (!object) {
+                refuseType(place, index, "an object");
+            }
+            if (!store_.alive(*object)) {
+                refuse(place, "is an object that is gone", "one that is there");
+            }
+            put(place, *object);
+            return;
+        }
+        case FieldKind::choice:
+            put(place, choice(place, index));
+            return;
+        case FieldKind::part:
+            put(place, part(place, index));
+            return;
+        default: // a call is plain data
+            refuse(place, "cannot be stated", "another call");
+        }
+    }
+
+    [[noreturn]] void refuse(FieldPlace const& place, std::string const& what, std::string const& expected) {
+        sandbox_.raise(L_, fmt::format("argument '{}' of {} {}; expected {}", place.info.key, call_.text.name,
+                                       what, expected));
+    }
+
+private:
+    template <class T>
+    void put(FieldPlace const& place, T const& value) {
+        std::memcpy(into_.bytes.data() + place.offset, &value, std::min(sizeof value, place.size));
+    }
+    [[noreturn]] void refuseType(FieldPlace const& place, int index, std::string const& expected) {
+        refuse(place, "is a " + kindOf(L_, index),
+               place.info.unit.empty() ? expected : fmt::format("{}, in {}", expected, place.info.unit));
+    }
+    void checkRange(FieldPlace const& place, double value, double minimum, double maximum) {
+        if (!std::isfinite(value)) {
+            refuse(place, "is not finite", "a number");
+        }
+        if (value < minimum || value > maximum || (place.info.minimumExcluded && value == minimum)) {
+            refuse(place,
+                   fmt::format("is {}{}{}", value, place.info.unit.empty() ? "" : " ", place.info.unit),
+                   fmt::format("{} to {}", minimum, maximum));
+        }
+    }
+    double number(FieldPlace const& place, int index, double minimum, double maximum) {
+        if (lua_type(L_, index) != LUA_TNUMBER) {
+            refuseType(place, index, "a number");
+        }
+        double const value = lua_tonumber(L_, index);
+        checkRange(place, value, minimum, maximum);
+        return value;
+    }
+    double whole(FieldPlace const& place, int index, double least, double most) {
+        double const value =
+            number(place, index, std::max(place.info.minimum, least), std::min(place.info.maximum, most));
+        if (value != std::floor(value)) {
+            refuse(place, fmt::format("is {}", value), "a whole number");
+        }
+        return value;
+    }
+    int choice(FieldPlace const& place, int index) {
+        std::vector<std::string> const known(place.choices.begin(), place.choices.end());
+        std::string const name = textOf(place, index);
+        for (std::size_t i = 0; i < known.size(); ++i) {
+            if (known[i] == name) {
+                return static_cast<int>(i);
+            }
+        }
+        refuse(place, fmt::format("is '{}'{}", name, didYouMean(name, known)), listed(known));
+    }
+    std::uint32_t part(FieldPlace const& place, int index) {
+        std::string const name = textOf(place, index);
+        std::uint32_t const number = store_.prototypes().numberOf(name);
+        if (number == PrototypeLibrary::unknown) {
+            refuse(place, fmt::format("is '{}', and there is no such part", name), "the name of a part");
+        }
+        return number;
+    }
+    std::string textOf(FieldPlace const& place, int index) {
+        if (lua_type(L_, index) != LUA_TSTRING || lua_objlen(L_, index) > longestText) {
+            refuseType(place, index, "a name");
+        }
+        return lua_tostring(L_, index);
+    }
+
+    lua_State* L_;
+    Sandbox& sandbox_;
+    Store const& store_;
+    CallDescription const& call_;
+    ObjectAt const& objectAt_;
+    CallBytes& into_;
+};
+
+} // namespace
+
+void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
+                   ObjectAt const& objectAt, CallBytes& into) {
+    std::memcpy(into.bytes.data(), call.initial.data(), call.size);
+    ArgumentReader reader(L, sandbox, store, call, objectAt, into);
+    int const count = lua_gettop(L);
+    auto const missing = [&](FieldPlace const& place) {
+        if (place.info.required) {
+            sandbox.raise(L, fmt::format("argument '{}' of {} is missing; expected {}", place.info.key,
+                                         call.text.name, signatureOf(call)));
+        }
+    };
+    bool const named = count == 1 && lua_type(L, 1) == LUA_TTABLE && call.arguments.size() > 1 &&
+                       !objectAt(L, 1) && kindOf(L, 1) == "table";
+    if (named) {
+        for (std::string const& key : stringKeys(L, 1)) {
+            std::vector<std::string> known;
+            for (FieldPlace const& place : call.arguments) {
+                known.emplace_back(place.info.key);
+            }
+            if (std::find(known.begin(), known.end(), key) == known.end()) {
+                sandbox.raise(L, fmt::format("{} has no argument '{}'{}; expected {}", call.text.name, key,
+                                             didYouMean(key, known), listed(known)));
+            }
+        }
+        for (FieldPlace const& place : call.arguments) {
+            lua_pushlstring(L, place.info.key.data(), place.info.key.size());
+            lua_rawget(L, 1);
+            if (lua_isnil(L, -1)) {
+                missing(place);
+            } else {
+                reader.read(place, lua_gettop(L));
+            }
+            lua_pop(L, 1);
+        }
+        return;
+    }
+    if (count > static_cast<int>(call.arguments.size())) {
+        sandbox.raise(L, fmt::format("{} is given {} arguments; expected {}", call.text.name, count,
+                                     signatureOf(call)));
+    }
+    int index = 0;
+    for (FieldPlace const& place : call.arguments) {
+        ++index;
+        if (index > count || lua_isnil(L, index)) {
+            missing(place);
+        } else {
+            reader.read(place, index);
+        }
+    }
+}
+
+std::string signatureOf(CallDescription const& call) {
+    std::string all;
+    for (FieldPlace const& place : call.arguments) {
+        all += fmt::format("{}{}{}{}", all.empty() ? "" : ", ", place.info.key,
+                           place.info.unit.empty() ? "" : ": ", place.info.unit);
+    }
+    return fmt::format("{}({})", call.text.name, all);
+}
+
+} // namespace trembler::lua

@@ -1,0 +1,33 @@
+// Reading the arguments of a call from Lua, checked by the call's description.
+#pragma once
+
+#include "lua/sandbox/sandbox.hpp"
+#include "runtime/component/role_info.hpp"
+#include "runtime/world/store.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+
+struct lua_State;
+
+namespace trembler::lua {
+
+/// A value of a call's C++ type, as bytes.
+struct alignas(16) CallBytes {
+    std::array<char, CallDescription::mostBytes> bytes{};
+};
+
+/// The object that a Lua value stands for; nothing if it stands for none.
+using ObjectAt = std::function<std::optional<ObjectId>(lua_State*, int index)>;
+
+/// Reads the arguments of a call from the stack, all of it: one after the other in the order of the
+/// description, or by name in one table. Raises a Lua error, in words, if one is missing, has another type,
+/// is not finite or out of range, or is an object that is gone.
+void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
+                   ObjectAt const& objectAt, CallBytes& into);
+
+/// "addForce(object, force: N)", for people.
+[[nodiscard]] std::string signatureOf(CallDescription const& call);
+
+} // namespace trembler::lua

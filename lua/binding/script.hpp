@@ -1,0 +1,46 @@
+// A script whose names have been found: what a component is made from.
+#pragma once
+
+#include "lua/binding/vocabulary.hpp"
+#include "lua/interaction/manifest.hpp"
+#include "runtime/component/info.hpp"
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace trembler::lua {
+
+/// A property that a script reads, under the name by which it has declared it.
+struct DeclaredProperty {
+    std::string name;
+    PropertyInfo const* info = nullptr;
+    std::vector<FieldPlace> fields;
+
+    [[nodiscard]] bool ofObjects() const { return info->kind == PropertyKind::object; }
+    [[nodiscard]] FieldPlace const* field(std::string_view key) const;
+    [[nodiscard]] std::vector<std::string> keys() const;
+};
+
+/// Constant once it is made; worlds share it.
+struct Script {
+    Manifest manifest;
+    std::string effect; ///< of its ComponentInfo: the mod
+    std::vector<DeclaredProperty> reads;
+    std::vector<std::size_t> first;  ///< places in reads: what an object, or the first of a pair, has
+    std::vector<std::size_t> second; ///< what the second of a pair has
+    RoleInfo const* role = nullptr;
+    std::set<std::string, std::less<>> words; ///< in its text
+    std::unique_ptr<ComponentInfo> info;      ///< its texts are those in here
+
+    [[nodiscard]] DeclaredProperty const* read(std::string_view name) const;
+    [[nodiscard]] std::vector<std::string> readNames() const;
+};
+
+/// Finds what a manifest names. Adds what is not there to `problems`, with file, line and a suggestion; the
+/// script is then not to be used.
+[[nodiscard]] std::shared_ptr<Script const> declare(Manifest manifest, std::string effect,
+                                                    Vocabulary const& vocabulary, Problems& problems);
+
+} // namespace trembler::lua

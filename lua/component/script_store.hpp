@@ -1,0 +1,47 @@
+// What a script keeps from turn to turn: fields that its manifest declares, per object and for itself.
+#pragma once
+
+#include "lua/interaction/manifest.hpp"
+#include "runtime/object/object_id.hpp"
+#include "runtime/property/state_hash.hpp"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::lua {
+
+class ScriptStore {
+public:
+    explicit ScriptStore(Manifest const& manifest);
+
+    /// The place of a field, or nothing.
+    [[nodiscard]] std::optional<std::size_t> objectField(std::string_view name) const;
+    [[nodiscard]] std::optional<std::size_t> scriptField(std::string_view name) const;
+    [[nodiscard]] Value const& ofObject(ObjectId id, std::size_t field) const;
+    [[nodiscard]] Value const& ofScript(std::size_t field) const { return script_[field]; }
+    /// Sets a field; returns what is wrong with the value, in words, or nothing.
+    [[nodiscard]] std::string setOfObject(ObjectId id, std::size_t field, Value value);
+    [[nodiscard]] std::string setOfScript(std::size_t field, Value value);
+    /// Forgets the objects that are gone.
+    void keepOnly(std::function<bool(ObjectId)> const& alive);
+
+    /// The next of a sequence that depends on the script's name and on how many it had before: in [0, 1).
+    [[nodiscard]] double random();
+
+    void hash(StateHash& hash) const;
+
+private:
+    [[nodiscard]] static std::string fault(StoreField const& field, Value const& value);
+
+    std::vector<StoreField> objectFields_;
+    std::vector<StoreField> scriptFields_;
+    std::map<ObjectId, std::vector<Value>> objects_; // those that have been written to
+    std::vector<Value> script_;
+    std::uint64_t seed_;
+    std::uint64_t draws_ = 0;
+};
+
+} // namespace trembler::lua

@@ -1,0 +1,271 @@
+#include "lua/component/scripted_interaction.hpp"
+
+#include "physics/dynamics/properties/contacts.hpp"
+#include "runtime/placement.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace trembler::lua {
+namespace {
+
+// A property that the host reads for the script; declare() has declared it.
+template <ObjectProperty P>
+Column<P> const* columnOf(Script const& script, std::vector<Home> const& homes) {
+    std::size_t i = 0;
+    while (script.reads[i].info->type != typeid(P)) {
+        ++i;
+    }
+    return static_cast<Column<P> const*>(homes[i].column);
+}
+Slot<Contacts> const* contactsOf(Script const& script, std::vector<Home> const& homes) {
+    std::size_t i = 0;
+    while (script.reads[i].info->type != typeid(Contacts)) {
+        ++i;
+    }
+    return static_cast<Slot<Contacts> const*>(homes[i].slot);
+}
+
+} // namespace
+
+ScriptedInteraction::ScriptedInteraction(std::shared_ptr<Script const> script, std::shared_ptr<ScriptLog> log)
+    : Component(*script->info), script_(std::move(script)), log_(std::move(log)),
+      source_(script_->role->open()), kept_(script_->manifest) {}
+
+ScriptedInteraction::~ScriptedInteraction() = default;
+
+void ScriptedInteraction::bind(Store& store, Channels& channels) {
+    store_ = &store;
+    homes_.clear();
+    for (DeclaredProperty const& property : script_->reads) {
+        Home home;
+        if (property.ofObjects()) {
+            home.column = &store.column(*property.info);
+        } else {
+            home.slot = &store.slot(*property.info);
+        }
+        homes_.push_back(home);
+    }
+    seen_.resize(homes_.size(), 0);
+    source_->attach(channels, caller());
+}
+
+bool ScriptedInteraction::hasWork() const {
+    if (off_) {
+        return false;
+    }
+    if (first_ || script_->manifest.restless) {
+        return true;
+    }
+    for (std::size_t i = 0; i < homes_.size(); ++i) {
+        if (homes_[i].version() != seen_[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::size_t ScriptedInteraction::workload() const {
+    std::size_t rows = 0;
+    for (Home const& home : homes_) {
+        rows += home.column == nullptr ? 0 : home.column->size();
+    }
+    return rows;
+}
+
+void ScriptedInteraction::run(FrameContext const& context) {
+    openSinks(context, 1, Phase::interaction);
+    source_->begin();
+    findTargets(context);
+    if (!turns_) {
+        turns_ = std::make_unique<Turns>(script_);
+    }
+    std::optional<ScriptError> failed = turns_->broken();
+    if (!failed) {
+        kept_.keepOnly([this](ObjectId id) { return store_->alive(id); });
+        TurnContext turn{.store = *store_,
+                         .homes = homes_,
+                         .kept = kept_,
+                         .source = *source_,
+                         .sink = sinks_.empty() ? nullptr : &sinks_.front(),
+                         .duration = context.duration,
+                         .log = [&](std::string const& line) {
+                             log_->add({.script = script_->manifest.name,
+                                        .frame = context.when.frame,
+                                        .error = false,
+                                        .text = line,
+                                        .traceback = {}});
+                         }};
+        failed = turns_->run(turn, targets_);
+    }
+    if (failed) {
+        switchOff(context, *failed);
+    }
+    source_->end();
+    targets_.clear(); // they point into a column
+    for (std::size_t i = 0; i < homes_.size(); ++i) {
+        seen_[i] = homes_[i].version();
+    }
+    first_ = false;
+}
+
+void ScriptedInteraction::switchOff(FrameContext const& context, ScriptError const& failed) {
+    source_->withdraw();
+    off_ = true;
+    turns_.reset();
+    if (!sinks_.empty()) {
+        (void)sinks_.front().record("switched off: " + failed.message, {}, {});
+    }
+    log_->add({.script = script_->manifest.name,
+               .frame = context.when.frame,
+               .error = true,
+               .text = failed.message,
+               .traceback = failed.traceback});
+}
+
+void ScriptedInteraction::hashState(StateHash& hash) const {
+    hash.value(off_);
+    kept_.hash(hash);
+}
+
+// ---- To whom it is applied, always in the order of objects.
+
+void ScriptedInteraction::findTargets(FrameContext const& /*context*/) {
+    targets_.clear();
+    switch (script_->manifest.application) {
+    case Application::once:
+        targets_.push_back({});
+        return;
+    case Application::each:
+        findEach();
+        return;
+    case Application::pairs:
+        findPairs();
+        return;
+    }
+}
+
+ScriptUse const* ScriptedInteraction::useOf(ObjectId id) const {
+    Scripts const* const scripts = columnOf<Scripts>(*script_, homes_)->find(id);
+    if (scripts == nullptr) {
+        return nullptr;
+    }
+    auto const use =
+        std::find_if(scripts->uses.begin(), scripts->uses.end(),
+                     [this](ScriptUse const& stated) { return stated.script == script_->manifest.name; });
+    return use == scripts->uses.end() ? nullptr : &*use;
+}
+
+bool ScriptedInteraction::hasAll(ObjectId id, std::vector<std::size_t> const& needed, bool attached) const {
+    return std::all_of(needed.begin(), needed.end(),
+                       [&](std::size_t read) { return homes_[read].column->has(id); }) &&
+           (!attached || useOf(id) != nullptr);
+}
+
+std::vector<ObjectId> ScriptedInteraction::havingAll(std::vector<std::size_t> const& needed,
+                                                     bool attached) const {
+    ColumnBase const* rarest = attached ? columnOf<Scripts>(*script_, homes_) : nullptr;
+    for (std::size_t const read : needed) {
+        if (rarest == nullptr || homes_[read].column->size() < rarest->size()) {
+            rarest = homes_[read].column;
+        }
+    }
+    std::vector<ObjectId> all;
+    if (rarest != nullptr) {
+        std::copy_if(rarest->owners().begin(), rarest->owners().end(), std::back_inserter(all),
+                     [&](ObjectId id) { return hasAll(id, needed, attached); });
+    }
+    return all;
+}
+
+void ScriptedInteraction::findEach() {
+    bool const attached = script_->manifest.attached;
+    for (ObjectId const id : havingAll(script_->first, attached)) {
+        targets_.push_back({.first = id, .second = {}, .use = attached ? useOf(id) : nullptr, .cause = {}});
+    }
+}
+
+void ScriptedInteraction::findPairs() {
+    if (script_->manifest.touching) {
+        findTouching();
+    } else {
+        findNear();
+    }
+}
+
+void ScriptedInteraction::findTouching() {
+    bool const attached = script_->manifest.attached;
+    bool const alike = script_->manifest.first == script_->manifest.second && !attached;
+    auto const add = [&](ObjectId a, ObjectId b, EventId cause) {
+        if (hasAll(a, script_->first, attached) && hasAll(b, script_->second, false)) {
+            targets_.push_back(
+                {.first = a, .second = b, .use = attached ? useOf(a) : nullptr, .cause = cause});
+        }
+    };
+    for (TouchingPair const& pair : contactsOf(*script_, homes_)->value().current) {
+        add(pair.a, pair.b, pair.event);
+        if (!alike) {
+            add(pair.b, pair.a, pair.event);
+        }
+    }
+    std::sort(targets_.begin(), targets_.end(), [](Target const& x, Target const& y) {
+        return std::pair(x.first, x.second) < std::pair(y.first, y.second);
+    });
+}
+
+double ScriptedInteraction::reachOf(ScriptUse const* use) const {
+    Manifest const& manifest = script_->manifest;
+    if (manifest.withinParameter.empty()) {
+        return manifest.within;
+    }
+    if (use != nullptr) {
+        for (ScriptSetting const& setting : use->settings) {
+            if (setting.parameter == manifest.withinParameter) {
+                return setting.number;
+            }
+        }
+    }
+    return std::get<double>(manifest.parameter(manifest.withinParameter)->initial);
+}
+
+// By sorting along x: O(n log n) and the pairs that are near in x.
+void ScriptedInteraction::findNear() {
+    struct Place {
+        double x;
+        double y;
+        ObjectId id;
+    };
+    bool const attached = script_->manifest.attached;
+    bool const alike = script_->manifest.first == script_->manifest.second && !attached;
+    auto const* const positions = columnOf<Position>(*script_, homes_);
+    std::vector<Place> places;
+    for (ObjectId const id : havingAll(script_->second, false)) {
+        if (Position const* const position = positions->find(id)) {
+            places.push_back({position->value.x, position->value.y, id});
+        }
+    }
+    std::sort(places.begin(), places.end(),
+              [](Place const& a, Place const& b) { return a.x != b.x ? a.x < b.x : a.id < b.id; });
+    for (ObjectId const id : havingAll(script_->first, attached)) {
+        Position const* const at = positions->find(id);
+        if (at == nullptr) {
+            continue;
+        }
+        ScriptUse const* const use = attached ? useOf(id) : nullptr;
+        double const reach = reachOf(use);
+        std::size_t const begin = targets_.size();
+        auto const from = std::lower_bound(places.begin(), places.end(), at->value.x - reach,
+                                           [](Place const& place, double x) { return place.x < x; });
+        for (auto near = from; near != places.end() && near->x <= at->value.x + reach; ++near) {
+            Vec2 const apart{near->x - at->value.x, near->y - at->value.y};
+            if (near->id != id && dot(apart, apart) <= reach * reach && !(alike && near->id < id)) {
+                targets_.push_back({.first = id, .second = near->id, .use = use, .cause = {}});
+            }
+        }
+        std::sort(targets_.begin() + static_cast<std::ptrdiff_t>(begin), targets_.end(),
+                  [](Target const& x, Target const& y) { return x.second < y.second; });
+    }
+}
+
+} // namespace trembler::lua

@@ -1,0 +1,70 @@
+// The Lua side of a scripted interaction: its state, with the tables by which a script sees objects and makes
+// calls.
+#pragma once
+
+#include "lua/attach/scripts_property.hpp"
+#include "lua/binding/script.hpp"
+#include "lua/component/script_store.hpp"
+#include "runtime/component/component.hpp"
+#include "runtime/property/column.hpp"
+#include "runtime/property/slot.hpp"
+#include "runtime/world/store.hpp"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::lua {
+
+/// Where a declared property lives: one of the two.
+struct Home {
+    ColumnBase const* column = nullptr;
+    SlotBase const* slot = nullptr;
+
+    [[nodiscard]] std::uint64_t version() const {
+        return column != nullptr ? column->version() : slot->version();
+    }
+};
+
+/// One application of the script: to an object, to a pair, or, with neither, to the world.
+struct Target {
+    ObjectId first;
+    ObjectId second;
+    ScriptUse const* use = nullptr; ///< the settings of `first`; nullptr: the script's defaults
+    EventId cause;                  ///< the event that brought it about
+};
+
+/// All that one turn of a script works with.
+struct TurnContext {
+    Store const& store;
+    std::vector<Home> const& homes; ///< of the script's reads
+    ScriptStore& kept;
+    OpenSource& source;
+    EventSink* sink = nullptr;
+    double duration = 0; ///< s, since the last turn
+    std::function<void(std::string const&)> log;
+};
+
+/// A Lua state in which one script has its turns. Used by one thread at a time.
+class Turns {
+public:
+    explicit Turns(std::shared_ptr<Script const> script);
+    ~Turns();
+    Turns(Turns const&) = delete;
+    Turns& operator=(Turns const&) = delete;
+
+    /// Why the script cannot run at all; nothing if it can.
+    [[nodiscard]] std::optional<ScriptError> const& broken() const;
+    /// Applies the script to every target, in order.
+    [[nodiscard]] std::optional<ScriptError> run(TurnContext const& context,
+                                                 std::vector<Target> const& targets);
+
+private:
+    class Binding;
+    std::unique_ptr<Binding> binding_;
+};
+
+} // namespace trembler::lua
