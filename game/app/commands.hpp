@@ -23,6 +23,7 @@ void addSchemaCommand(CLI::App& program, int& result);
 void addAccuracyCommand(CLI::App& program, int& result);
 void addScreenshotCommand(CLI::App& program, int& result);
 void addKeysCommand(CLI::App& program, int& result);
+void addModCommand(CLI::App& program, int& result);
 
 /// Runs a command's work; says on standard error what is wrong with its input, if anything.
 [[nodiscard]] int guarded(std::function<int()> const& work);

@@ -34,6 +34,7 @@ int runCommand(int argc, char** argv) {
     trembler::addAccuracyCommand(program, result);
     trembler::addScreenshotCommand(program, result);
     trembler::addKeysCommand(program, result);
+    trembler::addModCommand(program, result);
     try {
         program.parse(argc, argv);
     } catch (CLI::Success const& help) {

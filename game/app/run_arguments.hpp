@@ -21,6 +21,7 @@ struct RunArguments {
     std::optional<int> substeps;
     std::optional<double> budget;   ///< ms
     std::vector<std::string> watch; ///< OBJECT.FIELD each
+    std::vector<std::string> mods;  ///< folders in which mods are looked for
     std::uint64_t every = 1;        ///< frames between rows of the table
 
     OutputTarget json;

@@ -41,6 +41,9 @@ void addRunCommand(CLI::App& program, int& result) {
             "--period", arguments->periods,
             "COMPONENT=N: run a component in every Nth frame only, for example \"Dynamics Resolver=2\"")
         ->allow_extra_args(false);
+    command->add_option("--mod", arguments->mods, "A folder of mods to look in, before those that are installed")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
     addNumber(*command, "--substeps", arguments->substeps, 0, 64,
               "Steps of the dynamics engine in a frame; 0: as many as the scene needs");
     addFile(*command, "--export-spice", arguments->spice,

@@ -1,6 +1,7 @@
 #include "audio/effect/properties/acoustics.hpp"
 #include "game/app/budget_report.hpp"
 #include "game/app/commands.hpp"
+#include "game/app/mods.hpp"
 #include "game/app/numbers.hpp"
 #include "game/app/progress.hpp"
 #include "game/app/run_arguments.hpp"
@@ -120,7 +121,8 @@ void watchWith(RunOptions& run, std::optional<watch::WatchTable>& table, Registr
 } // namespace
 
 int runLevel(RunArguments const& arguments) {
-    GameData const gameData;
+    auto const data = gameDataFor(arguments.level, arguments.mods);
+    GameData const& gameData = *data;
     LevelFile level = loadLevel(gameData.registry, arguments.level);
     if (arguments.substeps) {
         setSubsteps(level, *arguments.substeps);
@@ -186,6 +188,7 @@ int runLevel(RunArguments const& arguments) {
     }
     RunReport const report = trembler::run(session, arguments.level, run);
     progress.clear();
+    tellScriptMessages(gameData);
     budget::BudgetMode const* const budgeted = arguments.budget ? &mode : nullptr;
     if (account != nullptr) {
         account->stream() << frameAccount(session);

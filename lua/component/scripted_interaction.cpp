@@ -78,11 +78,12 @@ void ScriptedInteraction::run(FrameContext const& context) {
     openSinks(context, 1, Phase::interaction);
     source_->begin();
     findTargets(context);
-    if (!turns_) {
+    std::optional<ScriptError> failed;
+    if (!targets_.empty() && !turns_) {
         turns_ = std::make_unique<Turns>(script_);
+        failed = turns_->broken();
     }
-    std::optional<ScriptError> failed = turns_->broken();
-    if (!failed) {
+    if (!failed && !targets_.empty()) {
         kept_.keepOnly([this](ObjectId id) { return store_->alive(id); });
         TurnContext turn{.store = *store_,
                          .homes = homes_,

@@ -152,6 +152,8 @@ private:
         lua_pop(L, 1);
         pushFunction<&Binding::isAlive>(L);
         lua_setfield(L, -2, "alive");
+        pushFunction<&Binding::handleEqual>(L);
+        lua_setfield(L, -2, "same");
         lua_pop(L, 1);
     }
 

@@ -1,10 +1,12 @@
 #include "puzzle/data/game_data.hpp"
 
+#include "lua/attach/register.hpp"
 #include "puzzle/data/effects.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -35,9 +37,25 @@ fs::path homeFolder() {
     return TREMBLER_SOURCE_DIR;
 }
 
-GameData::GameData() : home(homeFolder()) {
+GameData::GameData() : GameData(std::vector<lua::Mod>()) {}
+
+GameData::GameData(std::vector<lua::Mod> loaded)
+    : home(homeFolder()), mods(std::move(loaded)), scriptLog(std::make_shared<lua::ScriptLog>()) {
     registerEffects(registry);
+    Problems problems;
+    lua::registerMods(registry, mods, scriptLog, problems);
+    problems.throwIfAny();
     parts = loadParts(registry, home / "assets" / "parts");
+    for (lua::Mod const& mod : mods) {
+        std::error_code error;
+        if (!fs::is_directory(mod.partFolder(), error)) {
+            continue;
+        }
+        PartLibrary const library = loadParts(registry, mod.partFolder());
+        for (PartDefinition const* part : library.all()) {
+            parts.add(*part);
+        }
+    }
 }
 
 std::vector<fs::path> GameData::levels() const {

@@ -1,10 +1,13 @@
 // What every command starts from: all components, all parts, and where the files are.
 #pragma once
 
+#include "lua/component/script_log.hpp"
+#include "lua/mods/mod.hpp"
 #include "runtime/level/model/part_library.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,9 +22,13 @@ struct GameData {
     Registry registry;
     PartLibrary parts;
     std::filesystem::path home;
+    std::vector<lua::Mod> mods;                ///< those that are loaded
+    std::shared_ptr<lua::ScriptLog> scriptLog; ///< what their scripts say
 
     /// Registers every effect and reads every part. Throws InputError if a part definition is wrong.
     GameData();
+    /// The same with mods. Throws InputError also if one of them is wrong.
+    explicit GameData(std::vector<lua::Mod> mods);
     GameData(GameData const&) = delete;
     GameData& operator=(GameData const&) = delete;
 

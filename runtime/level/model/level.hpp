@@ -104,8 +104,9 @@ struct Solution {
 struct LevelFile {
     std::string title;
     std::string text;
-    bool demonstration = false; ///< meant to reach its goals with hands off, like the thesis's experiments
-    PropertySet world;          ///< of the one object named "world"
+    bool demonstration = false;    ///< meant to reach its goals with hands off, like the thesis's experiments
+    std::vector<std::string> mods; ///< the extensions that it needs
+    PropertySet world;             ///< of the one object named "world"
     std::optional<Box> bounds;
     std::map<std::string, std::string> detail; ///< effect -> detail level
     std::vector<LevelObject> objects;

@@ -9,6 +9,7 @@
 #include "runtime/level/read/check_inputs.hpp"
 #include "runtime/level/read/migrations.hpp"
 #include "runtime/level/read/read_area.hpp"
+#include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_solutions.hpp"
 
 #include <fmt/format.h>
@@ -43,6 +44,9 @@ public:
         }
         if (auto const demonstration = reader.optional("demonstration")) {
             level_.demonstration = demonstration->boolean().value_or(false);
+        }
+        if (auto const mods = reader.optional("mods")) {
+            level_.mods = readExtensions(*mods, registry_);
         }
         if (auto const world = reader.optional("world")) {
             readWorld(*world);

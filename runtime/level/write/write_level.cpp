@@ -154,6 +154,9 @@ Json writeLevel(LevelFile const& level) {
     if (level.demonstration) {
         out["demonstration"] = true;
     }
+    if (!level.mods.empty()) {
+        out["mods"] = level.mods;
+    }
     Json world = worldJson(level, names);
     if (!world.empty()) {
         out["world"] = std::move(world);

@@ -1,0 +1,139 @@
+// trembler mod new, check, list.
+#include "game/app/commands.hpp"
+#include "game/app/mods.hpp"
+#include "puzzle/solutions/verify.hpp"
+#include "runtime/file/visible_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace trembler {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ModArguments {
+    std::string name;
+    std::vector<std::string> folders;
+    std::string in = ".";
+};
+
+int newMod(ModArguments const& arguments) {
+    fs::path const folder = fs::path(arguments.in) / arguments.name;
+    lua::writeNewMod(folder, arguments.name);
+    std::cout << visible(folder.string()) << ": made. Next: trembler mod check " << visible(folder.string())
+              << ", trembler run " << visible((folder / "levels/1-push.json").string()) << "\n";
+    return exitSolved;
+}
+
+std::vector<fs::path> levelsOf(fs::path const& folder) {
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        if (at->path().extension() == ".json") {
+            found.push_back(at->path());
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// The folder that is meant by a path or by the name of an installed mod.
+fs::path folderOf(ModArguments const& arguments) {
+    fs::path stated = arguments.name;
+    if (fs::exists(stated / "mod.json")) {
+        return stated.filename().empty() ? stated.parent_path() : stated;
+    }
+    for (fs::path const& mod : lua::listMods(lua::modFolders(arguments.folders, {}, homeFolder()))) {
+        if (mod.filename() == arguments.name) {
+            return mod;
+        }
+    }
+    throw std::invalid_argument(
+        fmt::format("there is no mod '{}'; `trembler mod list` shows those there are", arguments.name));
+}
+
+int checkMod(ModArguments const& arguments) {
+    fs::path const folder = fs::absolute(folderOf(arguments));
+    std::string const name = folder.filename().string();
+    std::vector<std::string> folders = arguments.folders;
+    folders.insert(folders.begin(), folder.parent_path().string());
+    Problems problems;
+    std::vector<lua::Mod> mods = lua::findMods(std::vector<std::string>{name},
+                                               lua::modFolders(folders, {}, homeFolder()), name, problems);
+    problems.throwIfAny();
+    GameData const gameData(std::move(mods));
+    auto const mod = std::find_if(gameData.mods.begin(), gameData.mods.end(),
+                                  [&](lua::Mod const& one) { return one.name == name; });
+    bool good = true;
+    std::size_t levels = 0;
+    for (fs::path const& part : {mod->levelFolder(), mod->testFolder()}) {
+        for (fs::path const& level : levelsOf(part)) {
+            ++levels;
+            std::vector<std::string> failures = verifyLevel(gameData, level);
+            for (lua::ScriptMessage const& message : gameData.scriptLog->take()) {
+                if (message.error) {
+                    failures.push_back(fmt::format("{}: {} was switched off in frame {}: {}", level.string(),
+                                                   message.script, message.frame, message.text));
+                }
+            }
+            std::sort(failures.begin(), failures.end());
+            failures.erase(std::unique(failures.begin(), failures.end()), failures.end());
+            for (std::string const& failure : failures) {
+                std::cout << visible(failure) << "\n";
+            }
+            if (failures.empty()) {
+                std::cout << visible(level.string()) << ": valid\n" << std::flush;
+            }
+            good = good && failures.empty();
+        }
+    }
+    std::cout << visible(fmt::format("{}: {} interactions, {} levels and tests, {}\n", name,
+                                     mod->interactions.size(), levels, good ? "all good" : "not good"));
+    return good ? exitSolved : exitNotSolved;
+}
+
+int listAll(ModArguments const& arguments) {
+    for (fs::path const& folder : lua::listMods(lua::modFolders(arguments.folders, {}, homeFolder()))) {
+        Problems problems;
+        lua::Mod const mod = lua::readMod(folder, problems);
+        std::cout << visible(fmt::format("{:20} {:8} {} ({}, {}){}", mod.name, mod.version, mod.text,
+                                         mod.author, mod.licence,
+                                         problems.empty() ? "" : "  [has problems: mod check]"))
+                  << "\n";
+        for (lua::Manifest const& manifest : mod.interactions) {
+            std::cout << visible(fmt::format("    ({}) {}", manifest.name, manifest.text)) << "\n";
+        }
+    }
+    return exitSolved;
+}
+
+} // namespace
+
+void addModCommand(CLI::App& program, int& result) {
+    CLI::App* const command = program.add_subcommand(
+        "mod", "Mods: interactions written in Lua, with parts and levels of their own");
+    command->require_subcommand(1);
+    auto const arguments = std::make_shared<ModArguments>();
+    CLI::App* const made =
+        command->add_subcommand("new", "Make the folder of a mod with an interaction that works");
+    made->add_option("NAME", arguments->name, "Its name: small letters, digits and -")->required();
+    made->add_option("--in", arguments->in, "The folder to make it in")->capture_default_str();
+    made->callback([arguments, &result] { result = guarded([&] { return newMod(*arguments); }); });
+    CLI::App* const check = command->add_subcommand(
+        "check", "Load a mod and verify its levels and its tests, which are levels with recorded solutions");
+    check->add_option("MOD", arguments->name, "Its folder, or the name of one that is installed")->required();
+    check->add_option("--mod", arguments->folders, "A folder of mods to look in, too")
+        ->allow_extra_args(false);
+    check->callback([arguments, &result] { result = guarded([&] { return checkMod(*arguments); }); });
+    CLI::App* const list = command->add_subcommand("list", "The mods that are installed");
+    list->add_option("--mod", arguments->folders, "A folder of mods to look in, too")
+        ->allow_extra_args(false);
+    list->callback([arguments, &result] { result = guarded([&] { return listAll(*arguments); }); });
+}
+
+} // namespace trembler

@@ -1,0 +1,55 @@
+// A mod: a folder with a mod.json, interactions/, parts/, levels/ and tests/.
+#pragma once
+
+#include "lua/interaction/manifest.hpp"
+#include "runtime/level/json/diagnostic.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace trembler::lua {
+
+struct Mod {
+    std::string name; ///< that of its folder
+    std::string version;
+    std::string author;
+    std::string licence;
+    std::string text;               ///< what it is, for people
+    std::vector<std::string> needs; ///< other mods
+    std::filesystem::path folder;
+    std::vector<Manifest> interactions; ///< in order of their files
+
+    [[nodiscard]] std::filesystem::path partFolder() const { return folder / "parts"; }
+    [[nodiscard]] std::filesystem::path levelFolder() const { return folder / "levels"; }
+    /// Levels with recorded solutions, which `trembler mod check` runs.
+    [[nodiscard]] std::filesystem::path testFolder() const { return folder / "tests"; }
+};
+
+/// Reads a mod with its scripts, but not its parts and levels. Adds everything that is wrong to `problems`.
+[[nodiscard]] Mod readMod(std::filesystem::path const& folder, Problems& problems);
+
+/// The folders in which mods are looked for, the first that has one counts: those that are stated, the one
+/// beside a level's pack, the user's ($XDG_DATA_HOME/trembler/mods), and that of the bundled ones, home/mods.
+[[nodiscard]] std::vector<std::filesystem::path> modFolders(std::span<std::string const> stated,
+                                                            std::filesystem::path const& level,
+                                                            std::filesystem::path const& home);
+
+/// Every mod's folder in those, in order of names; of two of one name the first that is found.
+[[nodiscard]] std::vector<std::filesystem::path> listMods(std::span<std::filesystem::path const> folders);
+
+/// The mods of those names and those that they need, in order of their names. What is not there or wrong is
+/// added to `problems`, `by` being the file that needs them.
+[[nodiscard]] std::vector<Mod> findMods(std::span<std::string const> names,
+                                        std::span<std::filesystem::path const> folders, std::string const& by,
+                                        Problems& problems);
+
+/// The names under "mods" in a level's file; none if it cannot be read, which whoever reads it says.
+[[nodiscard]] std::vector<std::string> modsNamedBy(std::filesystem::path const& level);
+
+/// Makes the folder of a new mod with an interaction that works, a level that needs it and a test. Throws
+/// std::invalid_argument if the name is none or the folder is there.
+void writeNewMod(std::filesystem::path const& folder, std::string const& name);
+
+} // namespace trembler::lua

@@ -1,0 +1,15 @@
+// The extensions that a level states to need, under "mods".
+#pragma once
+
+#include "runtime/level/json/json_node.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// Reads a list of names. Complains about those that the registry has not.
+[[nodiscard]] std::vector<std::string> readExtensions(JsonNode const& node, Registry const& registry);
+
+} // namespace trembler
