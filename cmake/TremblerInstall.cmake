@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 install(TARGETS trembler RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 # The program finds share/trembler from where it lies itself, so what is installed can be moved as a whole.
-install(DIRECTORY assets levels DESTINATION share/trembler)
+install(DIRECTORY assets levels mods DESTINATION share/trembler)
 install(FILES packaging/trembler.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES README.md LICENSE THIRD_PARTY.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)

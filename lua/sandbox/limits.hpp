@@ -41,10 +41,4 @@ inline constexpr std::size_t largestNewBlock = 8'192;
 /// Bytes to which a block may grow: it bounds the length of arrays and the depth of the stack.
 inline constexpr std::size_t largestGrownBlock = 32'768;
 
-/// How far a script is trusted.
-enum class Trust : std::uint8_t {
-    untrusted, ///< interpreted, every limit counted: whatever is installed
-    trusted,   ///< may be compiled; its instructions are not counted, as compiled code cannot be stopped
-};
-
 } // namespace trembler::lua

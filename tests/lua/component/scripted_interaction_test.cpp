@@ -13,8 +13,8 @@ std::string scriptOf(std::string const& body,
            more + "\n  apply = function(object, params, out, store, frame)\n" + body + "\n  end,\n}\n";
 }
 
-struct Run {
-    explicit Run(std::string const& source, WorldOptions const& options = {})
+struct Play {
+    explicit Play(std::string const& source, WorldOptions const& options = {})
         : game({source}), world(std::make_unique<World>(game.registry, options)) {}
     void steps(int count) {
         for (int i = 0; i < count; ++i) {
@@ -26,7 +26,7 @@ struct Run {
 };
 
 TEST(ScriptedInteraction, AddsAForceLikeAnyOther) {
-    Run run(scriptOf("out.addForce(object, vec2(object.Mass.value * 2, 0))"));
+    Play run(scriptOf("out.addForce(object, vec2(object.Mass.value * 2, 0))"));
     ObjectId const box = addBox(run.world->store(), "box", {0, 0});
     run.world->start();
     run.steps(61); // the call of the first frame is carried out in the second
@@ -52,7 +52,7 @@ TEST(ScriptedInteraction, SleepsWhileNothingThatItReadsChanges) {
 }
 
 TEST(ScriptedInteraction, IsAbsentWhereNoObjectCallsForIt) {
-    Run run(scriptOf("error('never')"));
+    Play run(scriptOf("error('never')"));
     ObjectId const wall = run.world->store().create("wall");
     run.world->store().column<Position>().set(wall, {});
     run.world->start();
@@ -98,7 +98,7 @@ TEST(ScriptedInteraction, SaysInWordsWhatIsWrongAndIsSwitchedOffWhileTheWorldGoe
         {"for i = 1, 1000 do out.addForce(object, vec2(0, 0)) end", "makes more than its"},
     };
     for (Case const& one : cases) {
-        Run run(scriptOf(one.body));
+        Play run(scriptOf(one.body));
         ObjectId const box = addBox(run.world->store(), "box", {0, 0}, {1, 0});
         run.world->start();
         run.steps(5);
@@ -111,7 +111,7 @@ TEST(ScriptedInteraction, SaysInWordsWhatIsWrongAndIsSwitchedOffWhileTheWorldGoe
 }
 
 TEST(ScriptedInteraction, TakesBackItsCallsWhenItFails) {
-    Run run(scriptOf(
+    Play run(scriptOf(
         "out.addForce(object, vec2(1000, 0))\n if object.Velocity.value.x > 0.5 then error('enough') end"));
     ObjectId const box = addBox(run.world->store(), "box", {0, 0});
     run.world->start();
@@ -124,12 +124,12 @@ TEST(ScriptedInteraction, TakesBackItsCallsWhenItFails) {
 }
 
 TEST(ScriptedInteraction, KeepsWhatItsManifestDeclaresAndNothingElse) {
-    Run run("local hidden = 0\n" +
-            scriptOf("hidden = hidden + 1\nstore.object.turns = store.object.turns + 1\n"
-                     "store.script.all = store.script.all + hidden\n"
-                     "log(store.object.turns, hidden, store.script.all)",
-                     "restless = true, each = { \"Mass\" }, store = { object = { turns = 0 }, "
-                     "script = { all = 0 } },"));
+    Play run("local hidden = 0\n" +
+             scriptOf("hidden = hidden + 1\nstore.object.turns = store.object.turns + 1\n"
+                      "store.script.all = store.script.all + hidden\n"
+                      "log(store.object.turns, hidden, store.script.all)",
+                      "restless = true, each = { \"Mass\" }, store = { object = { turns = 0 }, "
+                      "script = { all = 0 } },"));
     addBox(run.world->store(), "a", {0, 0});
     addBox(run.world->store(), "b", {5, 0});
     run.world->start();
@@ -152,7 +152,7 @@ TEST(ScriptedInteraction, HasOneHashOnAnyNumberOfThreadsAndInEveryRun) {
         WorldOptions options;
         options.threads = threads;
         options.rowsWorthThreads = 0;
-        Run run(source, options);
+        Play run(source, options);
         for (int i = 0; i < 50; ++i) {
             addBox(run.world->store(), "box " + std::to_string(i), {2.0 * i, 0});
         }
@@ -167,12 +167,12 @@ TEST(ScriptedInteraction, HasOneHashOnAnyNumberOfThreadsAndInEveryRun) {
 }
 
 TEST(ScriptedInteraction, ReadsListsHandlesAndTheWorld) {
-    Run run("return interaction { name = \"Dynamics <- Test\", calls = \"Dynamics\",\n"
-            "reads = { \"contacts\", \"Mass\", \"Gravity\" }, once = true,\n"
-            "apply = function(world, params, out)\n"
-            "  for _, pair in ipairs(world.contacts.begun) do\n"
-            "    log(pair.a.Mass.value, alive(pair.b), same(pair.a, pair.b), world.Gravity.value)\n"
-            "  end\nend }");
+    Play run("return interaction { name = \"Dynamics <- Test\", calls = \"Dynamics\",\n"
+             "reads = { \"contacts\", \"Mass\", \"Gravity\" }, once = true,\n"
+             "apply = function(world, params, out)\n"
+             "  for _, pair in ipairs(world.contacts.begun) do\n"
+             "    log(pair.a.Mass.value, alive(pair.b), same(pair.a, pair.b), world.Gravity.value)\n"
+             "  end\nend }");
     Store& store = run.world->store();
     store.column<GravityField>().set(store.create("world"), {{0, -10}});
     addBox(store, "a", {0, 0});
@@ -189,7 +189,7 @@ TEST(ScriptedInteraction, ReadsListsHandlesAndTheWorld) {
 TEST(ScriptedInteraction, IsACauseInTheTrace) {
     WorldOptions options;
     options.trace = true;
-    Run run(scriptOf("out.addForce(object, vec2(1000, 0))"), options);
+    Play run(scriptOf("out.addForce(object, vec2(1000, 0))"), options);
     addBox(run.world->store(), "box", {0, 0});
     run.world->start();
     run.steps(3);
@@ -205,7 +205,7 @@ TEST(ScriptedInteraction, IsACauseInTheTrace) {
 }
 
 TEST(ScriptedInteraction, IsAppliedToObjectsThatNameItWithTheirOwnParameters) {
-    Run run(
+    Play run(
         "return interaction { name = \"Dynamics <- Test\", calls = \"Dynamics\", reads = {}, attached = "
         "true,\n"
         "each = { \"Mass\" }, params = { force = { default = 500, min = 0, max = 5000, unit = \"N\" } },\n"
@@ -225,14 +225,15 @@ TEST(ScriptedInteraction, IsAppliedToObjectsThatNameItWithTheirOwnParameters) {
 }
 
 TEST(ScriptedInteraction, FindsEveryPairThatIsNearLikeAComparisonOfAll) {
-    Run run("return interaction { name = \"Dynamics <- Test\", calls = \"Dynamics\", reads = { \"Position\", "
-            "\"Mass\" },\n"
-            "pairs = { first = { \"Mass\" }, second = { \"Mass\" }, within = 3 },\n"
-            "store = { script = { pairs = 0 } }, limits = { log_lines = 10 },\n"
-            "apply = function(a, b, params, out, store)\n"
-            "  local apart = (a.Position.value - b.Position.value):length()\n"
-            "  assert(apart <= 3)\n  store.script.pairs = store.script.pairs + 1\n"
-            "  if store.script.pairs % 10 == 0 then log(store.script.pairs) end\nend }");
+    Play run(
+        "return interaction { name = \"Dynamics <- Test\", calls = \"Dynamics\", reads = { \"Position\", "
+        "\"Mass\" },\n"
+        "pairs = { first = { \"Mass\" }, second = { \"Mass\" }, within = 3 },\n"
+        "store = { script = { pairs = 0 } }, limits = { log_lines = 10 },\n"
+        "apply = function(a, b, params, out, store)\n"
+        "  local apart = (a.Position.value - b.Position.value):length()\n"
+        "  assert(apart <= 3)\n  store.script.pairs = store.script.pairs + 1\n"
+        "  if store.script.pairs % 10 == 0 then log(store.script.pairs) end\nend }");
     std::vector<Vec2> places;
     for (int i = 0; i < 60; ++i) { // a spiral: no two at one place, some near
         double const t = 0.7 * i;
