@@ -1,5 +1,6 @@
 // trembler components and trembler schema: what there is, described by itself, and what levels call for.
 #include "game/app/commands.hpp"
+#include "game/app/mods.hpp"
 #include "game/app/outputs.hpp"
 #include "measure/activation/report.hpp"
 #include "puzzle/data/effects.hpp"
@@ -26,6 +27,7 @@ struct ComponentsArguments {
     OutputTarget json;
     OutputTarget markdown;
     bool levels = false;
+    std::vector<std::string> mods; // folders of mods whose interactions are printed, too
 };
 
 int describe(ComponentsArguments const& arguments) {
@@ -34,6 +36,7 @@ int describe(ComponentsArguments const& arguments) {
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
     Registry registry;
     registerEffects(registry);
+    registerModsIn(registry, arguments.mods);
     registry.check();
     std::vector<LevelUse> plays;
     if (arguments.levels) {
@@ -64,6 +67,9 @@ void addComponentsCommand(CLI::App& program, int& result) {
     command->add_flag("--levels", arguments->levels,
                       "What every level calls for instead: which components are absent, asleep and active, "
                       "and their updates");
+    command->add_option("--mod", arguments->mods, "A folder of mods: their interactions, too")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
     command->footer(outputConvention);
     command->callback([arguments, &result] { result = guarded([&] { return describe(*arguments); }); });
 }

@@ -1,5 +1,6 @@
 // trembler run: a level without a window.
 #include "game/app/commands.hpp"
+#include "game/app/mods.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/run_arguments.hpp"
 #include "runtime/level/json/limits.hpp"
@@ -41,9 +42,7 @@ void addRunCommand(CLI::App& program, int& result) {
             "--period", arguments->periods,
             "COMPONENT=N: run a component in every Nth frame only, for example \"Dynamics Resolver=2\"")
         ->allow_extra_args(false);
-    command->add_option("--mod", arguments->mods, "A folder of mods to look in, before those that are installed")
-        ->type_name("DIR")
-        ->allow_extra_args(false);
+    addModFolders(*command, arguments->mods);
     addNumber(*command, "--substeps", arguments->substeps, 0, 64,
               "Steps of the dynamics engine in a frame; 0: as many as the scene needs");
     addFile(*command, "--export-spice", arguments->spice,

@@ -1,5 +1,6 @@
 // trembler play and trembler screenshot: whatever draws.
 #include "game/app/commands.hpp"
+#include "game/app/mods.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/outputs.hpp"
 #include "game/app/progress.hpp"
@@ -15,7 +16,9 @@
 
 #include <iostream>
 #include <memory>
+#include <string>
 #include <unistd.h>
+#include <vector>
 
 namespace trembler {
 namespace {
@@ -24,6 +27,7 @@ struct PlayArguments {
     std::string level;
     std::string pictures = ".";
     bool fullscreen = false;
+    std::vector<std::string> mods; // folders in which mods are looked for
 };
 
 constexpr std::int64_t smallestSide = 16;         // pixels
@@ -40,6 +44,7 @@ struct ScreenshotArguments {
     bool forces = false;
     bool contacts = false;
     bool bare = false;
+    std::vector<std::string> mods; // folders in which mods are looked for
 };
 
 #ifdef TREMBLER_HEADLESS
@@ -58,12 +63,15 @@ int play(PlayArguments const& arguments) {
     if (arguments.pictures.empty()) {
         throw std::invalid_argument("--pictures: the folder's name is empty");
     }
-    GameData const gameData;
+    auto const data = gameDataFor(arguments.level, arguments.mods);
+    GameData const& gameData = *data;
     ui::PlayOptions options;
     options.level = arguments.level;
     options.pictures = arguments.pictures;
     options.fullscreen = arguments.fullscreen;
-    return ui::play(gameData, options);
+    int const result = ui::play(gameData, options);
+    tellScriptMessages(gameData);
+    return result;
 }
 
 render::Size sizeFrom(std::string const& text) {
@@ -82,7 +90,8 @@ render::Size sizeFrom(std::string const& text) {
 }
 
 int takeScreenshot(ScreenshotArguments const& arguments) {
-    GameData const gameData;
+    auto const data = gameDataFor(arguments.level, arguments.mods);
+    GameData const& gameData = *data;
     ui::ScreenshotOptions options;
     options.level = arguments.level;
     options.frame = arguments.frame;
@@ -128,6 +137,7 @@ void addPlayCommand(CLI::App& program, int& result) {
                      "Folder for the pictures and films that you take, or for the one without a display")
         ->type_name("DIR")
         ->capture_default_str();
+    addModFolders(*command, arguments->mods);
     command->add_flag("--fullscreen", arguments->fullscreen, "Fill the whole screen");
     command->callback([arguments, &result] { result = guarded([&] { return play(*arguments); }); });
 }
@@ -146,6 +156,7 @@ void addScreenshotCommand(CLI::App& program, int& result) {
                                  mostPixels))
         ->capture_default_str();
     command->add_option("--solution", arguments->solution, "Recorded solution, by name or file");
+    addModFolders(*command, arguments->mods);
     command->add_flag("--electricity", arguments->electricity, "With the electricity graph");
     command->add_flag("--forces", arguments->forces, "With magnetic forces");
     command->add_flag("--contacts", arguments->contacts, "With contacts");

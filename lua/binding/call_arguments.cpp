@@ -90,8 +90,8 @@ private:
         }
         if (value < minimum || value > maximum || (place.info.minimumExcluded && value == minimum)) {
             refuse(place,
-                   fmt::format("is {}{}{}", value, place.info.unit.empty() ? "" : " ", place.info.unit),
-                   fmt::format("{} to {}", minimum, maximum));
+                   fmt::format("is {:g}{}{}", value, place.info.unit.empty() ? "" : " ", place.info.unit),
+                   fmt::format("{:g} to {:g}", minimum, maximum));
         }
     }
     double number(FieldPlace const& place, int index, double minimum, double maximum) {

@@ -236,6 +236,7 @@ private:
     }
     void setUpStore(lua_State* L) {
         lua_newtable(L);
+        setFallback<&Binding::missing>(L, 1);
         for (std::size_t of = 0; of < 2; ++of) {
             lua_newtable(L);
             lua_newtable(L);
@@ -254,6 +255,7 @@ private:
     }
     void setUpFrame(lua_State* L) {
         lua_newtable(L);
+        setFallback<&Binding::missing>(L, 0);
         pushFunction<&Binding::random>(L);
         lua_setfield(L, -2, "random");
         pushProxy(L);
@@ -652,6 +654,12 @@ private:
                                           known.empty() ? "nothing" : listed(known)));
         }
         return *field;
+    }
+    int missing(lua_State* L) {
+        bool const ofStore = upvalue(L, 1) == 1;
+        sandbox_.raise(L, fmt::format("{} has no '{}'; it has {}", ofStore ? "store" : "frame", keyAt(L, 2),
+                                      ofStore ? "'object' and 'script', with what the script declares"
+                                              : "'duration', in s, and 'random()'"));
     }
     int random(lua_State* L) {
         lua_pushnumber(L, context_ == nullptr ? 0 : context_->kept.random());

@@ -374,7 +374,7 @@ void Sandbox::chargeCall(lua_State* L) {
 // From here on every single instruction raises the error again, so no pcall can hold it up.
 void Sandbox::stop(lua_State* L, std::string const& message) {
     if (&message != &stopped_) {
-        stopped_ = message;
+        stopped_ = placeOf(L) + message;
     }
     lua_sethook(L, count, LUA_MASKCOUNT, 1);
     push(L, stopped_);
@@ -383,6 +383,13 @@ void Sandbox::stop(lua_State* L, std::string const& message) {
 }
 
 void Sandbox::raise(lua_State* L, std::string const& message) {
+    std::string const whole = placeOf(L) + message;
+    push(L, whole);
+    lua_error(L);
+    std::abort(); // lua_error() does not return
+}
+
+std::string Sandbox::placeOf(lua_State* L) {
     for (int level = 0; level < 20; ++level) { // the first of the callers that is the script
         lua_Debug at{};
         if (lua_getstack(L, level, &at) == 0) {
@@ -390,15 +397,10 @@ void Sandbox::raise(lua_State* L, std::string const& message) {
         }
         lua_getinfo(L, "Sl", &at);
         if (at.currentline > 0 && at.source[0] == '@') {
-            lua_pushfstring(L, "%s:%d: ", at.short_src, at.currentline);
-            push(L, message);
-            lua_concat(L, 2);
-            lua_error(L);
+            return fmt::format("{}:{}: ", at.short_src, at.currentline);
         }
     }
-    push(L, message);
-    lua_error(L);
-    std::abort(); // lua_error() does not return
+    return {};
 }
 
 } // namespace trembler::lua

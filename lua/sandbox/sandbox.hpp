@@ -75,6 +75,8 @@ public:
 private:
     struct Functions; // those of the host that the prelude is given
     static void count(lua_State* L, lua_Debug* at);
+    /// "wind.lua:12: ", where the script is; empty if it is not known.
+    [[nodiscard]] static std::string placeOf(lua_State* L);
     [[noreturn]] void stop(lua_State* L, std::string const& message);
     void open();
     std::optional<ScriptError> run(Body const& body);
