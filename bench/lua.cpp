@@ -109,6 +109,8 @@ int measure() {
     auto const registryOf = [&](bool native, std::vector<std::string> const& sources) {
         auto registry = std::make_unique<Registry>();
         registry->component<Mover>();
+        registry->property<Velocity>();
+        registry->property<Mass>();
         if (native) {
             registry->component<Native>();
         }

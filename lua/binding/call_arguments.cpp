@@ -38,7 +38,7 @@ public:
             put(place, static_cast<std::uint64_t>(whole(place, index, 0, largestWhole)));
             return;
         case FieldKind::vector: {
-            auto const vector = vectorAt(L_, index);
+            auto const vector = sandbox_.vectorAt(L_, index);
             if (!vector) {
                 refuseType(place, index, "a vector, vec2(x, y)");
             }

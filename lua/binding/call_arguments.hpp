@@ -15,7 +15,7 @@ namespace trembler::lua {
 
 /// A value of a call's C++ type, as bytes.
 struct alignas(16) CallBytes {
-    std::array<char, CallDescription::mostBytes> bytes{};
+    std::array<char, CallDescription::mostBytes> bytes; // not initialised: readArguments() does
 };
 
 /// The object that a Lua value stands for; nothing if it stands for none.

@@ -185,21 +185,7 @@ void pushValue(lua_State* L, Sandbox const& sandbox, Value const& value) {
     }
 }
 
-std::optional<Vec2> vectorAt(lua_State* L, int index) {
-    if (lua_type(L, index) != LUA_TTABLE) {
-        return std::nullopt;
-    }
-    lua_pushliteral(L, "x");
-    lua_rawget(L, index);
-    lua_pushliteral(L, "y");
-    lua_rawget(L, index);
-    bool const numbers = lua_type(L, -1) == LUA_TNUMBER && lua_type(L, -2) == LUA_TNUMBER;
-    Vec2 const vector{lua_tonumber(L, -2), lua_tonumber(L, -1)};
-    lua_pop(L, 2);
-    return numbers ? std::optional(vector) : std::nullopt;
-}
-
-std::optional<Value> valueAt(lua_State* L, int index) {
+std::optional<Value> valueAt(lua_State* L, Sandbox const& sandbox, int index) {
     switch (lua_type(L, index)) {
     case LUA_TBOOLEAN:
         return Value(lua_toboolean(L, index) != 0);
@@ -211,7 +197,7 @@ std::optional<Value> valueAt(lua_State* L, int index) {
         return Value(std::string(text, size));
     }
     default:
-        if (auto const vector = vectorAt(L, index)) {
+        if (auto const vector = sandbox.vectorAt(L, index)) {
             return Value(*vector);
         }
         return std::nullopt;

@@ -54,8 +54,5 @@ private:
 
 void pushValue(lua_State* L, Sandbox const& sandbox, Value const& value);
 /// A boolean, a number, a vector or a text; nothing for anything else.
-[[nodiscard]] std::optional<Value> valueAt(lua_State* L, int index);
-/// The coordinates of a table with numbers x and y.
-[[nodiscard]] std::optional<Vec2> vectorAt(lua_State* L, int index);
-
+[[nodiscard]] std::optional<Value> valueAt(lua_State* L, Sandbox const& sandbox, int index);
 } // namespace trembler::lua

@@ -624,7 +624,7 @@ private:
     int storeChange(lua_State* L) {
         bool const ofScript = upvalue(L, 1) == 1;
         std::size_t const field = storeField(L, ofScript);
-        auto value = valueAt(L, 3);
+        auto value = valueAt(L, sandbox_, 3);
         std::string wrong;
         if (!value) {
             wrong = fmt::format("'{}' in the store cannot be a {}", keyAt(L, 2), kindOf(L, 3));

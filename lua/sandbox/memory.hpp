@@ -7,6 +7,9 @@ namespace trembler::lua {
 
 class Memory {
 public:
+    /// `owner` is what owner() returns.
+    explicit Memory(void* owner = nullptr) : owner_(owner) {}
+    [[nodiscard]] void* owner() const { return owner_; }
     /// Bytes that are allocated now.
     [[nodiscard]] std::size_t used() const { return used_; }
     /// Bytes that were allocated since beginTurn().
@@ -31,6 +34,7 @@ public:
 private:
     [[nodiscard]] bool refuses(std::size_t before, std::size_t wanted) const;
 
+    void* owner_;
     std::size_t used_ = 0;
     std::size_t allocated_ = 0;
     std::size_t cap_ = static_cast<std::size_t>(-1);

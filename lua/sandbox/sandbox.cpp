@@ -19,8 +19,7 @@ namespace trembler::lua {
 namespace {
 
 // The hook is called every so many instructions: rarely enough to cost little.
-constexpr int hookStep = 100;
-constexpr char sandboxKey = 0; // its address is the key of the sandbox in the registry
+constexpr int hookStep = 500;
 
 std::string textAt(lua_State* L, int index) {
     std::size_t size = 0;
@@ -181,7 +180,7 @@ struct Sandbox::Functions {
     }
 };
 
-Sandbox::Sandbox(ScriptLimits const& limits) : limits_(limits) {
+Sandbox::Sandbox(ScriptLimits const& limits) : limits_(limits), memory_(this) {
     state_ = lua_newstate(Memory::allocate, &memory_);
     if (state_ == nullptr) {
         throw std::bad_alloc();
@@ -194,18 +193,13 @@ Sandbox::~Sandbox() {
 }
 
 Sandbox& Sandbox::of(lua_State* L) {
-    lua_pushlightuserdata(L, const_cast<char*>(&sandboxKey)); // NOLINT: only its address is used
-    lua_rawget(L, LUA_REGISTRYINDEX);
-    auto* const sandbox = static_cast<Sandbox*>(lua_touserdata(L, -1));
-    lua_pop(L, 1);
-    return *sandbox;
+    void* owner = nullptr; // what the allocator belongs to: found without touching the stack
+    (void)lua_getallocf(L, &owner);
+    return *static_cast<Sandbox*>(static_cast<Memory*>(owner)->owner());
 }
 
 void Sandbox::open() {
     auto const failed = protect([this](lua_State* L) {
-        lua_pushlightuserdata(L, const_cast<char*>(&sandboxKey)); // NOLINT: only its address is used
-        lua_pushlightuserdata(L, this);
-        lua_rawset(L, LUA_REGISTRYINDEX);
         for (lua_CFunction const library : {luaopen_base, luaopen_string, luaopen_math, luaopen_table}) {
             lua_pushcfunction(L, library);
             lua_pushliteral(L, "");
@@ -336,6 +330,20 @@ void Sandbox::pushVector(lua_State* L, double x, double y) const {
     lua_rawset(L, -3);
     pushVectorMeta(L);
     lua_setmetatable(L, -2);
+}
+
+std::optional<Vec2> Sandbox::vectorAt(lua_State* L, int index) const {
+    if (lua_type(L, index) != LUA_TTABLE) {
+        return std::nullopt;
+    }
+    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorX_);
+    lua_rawget(L, index);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorY_);
+    lua_rawget(L, index);
+    bool const numbers = lua_type(L, -1) == LUA_TNUMBER && lua_type(L, -2) == LUA_TNUMBER;
+    Vec2 const vector{lua_tonumber(L, -2), lua_tonumber(L, -1)};
+    lua_pop(L, 2);
+    return numbers ? std::optional(vector) : std::nullopt;
 }
 
 void Sandbox::callScript(lua_State* L, int arguments, int results) {

@@ -3,6 +3,7 @@
 
 #include "lua/sandbox/limits.hpp"
 #include "lua/sandbox/memory.hpp"
+#include "runtime/math/vec2.hpp"
 
 #include <functional>
 #include <optional>
@@ -54,6 +55,8 @@ public:
     void pushVectorMeta(lua_State* L) const;
     /// Pushes a vector.
     void pushVector(lua_State* L, double x, double y) const;
+    /// The coordinates of a table with numbers x and y.
+    [[nodiscard]] std::optional<Vec2> vectorAt(lua_State* L, int index) const;
     /// Calls the function below `arguments` arguments, as the script's own code: blocks are bounded.
     void callScript(lua_State* L, int arguments, int results);
     /// Counts instructions that the host's work is worth. Raises a Lua error beyond the limit.
