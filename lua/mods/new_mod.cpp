@@ -58,7 +58,8 @@ constexpr char const* levelText = R"({{
      "properties": {{"material": "wood", "friction": 0, "shape": [{{"form": "box", "width": 0.5, "height": 0.5}}],
                     "scripts": [{{"script": "Dynamics <- {0}", "set": [{{"param": "force", "number": 20}}]}}]}}}}
   ],
-  "goals": {{"touching": ["block", "wall"], "id": "arrived"}}
+  "goals": {{"touching": ["block", "wall"], "id": "arrived"}},
+  "solutions": [{{"name": "hands off", "placements": []}}]
 }}
 )";
 

@@ -52,7 +52,7 @@ std::string errorsOf(GameData const& game) {
 TEST(BundledMods, WindSpeedsUpASailAsQuadraticDragDoes) {
     auto const game = gameWith({"wind"});
     auto const world = worldOf(*game, R"(
-        {"name": "fan", "at": [-2, 0], "properties": {"fixed": true, "scripts": [{"script": "Dynamics <- Wind",
+        {"name": "fan", "at": [-2, 0], "angle_deg": 0, "properties": {"fixed": true, "scripts": [{"script": "Dynamics <- Wind",
           "set": [{"param": "speed", "number": 10}, {"param": "reach", "number": 1000}]}]}},
         {"name": "sail", "at": [0, 0], "properties": {"density": 10, "shape": [{"form": "box", "width": 1, "height": 1}]}},
         {"name": "aside", "at": [0, 3], "properties": {"density": 10, "shape": [{"form": "box", "width": 1, "height": 1}]}})");

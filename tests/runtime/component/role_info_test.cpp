@@ -1,0 +1,79 @@
+#include "runtime/component/role_info.hpp"
+#include "tests/runtime/world/heat.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler {
+namespace role_info_test {
+namespace {
+
+using heat::AddHeat;
+using heat::HeatRole;
+
+TEST(RoleInfo, DescribesEveryCallWithItsArguments) {
+    RoleInfo const& role = roleInfo<HeatRole>();
+    EXPECT_EQ(role.name, "Heat");
+    ASSERT_EQ(role.calls.size(), 2U);
+    EXPECT_EQ(role.calls[0].text.name, "addHeat");
+    EXPECT_EQ(role.calls[0].algebra, Algebra::sumOfRates);
+    EXPECT_EQ(role.calls[0].size, sizeof(AddHeat));
+    ASSERT_EQ(role.calls[0].arguments.size(), 2U);
+    FieldPlace const& power = role.calls[0].arguments[1];
+    EXPECT_EQ(power.info.key, "power");
+    EXPECT_EQ(power.info.unit, "W");
+    EXPECT_EQ(power.kind, FieldKind::number);
+    AddHeat const sample{{3, 1}, 42};
+    double read = 0;
+    std::memcpy(&read, reinterpret_cast<char const*>(&sample) + power.offset, sizeof read); // NOLINT
+    EXPECT_EQ(read, 42);
+}
+
+TEST(RoleInfo, RecordsCallsThatAreKnownOnlyAtRunTime) {
+    Callers callers;
+    Channels channels(callers);
+    std::unique_ptr<OpenSource> const source = roleInfo<HeatRole>().open();
+    CallerId const caller = callers.add("Heat <- Test");
+    source->attach(channels, caller);
+    Channel<HeatRole>& channel = channels.of<HeatRole>();
+    auto const before = channel.version();
+    AddHeat const call{{3, 1}, 42};
+    source->begin();
+    source->record(0, &call, {}, nullptr);
+    source->end();
+    EXPECT_NE(channel.version(), before);
+    int seen = 0;
+    channel.forCalls<AddHeat>([&](AddHeat const& got, CallOrigin const& origin) {
+        ++seen;
+        EXPECT_EQ(got.object, call.object);
+        EXPECT_EQ(got.power, 42);
+        EXPECT_EQ(origin.caller, caller);
+    });
+    EXPECT_EQ(seen, 1);
+    source->begin(); // a held call ends with the next turn
+    source->end();
+    EXPECT_TRUE(channel.empty());
+}
+
+struct Forgetful {
+    static constexpr CallText text{"forgetful", "(object, power)", "Leaves out its power."};
+    static constexpr Algebra algebra = Algebra::sumOfRates;
+    ObjectId object;
+    double power = 0;
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object"}, self.object);
+    }
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+};
+struct ForgetfulRole {
+    static constexpr std::string_view name = "Forgetful";
+    using Calls = CallList<Forgetful>;
+};
+
+TEST(RoleInfo, RefusesACallThatLeavesOutAMember) {
+    EXPECT_THROW((void)roleInfo<ForgetfulRole>(), RuleBroken);
+}
+
+} // namespace
+} // namespace role_info_test
+} // namespace trembler
