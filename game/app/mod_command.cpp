@@ -92,8 +92,9 @@ int checkMod(ModArguments const& arguments) {
             good = good && failures.empty();
         }
     }
-    std::cout << visible(fmt::format("{}: {} interactions, {} levels and tests, {}\n", name,
-                                     mod->interactions.size(), levels, good ? "all good" : "not good"));
+    std::cout << visible(fmt::format("{}: {} interactions, {} levels and tests, {}", name,
+                                     mod->interactions.size(), levels, good ? "all good" : "not good"))
+              << "\n";
     return good ? exitSolved : exitNotSolved;
 }
 

@@ -115,7 +115,10 @@ std::unique_ptr<ComponentInfo> infoOf(Script const& script) {
     made->roleName = script.role->name;
     for (auto const* list : {&script.first, &script.second}) {
         for (std::size_t const i : *list) {
-            made->neededAll.push_back(script.reads[i].info);
+            PropertyInfo const* const needed = script.reads[i].info;
+            if (std::find(made->neededAll.begin(), made->neededAll.end(), needed) == made->neededAll.end()) {
+                made->neededAll.push_back(needed);
+            }
         }
     }
     if (script.manifest.attached) {
