@@ -23,9 +23,14 @@ public:
     bool ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) override;
 
 private:
-    bool isCrowded(b2Body* body);
+    struct Crowd {
+        int atMost = 0;           // contacts with others that move: as last counted, and what was made since
+        std::uint64_t fullIn = 0; // the turn in which they were counted as the most that may be
+    };
+    [[nodiscard]] Crowd& crowdOf(b2Body* body);
+    [[nodiscard]] bool isCrowded(b2Body* body);
 
-    std::vector<std::uint64_t> crowdedAt_; // by user data: the turn in which the body was found to be crowded
+    std::vector<Crowd> crowds_; // by user data
     std::uint64_t turn_ = 1;
     int32 expected_ = 0; // contacts, if none has gone since the last question
 };
