@@ -69,9 +69,9 @@ Lift liftOf(Hull const& hull, Floater const& floater, Vec2 at, double angle) {
 }
 
 /// The immersed bodies of the sample with all that their lift is computed from.
-class Flotilla {
+class FloatingSample {
 public:
-    explicit Flotilla(World const& world) {
+    explicit FloatingSample(World const& world) {
         Immersions const* const immersions = world.find<Immersions>();
         auto const* const gravity = world.find<LinearGravityVector>();
         if (immersions == nullptr || gravity == nullptr) {
@@ -182,13 +182,13 @@ std::optional<Knob> buoyancyKnob(World const& world) {
     if (!now) {
         return std::nullopt;
     }
-    Flotilla const flotilla(world);
+    FloatingSample const floating(world);
     auto const settings = settingsOf<BuoyancySettings>(world);
     Knob knob;
     knob.effect = effect;
     knob.of = "of the lift";
     knob.source = fmt::format("Measured on {} bodies that float, against exact sections of their shapes.",
-                              flotilla.size());
+                              floating.size());
     std::map<int, Error> stale;
     auto const add = [&](ComponentStatus const& level, Option made, Error const& error, bool current) {
         bool const isNow = level.info == now->info && current;
@@ -198,7 +198,7 @@ std::optional<Knob> buoyancyKnob(World const& world) {
             runEvery(option, title(*level.info), period);
             auto const [at, isNew] = stale.try_emplace(period);
             if (isNew) {
-                at->second = flotilla.errorOfPeriod(period, settings.lookAhead);
+                at->second = floating.errorOfPeriod(period, settings.lookAhead);
             }
             option.error = together(error, at->second);
             if (isNow && period == now->period) {
@@ -214,7 +214,7 @@ std::optional<Knob> buoyancyKnob(World const& world) {
             continue;
         }
         for (int const count : withCurrent(std::vector<int>{4, 16, 64, 256}, settings.particles)) {
-            Error const error = flotilla.errorOfHulls(
+            Error const error = floating.errorOfHulls(
                 [count](Shape const& shape) { return std::make_unique<ParticleHull>(shape, count); });
             add(level,
                 {fmt::format("{} particles", count),
