@@ -1,5 +1,6 @@
 // The smallest world in which every rule of access can be broken: two object properties, a resolver property,
-// a derived property and two roles. Each case adds one component, which as the control obeys.
+// a derived property and two roles. Each case adds one component; compiled as the control, the component
+// obeys the rules.
 #pragma once
 
 #include "runtime/component/dps.hpp"

@@ -1,4 +1,4 @@
-// Running the project's levels and collecting their hashes, for all determinism tests.
+// Runs the project's levels and collects their hashes, for all determinism tests.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"

@@ -1,4 +1,4 @@
-// What every test of real levels needs: everything that the program knows, the parts, and a small level.
+// Common to the tests of levels: the registry of all effects, the parts, and a small level.
 #pragma once
 
 #include "runtime/level/build/build_world.hpp"

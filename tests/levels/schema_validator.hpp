@@ -1,5 +1,5 @@
-// A small JSON Schema validator for the keywords that our schemas use: an oracle that shares no code with the
-// reader.
+// A small JSON Schema validator for the keywords that our schemas use: a reference that shares no code with
+// the reader.
 #pragma once
 
 #include <nlohmann/json.hpp>

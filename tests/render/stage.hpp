@@ -1,4 +1,4 @@
-// What every drawing test needs: one offscreen window for the whole program, and places for the pictures.
+// Common to the drawing tests: one offscreen window for the whole program, and folders for the pictures.
 #pragma once
 
 #include "render/draw/canvas.hpp"

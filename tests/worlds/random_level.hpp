@@ -1,5 +1,5 @@
-// Random levels, made from the JSON Schema of level files: whatever the schema allows may come, the extremes
-// of every number among it, so that a field or a property that is added to the program is tried as well.
+// Random levels, generated from the JSON Schema of level files: anything that the schema allows, including
+// the extremes of every number, so that new fields and properties are tested automatically.
 #pragma once
 
 #include <nlohmann/json.hpp>

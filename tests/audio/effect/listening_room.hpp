@@ -1,4 +1,4 @@
-// Small worlds in which things fall, hit and sound, for tests.
+// Small worlds for tests in which objects fall, collide and sound.
 #pragma once
 
 #include "audio/effect/hearing/loudness.hpp"

@@ -1,4 +1,4 @@
-// Looking into rendered samples: strength of single tones, power spectra, levels.
+// Analysis of rendered samples: amplitudes of single tones, power spectra, levels.
 #pragma once
 
 #include "runtime/math/vec2.hpp"

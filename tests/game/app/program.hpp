@@ -1,4 +1,4 @@
-// The program itself as a process: what its exit status, its files and its words are.
+// Runs the program as a process and returns its exit status, files and printed text.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the tests of all knobs have in common: scenes as text, and whether options do what they say.
+// Common to the tests of all knobs: scenes as text, and checks that options have the effect that they state.
 #pragma once
 
 #include "game/budget/knobs.hpp"

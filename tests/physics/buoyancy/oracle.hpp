@@ -1,5 +1,5 @@
-// What a body displaces, by brute force: strips across both shapes, a few thousand of them. Shares nothing
-// with the code under test but the description of shapes.
+// The displaced area by brute force: a few thousand strips across both shapes. Shares nothing with the code
+// under test but the description of shapes.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"

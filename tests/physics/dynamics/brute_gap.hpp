@@ -1,4 +1,4 @@
-// How far apart two objects are, by every corner and every side: the oracle of what touches.
+// The gap between two objects from every corner and every side: the reference for contacts.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"

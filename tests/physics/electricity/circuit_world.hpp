@@ -1,5 +1,4 @@
-// A world with electricity in it and nothing else, whose calls and contacts a test writes down frame by
-// frame.
+// A world with only electricity, whose calls and contacts a test scripts frame by frame.
 #pragma once
 
 #include "physics/dynamics/properties/contacts.hpp"

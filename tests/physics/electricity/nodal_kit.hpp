@@ -1,4 +1,4 @@
-// Circuits in volts and ohms for tests, and a reference that solves netlists in another way.
+// Circuits in volts and ohms for tests, and a reference that solves netlists by another method.
 #pragma once
 
 #include "physics/electricity/core/netlist.hpp"

@@ -1,5 +1,5 @@
-// Who is on, found without blocks and without walking incrementally: what the detail levels are compared
-// with.
+// The objects that are on, found without blocks and without incremental updates: the reference for the detail
+// levels.
 #pragma once
 
 #include "tests/physics/electricity/circuit_world.hpp"

@@ -1,4 +1,4 @@
-// Worlds of magnets for tests, without any dynamics: what is placed stays where it is.
+// Worlds of magnets for tests, without dynamics: objects stay in place.
 #pragma once
 
 #include "physics/dynamics/properties/standstill.hpp"

@@ -1,5 +1,5 @@
-// A stage for goals: a world whose positions, contacts and electrical states a test sets by hand, so that
-// what the judge should say follows from the test alone.
+// A world whose positions, contacts and electrical states a test sets directly, so that the expected
+// judgement follows from the test alone.
 #pragma once
 
 #include "physics/dynamics/properties/contacts.hpp"

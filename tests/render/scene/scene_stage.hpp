@@ -1,4 +1,4 @@
-// A world like the thesis's Experiment I (Figure 6-3), built by hand: what the scene tests draw.
+// A world like the thesis's Experiment I (Figure 6-3), built in code: drawn by the scene tests.
 #pragma once
 
 #include "audio/effect/register.hpp"

@@ -1,4 +1,4 @@
-// Made-up properties, one for every kind of field: the level reader must not care what they mean.
+// Test properties, one for every kind of field: the level reader must not depend on their meaning.
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"

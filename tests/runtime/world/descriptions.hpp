@@ -1,4 +1,4 @@
-// Components and scenes made up by hand, for tests of the selection: descriptions only, nothing that runs.
+// Made-up components and scenes for tests of the selection: descriptions only, without code.
 #pragma once
 
 #include "runtime/world/selection.hpp"

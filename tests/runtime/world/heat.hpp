@@ -1,5 +1,5 @@
-// A small made-up effect for tests of the world: things have heat and fuel, burn, glow, and are struck. No
-// physics worth the name, but all four kinds, every kind of call and two detail levels.
+// A small made-up effect for tests of the world: objects have heat and fuel, burn, glow, and are struck. Not
+// real physics, but all four kinds of components, every kind of call and two detail levels.
 #pragma once
 
 #include "runtime/component/dps.hpp"

@@ -1,4 +1,4 @@
-// A screen of a few commands that count how often they are carried out.
+// A screen with a few commands that count how often they run.
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"

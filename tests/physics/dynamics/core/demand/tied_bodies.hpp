@@ -1,4 +1,4 @@
-// Bodies and joints as Dynamics holds them, and forces on them, without anything that moves.
+// Bodies and joints in the representation of Dynamics, with forces, but without an engine.
 #pragma once
 
 #include "physics/dynamics/core/joints.hpp"
