@@ -21,7 +21,7 @@ struct Option {
     std::vector<RecordedChange> makes; ///< all changes that select it, including those that hold already
     double work = 1;                   ///< relative cost among the knob's options
     Error error;
-    std::string cannot; ///< what in the scene the option cannot represent, which forbids it; "": allowed
+    std::string cannot; ///< the reason why the scene forbids the option; "": allowed
 };
 
 /// The options for one effect.

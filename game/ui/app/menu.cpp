@@ -108,7 +108,7 @@ bool drawSizes(UiContext& context, Settings& settings) {
     return touched;
 }
 
-/// As wide as the card unless `width`, in pixels at UI scale 1, says otherwise.
+/// A button as wide as the card, or `width` pixels at UI scale 1 wide.
 bool wide(UiContext& context, char const* label, Icon icon, ButtonLook look = ButtonLook::Quiet,
           float width = -1) {
     bool const clicked = bigButton(label, {.icon = icon, .look = look, .width = width});

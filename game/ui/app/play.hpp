@@ -12,7 +12,8 @@ namespace trembler::ui {
 struct PlayOptions {
     std::filesystem::path level;          ///< empty: the title screen
     std::filesystem::path pictures = "."; ///< folder for films and pictures that the player takes
-    std::filesystem::path picture; ///< what playWithoutDisplay writes; empty: trembler-NAME.png in `pictures`
+    std::filesystem::path
+        picture; ///< file that playWithoutDisplay writes; empty: trembler-NAME.png in `pictures`
     WorldOptions world{};
     bool fullscreen = false;
 };
