@@ -1,5 +1,4 @@
-// Levels that state n of something, for the growth bench: one for everything that a level can state in
-// number.
+// Levels with n of something, for bench_growth: one for everything that a level can contain in any number.
 #pragma once
 
 #include "runtime/level/json/limits.hpp"
@@ -20,7 +19,7 @@ using Json = nlohmann::json;
 /// Frames that are measured after the first one.
 constexpr int framesOfGrowth = 5;
 
-/// Parts that stand by themselves.
+/// Parts that stay in place without support by others.
 constexpr std::array<char const*, 10> placed{"crate",        "brick",     "block",       "plank",
                                              "steel ball",   "iron ball", "rubber ball", "wooden ball",
                                              "wooden wedge", "wooden bar"};
@@ -88,7 +87,7 @@ inline Json twoBodies() {
     return made;
 }
 
-/// Things in a square lattice, `apart` m.
+/// Objects on a square lattice, `apart` m from each other.
 inline Json lattice(int n, double apart, Json const& properties) {
     Json made = level("lattice");
     int const side = static_cast<int>(std::ceil(std::sqrt(n)));
@@ -99,17 +98,17 @@ inline Json lattice(int n, double apart, Json const& properties) {
     return made;
 }
 
-/// Something that a level can state in number.
+/// Something that a level can contain in any number.
 struct GrowthRow {
     std::string key;
     std::string what;
     std::function<Json(int)> make;
-    /// Whether the level is refused, and this is what is measured.
+    /// Whether the level is refused, so that only the refusal is measured.
     bool refused = false;
-    /// More of it than a level may hold.
+    /// The largest n to measure.
     std::size_t most = 1000000;
-    /// Above these exponents the bench fails. Where one is greater than usual,
-    /// docs/measurements/performance.md says why.
+    /// The bench fails above these exponents. docs/measurements/performance.md explains those that are
+    /// greater than usual.
     double mostOfLoad = 1.25;
     double mostOfFrame = 1.25;
 };
@@ -195,7 +194,7 @@ inline Json inputs(int n) {
 inline Json goals(int n) {
     Json made = lattice(n, 2, {{"shape", box(0.5, 0.5)}});
     Json all = Json::array();
-    for (int i = 1; i < n; ++i) { // "all" is one itself
+    for (int i = 1; i < n; ++i) { // the condition "all" counts as one of the n
         all.push_back({{"moved", {{"object", numbered("thing", i)}, {"by", 1000}}}});
     }
     made["goals"] = {{"all", all}};
@@ -248,7 +247,7 @@ inline Json lamps(int n) {
     return made;
 }
 
-/// Parts out of the toolbox, each in a place where it is free. A part is there a thousand times at most.
+/// Parts from the toolbox, each in a free place. Every part is used at most a thousand times.
 inline Json placements(int n) {
     Json made = level("placed");
     made["toolbox"] = Json::array();
@@ -266,7 +265,7 @@ inline Json placements(int n) {
     return made;
 }
 
-/// Bodies that each hang from a joint of their own on one that is fixed.
+/// Bodies that each hang from a fixed body by a joint of their own.
 inline Json ownJoints(int n, char const* form, double breakForce) {
     Json made = level("joints");
     for (int i = 0; i < n; ++i) {
@@ -321,7 +320,7 @@ inline Json stacks(int n) {
     return made;
 }
 
-/// Bodies in one place, each inside of all others.
+/// Bodies in one place, each overlapping all others.
 inline Json crowd(int n) {
     Json made = level("crowd");
     for (int i = 0; i < n; ++i) {
@@ -366,7 +365,7 @@ inline Json net(int n) {
     return made;
 }
 
-/// Motors that turn, all on one source.
+/// Running motors, all on one source.
 inline Json motors(int n) {
     Json made = level("motors");
     add(made, "source", 0, 0, {{"conductor", true}, {"electrical_source", true}});
@@ -384,7 +383,7 @@ inline Json motors(int n) {
     return made;
 }
 
-/// Boxes of steel that land in one frame, heard.
+/// Steel boxes that land in one frame, with listeners.
 inline Json heard(int n, int ears) {
     Json made = row(n, 0.5, 0.01);
     for (Json& object : made["objects"]) {
@@ -441,7 +440,7 @@ inline std::vector<GrowthRow> growthRows() {
         {"heard", "boxes that land in one frame, for an ear", [](int n) { return heard(n, 1); }},
         {"ears", "ears, ten boxes land", [](int n) { return heard(10, n); }},
         {"sounds-and-ears", "boxes that land, and as many ears", [](int n) { return heard(n, n); }, false,
-         trembler::limits::objects / 2 - 1000, 1.25, 2.2}, // sounds times ears
+         trembler::limits::objects / 2 - 1000, 1.25, 2.2}, // sounds times listeners
         {"goals", "goals, each about a body of its own", goals, false, trembler::limits::conditions},
         {"touch-goal", "boxes in a goal that any two of them touch", touchGoal},
         {"solutions", "solutions", solutions, false, trembler::limits::solutions},
@@ -455,7 +454,7 @@ inline std::vector<GrowthRow> growthRows() {
         {"refused-placements", "placements, all but one refused", refusedPlacements, true,
          trembler::limits::placements},
         {"refused-connections", "connections to nothing, all refused", refusedConnections, true, 1000000,
-         1.4}, // for the first hundred, all names are looked through
+         1.4}, // all names are searched for the first hundred
     };
 }
 

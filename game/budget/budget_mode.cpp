@@ -110,7 +110,7 @@ void BudgetMode::beforeStep(Session& session, bool decide) {
     }
     World const& world = session.world();
     std::uint64_t const frame = world.frame();
-    if (frame < lastFrame_ || frame == 0) { // another run
+    if (frame < lastFrame_ || frame == 0) { // another run has begun
         log_.clear();
         controller_.forgetPlans();
         decisions_.clear();

@@ -1,14 +1,15 @@
 # shellcheck shell=bash
-# Includes point down only, and an effect shows others nothing but its public face.
+# Checks that includes point down only, and that effects include only each other's public headers.
 #
 # Layers, from below: runtime, physics, sound (audio/effect), then side by side audio/synth with audio/device above it,
-# render, and puzzle; then side by side measure and game; game/ui; game/app. Tests and benches may look at anything,
-# and nothing may look at them.
+# render, and puzzle; then side by side measure and game; game/ui; game/app. Tests and benches may include anything,
+# and nothing may include them.
 #
-# The face of an effect (a folder of physics/ with a register.hpp, and audio/effect) is calls.hpp and properties.hpp or
-# properties/. What stands in properties/ includes nothing else of its effect. Interactions A <- B live with A and are
-# registered by B, if B is there: so register.cpp, and nothing else, may include another effect's interactions/from_*.
-# What effects share (physics/*.hpp, physics/inverse_square) knows none of them; only register_physics.cpp knows all.
+# The public headers of an effect (a folder of physics/ with a register.hpp, and audio/effect) are calls.hpp and
+# properties.hpp or properties/. Files in properties/ include nothing else of their effect. Interactions A <- B are in A's
+# folder and are registered by B: so register.cpp, and no other file, may include another effect's interactions/from_*.
+# Files that effects share (physics/*.hpp, physics/inverse_square) include none of them; only register_physics.cpp
+# includes all.
 set -euo pipefail
 
 effects=(audio/effect)

@@ -1,5 +1,5 @@
-// Effects know each other by what they offer and by what they can be told, never by how another one is set up
-// or by what it has chosen for its own work.
+// Effects depend only on each other's properties and calls, never on another effect's setup or internal
+// choices.
 #include "audio/effect/register.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/component/info.hpp"

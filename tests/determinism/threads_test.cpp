@@ -1,4 +1,4 @@
-// Threads never show: the same hash at every 60th frame on 1, 2, 3, 8 and 32 of them.
+// The number of threads has no influence: the same hash at every 60th frame on 1, 2, 3, 8 and 32 threads.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/electricity/properties/electrical.hpp"

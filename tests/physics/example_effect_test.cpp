@@ -1,5 +1,5 @@
-// The effect that docs/contributors.md builds step by step, so that what the page says is known to work. The
-// pieces between the markers are the ones that the page shows.
+// The effect that docs/contributors.md builds step by step, so that the page is tested. The code between the
+// markers is the code that the page shows.
 #include "physics/dynamics/calls.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/force_rates.hpp"

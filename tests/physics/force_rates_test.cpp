@@ -1,4 +1,4 @@
-// What each effect says of how fast its forces vary, against how fast things then swing, or come to rest.
+// The rate of forces that each effect states, compared with the oscillation or decay of bodies.
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/depth.hpp"
 #include "physics/dynamics/properties/body.hpp"

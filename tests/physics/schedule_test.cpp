@@ -1,4 +1,4 @@
-// The schedule of 6.13.5 on the effects as they are: Electricity and Magnetics beside each other and beside
+// The schedule of 6.13.5 with the real effects: Electricity and Magnetics parallel to each other and to
 // Dynamics, and a buoyancy like the thesis's after Dynamics.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"

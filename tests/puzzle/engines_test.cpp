@@ -1,4 +1,4 @@
-// Every level of the thesis on every engine: recorded solutions solve it, what is recorded as failing fails.
+// Every level of the thesis on every engine: recorded solutions solve it, recorded failures fail.
 #include "puzzle/solutions/verify.hpp"
 #include "tests/support/experiment.hpp"
 #include "tests/support/motor_kit.hpp"

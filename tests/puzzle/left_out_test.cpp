@@ -1,4 +1,4 @@
-// Any effect may be left out, and the rest works as it did: simulations know nothing of each other.
+// Any effect may be left out, and the others still work: simulations do not depend on each other.
 #include "puzzle/data/effects.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/model/part_library.hpp"

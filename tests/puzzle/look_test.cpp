@@ -1,4 +1,4 @@
-// How a thing looks has no consequences.
+// The look of an object does not influence the simulation.
 #include "physics/look.hpp"
 #include "runtime/property/state_hash.hpp"
 #include "tests/support/experiment.hpp"

@@ -1,4 +1,4 @@
-// Sound that matters: a level in which noise closes a circuit.
+// A level in which noise closes a circuit.
 #include "audio/effect/hearing/loudness.hpp"
 #include "tests/support/experiment.hpp"
 

@@ -1,6 +1,5 @@
-// Nothing that happens in a part of a frame is lost to whoever looks once a frame. Each property says whether
-// it tells news (runtime/property/news.hpp); these are the ones that must not begin to say that they tell
-// none.
+// Events in a part of a frame are not lost to readers that run once per frame. Each property declares whether
+// it reports events (runtime/property/news.hpp); these properties must not declare that they report none.
 #include "puzzle/data/effects.hpp"
 #include "runtime/property/slot.hpp"
 #include "runtime/world/registry.hpp"

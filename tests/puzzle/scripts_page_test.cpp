@@ -1,4 +1,4 @@
-// docs/measurements/scripts.md links every behaviour to its test: to one that exists.
+// docs/measurements/scripts.md links every behaviour to an existing test.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// While a level runs, a recording, the panel and the budget may change how exactly it is computed and nothing
-// else; whatever else they ask for is refused with its place.
+// While a level runs, a recording, the panel and the budget may only change how exactly it is computed; any
+// other change is rejected with its place.
 #include "physics/gravity/properties.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 #include "puzzle/solutions/verify.hpp"

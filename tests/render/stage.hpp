@@ -1,4 +1,4 @@
-// What every drawing test needs: one offscreen window for the whole program, and places for the pictures.
+// Common to the drawing tests: one offscreen window for the whole program, and folders for the pictures.
 #pragma once
 
 #include "render/draw/canvas.hpp"
@@ -26,8 +26,8 @@ inline Canvas& canvas() {
     return theCanvas;
 }
 
-/// What `draw` draws on plain `back`, 100 pixels per metre with the origin in the middle unless a camera is
-/// given.
+/// A picture of the shapes that `draw` draws on the background `back`, at 100 pixels per metre with the
+/// origin in the middle unless a camera is given.
 inline Image picture(Size size, Colour back, std::function<void(Canvas&)> const& draw,
                      CanvasOptions const& options = {}, Camera camera = {}) {
     window().resize(size);
@@ -40,7 +40,7 @@ inline Image picture(Size size, Colour back, std::function<void(Canvas&)> const&
     return window().readPixels();
 }
 
-/// A folder of this program's own that is there; pictures in it are for people to look at.
+/// A folder of this program's own, created if needed; its pictures are for people to look at.
 inline std::filesystem::path pictureFolder() {
     auto folder = std::filesystem::path(TREMBLER_BINARY_DIR) / "render-pictures";
     std::filesystem::create_directories(folder);

@@ -1,4 +1,4 @@
-// Which sanitizer a test program was built with.
+// Reports which sanitizer a test program was built with.
 #pragma once
 
 namespace trembler::test {

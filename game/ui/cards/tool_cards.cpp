@@ -17,7 +17,7 @@ void next() {
     ImGui::SameLine(0, scaled(7));
 }
 
-/// Side by side.
+/// Draws the buttons side by side.
 void row(CommandButtons& buttons, std::initializer_list<char const*> ids) {
     bool first = true;
     for (char const* id : ids) {

@@ -20,7 +20,7 @@ using namespace render;
 
 Image pictureOf(Window& window, GameData const&, Session const& session, PictureOptions const& options) {
     Gui gui(window, {.steady = true});
-    InputEvents const input(window); // nobody is there
+    InputEvents const input(window); // there are no events
     Canvas canvas;
     Layout layout;
     World const& world = session.world();
@@ -36,7 +36,7 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
     view.setView(window.size(), {left, rest, rest, rest});
     Image image;
     SceneView const scene;
-    // ImGui knows the size of a card only after it has laid it out once.
+    // ImGui knows the size of a card only after a first layout pass.
     constexpr int passes = 3;
     for (int pass = 1; pass <= passes; ++pass) {
         if (options.step) {

@@ -1,4 +1,4 @@
-// What the rows of the panel are made from: levels, times and reasons by effect.
+// Collects the figures for the rows of the panel: levels, times and reasons by effect.
 #include "game/ui/panels/cost_rows.hpp"
 #include "game/ui/shared/words.hpp"
 
@@ -8,7 +8,7 @@
 namespace trembler::ui {
 namespace {
 
-/// What an absent component is waiting for.
+/// Why an absent component is not constructed.
 std::string reasonOf(World const& world, ComponentInfo const& info) {
     auto const missing = [&](PropertyInfo const* property) {
         if (property->kind != PropertyKind::object) {

@@ -87,7 +87,7 @@ void Inspector::draw(Layout& layout, World const& world, float top, float height
     if (shown_.empty()) {
         caption(words::objectIsGone);
     } else {
-        // The rest of the height is for the list, which scrolls.
+        // The list scrolls in the remaining height.
         float const used = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
         ImGui::BeginChild("properties", {0, std::max(scaled(height) - used, scaled(80))});

@@ -1,4 +1,4 @@
-// All properties of one object, from their own descriptions, and what follows from them at the moment.
+// Shows all properties of one object, from their own descriptions, and derived values of the current frame.
 #pragma once
 
 #include "game/ui/shared/layout.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler::ui {
 
-/// One line: a field of a property, or something derived.
+/// One line: a field of a property, or a derived value.
 struct InspectorRow {
     std::string name;
     std::string value;
@@ -24,15 +24,16 @@ struct InspectorSection {
     std::vector<InspectorRow> rows;
 };
 
-/// What the inspector says of an object: first what goes on with it (speed, electricity, contacts, forces,
-/// sound), then every property that it has, in order of keys. How loud an object is it knows while
-/// somebody wants the world's Sounds, as SoundView does. Empty if the object does not exist.
+/// The inspector's contents for an object: first derived values (speed, electricity, contacts, forces,
+/// sound), then all its properties in order of keys. The sound level is known only while some component or
+/// view requests the world's Sounds, as SoundView does. Empty if the object does not exist.
 [[nodiscard]] std::vector<InspectorSection> inspect(World const& world, ObjectId object);
 
-/// A number as people read it: four digits, SI's own spelling of what is very large or small.
+/// A number for people: about four digits; from 1e7 and below 1e-3 three digits with an exponent; "0" below
+/// 1e-9.
 [[nodiscard]] std::string readable(double value);
 
-/// The card. Follows an object by its name, as ids do not outlive a run.
+/// The inspector's card. Follows an object by its name, because ids are valid only within a run.
 class Inspector {
 public:
     void show(std::string name) { name_ = std::move(name); }
@@ -40,10 +41,10 @@ public:
     [[nodiscard]] bool open() const { return !name_.empty(); }
     [[nodiscard]] std::string const& name() const { return name_; }
 
-    /// Between Gui::beginFrame and endFrame, in pixels at UI scale 1: how far from the window's top it
-    /// stands, and how high it may be.
+    /// Call between Gui::beginFrame and endFrame. `top`, the distance from the window's top, and the maximum
+    /// `height` are in pixels at UI scale 1.
     void draw(Layout& layout, World const& world, float top, float height);
-    /// What was last drawn.
+    /// The sections drawn last.
     [[nodiscard]] std::vector<InspectorSection> const& shown() const { return shown_; }
 
 private:

@@ -1,4 +1,4 @@
-// Sound in a running world: who makes it, who does not, and that listening changes nothing.
+// Sound in a running world: which objects sound, and that listening changes nothing else.
 #include "audio/effect/properties/acoustic_material.hpp"
 #include "tests/audio/effect/listening_room.hpp"
 

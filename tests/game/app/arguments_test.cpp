@@ -1,4 +1,4 @@
-// Arguments that used to be taken for something else.
+// Command-line arguments that were once misinterpreted.
 #include "tests/game/app/program.hpp"
 
 namespace trembler::test {

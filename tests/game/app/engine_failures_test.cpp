@@ -1,4 +1,4 @@
-// What the program does where an engine cannot go on: it goes on, says so, and says nothing else.
+// The program continues after the failure of an engine, and reports the failure once.
 #include "tests/game/app/program.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// trembler keys: what can be done in the window, as docs/players.md has it.
+// trembler keys: lists every command of the window, as docs/players.md does.
 #include "tests/game/app/program.hpp"
 
 namespace trembler::test {

@@ -1,4 +1,4 @@
-// Files that are too much are refused before they cost much.
+// Files that exceed limits are rejected before they use much time or memory.
 #include "runtime/level/json/limits.hpp"
 #include "tests/game/app/program.hpp"
 

@@ -1,4 +1,4 @@
-// `trembler run --sound` as a process; without sound in the program it says so, and these are skipped.
+// `trembler run --sound` as a process; skipped if the program has no sound, after testing its message.
 #include "tests/game/app/program.hpp"
 
 #include <chrono>

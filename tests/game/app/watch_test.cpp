@@ -1,4 +1,4 @@
-// trembler run --watch: tables on the command line, and what is told where a name means nothing.
+// trembler run --watch: tables on the command line, and the messages for unknown names.
 #include "tests/game/app/program.hpp"
 
 #include <algorithm>

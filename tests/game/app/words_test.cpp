@@ -1,4 +1,4 @@
-// What reaches a terminal, whatever a level, a name or an argument holds.
+// Control characters in a level, a name or an argument never reach the terminal.
 #include "tests/game/app/program.hpp"
 
 #include <nlohmann/json.hpp>

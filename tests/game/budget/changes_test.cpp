@@ -1,4 +1,4 @@
-// What is changed while a world runs is recorded, written, read and repeated.
+// Changes of a running world are recorded, written, read and repeated.
 #include "physics/dynamics/properties/settings.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 #include "runtime/level/model/world_change.hpp"

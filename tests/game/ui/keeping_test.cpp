@@ -1,5 +1,4 @@
-// What a player wants of an editor: keep what was done, change the simulation while it runs, start again;
-// with real input events.
+// Saving, changing the simulation while it runs, and starting again, with real input events.
 #include "physics/dynamics/properties/contacts.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 #include "runtime/level/read/read_level.hpp"

@@ -1,5 +1,5 @@
-// Every screen at a small and at a large size: nothing lies on anything else, nothing is cut off; and a
-// picture of each for people to look at.
+// Every screen at a small and at a large size: cards do not overlap, nothing is cut off; and a picture of
+// each for people to look at.
 #include "tests/game/ui/player.hpp"
 
 namespace trembler::ui::test {

@@ -1,4 +1,4 @@
-// A player made of events: moves the mouse, presses keys, looks at the screen.
+// A simulated player: moves the mouse, presses keys, reads the screen.
 #pragma once
 
 #include "game/ui/app/app.hpp"

@@ -1,5 +1,5 @@
-// trembler accuracy, with tiny scenes: that every ladder is whole, that more expensive levels are right where
-// they must be, and that what is reported is what was measured. Never how long anything took.
+// trembler accuracy, with tiny scenes: every ladder is complete, levels are exact where they must be, and
+// reports contain the measured values. Times are not tested.
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/ngspice.hpp"
 #include "measure/accuracy/ladders/wiring.hpp"

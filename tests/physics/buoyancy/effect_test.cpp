@@ -1,4 +1,4 @@
-// Buoyancy as an effect among others: frames, trace, sleep, swaps, threads, what collides with what.
+// Buoyancy among other effects: frames, trace, sleep, swaps, threads, collision groups.
 #include "runtime/trace/tracer.hpp"
 #include "tests/physics/buoyancy/pool.hpp"
 

@@ -1,5 +1,5 @@
-// Whatever floats, sinks or is hurled into the water: numbers stay finite, and things stay near where they
-// belong.
+// Bodies that float, sink or hit the water fast: numbers stay finite, and bodies stay near their expected
+// places.
 #include "tests/physics/buoyancy/generators.hpp"
 #include "tests/physics/buoyancy/pool.hpp"
 

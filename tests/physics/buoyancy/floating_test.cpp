@@ -1,4 +1,4 @@
-// Archimedes: how deep things float, wherever, in whatever.
+// Archimedes' law: the draught of floating bodies in different places and liquids.
 #include "tests/physics/buoyancy/pool.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Automatic settings: what a scene is computed with follows from the scene, and changes when it does.
+// Automatic settings follow from the scene, and change with it.
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/dynamics/properties/motion_causes.hpp"
 #include "physics/dynamics/properties/solver_choice.hpp"

@@ -1,4 +1,4 @@
-// Same bits, whatever the order in which things were said.
+// The same bits, whatever the order of calls and of creation.
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>

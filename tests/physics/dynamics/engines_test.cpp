@@ -1,4 +1,4 @@
-// What holds between engines: one that is not there is refused by name, and gears turn on every one.
+// All engines: a missing one is rejected by name, and gears work with each.
 #include "physics/dynamics/core/dynamics_resolver.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 

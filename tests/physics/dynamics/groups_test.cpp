@@ -1,4 +1,4 @@
-// Who can hit whom, against Box2D's own filter.
+// Collision groups compared with Box2D's own filter.
 #include "physics/dynamics/properties/body.hpp"
 
 #include <box2d/box2d.h>

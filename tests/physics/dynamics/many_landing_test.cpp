@@ -1,4 +1,4 @@
-// Thousands of things that land at once: none falls through. What they cost is in bench/growth.cpp.
+// Thousands of bodies that land at once: none falls through. Their cost is measured in bench/growth.cpp.
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>

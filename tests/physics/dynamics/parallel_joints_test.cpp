@@ -1,4 +1,4 @@
-// Many joints between the same two bodies: they share one load.
+// Several joints between the same two bodies share their load.
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Dynamics in frames of several parts: the same laws, and nothing that touches for a part only is lost.
+// Dynamics in frames of several parts: the same laws, and contacts that exist in one part only are reported.
 #include "physics/dynamics/properties/force_lag.hpp"
 #include "physics/dynamics/properties/solver_choice.hpp"
 #include "runtime/frame/frame_resolver.hpp"

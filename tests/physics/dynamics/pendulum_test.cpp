@@ -1,4 +1,4 @@
-// Things that swing, against their periods.
+// Pendulums and oscillators compared with their periods.
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What rests costs nothing, and wakes when it should.
+// Bodies at rest cost nothing, and wake when they should.
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Nothing that Box2D would abort on gets that far.
+// Values on which Box2D would abort never reach it.
 #include "physics/dynamics/properties/shape_rules.hpp"
 #include "physics/dynamics/rules/joint_rules.hpp"
 #include "tests/physics/dynamics/scene.hpp"

@@ -1,5 +1,5 @@
-// Connections are counted for each calling interaction: what one adds no other takes away, whoever comes and
-// goes. The scripts of a CircuitWorld are several interactions of one C++ type.
+// Connections are counted for each calling interaction: none removes the connections of another, also when
+// interactions are swapped. The scripts of a CircuitWorld are several interactions of one C++ type.
 #include "tests/physics/electricity/circuit_world.hpp"
 
 #include <gtest/gtest.h>

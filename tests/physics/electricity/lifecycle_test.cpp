@@ -1,4 +1,4 @@
-// Sleeping, swapping, threads, objects that come and go, and size.
+// Sleeping, swapping, threads, created and destroyed objects, and size.
 #include "physics/electricity/core/graph_changes.hpp"
 #include "physics/electricity/rules/initial_connections.hpp"
 #include "tests/physics/electricity/circuit_world.hpp"

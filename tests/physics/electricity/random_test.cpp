@@ -1,5 +1,5 @@
-// Random circuits under random sequences of connections and disconnections, births and deaths, through a real
-// world, against an oracle that knows nothing of blocks or of incremental updates.
+// Random circuits under random sequences of connections, disconnections, creation and destruction, in a real
+// world, compared with a reference without blocks and incremental updates.
 #include "tests/physics/electricity/oracle.hpp"
 
 #include <gtest/gtest.h>

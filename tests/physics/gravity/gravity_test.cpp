@@ -1,4 +1,4 @@
-// Both models of gravity against formulas, and against one another where they must agree.
+// Both models of gravity compared with formulas, and with one another where they must agree.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/gravity/register.hpp"

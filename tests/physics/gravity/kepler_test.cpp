@@ -1,5 +1,5 @@
-// Kepler's third law through the whole frame: Real Gravity's forces, passed on by the interaction, integrated
-// by Dynamics. T = 2 pi sqrt(a³ / (G (M + m))).
+// Kepler's third law in whole frames: the forces of Real Gravity, passed on by the interaction, integrated by
+// Dynamics. T = 2 pi sqrt(a³ / (G (M + m))).
 #include "physics/depth.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/settings.hpp"

@@ -1,4 +1,4 @@
-// Inverse-square sums against a plain loop in long double, and against one another: every width of vectors,
+// Inverse-square sums compared with a plain loop in long double, and with one another: every vector width,
 // the tree at every opening angle, any order of the points.
 #include "physics/inverse_square/kernels.hpp"
 #include "physics/inverse_square/tree.hpp"

@@ -1,5 +1,4 @@
-// Magnets that are free to move, through the whole frame: they neither push off nor turn themselves as a
-// whole.
+// Freely moving magnets in whole frames: momentum and angular momentum of the whole are conserved.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/magnetism/properties.hpp"

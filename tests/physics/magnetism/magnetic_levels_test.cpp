@@ -1,4 +1,4 @@
-// The detail levels of magnetism against the sum over all pairs, and the cutoff's promises.
+// The detail levels of magnetism compared with the sum over all pairs, and the guarantees of the cutoff.
 #include "physics/magnetism/magnetic_grid.hpp"
 #include "physics/magnetism/magnetic_tree.hpp"
 #include "tests/physics/magnetism/magnet_world.hpp"

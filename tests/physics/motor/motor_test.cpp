@@ -1,4 +1,4 @@
-// Electric motors and generators against the equations of a direct-current motor.
+// Electric motors and generators compared with the equations of a direct-current motor.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"

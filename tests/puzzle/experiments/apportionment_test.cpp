@@ -1,5 +1,5 @@
-// The components that are registered, against the boxes of the thesis's better apportionment (6.13). Where
-// ours differ on purpose, docs/apportionment.md says so and why; any other difference fails, and so does a
+// The registered components compared with the boxes of the thesis's better apportionment (6.13). Intended
+// differences are listed and explained in docs/apportionment.md; any other difference fails, and so does a
 // line there that no longer applies.
 #include "runtime/notation/boxes.hpp"
 #include "runtime/schedule/schedule.hpp"

@@ -1,5 +1,5 @@
-// Experiment II, the doorbell: the thesis's account of frames (6.9.3), the alternatives that its conventional
-// scripts needed a script each for (6.9.4), and that it goes on ringing.
+// Experiment II, the doorbell: the thesis's account of frames (6.9.3), the alternatives that each needed
+// another conventional script (6.9.4), and that it rings for ever.
 #include "physics/magnetism/properties.hpp"
 #include "tests/support/experiment.hpp"
 

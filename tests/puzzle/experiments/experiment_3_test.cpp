@@ -1,5 +1,5 @@
-// Experiment III, the electric motor: it starts by itself, runs steadily, and stops for the reasons for which
-// a motor stops (6.10).
+// Experiment III, the electric motor: it starts by itself, runs steadily, and stops for the same reasons as a
+// real motor (6.10).
 #include "physics/magnetism/properties.hpp"
 #include "physics/motor/properties.hpp"
 #include "tests/support/experiment.hpp"

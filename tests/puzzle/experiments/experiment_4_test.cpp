@@ -1,5 +1,5 @@
-// Experiment IV, the raft: it carries cargo, heels, spills and settles (6.11, 6.12), whatever the gravity and
-// however the water is reckoned.
+// Experiment IV, the raft: it carries cargo, heels, spills and settles (6.11, 6.12), for any gravity and any
+// detail level of buoyancy.
 #include "tests/support/experiment.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Goals that nothing can reach are refused where they stand. Why a condition can never hold is tested with
+// Goals that cannot be reached are rejected with their place. Why a condition can never hold is tested with
 // its kind, in conditions/.
 #include "tests/puzzle/goals/stage.hpp"
 

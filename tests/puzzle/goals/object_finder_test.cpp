@@ -1,4 +1,4 @@
-// Which objects a selector speaks of: those that are made from a part, whatever they are called.
+// The objects that a selector matches: those that are made from a part, whatever their names.
 #include "puzzle/goals/object_finder.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/placement.hpp"

@@ -1,4 +1,4 @@
-// Glows, shadows and see-through lines: what they add to a picture, and what they must not.
+// Glows, shadows and translucent lines: what they add to a picture, and what they must not change.
 #include "render/draw/path.hpp"
 #include "tests/render/stage.hpp"
 

@@ -1,4 +1,4 @@
-// Panels react to SDL's events, pushed ones included, and look the way they should at both sizes.
+// Panels react to SDL's events, including pushed ones, and are drawn correctly at both sizes.
 #include "render/draw/path.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/cards.hpp"

@@ -1,4 +1,4 @@
-// Pictures for people of what is in the tree: every part, and every level before and after it was run.
+// Pictures for people: every part, and every level before and after a run.
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/gravity/properties.hpp"
 #include "render/scene/objects/body.hpp"

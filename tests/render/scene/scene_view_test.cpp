@@ -1,4 +1,5 @@
-// What the pictures of a world must show, must not show, and must not do to it.
+// Pictures of a world: what they must show, what they must not show, and that drawing does not change the
+// world.
 #include "render/scene/areas.hpp"
 #include "render/scene/objects/body.hpp"
 #include "render/scene/scene_view.hpp"

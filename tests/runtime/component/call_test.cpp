@@ -1,5 +1,5 @@
-// Recorded calls: which stand and which are carried out once, in which order they are drained, and that the
-// order does not matter to what a resolver makes of them.
+// Recorded calls: held calls and calls that are carried out once, the order in which they are drained, and
+// that a resolver's result does not depend on the order of recording.
 #include "tests/runtime/world/heat.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The account of a world: held calls are told once, causes lead back, and it is the same for any number of
+// The trace of a world: held calls are recorded once, causes are linked, and it is the same for any number of
 // threads.
 #include "runtime/population/population_resolver.hpp"
 #include "tests/runtime/world/heat.hpp"

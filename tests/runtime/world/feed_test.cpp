@@ -1,4 +1,4 @@
-// The way in from outside a world: only for roles that declare it, recorded and drained like any other call.
+// Calls from outside a world: only for roles that declare it, recorded and drained like other calls.
 #include "runtime/input/input_resolver.hpp"
 #include "tests/runtime/world/heat.hpp"
 

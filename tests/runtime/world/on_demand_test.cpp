@@ -1,4 +1,4 @@
-// What nobody reads is not there: components on demand, and readers from outside the world.
+// Components without readers are not constructed: components on demand, and readers from outside the world.
 #include "tests/runtime/world/heat.hpp"
 
 #include <gtest/gtest.h>

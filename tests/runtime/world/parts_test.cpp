@@ -1,5 +1,4 @@
-// A frame in equal parts: what a part is to components, to periods, to the player, to traces and to those who
-// look on.
+// A frame in equal parts: its effect on components, periods, player input, traces and observers.
 #include "runtime/frame/frame_resolver.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "tests/runtime/world/heat.hpp"

@@ -44,8 +44,8 @@ bool CrowdFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {
     }
     b2Body* const a = fixtureA->GetBody();
     b2Body* const b = fixtureB->GetBody();
-    // No contact is made without asking here, so as long as there are as many as expected none has gone, and
-    // bodies that were crowded still are.
+    // No contact is created without calling this function, so as long as their number is as expected none has
+    // been destroyed, and crowded bodies are still crowded.
     int32 const contacts = a->GetWorld()->GetContactCount();
     if (contacts != expected_) {
         ++turn_;

@@ -1,4 +1,4 @@
-// What gets through walls and around them, against brute force and closed forms.
+// Sound transmitted through walls and diffracted around them, compared with brute force and closed forms.
 #include "audio/effect/hearing/sound_path.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Title screen, levels, menu, what is remembered; and what the program does where there is no screen.
+// Title screen, levels, menu, profile; and the program without a display.
 #include "game/ui/app/play.hpp"
 #include "game/ui/headless/screenshot.hpp"
 #include "game/ui/shared/words.hpp"

@@ -1,4 +1,4 @@
-// Keys given to commands by the player: with the keyboard alone, and with the mouse but for the key itself.
+// Assigning keys to commands: with the keyboard alone, and with the mouse except for the key itself.
 #include "tests/game/ui/player.hpp"
 
 #include <algorithm>

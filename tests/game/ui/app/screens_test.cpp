@@ -1,4 +1,4 @@
-// The program holds one screen and knows none by its type; menus over it work with the keyboard alone.
+// The program holds one screen of any type; menus over it can be used with the keyboard alone.
 #include "tests/game/ui/player.hpp"
 
 #include <optional>

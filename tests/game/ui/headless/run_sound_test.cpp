@@ -1,4 +1,4 @@
-// trembler run --sound: what the levels sound like, as files.
+// trembler run --sound: the sound of the levels as files.
 #include "game/ui/headless/run_sound.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/json_document.hpp"

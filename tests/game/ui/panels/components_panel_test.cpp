@@ -1,4 +1,4 @@
-// What accuracy costs, on the screen: the panel's rows, its knobs and the time budget.
+// The components panel: rows, knobs and the time budget.
 #include "game/ui/panels/cost_rows.hpp"
 #include "game/ui/shared/words.hpp"
 #include "runtime/level/model/world_change.hpp"

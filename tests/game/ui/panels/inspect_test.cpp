@@ -1,4 +1,4 @@
-// What the inspector says of sound. (What it says of the rest is in play_screen_test.)
+// The inspector's rows about sound. (Other rows are tested in play_screen_test.)
 #include "audio/effect/hearing/loudness.hpp"
 #include "audio/effect/properties/decibel.hpp"
 #include "game/ui/panels/inspector.hpp"

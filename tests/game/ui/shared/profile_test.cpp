@@ -1,4 +1,4 @@
-// Keys in the profile file: kept, read, and damaged.
+// Keys in the profile file: saved, read, and damaged.
 #include "game/ui/shared/profile.hpp"
 #include "tests/game/ui/player.hpp"
 

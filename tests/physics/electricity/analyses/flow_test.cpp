@@ -1,4 +1,4 @@
-// Flows and bottlenecks, against minimum cuts found by trying every set of objects.
+// Flows and bottlenecks, compared with minimum cuts found by trying every set of objects.
 #include "physics/electricity/analyses/max_flow.hpp"
 #include "tests/physics/electricity/nodal_kit.hpp"
 

@@ -1,4 +1,4 @@
-// Rings around what sounds.
+// Rings around sounding objects.
 #include "render/scene/overlays/overlay_sound.hpp"
 #include "tests/render/stage.hpp"
 

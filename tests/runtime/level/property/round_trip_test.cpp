@@ -1,4 +1,4 @@
-// Whatever value a property has: written to a file and read back it is the same, bit for bit.
+// Any value of a property is bit for bit the same after writing it to a file and reading it back.
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_reader.hpp"
 #include "runtime/level/property/property_writer.hpp"
