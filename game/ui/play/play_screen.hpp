@@ -1,8 +1,8 @@
 // A level on the screen: building, running, looking on.
 #pragma once
 
+#include "game/ui/play/mouse/pointer_reader.hpp"
 #include "game/ui/play/play_parts.hpp"
-#include "game/ui/play/pointer_reader.hpp"
 #include "game/ui/shared/screen.hpp"
 
 #include <filesystem>

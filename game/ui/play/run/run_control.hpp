@@ -2,7 +2,7 @@
 #pragma once
 
 #include "game/budget/budget_mode.hpp"
-#include "game/ui/play/level_audio.hpp"
+#include "game/ui/play/run/level_audio.hpp"
 #include "game/ui/shared/frame_clock.hpp"
 #include "game/ui/tools/camera_control.hpp"
 #include "game/ui/tools/hand_tool.hpp"

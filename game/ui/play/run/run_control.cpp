@@ -1,4 +1,4 @@
-#include "game/ui/play/run_control.hpp"
+#include "game/ui/play/run/run_control.hpp"
 
 #include "physics/dynamics/properties/contacts.hpp"
 

@@ -1,7 +1,7 @@
 // A level that is run without a window.
 #pragma once
 
-#include "game/ui/play/run_control.hpp"
+#include "game/ui/play/run/run_control.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/game/ui/player.hpp"
 

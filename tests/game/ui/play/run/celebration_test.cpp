@@ -1,6 +1,6 @@
 // A run's success: told once, celebrated until it has been seen.
-#include "game/ui/play/celebration.hpp"
-#include "tests/game/ui/play/controlled_run.hpp"
+#include "game/ui/play/run/celebration.hpp"
+#include "tests/game/ui/play/run/controlled_run.hpp"
 
 namespace trembler::ui::test {
 namespace {

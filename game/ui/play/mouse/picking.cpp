@@ -1,4 +1,4 @@
-#include "game/ui/play/picking.hpp"
+#include "game/ui/play/mouse/picking.hpp"
 
 #include "render/scene/facts/pick.hpp"
 

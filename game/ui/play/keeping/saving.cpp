@@ -1,4 +1,4 @@
-#include "game/ui/play/saving.hpp"
+#include "game/ui/play/keeping/saving.hpp"
 
 #include "game/ui/shared/words.hpp"
 

@@ -1,4 +1,4 @@
-#include "game/ui/play/celebration.hpp"
+#include "game/ui/play/run/celebration.hpp"
 
 namespace trembler::ui {
 

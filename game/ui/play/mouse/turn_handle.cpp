@@ -1,4 +1,4 @@
-#include "game/ui/play/turn_handle.hpp"
+#include "game/ui/play/mouse/turn_handle.hpp"
 
 namespace trembler::ui {
 namespace {

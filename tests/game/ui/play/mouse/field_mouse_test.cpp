@@ -1,5 +1,5 @@
 // The mouse on the field without a window: what is pointed at, clicked, dragged and looked around with.
-#include "game/ui/play/field_mouse.hpp"
+#include "game/ui/play/mouse/field_mouse.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
 #include "tests/game/ui/player.hpp"

@@ -1,4 +1,4 @@
-#include "game/ui/play/sound_view.hpp"
+#include "game/ui/play/view/sound_view.hpp"
 
 #include "render/scene/facts/shape_geometry.hpp"
 

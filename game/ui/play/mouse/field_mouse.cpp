@@ -1,4 +1,4 @@
-#include "game/ui/play/field_mouse.hpp"
+#include "game/ui/play/mouse/field_mouse.hpp"
 
 #include "physics/dynamics/properties/body.hpp"
 

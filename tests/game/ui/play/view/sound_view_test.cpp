@@ -1,5 +1,5 @@
 // What there is to see of sound, and that seeing it changes nothing.
-#include "game/ui/play/sound_view.hpp"
+#include "game/ui/play/view/sound_view.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "puzzle/session/session.hpp"
 #include "puzzle/solutions/solution_file.hpp"

@@ -1,7 +1,7 @@
 // What the mouse does on the field: it leads the tools, looks around, and opens the inspector.
 #pragma once
 
-#include "game/ui/play/picking.hpp"
+#include "game/ui/play/mouse/picking.hpp"
 #include "game/ui/tools/camera_control.hpp"
 #include "game/ui/tools/hand_tool.hpp"
 #include "game/ui/tools/placing_tool.hpp"

@@ -1,5 +1,5 @@
 // Films and single pictures, without a screen: the pixels come from here.
-#include "game/ui/play/film.hpp"
+#include "game/ui/play/keeping/film.hpp"
 #include "tests/game/ui/player.hpp"
 
 #include <fstream>

@@ -1,5 +1,5 @@
 // What loses something is asked for twice.
-#include "game/ui/play/asked_twice.hpp"
+#include "game/ui/commands/asked_twice.hpp"
 
 #include <gtest/gtest.h>
 

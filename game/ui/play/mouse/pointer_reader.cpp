@@ -1,4 +1,4 @@
-#include "game/ui/play/pointer_reader.hpp"
+#include "game/ui/play/mouse/pointer_reader.hpp"
 
 namespace trembler::ui {
 

@@ -1,8 +1,8 @@
-#include "game/ui/play/play_commands.hpp"
+#include "game/ui/play/commands/play_commands.hpp"
 
 #include "game/ui/commands/common_commands.hpp"
+#include "game/ui/play/keeping/saving.hpp"
 #include "game/ui/play/play_parts.hpp"
-#include "game/ui/play/saving.hpp"
 #include "game/ui/shared/words.hpp"
 
 #include <algorithm>

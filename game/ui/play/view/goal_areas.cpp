@@ -1,4 +1,4 @@
-#include "game/ui/play/goal_areas.hpp"
+#include "game/ui/play/view/goal_areas.hpp"
 
 #include "puzzle/goals/read_goals.hpp"
 #include "render/panels/world_label.hpp"

@@ -1,4 +1,4 @@
-#include "game/ui/play/level_audio.hpp"
+#include "game/ui/play/run/level_audio.hpp"
 
 #include "audio/device/loudspeaker.hpp"
 

@@ -1,6 +1,6 @@
 // The table of the level's screen and those of all others: nothing twice, nothing without words.
 #include "game/ui/app/command_lists.hpp"
-#include "game/ui/play/play_commands.hpp"
+#include "game/ui/play/commands/play_commands.hpp"
 #include "tests/game/ui/player.hpp"
 
 #include <cstring>

@@ -1,5 +1,5 @@
 // A run kept as a solution file.
-#include "game/ui/play/saving.hpp"
+#include "game/ui/play/keeping/saving.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/game/ui/player.hpp"

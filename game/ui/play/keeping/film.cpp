@@ -1,4 +1,4 @@
-#include "game/ui/play/film.hpp"
+#include "game/ui/play/keeping/film.hpp"
 
 #include "game/ui/shared/words.hpp"
 #include "render/gl/error.hpp"

@@ -1,5 +1,5 @@
 // A level's run without a window: what the buttons do to the session, and what is told of it.
-#include "tests/game/ui/play/controlled_run.hpp"
+#include "tests/game/ui/play/run/controlled_run.hpp"
 
 namespace trembler::ui::test {
 namespace {
