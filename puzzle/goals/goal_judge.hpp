@@ -1,8 +1,8 @@
 // Watches a running world and tells which goals are met. Looks, and changes nothing.
 #pragma once
 
-#include "puzzle/goals/condition.hpp"
-#include "puzzle/goals/condition_state.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/model/condition.hpp"
 #include "runtime/world/world.hpp"
 
 #include <memory>

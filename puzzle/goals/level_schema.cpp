@@ -1,7 +1,7 @@
 #include "puzzle/goals/level_schema.hpp"
 
 #include "puzzle/goals/conditions/table.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/write/schema.hpp"
 

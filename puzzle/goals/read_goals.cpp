@@ -1,6 +1,6 @@
 #include "puzzle/goals/read_goals.hpp"
 
-#include "puzzle/goals/goal_reader.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
 
 namespace trembler {
 

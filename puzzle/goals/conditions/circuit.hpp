@@ -1,7 +1,7 @@
 // What "on" and "off" share.
 #pragma once
 
-#include "puzzle/goals/condition_kind.hpp"
+#include "puzzle/goals/model/condition_kind.hpp"
 
 namespace trembler::conditions {
 

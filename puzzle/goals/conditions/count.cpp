@@ -1,11 +1,11 @@
 // {"count": {"of": O, "at_least" | "at_most" | "exactly": n, "that": condition on "it"}}: the condition holds
 // for so many of the objects.
-#include "puzzle/goals/candidates.hpp"
-#include "puzzle/goals/condition_state.hpp"
-#include "puzzle/goals/english.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/checking/candidates.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/english.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
 #include <fmt/format.h>
 

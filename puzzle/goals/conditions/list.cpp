@@ -1,9 +1,9 @@
 #include "puzzle/goals/conditions/list.hpp"
 
-#include "puzzle/goals/english.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/english.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 #include "runtime/level/json/limits.hpp"
 
 namespace trembler::conditions {

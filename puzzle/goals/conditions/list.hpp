@@ -1,7 +1,7 @@
 // What "all", "any" and "sequence" share.
 #pragma once
 
-#include "puzzle/goals/condition_kind.hpp"
+#include "puzzle/goals/model/condition_kind.hpp"
 
 namespace trembler::conditions {
 

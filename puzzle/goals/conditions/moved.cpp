@@ -1,11 +1,11 @@
 // {"moved": {"object": O, "by": metres, "towards": "up" | "down" | "left" | "right"}}: an object is at least
 // that far from where it was at the start.
-#include "puzzle/goals/candidates.hpp"
-#include "puzzle/goals/condition_state.hpp"
+#include "puzzle/goals/checking/candidates.hpp"
 #include "puzzle/goals/conditions/acting.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>

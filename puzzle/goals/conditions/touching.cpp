@@ -2,11 +2,11 @@
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/dynamics/properties/shape.hpp"
-#include "puzzle/goals/candidates.hpp"
-#include "puzzle/goals/condition_state.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/checking/candidates.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "puzzle/goals/condition.hpp"
+#include "puzzle/goals/model/condition.hpp"
 
 namespace trembler {
 

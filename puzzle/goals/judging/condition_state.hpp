@@ -1,8 +1,8 @@
 // A condition at work on a world: the objects it speaks of, and what it remembers from frame to frame.
 #pragma once
 
-#include "puzzle/goals/condition.hpp"
-#include "puzzle/goals/object_finder.hpp"
+#include "puzzle/goals/judging/object_finder.hpp"
+#include "puzzle/goals/model/condition.hpp"
 #include "runtime/world/world.hpp"
 
 #include <any>

@@ -1,7 +1,7 @@
 // Whom a selector can speak of at all, placed parts included, for finding goals that can never be reached.
 #pragma once
 
-#include "puzzle/goals/condition.hpp"
+#include "puzzle/goals/model/condition.hpp"
 #include "runtime/world/world.hpp"
 
 #include <map>

@@ -1,4 +1,4 @@
-#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 #include "tests/puzzle/goals/stage.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Goals in words: "Lift the metal object to the electromagnet", "Keep the lamp lit for 3 seconds".
 #pragma once
 
-#include "puzzle/goals/condition.hpp"
+#include "puzzle/goals/model/condition.hpp"
 #include "runtime/world/world.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // From what a condition of a level speaks of to objects of a world.
 #pragma once
 
-#include "puzzle/goals/condition.hpp"
+#include "puzzle/goals/model/condition.hpp"
 #include "runtime/world/world.hpp"
 
 #include <map>

@@ -1,5 +1,5 @@
 #include "puzzle/data/game_data.hpp"
-#include "puzzle/goals/lamp.hpp"
+#include "puzzle/goals/words/lamp.hpp"
 #include "tests/puzzle/goals/stage.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "puzzle/goals/candidates.hpp"
+#include "puzzle/goals/checking/candidates.hpp"
 
 #include "physics/dynamics/properties/body.hpp"
 

@@ -1,4 +1,4 @@
-#include "puzzle/goals/goal_reader.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
 
 #include "puzzle/goals/conditions/table.hpp"
 #include "runtime/level/build/joint_names.hpp"

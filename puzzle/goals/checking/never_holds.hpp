@@ -1,7 +1,7 @@
 // Goals that nothing in their level can ever reach.
 #pragma once
 
-#include "puzzle/goals/condition.hpp"
+#include "puzzle/goals/model/condition.hpp"
 #include "runtime/world/world.hpp"
 
 namespace trembler {

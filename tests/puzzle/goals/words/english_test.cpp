@@ -1,4 +1,4 @@
-#include "puzzle/goals/english.hpp"
+#include "puzzle/goals/words/english.hpp"
 
 #include <gtest/gtest.h>
 

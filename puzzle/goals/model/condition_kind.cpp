@@ -1,7 +1,7 @@
-#include "puzzle/goals/condition_kind.hpp"
+#include "puzzle/goals/model/condition_kind.hpp"
 
-#include "puzzle/goals/condition_state.hpp"
-#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
 namespace trembler {
 

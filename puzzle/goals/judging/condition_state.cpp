@@ -1,4 +1,4 @@
-#include "puzzle/goals/condition_state.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
 
 #include <algorithm>
 #include <cmath>

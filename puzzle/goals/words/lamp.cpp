@@ -1,4 +1,4 @@
-#include "puzzle/goals/lamp.hpp"
+#include "puzzle/goals/words/lamp.hpp"
 
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/material.hpp"

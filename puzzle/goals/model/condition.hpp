@@ -1,7 +1,7 @@
 // What has to come about for a level to be solved, as its file states it.
 #pragma once
 
-#include "puzzle/goals/condition_kind.hpp"
+#include "puzzle/goals/model/condition_kind.hpp"
 #include "runtime/level/model/level.hpp"
 
 #include <any>

@@ -1,7 +1,7 @@
 // What the kinds of conditions need to read themselves: selectors, and conditions inside conditions.
 #pragma once
 
-#include "puzzle/goals/condition.hpp"
+#include "puzzle/goals/model/condition.hpp"
 #include "runtime/level/json/json_node.hpp"
 
 #include <set>

@@ -1,4 +1,4 @@
-#include "puzzle/goals/object_finder.hpp"
+#include "puzzle/goals/judging/object_finder.hpp"
 
 #include "runtime/level/json/add_problem.hpp"
 

@@ -1,4 +1,4 @@
-#include "puzzle/goals/goal_reader.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
 #include "tests/puzzle/goals/stage.hpp"
 
 #include <gtest/gtest.h>

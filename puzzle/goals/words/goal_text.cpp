@@ -1,7 +1,7 @@
-#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
-#include "puzzle/goals/english.hpp"
-#include "puzzle/goals/lamp.hpp"
+#include "puzzle/goals/words/english.hpp"
+#include "puzzle/goals/words/lamp.hpp"
 
 #include <fmt/format.h>
 

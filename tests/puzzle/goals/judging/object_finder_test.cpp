@@ -1,5 +1,5 @@
 // Which objects a selector speaks of: those that are made from a part, whatever they are called.
-#include "puzzle/goals/object_finder.hpp"
+#include "puzzle/goals/judging/object_finder.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/experiment.hpp"

@@ -1,6 +1,6 @@
-#include "puzzle/goals/never_holds.hpp"
+#include "puzzle/goals/checking/never_holds.hpp"
 
-#include "puzzle/goals/candidates.hpp"
+#include "puzzle/goals/checking/candidates.hpp"
 #include "runtime/level/json/add_problem.hpp"
 
 #include <utility>
