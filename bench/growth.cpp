@@ -8,7 +8,7 @@
 // Processor time, so that other programs on the machine count little, and medians of up to five trials. A
 // frame is the mean of five, so that what happens in one of them counts. A size is left out where those
 // before it let expect more than half a minute.
-#include "bench/growth_levels.hpp"
+#include "bench/growth_levels/rows.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
