@@ -1,27 +1,28 @@
-// For what loses something: the first time it only asks.
+// A question before a command that loses something: the first request asks, the second one confirms.
 #pragma once
 
 namespace trembler::ui {
 
-/// Never looks at a clock itself. Plain data; any thread.
+/// Time passes only through pass(). Plain data; any thread.
 class AskedTwice {
 public:
-    /// How long the question stands, s.
+    /// How long the question stays open, s.
     static constexpr double patience = 4;
 
-    /// True if it was asked for before and the question still stands; otherwise the question stands from now.
+    /// Confirms and closes an open question: true. Otherwise opens it: false.
     bool ask() {
         waiting_ = !waiting_;
         waited_ = 0;
         return !waiting_;
     }
-    /// Lets time pass, s; the question falls when it has waited for too long.
+    /// Lets time pass, s; an open question closes after `patience`.
     void pass(double seconds) {
         waited_ += seconds;
         waiting_ = waiting_ && waited_ < patience;
     }
-    /// The question falls.
+    /// Closes the question.
     void forget() { waiting_ = false; }
+    /// Whether the question is open.
     [[nodiscard]] bool waiting() const { return waiting_; }
 
 private:

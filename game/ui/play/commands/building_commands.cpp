@@ -6,12 +6,12 @@ namespace {
 
 using render::Icon;
 
-/// Something is in the hand or selected, so keys can turn it, move it, put it back.
+/// Whether a part is in the hand or selected, so that keys can turn it, move it and put it back.
 bool partAtHand(PlayParts const& parts) {
     return parts.run.building() && (parts.placing.carried() || parts.placing.selected());
 }
 
-/// What the tools do may make another world.
+/// Calls doing(tool) with the placing tool, which may give the session another world.
 template <class Doing>
 void place(PlayParts& parts, Doing&& doing) {
     World const* const world = &parts.session.world();

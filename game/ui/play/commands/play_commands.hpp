@@ -1,4 +1,4 @@
-// The table of everything that a level's screen can be asked to do.
+// The table of all commands of a level's screen.
 #pragma once
 
 #include "game/ui/commands/command.hpp"
@@ -10,8 +10,9 @@ namespace trembler::ui {
 
 struct PlayParts;
 
+/// In the order of the page of keys. They live as long as the program.
 [[nodiscard]] std::span<Command<PlayParts> const> playCommands();
-/// What hands do besides.
+/// What the mouse and modifier keys do besides, for the page of keys.
 [[nodiscard]] std::span<Gesture const> playGestures();
 
 } // namespace trembler::ui

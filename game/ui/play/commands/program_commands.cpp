@@ -13,7 +13,8 @@ void openMenu(PlayParts& parts) {
     parts.request = request::OpenMenu{page};
 }
 
-/// One thing at a time: what is open or in the hand, and at last the menu.
+/// Ends one thing: the use of the scissors, the carrying of a part, the inspector. If none of these goes on,
+/// opens the menu.
 void back(PlayParts& parts) {
     if (parts.hand.cutting()) {
         parts.hand.setCutting(false);

@@ -8,7 +8,7 @@ namespace {
 
 using render::Icon;
 
-constexpr double budgetStep = 1.25; // by which a key makes it more or less
+constexpr double budgetStep = 1.25; // the factor by which a key changes the time budget
 
 void hint(PlayParts& parts) {
     auto const& hints = parts.session.level().hints;

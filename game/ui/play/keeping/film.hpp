@@ -1,4 +1,4 @@
-// What the player takes of the screen: a film of every frame, and single pictures.
+// Pictures of the screen that the player keeps: a film of every frame, and single pictures.
 #pragma once
 
 #include "game/ui/shared/recorder.hpp"
@@ -8,7 +8,8 @@
 
 namespace trembler::ui {
 
-/// Tells the player where it goes, or why it does not. Window thread only.
+/// Shows a message with the place of the files, or with the reason why they cannot be written. Window thread
+/// only.
 class Film {
 public:
     /// Both must outlive this.
@@ -19,11 +20,11 @@ public:
     /// Ends the film, if one is being made.
     void end();
     [[nodiscard]] bool recording() const { return recording_; }
-    /// The next picture is to be kept.
+    /// Asks for the next picture to be kept.
     void wantPicture() { wanted_ = true; }
 
-    /// A picture is complete. `stepped`: the world moved on in it, so it belongs to the film. `pixels` reads
-    /// it, and is not called where nobody wants it.
+    /// To be called when a picture is complete. `stepped`: the world moved on in it, so it belongs to the
+    /// film. `pixels` reads the picture; it is called only if the picture is to be kept.
     void take(std::function<render::Image()> const& pixels, bool stepped);
 
 private:

@@ -1,4 +1,4 @@
-// Keeping what was placed and done, as a solution file.
+// Saving what the player placed and did as a solution file.
 #pragma once
 
 #include "game/ui/shared/recorder.hpp"
@@ -9,8 +9,8 @@
 
 namespace trembler::ui {
 
-/// Writes the run so far and says where, or says why there is nothing to be kept. `level` goes into the
-/// file's name.
+/// Writes the run so far to a file. Shows a message with the file's place, or with the reason why nothing is
+/// saved. `level` becomes a part of the file's name.
 void saveSolution(Session const& session, std::string const& level, Recorder& recorder,
                   render::Toasts& toasts);
 

@@ -1,4 +1,5 @@
-// What the mouse does on the field: it leads the tools, looks around, and opens the inspector.
+// The mouse on the field, where the world is shown: it guides the tools, moves the camera and opens the
+// inspector.
 #pragma once
 
 #include "game/ui/play/mouse/picking.hpp"
@@ -10,7 +11,7 @@
 
 namespace trembler::ui {
 
-/// Pixels at UI scale 1 around the middle of the handle that turns a part within which it is meant.
+/// The mouse is on the handle that turns a part within this distance of its middle, pixels at UI scale 1.
 inline constexpr double handleReach = 13;
 
 /// Window thread only.
@@ -20,14 +21,15 @@ public:
     FieldMouse(Session& session, PlacingTool& placing, HandTool& hand, CameraControl& view, Picking& picking)
         : session_(session), placing_(placing), hand_(hand), view_(view), picking_(picking) {}
 
-    /// What it must know of the rest of the screen.
+    /// What FieldMouse needs to know of the rest of the screen.
     struct Surroundings {
         std::optional<Vec2> handle; ///< middle of the handle that turns the selected part, m
-        bool watching = false;      ///< a run is watched again: things cannot be taken
+        bool watching = false;      ///< a run is watched again: objects cannot be grabbed
     };
-    /// One picture's worth of mouse. True if the session's world is another one since.
+    /// Handles the mouse for one picture, `seconds` after the last. True if the session now has another
+    /// world.
     bool update(Pointer const& pointer, Surroundings const& around, double seconds);
-    /// A part has left the toolbox in this picture: the press has been used.
+    /// The press in this picture took a part out of the toolbox, so it has no other meaning.
     void tookPart();
 
 private:
@@ -40,8 +42,8 @@ private:
     HandTool& hand_;
     CameraControl& view_;
     Picking& picking_;
-    render::Point pressedAt_; // pixels
-    bool leftOnPaper_ = false;
+    render::Point pressedAt_;  // of the left button, pixels
+    bool leftOnPaper_ = false; // the left button went down on empty paper
     bool rightOnPaper_ = false;
     bool tookPart_ = false;
 };

@@ -5,7 +5,7 @@
 namespace trembler::ui {
 namespace {
 
-/// Objects are pointed at within this many pixels at UI scale 1.
+/// The mouse points at an object within this distance of it, pixels at UI scale 1.
 constexpr double pickReach = 6;
 
 } // namespace

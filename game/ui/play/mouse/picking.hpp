@@ -1,4 +1,4 @@
-// Which object the mouse points at, and which one is looked at closely.
+// Which object the mouse points at, and which one the inspector shows.
 #pragma once
 
 #include "game/ui/panels/inspector.hpp"
@@ -13,11 +13,11 @@ public:
     /// Both must outlive this.
     Picking(Session const& session, Inspector& inspector) : session_(session), inspector_(inspector) {}
 
-    /// Once per picture; nothing is pointed at where a card lies, or outside of the window.
+    /// To be called once per picture. Over a card or outside the window the mouse points at nothing.
     void pointAt(Pointer const& pointer);
-    /// Under the mouse; an invalid id if there is nothing.
+    /// The object under the mouse, or an invalid id.
     [[nodiscard]] ObjectId hovered() const { return hovered_; }
-    /// The session's world is another one: ids of the old one mean nothing in it.
+    /// The session has another world, in which ids of the old one mean nothing.
     void forget() { hovered_ = {}; }
 
     /// Opens the inspector on an object; closes it for an invalid id.

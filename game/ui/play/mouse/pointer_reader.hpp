@@ -1,4 +1,4 @@
-// The mouse on a screen with a world and cards: from events to what the tools want to know.
+// Reads the mouse on a screen with a world and cards: from input events to a Pointer for the tools.
 #pragma once
 
 #include "game/ui/shared/pointer.hpp"
@@ -7,10 +7,11 @@
 
 namespace trembler::ui {
 
-/// Remembers from picture to picture what a click is.
+/// Remembers where the right button went down, to distinguish a click from a drag.
 class PointerReader {
 public:
-    /// Once per picture. `busy`: a tool holds something, so panels do not take the mouse from it.
+    /// To be called once per picture. `busy`: a tool holds something, so panels do not take the mouse from
+    /// it.
     [[nodiscard]] Pointer read(UiContext const& context, render::Camera const& camera, bool busy);
 
 private:

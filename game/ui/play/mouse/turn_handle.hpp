@@ -1,4 +1,4 @@
-// The knob beside the selected part by which it is turned.
+// The handle beside the selected part by which the player turns it.
 #pragma once
 
 #include "game/ui/shared/part_catalog.hpp"
@@ -8,14 +8,14 @@
 
 namespace trembler::ui {
 
-/// Where it stands.
+/// Where the handle is.
 struct TurnHandle {
     Vec2 at;             ///< m
     Placement placement; ///< of its part, as it is now or in the hand
 };
 
-/// Nothing while the session runs, while nothing is selected, or while the part is carried. `pixel`: m that a
-/// pixel at UI scale 1 is.
+/// The handle of the selected part; nothing while the session runs, while nothing is selected, or while the
+/// part is carried. `pixel`: the size of a pixel at UI scale 1 in the world, m.
 [[nodiscard]] std::optional<TurnHandle> turnHandle(Session const& session, PlacingTool const& placing,
                                                    PartCatalog& catalog, double pixel);
 

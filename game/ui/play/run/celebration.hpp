@@ -1,4 +1,4 @@
-// A run's success: told once, and celebrated until the player goes on.
+// The success of a run: reported once, and shown until the player closes it.
 #pragma once
 
 #include "puzzle/session/session.hpp"
@@ -7,14 +7,15 @@
 
 namespace trembler::ui {
 
-/// Of one run at a time. Not thread-safe.
+/// Follows one run at a time. Not thread-safe.
 class Celebration {
 public:
-    /// After every step of the session. True for the first one of this run in which it is solved: it begins.
+    /// To be called after every step of the session. True once in a run, for the step in which the level is
+    /// solved: the celebration begins.
     bool noteStep(Session const& session);
-    /// Another run, or none.
+    /// The run has ended.
     void reset();
-    /// The player has seen it.
+    /// The player has closed it.
     void dismiss() { showing_ = false; }
     /// Lets time pass, s.
     void pass(double seconds) { age_ += showing_ ? seconds : 0; }

@@ -7,7 +7,8 @@
 namespace trembler::ui {
 namespace {
 
-// As far above the drawing board as the board is high on the screen: what is seen large is near.
+// The listener is as far from the plane of the world as the visible part of that is high, so that objects
+// sound near when they look large.
 Listener listenerOf(render::Camera const& camera) {
     double const seen = camera.viewport.height / camera.pixelsPerMetre;
     return {.at = {camera.centre.x, camera.centre.y}, .height = std::clamp(seen, 0.5, 50.0), .velocity = {}};

@@ -1,4 +1,4 @@
-// The player's ears: what the level on the screen sounds like.
+// Plays the sounds of the level on the screen.
 #pragma once
 
 #include "game/ui/shared/frame_clock.hpp"
@@ -11,8 +11,8 @@ class World;
 
 namespace trembler::ui {
 
-/// Follows one level. Without a loudspeaker it does nothing, and what it does never reaches the world. Window
-/// thread only; the loudspeaker must outlive it.
+/// Follows one level. Without a loudspeaker it does nothing. It never changes the world. Window thread only;
+/// the loudspeaker must outlive it.
 class LevelAudio {
 public:
     explicit LevelAudio(Loudspeaker* loudspeaker) : loudspeaker_(loudspeaker) {}
@@ -21,9 +21,10 @@ public:
     void enter(World const& world);
     /// The run ends: silence, at once.
     void leave();
-    /// After every step of the world that is to be heard. They hear from where the camera looks.
+    /// To be called after every step of the world that is to be heard. The listener is where the camera
+    /// looks.
     void frame(World const& world, render::Camera const& camera);
-    /// For a picture in which the world stands still: what rings dies away.
+    /// To be called in a picture in which the world stands still, `seconds` after the last: sounds die away.
     void pause(double seconds, render::Camera const& camera);
 
 private:

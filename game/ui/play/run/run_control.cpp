@@ -40,14 +40,15 @@ void RunControl::stepOnce() {
         events_.newWorld();
     }
     if (session_.world().frame() == 0) {
-        // All along, not only while they are shown: the overlay is right at once, in a paused world too.
+        // During the whole run, not only while contacts are shown: so the overlay is right as soon as it is
+        // switched on, in a paused world too.
         patches_ = session_.world().want<ContactPatches>();
     }
     hand_.beforeStep();
-    budget_.beforeStep(session_, !watching()); // what was decided then is being repeated
+    budget_.beforeStep(session_, !watching()); // a run that is watched again repeats its decisions
     events_.beforeStep();
     session_.step();
-    // In fast motion every fourth frame is heard, at its own pitch.
+    // In fast motion only every fourth frame is heard, so that pitches stay as they are.
     if (!quick() || session_.world().frame() % fastFactor == 0) {
         audio_.frame(session_.world(), view_.camera());
     }

@@ -1,4 +1,4 @@
-// A level's run: when it begins and ends, how fast it goes, and what happens around each of its frames.
+// Controls a level's run: when it begins and ends, how fast it goes, and what is called around each frame.
 #pragma once
 
 #include "game/budget/budget_mode.hpp"
@@ -12,45 +12,48 @@
 
 namespace trembler::ui {
 
-/// What others do when the run does something; none may be empty.
+/// Functions that are called when the run changes; none may be empty.
 struct RunEvents {
-    std::function<void()> newWorld;   ///< the session's world is another one
+    std::function<void()> newWorld;   ///< the session has another world
     std::function<void()> beforeStep; ///< directly before each Session::step
     std::function<void()> afterStep;
-    std::function<void()> stopped; ///< directly before newWorld
+    std::function<void()> stopped; ///< the run has ended; directly before newWorld
 };
 
 /// Needs no window. Window thread only.
 class RunControl {
 public:
-    /// All must outlive this. It is heard from where `view` looks.
+    /// All must outlive this. The listener is where `view` looks.
     RunControl(Session& session, PlacingTool& placing, HandTool& hand, budget::BudgetMode& budget,
                LevelAudio& audio, CameraControl const& view, RunEvents events);
 
-    /// A picture begins. `fastHeld`: the key for it is down.
+    /// To be called when a picture begins. `fastHeld`: the key for fast motion is down.
     void beginPicture(bool fastHeld);
     /// Lets the world move on, if it runs: by `seconds` of the player's time, or by a single frame with
     /// `oneFrame` (a film has every frame once, however long a picture takes).
     void advance(double seconds, bool oneFrame);
 
+    /// Begins a run, or ends it.
     void runOrStop();
-    /// Pauses or goes on; nothing while building.
+    /// Pauses, or goes on; does nothing while building.
     void pauseOrGo();
-    /// One frame, and stands still after it; begins the run if need be.
+    /// Computes one frame and pauses; begins a run if none goes on.
     void step();
+    /// Ends the run: the world is again as it was placed.
     void stop();
     void switchFast() { fast_ = !fast_; }
-    /// The last run from its beginning, with what was done in it, at the levels and periods that it had.
+    /// Begins the last run again and repeats what the player did in it, with the detail levels and periods
+    /// that it had.
     void watchAgain();
 
     [[nodiscard]] bool building() const { return session_.mode() == SessionMode::building; }
     [[nodiscard]] bool running() const { return session_.mode() == SessionMode::running; }
     [[nodiscard]] bool paused() const { return session_.mode() == SessionMode::paused; }
-    /// A run is being watched again.
+    /// Whether a run is being watched again.
     [[nodiscard]] bool watching() const { return session_.playing(); }
-    /// By its switch.
+    /// Whether fast motion is switched on; the held key does not count.
     [[nodiscard]] bool fast() const { return fast_; }
-    /// The world moved on in this picture.
+    /// Whether the world moved on in this picture.
     [[nodiscard]] bool stepped() const { return stepped_; }
     /// How far the display is between the last two frames, 0 to 1.
     [[nodiscard]] double alpha() const { return running() && !oneFrame_ ? clock_.alpha() : 1; }

@@ -16,7 +16,7 @@ GoalAreas::GoalAreas(LevelFile const& level) {
     }
 }
 
-// A sequence may come back to a place.
+// A sequence may name an area more than once.
 bool GoalAreas::isKnown(Area const& area, std::size_t goal) const {
     for (std::size_t i = 0; i < regions_.size(); ++i) {
         if (goals_[i] == goal && regions_[i].area == area) {
@@ -30,7 +30,7 @@ void GoalAreas::gather(Condition const& condition, std::size_t goal) {
     if (condition.area && !isKnown(*condition.area, goal)) {
         regions_.push_back({*condition.area, false});
         goals_.push_back(goal);
-        // "The marked area" is what its goal calls it; where it is marked, the mark says so.
+        // Sentences say "the marked area"; in the world the mark itself shows it.
         names_.push_back(condition.areaName == Condition{}.areaName ? "" : condition.areaName);
     }
     for (Condition const& child : condition.children) {

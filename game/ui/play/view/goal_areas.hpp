@@ -1,4 +1,4 @@
-// The places that a level's goals speak of, for drawing them into the world.
+// The areas that a level's goals name, for drawing them into the world.
 #pragma once
 
 #include "puzzle/goals/goal_judge.hpp"
@@ -20,7 +20,7 @@ public:
     [[nodiscard]] std::span<render::GoalRegion const> regions(std::span<GoalStatus const> status);
     /// The smallest rectangle around all of them; empty if there are none.
     [[nodiscard]] render::Extent extent() const;
-    /// Writes what they are called above them; between Gui::beginFrame and endFrame.
+    /// Writes the name of each area above it; between Gui::beginFrame and Gui::endFrame.
     void drawWords(render::Camera const& camera) const;
 
 private:
@@ -28,8 +28,8 @@ private:
     [[nodiscard]] bool isKnown(Area const& area, std::size_t goal) const;
 
     std::vector<render::GoalRegion> regions_;
-    std::vector<std::size_t> goals_; // for each region
-    std::vector<std::string> names_; // empty: no words
+    std::vector<std::size_t> goals_; // for each region, the number of its goal
+    std::vector<std::string> names_; // for each region; empty: none is written
 };
 
 } // namespace trembler::ui

@@ -1,4 +1,4 @@
-// What the player wants to see of a world besides the things themselves.
+// The overlays that the player has switched on.
 #pragma once
 
 #include "render/scene/scene_view.hpp"
@@ -7,10 +7,10 @@ namespace trembler::ui {
 
 /// Plain data.
 struct Shown {
-    bool electricity = false; ///< the graph
+    bool electricity = false; ///< the electricity graph
     bool magnetism = false;   ///< forces and field lines
-    bool contacts = false;
-    bool names = false;
+    bool contacts = false;    ///< where objects touch
+    bool names = false;       ///< of all objects
 
     [[nodiscard]] render::Overlays overlays() const {
         return {

@@ -1,4 +1,4 @@
-// What there is to see of a level's sound.
+// The rings that show where a level's sounds come from.
 #pragma once
 
 #include "audio/effect/hearing/rings.hpp"
@@ -13,11 +13,11 @@ namespace trembler::ui {
 /// inspected; that changes no state of the world. Needs no window. Between frames only, by one thread.
 class SoundView {
 public:
-    /// Directly before each World::step. Starts from nothing with every new world.
+    /// To be called directly before each World::step. Begins without rings in every new world.
     void beforeStep(World const& world);
-    /// Directly after it.
+    /// To be called directly after it.
     void afterStep(World const& world);
-    /// As they stand now; none once the world is gone.
+    /// The rings as they are now; none once the world is gone.
     [[nodiscard]] std::vector<render::Ripple> ripples() const;
 
 private:
