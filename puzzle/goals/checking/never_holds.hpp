@@ -1,4 +1,4 @@
-// Goals that nothing in their level can ever reach.
+// Finds goals that can never be reached in their level.
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"
@@ -6,10 +6,10 @@
 
 namespace trembler {
 
-/// Complains about each condition, the inner ones included, that cannot hold whatever happens: an object that
-/// touches itself only, something fixed that moves or gets elsewhere, more objects than there can be. What
-/// the player may place counts; what only arises while the world runs does not, as goals do not speak of it.
-/// The world is the level's, before its first frame.
+/// Complains about each condition, the inner ones included, that can never hold: an object that is to touch
+/// itself, a fixed object that is to move or to be elsewhere, a count of more objects than there can be.
+/// Parts that the player may place count. Objects that come into being while the world runs do not, as no
+/// goal refers to them. The world is that of the level, before its first frame.
 void complainIfNever(Condition const& condition, LevelFile const& level, World const& world,
                      Problems& problems);
 

@@ -29,7 +29,7 @@ std::string ListCondition::joined(Condition const& condition, GoalWords const& w
         nested = nested || child.kind->isCompound(child);
     }
     std::string text;
-    if (nested && phrases.size() > 1) { // with more than commas, as there are commas in the phrases
+    if (nested && phrases.size() > 1) { // with semicolons, as there may be commas in the phrases
         for (std::size_t i = 0; i < phrases.size(); ++i) {
             bool const last = i + 1 == phrases.size();
             text += i == 0 ? "" : last ? (conjunction ? ", and " : ", or ") : "; ";

@@ -19,9 +19,9 @@ namespace {
 constexpr double leastDistance = 1e-3;   // m
 constexpr double greatestDistance = 1e6; // m
 
-/// A direction: how something is moved there, and how it then lies to where it was.
+/// A direction, with words for moving an object in it and for where the object then is.
 struct Direction {
-    std::string_view key; // in a file; none: anywhere
+    std::string_view key; // in a file; empty: any direction
     Vec2 unit;
     std::string_view verb;
     std::string_view adverb;

@@ -33,7 +33,7 @@ public:
         return words.phrase(condition.children.front(), opposite(mood), it);
     }
 
-    /// What it negates may be of several phrases.
+    /// The negated condition may have several phrases.
     [[nodiscard]] bool isCompound(Condition const& /*condition*/) const override { return true; }
 };
 

@@ -1,4 +1,4 @@
-// A condition at work on a world: the objects it speaks of, and what it remembers from frame to frame.
+// How a condition stands in a running world: its objects, and what it remembers from frame to frame.
 #pragma once
 
 #include "puzzle/goals/judging/object_finder.hpp"
@@ -12,8 +12,8 @@
 
 namespace trembler {
 
-/// A level may have half a million of these, so they are plain values that lie in a row, without pointers to
-/// functions of their own, and what only some kinds remember is in `memory`.
+/// A level may have half a million of these. So they are plain values in vectors, without virtual functions,
+/// and what only some kinds remember is in memory().
 class ConditionState {
 public:
     /// `condition` must outlive it. Complains through `finder` about objects that lack what the condition
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] double progress() const { return met_ ? 1 : progress_; }
 
     [[nodiscard]] Condition const& condition() const { return *condition_; }
-    /// The objects that the condition's selectors name, each list ascending.
+    /// The objects that the condition's selectors refer to, each list ascending.
     [[nodiscard]] std::vector<ObjectId> const& subjects() const { return subjects_; }
     [[nodiscard]] std::vector<ObjectId> const& objects() const { return objects_; }
     [[nodiscard]] std::span<ConditionState const> children() const { return children_; }
@@ -38,14 +38,15 @@ public:
     /// Adds the events that make it true, or false if `truth` is false.
     void collectCauses(World const& world, bool truth, std::vector<EventId>& events) const;
     void collectObjects(std::vector<ObjectId>& objects) const;
-    /// Forgets how long it has been held.
+    /// Forgets for how long the condition has held; its children likewise.
     void restart();
 
-    // For the kind of the condition.
+    // Only the condition's kind uses these.
 
     /// Adds a state for each child of the condition, in which "it" is `it`.
     void addChildren(ObjectFinder const& finder, ObjectId it);
-    /// What only the condition's kind knows of. Up to the size of a pointer it takes no memory besides.
+    /// Keeps what only the condition's kind remembers. A value up to the size of a pointer needs no
+    /// allocation.
     template <class Memory>
     void remember(Memory memory) {
         memory_ = std::move(memory);

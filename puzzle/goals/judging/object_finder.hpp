@@ -1,4 +1,4 @@
-// From what a condition of a level speaks of to objects of a world.
+// Finds the objects of a world that the conditions of its level refer to.
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"
@@ -10,24 +10,24 @@
 
 namespace trembler {
 
-/// Finds the objects of conditions in a world that was built from the level, and complains about conditions
-/// that cannot be. Knows the objects that exist when it is made.
+/// Finds objects in a world that was built from the level, and complains about conditions on objects that
+/// lack what these need. Knows the objects that exist when it is made.
 class ObjectFinder {
 public:
     /// All three must outlive it.
     ObjectFinder(LevelFile const& level, World const& world, Problems& problems);
-    /// All objects that the selector speaks of, ascending: those of its names, and those that the level or
-    /// the player made from its parts (Origin); `it` stands for "it".
+    /// All objects that the selector refers to, ascending: those with its names, and those that the level or
+    /// the player made from its parts (Origin). `it` is the object that "it" refers to.
     [[nodiscard]] std::vector<ObjectId> find(Selector const& selector, ObjectId it) const;
-    /// Complains if an object that the selector names does not have the property; `why` says what it cannot
-    /// do without it.
+    /// Complains if an object that the selector names does not have the property. `why` follows the object's
+    /// name in the message, for example "is no conductor, so it is never on".
     void mustHave(Selector const& selector, PropertyInfo const& property, std::string_view why) const;
     [[nodiscard]] World const& world() const { return world_; }
-    /// Conditions that name many objects, each in many ways, are products of what a file states: a small file
-    /// could ask for more memory than there is.
+    /// The greatest number of objects, each counted for every condition that refers to it. That number can be
+    /// far greater than the file is long, so a small file could ask for more memory than there is.
     static constexpr std::size_t most = 4000000;
-    /// Counts objects that conditions speak of. False, with a complaint about `path` the first time, once
-    /// there are more than `most` in all.
+    /// Counts so many objects more. False once there are more than `most` in all; the first time it complains
+    /// about the condition at `path`.
     [[nodiscard]] bool take(std::size_t objects, std::string const& path) const;
 
 private:

@@ -42,7 +42,7 @@ GoalReader::GoalReader(LevelFile const& level) : keys_(listedKeys()) {
 Condition GoalReader::condition(JsonNode const& node) {
     Condition condition;
     condition.path = node.path();
-    if (++conditions_ > limits::conditions) { // finding a place takes a while, and one will do
+    if (++conditions_ > limits::conditions) { // one message suffices: finding a place in the file is slow
         if (conditions_ == limits::conditions + 1) {
             node.complain("is one condition too many", fmt::format("at most {}", limits::conditions));
         }
@@ -161,11 +161,12 @@ void GoalReader::readSingle(JsonNode const& node, Selector& selector) {
         return;
     }
     if (!known_.contains(*name)) {
-        addProblem(node.problems(), [&] { // looking for what was meant costs a walk through all names
-            return node.diagnostic(
-                fmt::format("there is no object '{}'{}", *name, didYouMean(*name, objects_)),
-                "the name of an object of this level; {\"part\": name} for what the player places");
-        });
+        addProblem(
+            node.problems(), [&] { // only if there is room for it: the suggestion looks through all names
+                return node.diagnostic(
+                    fmt::format("there is no object '{}'{}", *name, didYouMean(*name, objects_)),
+                    "the name of an object of this level; {\"part\": name} for what the player places");
+            });
     }
     selector.names.push_back(*name);
 }

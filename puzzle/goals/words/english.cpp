@@ -69,7 +69,6 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-/// An author's sentence as a part of a longer one.
 std::string asClause(std::string text) {
     while (!text.empty() && (text.back() == '.' || text.back() == ' ')) {
         text.pop_back();

@@ -6,7 +6,7 @@
 
 namespace trembler {
 
-/// "the lamp"; "object 1" and "Bob" have names of their own and go without.
+/// "the lamp"; names such as "object 1" and "Bob" get no article.
 [[nodiscard]] std::string withArticle(std::string const& name);
 /// "a steel bar", "an iron ball".
 [[nodiscard]] std::string withIndefiniteArticle(std::string const& noun);
@@ -14,7 +14,7 @@ namespace trembler {
 [[nodiscard]] std::string pluralOf(std::string const& noun);
 /// "one" to "twelve", then digits; 0 is "no".
 [[nodiscard]] std::string numberWord(int number);
-/// "a, b and c", with another last word if wanted.
+/// "a, b and c", where `last` is the word before the last item, such as "and".
 [[nodiscard]] std::string enumerated(std::vector<std::string> const& items, std::string const& last);
 /// With a capital first letter.
 [[nodiscard]] std::string capitalised(std::string text);

@@ -8,28 +8,29 @@
 
 namespace trembler {
 
-/// How a condition is spoken of.
+/// What a phrase asks the player to do about a condition.
 enum class Mood {
-    reach, ///< bring it about: "switch on the lamp"
-    keep,  ///< let it last: "keep the lamp lit"
-    avoid, ///< never let it be: "keep the lamp off"
+    reach, ///< make it hold: "switch on the lamp"
+    keep,  ///< let it go on holding: "keep the lamp lit"
+    avoid, ///< never let it hold: "keep the lamp off"
 };
-/// That of the opposite condition.
+/// The mood in which the opposite condition has to be phrased.
 [[nodiscard]] Mood opposite(Mood mood);
 
-/// Whom a phrase is about.
+/// The objects that a phrase is about, in words.
 struct Noun {
     std::string words;
     bool plural = false;
 };
 
-/// Makes sentences from conditions: what all kinds need for their phrases. Looks at the world for where
-/// things are, so that a sentence can say "lift", and for what they are.
+/// Makes sentences from conditions, with what the kinds need for their phrases. Looks up in the world where
+/// objects are, so that a sentence can say "lift", and what they are.
 class GoalWords {
 public:
     explicit GoalWords(World const& world) : world_(world) {}
 
-    /// One sentence for the player, with a capital and without a full stop. The author's own text goes first.
+    /// One sentence for the player, with a capital and without a full stop: the text of the level's author if
+    /// there is one, else one made from the condition.
     [[nodiscard]] std::string sentence(Condition const& condition) const;
     /// The condition as a part of a sentence, with the time for which it must hold. `it` is what "it" is
     /// called, null outside a count.
@@ -37,8 +38,8 @@ public:
 
     /// What the objects of a selector are called.
     [[nodiscard]] Noun noun(Selector const& selector, Noun const* it) const;
-    /// Whether all objects and parts of a selector are lamps (isLamp()), so that they are lit and not
-    /// switched on. "it" is not looked at and counts as none.
+    /// Whether all objects and parts of a selector are lamps (isLamp()), so that a sentence says "light" and
+    /// not "switch on". False for "it".
     [[nodiscard]] bool areLamps(Selector const& selector) const;
     /// The one object of a selector, or an invalid id.
     [[nodiscard]] ObjectId single(Selector const& selector) const;
