@@ -32,7 +32,7 @@ inline Json hinges(int n) {
     return made;
 }
 
-/// Bodies that each hang from a joint of their own on one that is fixed.
+/// Bodies that each hang from a fixed body by a joint of their own.
 inline Json ownJoints(int n, char const* form, double breakForce) {
     Json made = level("joints");
     for (int i = 0; i < n; ++i) {
@@ -61,7 +61,7 @@ inline Json stacks(int n) {
     return made;
 }
 
-/// Bodies in one place, each inside of all others.
+/// Bodies in one place, each overlapping all others.
 inline Json crowd(int n) {
     Json made = level("crowd");
     for (int i = 0; i < n; ++i) {
@@ -107,7 +107,7 @@ inline Json overlappingPools(int n) {
     return made;
 }
 
-/// Boxes of steel that land in one frame, heard.
+/// Steel boxes that land in one frame, with listeners.
 inline Json heard(int n, int ears) {
     Json made = row(n, 0.5, 0.01);
     for (Json& object : made["objects"]) {

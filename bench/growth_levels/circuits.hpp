@@ -60,7 +60,7 @@ inline Json net(int n) {
     return made;
 }
 
-/// Motors that turn, all on one source.
+/// Running motors, all on one source.
 inline Json motors(int n) {
     Json made = level("motors");
     add(made, "source", 0, 0, {{"conductor", true}, {"electrical_source", true}});

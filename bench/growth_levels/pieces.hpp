@@ -1,4 +1,4 @@
-// What the levels of the growth bench are put together from.
+// Pieces of which the levels of bench_growth are made.
 #pragma once
 
 #include <fmt/format.h>
@@ -78,7 +78,7 @@ inline Json twoBodies() {
     return made;
 }
 
-/// Things in a square lattice, `apart` m.
+/// Objects on a square lattice, `apart` m from each other.
 inline Json lattice(int n, double apart, Json const& properties) {
     Json made = level("lattice");
     int const side = static_cast<int>(std::ceil(std::sqrt(n)));

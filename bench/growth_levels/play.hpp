@@ -12,7 +12,7 @@
 
 namespace bench {
 
-/// Parts that stand by themselves.
+/// Parts that stay in place without support by others.
 constexpr std::array<char const*, 10> placed{"crate",        "brick",     "block",       "plank",
                                              "steel ball",   "iron ball", "rubber ball", "wooden ball",
                                              "wooden wedge", "wooden bar"};
@@ -20,7 +20,7 @@ constexpr std::array<char const*, 10> placed{"crate",        "brick",     "block
 inline Json goals(int n) {
     Json made = lattice(n, 2, {{"shape", box(0.5, 0.5)}});
     Json all = Json::array();
-    for (int i = 1; i < n; ++i) { // "all" is one itself
+    for (int i = 1; i < n; ++i) { // the condition "all" counts as one of the n
         all.push_back({{"moved", {{"object", numbered("thing", i)}, {"by", 1000}}}});
     }
     made["goals"] = {{"all", all}};
@@ -87,7 +87,7 @@ inline Json cutsAtOnce(int n) {
         n);
 }
 
-/// Parts out of the toolbox, each in a place where it is free. A part is there a thousand times at most.
+/// Parts from the toolbox, each in a free place. Every part is used at most a thousand times.
 inline Json placements(int n) {
     Json made = level("placed");
     made["toolbox"] = Json::array();

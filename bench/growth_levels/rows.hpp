@@ -1,4 +1,4 @@
-// The rows of the growth bench: a level for everything that a level can state in number.
+// The rows of bench_growth: a level for everything that a level can contain in any number.
 #pragma once
 
 #include "bench/growth_levels/bodies.hpp"
@@ -14,17 +14,17 @@
 
 namespace bench {
 
-/// Something that a level can state in number.
+/// Something that a level can contain in any number.
 struct GrowthRow {
     std::string key;
     std::string what;
     std::function<Json(int)> make;
-    /// Whether the level is refused, and this is what is measured.
+    /// Whether the level is refused, so that only the refusal is measured.
     bool refused = false;
-    /// More of it than a level may hold.
+    /// The largest n to measure.
     std::size_t most = 1000000;
-    /// Above these exponents the bench fails. Where one is greater than usual,
-    /// docs/measurements/performance.md says why.
+    /// The bench fails above these exponents. docs/measurements/performance.md explains those that are
+    /// greater than usual.
     double mostOfLoad = 1.25;
     double mostOfFrame = 1.25;
 };
@@ -71,7 +71,7 @@ inline std::vector<GrowthRow> growthRows() {
         {"heard", "boxes that land in one frame, for an ear", [](int n) { return heard(n, 1); }},
         {"ears", "ears, ten boxes land", [](int n) { return heard(10, n); }},
         {"sounds-and-ears", "boxes that land, and as many ears", [](int n) { return heard(n, n); }, false,
-         trembler::limits::objects / 2 - 1000, 1.25, 2.2}, // sounds times ears
+         trembler::limits::objects / 2 - 1000, 1.25, 2.2}, // sounds times listeners
         {"goals", "goals, each about a body of its own", goals, false, trembler::limits::conditions},
         {"touch-goal", "boxes in a goal that any two of them touch", touchGoal},
         {"solutions", "solutions", solutions, false, trembler::limits::solutions},
@@ -85,7 +85,7 @@ inline std::vector<GrowthRow> growthRows() {
         {"refused-placements", "placements, all but one refused", refusedPlacements, true,
          trembler::limits::placements},
         {"refused-connections", "connections to nothing, all refused", refusedConnections, true, 1000000,
-         1.4}, // for the first hundred, all names are looked through
+         1.4}, // all names are searched for the first hundred
     };
 }
 
