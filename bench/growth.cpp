@@ -9,7 +9,7 @@
 // Processor time, so that other programs on the machine have little influence, and medians of up to five
 // trials. The time of a frame is the mean of five, so that work which is done in only one of them counts.
 // Sizes that would take more than half a minute, extrapolated from smaller ones, are skipped.
-#include "bench/growth_levels.hpp"
+#include "bench/growth_levels/rows.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"

@@ -1,5 +1,6 @@
 #include "game/budget/budget_mode.hpp"
 
+#include "runtime/level/model/change_fault.hpp"
 #include "runtime/level/model/world_change.hpp"
 
 #include <fmt/format.h>

@@ -46,7 +46,7 @@ public:
     /// What the player does, for the next frame. Does nothing before begin().
     void feed(PlayerInput const& input);
     /// Changes how exactly the world is computed, from the next frame on. Throws std::invalid_argument, see
-    /// world_change.hpp.
+    /// change_fault.hpp.
     void change(RecordedChange change);
 
     /// What was fed since begin(), with the frames that see it, ascending.

@@ -2,7 +2,7 @@
 
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/json/add_problem.hpp"
-#include "runtime/level/model/world_change.hpp"
+#include "runtime/level/model/change_fault.hpp"
 
 #include <utility>
 

@@ -74,7 +74,7 @@ public:
     [[nodiscard]] std::span<RecordedInput const> inputs() const { return run_->inputs(); }
     /// Changes how exactly the running world is computed from its next frame on, and remembers it with that
     /// frame; later runs know nothing of it. Does nothing while building. Throws std::invalid_argument, see
-    /// world_change.hpp.
+    /// change_fault.hpp.
     void change(RecordedChange change);
     /// All such changes of this run, those of setDetail() and setPeriod() among them.
     [[nodiscard]] std::span<RecordedChange const> changes() const { return run_->changes(); }

@@ -1,6 +1,6 @@
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/play/asked_twice.hpp"
-#include "game/ui/play/run_control.hpp"
+#include "game/ui/commands/asked_twice.hpp"
+#include "game/ui/play/run/run_control.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/theme.hpp"
 

@@ -1,8 +1,8 @@
 #include "game/ui/headless/screenshot.hpp"
 
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/play/goal_areas.hpp"
-#include "game/ui/play/sound_view.hpp"
+#include "game/ui/play/view/goal_areas.hpp"
+#include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "game/ui/tools/camera_control.hpp"
 #include "puzzle/solutions/solution_file.hpp"

@@ -23,7 +23,7 @@ std::string keyOf(KeyBindings const& bindings, std::string_view command) {
     return keys.empty() ? std::string() : labelOf(keys.front());
 }
 
-/// Below what stands at the top, above the tools.
+/// The components panel, between the cards at the top of the screen and the row of tools.
 void drawComponents(PlayParts& parts, float screen) {
     UiContext& context = parts.context;
     float top = 150;

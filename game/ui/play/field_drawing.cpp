@@ -10,7 +10,7 @@ namespace {
 
 using namespace render;
 
-/// The knob that turns the selected part, on its arc.
+/// The handle that turns the selected part, on its arc.
 void drawHandle(PlayParts const& parts) {
     auto const handle = parts.handle();
     if (!handle) {
@@ -45,7 +45,7 @@ void drawCarried(PlayParts const& parts) {
     }
 }
 
-/// The wire that a click would cut.
+/// Marks the wire that a click of the scissors would cut.
 void drawBlades(PlayParts const& parts) {
     auto const& wire = parts.hand.wireUnderBlades();
     if (!parts.hand.cutting() || !wire.a.valid()) {
