@@ -172,7 +172,7 @@ struct HeatFromFuel final : Interaction<HeatFromFuel, HeatRole, Reads<Fuel>> {
         });
     }
 };
-/// Strikes everything hot once whenever the glow was worked out again.
+/// Strikes everything hot once whenever the glow was recomputed.
 struct HeatFromGlow final : Interaction<HeatFromGlow, HeatRole, Reads<Glow, Heat>> {
     static constexpr ComponentText text{
         .name = "Heat <- Glow", .effect = "heat", .level = "", .work = "Strikes."};
