@@ -49,8 +49,8 @@ bool Box2dEngine::tooManyImpacts() const {
         return false;
     }
     // Box2D looks for impacts on what is fixed, and on and of bullets: each such contact once.
-    double impacts = 0; // that there may be
-    for (SlotIndex const slot : stopping_) {
+    double impacts = 0; // that there may be: as many in any order of slots
+    for (SlotIndex const slot : stopping_.members()) {
         bool const moves = isActive(*bodies_[slot].body);
         for (b2ContactEdge const* edge = bodies_[slot].body->GetContactList(); edge != nullptr;
              edge = edge->next) {
