@@ -2,8 +2,9 @@
 #pragma once
 
 #include "game/ui/shared/layout.hpp"
-#include "runtime/world/world.hpp"
+#include "puzzle/session/session.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,22 +33,28 @@ struct InspectorSection {
 /// A number as people read it: four digits, SI's own spelling of what is very large or small.
 [[nodiscard]] std::string readable(double value);
 
-/// The card. Follows an object by its name, as ids do not outlive a run.
+/// The card. Follows an object through all runs of its session (LastingObject), whatever it is called there.
 class Inspector {
 public:
-    void show(std::string name) { name_ = std::move(name); }
-    void close() { name_.clear(); }
-    [[nodiscard]] bool open() const { return !name_.empty(); }
+    /// Shows an object of the session's world; closes the card for an invalid id.
+    void show(Session const& session, ObjectId object);
+    void close() { subject_.reset(); }
+    [[nodiscard]] bool open() const { return subject_.has_value(); }
+    /// What is shown, in the session's world as it is now; an invalid id if the card is closed or the object
+    /// is not there.
+    [[nodiscard]] ObjectId object(Session const& session) const;
+    /// What it is called, or was last called, while the card is open.
     [[nodiscard]] std::string const& name() const { return name_; }
 
     /// Between Gui::beginFrame and endFrame, in pixels at UI scale 1: how far from the window's top it
     /// stands, and how high it may be.
-    void draw(Layout& layout, World const& world, float top, float height);
+    void draw(Layout& layout, Session const& session, float top, float height);
     /// What was last drawn.
     [[nodiscard]] std::vector<InspectorSection> const& shown() const { return shown_; }
 
 private:
-    std::string name_;
+    std::optional<LastingObject> subject_;
+    std::string name_; // as of the last picture in which it was there
     std::vector<InspectorSection> shown_;
 };
 
