@@ -1,7 +1,7 @@
 // Electricity: what the scene's circuits call for, or more. There is no nearly right in "on" and "off".
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
-#include "physics/electricity/core/sufficient_level.hpp"
+#include "physics/electricity/properties/scene_level.hpp"
 
 namespace trembler::budget {
 namespace electricity_knob {

@@ -8,7 +8,14 @@
 # The face of an effect (a folder of physics/ with a register.hpp, and audio/effect) is calls.hpp and properties.hpp or
 # properties/. What stands in properties/ includes nothing else of its effect. Interactions A <- B live with A and are
 # registered by B, if B is there: so register.cpp, and nothing else, may include another effect's interactions/from_*.
-# What effects share (physics/*.hpp, physics/inverse_square) knows none of them; only register_physics.cpp knows all.
+# (Whoever registers all of them in one place would register them in another order, and that is part of the simulation.)
+# What effects share (physics/*.hpp, physics/inverse_square) knows none of them; register_physics.cpp knows the faces and
+# the register.hpp of all, and nothing behind them.
+#
+# Whoever stands above the effects sees their faces, too, and register.hpp. The budget, the ladders, the hard cases, the
+# SPICE export, the synthesiser and the sound rings evaluate besides what derived property sets are made of, which are pure
+# functions and change nothing: the folders and files of `pure` below. Nobody outside sees core/, rules/, interactions/ or
+# engines/.
 set -euo pipefail
 
 effects=(audio/effect)
@@ -40,6 +47,7 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
     }
     BEGIN {
         split(effects, effect, " ")
+        pure = "^(physics/buoyancy/hulls/|physics/electricity/analyses/|physics/magnetism/magnetic_|audio/effect/hearing/)"
         below["runtime"] = "runtime"
         below["physics"] = "runtime physics"
         below["sound"] = "runtime physics sound"
@@ -79,6 +87,8 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
             }
         } else if (from ~ /^physics\// && from != "physics/register_physics.cpp") {
             complain("what effects share knows none of them")
+        } else if (!public && inside != "register.hpp" && (from ~ /^(physics|render)\// || to !~ pure)) {
+            complain("that is not for others (calls.hpp, properties, register.hpp and pure functions are)")
         }
     }
     END {

@@ -1,6 +1,6 @@
 // What the inspector says of sound. (What it says of the rest is in play_screen_test.)
-#include "audio/effect/hearing/loudness.hpp"
 #include "audio/effect/properties/decibel.hpp"
+#include "audio/effect/properties/loudness.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "puzzle/session/session.hpp"
 #include "puzzle/solutions/solution_file.hpp"
