@@ -82,6 +82,13 @@ inline std::vector<GrowthRow> growthRows() {
              return atOnce(
                  lattice(n, 2, crate), "remove", [](int i) { return numbered("thing", i); }, n);
          }},
+        {"removed-fixed", "fixed boxes that the player removes in one frame",
+         [=](int n) {
+             Json fixed = crate;
+             fixed["fixed"] = true;
+             return atOnce(
+                 lattice(n, 2, fixed), "remove", [](int i) { return numbered("thing", i); }, n);
+         }},
         {"refused-placements", "placements, all but one refused", refusedPlacements, true,
          trembler::limits::placements},
         {"refused-connections", "connections to nothing, all refused", refusedConnections, true, 1000000,

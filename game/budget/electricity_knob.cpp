@@ -2,7 +2,7 @@
 // not allowed: "on" and "off" have no small error.
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
-#include "physics/electricity/core/sufficient_level.hpp"
+#include "physics/electricity/properties/scene_level.hpp"
 
 namespace trembler::budget {
 namespace electricity_knob {

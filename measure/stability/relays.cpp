@@ -3,10 +3,10 @@
 #include "measure/stability/hard_case.hpp"
 #include "physics/electricity/calls.hpp"
 #include "physics/electricity/properties/electrical.hpp"
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "puzzle/data/effects.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/property/for_each.hpp"
+#include "runtime/world/registry.hpp"
 
 #include <fmt/format.h>
 
@@ -68,6 +68,12 @@ Registry const& registry() {
     return shared;
 }
 
+/// How a level's wires are connected.
+Connector const& levelWire() {
+    auto const all = registry().connectors();
+    return *std::find_if(all.begin(), all.end(), [](Connector const& one) { return one.kind == "wire"; });
+}
+
 /// The behaviour of a ring of relays: each relay's contact feeds the next one's coil.
 struct Course {
     std::vector<std::vector<int>> switched; // by coil, the frames in which it was switched
@@ -91,9 +97,10 @@ Course run(std::vector<bool> const& closedAtRest, int threads, int frames) {
     std::vector<ObjectId> coils;
     for (std::size_t i = 0; i < closedAtRest.size(); ++i) {
         coils.push_back(conductor(fmt::format("coil {}", i)));
-        if (auto const wrong = connectInitially(store, coils.back(), earth)) {
+        if (auto const wrong = levelWire().refusal(store, coils.back(), earth)) {
             throw std::logic_error(*wrong);
         }
+        levelWire().lay(store, coils.back(), earth);
     }
     for (std::size_t i = 0; i < coils.size(); ++i) {
         store.column<Relay>().set(coils[i], {source, coils[(i + 1) % coils.size()], closedAtRest[i]});

@@ -26,6 +26,9 @@ public:
     /// The object that a placement became, by its index in those that were given. It may have been destroyed
     /// since.
     [[nodiscard]] ObjectId objectOf(std::size_t placement) const { return built_.placements[placement]; }
+    /// Likewise of the level's "objects" and "joints", by index.
+    [[nodiscard]] std::span<ObjectId const> objects() const { return built_.objects; }
+    [[nodiscard]] std::span<ObjectId const> joints() const { return built_.joints; }
     /// The index of the placement that an object came from; nothing for any other object.
     [[nodiscard]] std::optional<std::size_t> placementOf(ObjectId object) const;
 

@@ -8,8 +8,14 @@
 # The public headers of an effect (a folder of physics/ with a register.hpp, and audio/effect) are calls.hpp and
 # properties.hpp or properties/. Files in properties/ include nothing else of their effect. Interactions A <- B are in A's
 # folder and are registered by B: so register.cpp, and no other file, may include another effect's interactions/from_*.
+# (A single place for all registrations would change their order, which is part of the simulation.)
 # Files that effects share (physics/*.hpp, physics/inverse_square) include none of them; only register_physics.cpp
-# includes all.
+# includes the public headers and the register.hpp of all.
+#
+# Folders above the effects include their public headers and register.hpp. The budget, the ladders, the hard cases, the
+# SPICE export, the synthesiser and the sound rings may also include the pure functions from which derived property sets
+# are computed: the folders and files of `pure` below. No other effect or folder includes core/, rules/, interactions/ or
+# engines/.
 set -euo pipefail
 
 effects=(audio/effect)
@@ -41,6 +47,7 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
     }
     BEGIN {
         split(effects, effect, " ")
+        pure = "^(physics/buoyancy/hulls/|physics/electricity/analyses/|physics/magnetism/magnetic_|audio/effect/hearing/)"
         below["runtime"] = "runtime"
         below["physics"] = "runtime physics"
         below["sound"] = "runtime physics sound"
@@ -80,6 +87,8 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
             }
         } else if (from ~ /^physics\// && from != "physics/register_physics.cpp") {
             complain("what effects share knows none of them")
+        } else if (!public && inside != "register.hpp" && (from ~ /^(physics|render)\// || to !~ pure)) {
+            complain("that is not for others (calls.hpp, properties, register.hpp and pure functions are)")
         }
     }
     END {

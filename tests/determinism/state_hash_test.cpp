@@ -291,7 +291,7 @@ TEST(StateHashCovers, EveryMemberOfEverySlotOrTheListSaysWhyNot) {
     checkSlots(all.world, AllSlots{});
 }
 
-// What is worked out again in each turn is state where its provider has a period: it stands for several
+// What is recomputed in each turn is state where its provider has a period: it stands for several
 // frames.
 TEST(StateHashCovers, WhatStandsForSeveralFrames) {
     for (int const period : {1, 5}) {

@@ -1,5 +1,5 @@
 // A level in which noise closes a circuit.
-#include "audio/effect/hearing/loudness.hpp"
+#include "audio/effect/properties/loudness.hpp"
 #include "tests/support/experiment.hpp"
 
 namespace trembler {

@@ -1,5 +1,5 @@
-#include "audio/effect/hearing/loudness.hpp"
 #include "audio/effect/properties/decibel.hpp"
+#include "audio/effect/properties/loudness.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/shared/words.hpp"
 #include "physics/dynamics/properties/body.hpp"

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "game/ui/shared/layout.hpp"
-#include "runtime/world/world.hpp"
+#include "puzzle/session/session.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,22 +34,28 @@ struct InspectorSection {
 /// 1e-9.
 [[nodiscard]] std::string readable(double value);
 
-/// The inspector's card. Follows an object by its name, because ids are valid only within a run.
+/// The inspector's card. Follows an object through all runs of its session (LastingObject), whatever its name.
 class Inspector {
 public:
-    void show(std::string name) { name_ = std::move(name); }
-    void close() { name_.clear(); }
-    [[nodiscard]] bool open() const { return !name_.empty(); }
+    /// Shows an object of the session's world; closes the card for an invalid id.
+    void show(Session const& session, ObjectId object);
+    void close() { subject_.reset(); }
+    [[nodiscard]] bool open() const { return subject_.has_value(); }
+    /// What is shown, in the session's world as it is now; an invalid id if the card is closed or the object
+    /// is not there.
+    [[nodiscard]] ObjectId object(Session const& session) const;
+    /// What it is called, or was last called, while the card is open.
     [[nodiscard]] std::string const& name() const { return name_; }
 
     /// Call between Gui::beginFrame and endFrame. `top`, the distance from the window's top, and the maximum
     /// `height` are in pixels at UI scale 1.
-    void draw(Layout& layout, World const& world, float top, float height);
+    void draw(Layout& layout, Session const& session, float top, float height);
     /// The sections drawn last.
     [[nodiscard]] std::vector<InspectorSection> const& shown() const { return shown_; }
 
 private:
-    std::string name_;
+    std::optional<LastingObject> subject_;
+    std::string name_; // as of the last picture in which it was there
     std::vector<InspectorSection> shown_;
 };
 

@@ -66,7 +66,7 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     drawTools(buttons, session);
     drawSuccess(buttons, session, parts.celebration);
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
-    parts.inspector.draw(layout, session.world(), cornerRow, screen - cornerRow - bottomRow - 8);
+    parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
     drawComponents(parts, screen);
     return buttons.asked();
 }

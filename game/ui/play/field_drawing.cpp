@@ -83,7 +83,6 @@ void drawWords(PlayParts const& parts) {
 }
 
 SceneOptions sceneOptions(PlayParts& parts, double time) {
-    World const& world = parts.session.world();
     SceneOptions options{.time = time, .alpha = parts.run.alpha(), .overlays = parts.shown.overlays()};
     auto const& carried = parts.placing.carried();
     if (parts.session.level().placing && carried && !carried->turning) {
@@ -92,7 +91,7 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
     if (parts.placing.selected() && !carried) {
         options.selected = parts.session.objectOf(*parts.placing.selected());
     } else if (parts.inspector.open()) {
-        options.selected = world.store().find(parts.inspector.name());
+        options.selected = parts.inspector.object(parts.session);
     }
     ObjectId const hovered = parts.picking.hovered();
     bool const canTake =

@@ -14,6 +14,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 namespace trembler {
@@ -162,6 +163,19 @@ TEST(ElectricMotor, StallsWhereSomethingHoldsIt) {
     EXPECT_TRUE(bench.on(rotor));
     EXPECT_NEAR(bench.spin(rotor), 0, 1e-3);
     EXPECT_GT(bench.world->find<Rotation>(rotor)->angle, 0.5) << "it turned until it met the stop";
+}
+
+// Equal and opposite torques on two free bodies: their relative speed changes as that of one body would.
+TEST(ReducedInertia, IsWhatARelativeTurningFeels) {
+    double const a = 0.3;
+    double const b = 1.7;
+    double const torque = 2.5;
+    double const apart = torque / a - -torque / b; // rad/s², by Euler's law for each
+    EXPECT_NEAR(torque / reducedInertia(a, b), apart, 1e-12);
+    double const endless = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(reducedInertia(a, endless), a) << "against the world";
+    EXPECT_EQ(reducedInertia(a, 0), 0);
+    EXPECT_EQ(reducedInertia(endless, endless), endless);
 }
 
 TEST(MotorTorque, IsAStraightLineThatNeverOvershoots) {

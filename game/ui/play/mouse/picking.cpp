@@ -17,11 +17,7 @@ void Picking::pointAt(Pointer const& pointer) {
 }
 
 void Picking::inspect(ObjectId object) {
-    if (object.valid()) {
-        inspector_.show(session_.world().store().nameOf(object));
-    } else {
-        inspector_.close();
-    }
+    inspector_.show(session_, object);
 }
 
 } // namespace trembler::ui

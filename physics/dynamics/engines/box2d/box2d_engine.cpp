@@ -61,7 +61,7 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
                      .extent = extentOf(spec)};
     b2FixtureDef fixture; // its density stays 0: mass and moment are set for the whole body
     if (stops(*body)) {
-        stopping_.push_back(slot);
+        stopping_.insert(slot);
     }
     fixture.friction = static_cast<float>(spec.friction);
     fixture.restitution = static_cast<float>(spec.restitution);
@@ -86,7 +86,7 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
 void Box2dEngine::removeBody(SlotIndex slot) {
     world_.DestroyBody(bodies_[slot].body);
     forgetReported(slot);
-    std::erase(stopping_, slot);
+    stopping_.erase(slot);
     bodies_[slot] = {};
     awake_[slot] = 0;
     disturbed_ = true; // Box2D has woken the bodies that touched it

@@ -8,6 +8,7 @@
 #include "physics/dynamics/engines/box2d/box2d_crowd.hpp"
 #include "physics/dynamics/engines/box2d/box2d_displacement.hpp"
 #include "physics/dynamics/engines/box2d/joints_at_once.hpp"
+#include "physics/dynamics/engines/slot_set.hpp"
 
 #include <box2d/box2d.h>
 
@@ -153,7 +154,7 @@ private:
     b2World world_;
     b2Body* ground_ = nullptr; // what joints to the world hold on to
     std::vector<BodyEntry> bodies_;
-    std::vector<SlotIndex> stopping_; // fixed bodies and bullets
+    SlotSet stopping_; // fixed bodies and bullets
     std::vector<JointEntry> joints_;
     std::vector<DraggedBody> dragged_;     // by slot
     std::vector<SlotIndex> draggedSlots_;  // of those that any drag acts on

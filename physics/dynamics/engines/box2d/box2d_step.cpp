@@ -49,8 +49,8 @@ bool Box2dEngine::tooManyImpacts() const {
         return false;
     }
     // Box2D's continuous collision detection covers static bodies and bullets: counts each such contact once.
-    double impacts = 0; // upper bound of the number of impacts
-    for (SlotIndex const slot : stopping_) {
+    double impacts = 0; // upper bound of the number of impacts, equal in any order of slots
+    for (SlotIndex const slot : stopping_.members()) {
         bool const moves = isActive(*bodies_[slot].body);
         for (b2ContactEdge const* edge = bodies_[slot].body->GetContactList(); edge != nullptr;
              edge = edge->next) {
