@@ -121,14 +121,6 @@ TEST(PropertyRoundTrip, KeepsEveryBit) {
     }));
 }
 
-TEST(PropertyRoundTrip, StatesAnglesAsTheFileDid) {
-    EXPECT_TRUE(rc::check("degrees survive the way to radians and back", [] {
-        double const stated =
-            *rc::gen::map(rc::gen::inRange(-3600000, 3600001), [](int i) { return i / 1e4; });
-        RC_ASSERT(degrees(radians(stated)) == stated);
-    }));
-}
-
 TEST(PropertyWriter, LeavesOutWhatIsInitial) {
     EXPECT_EQ(writeProperty(ValueOf<Cake>()).dump(), "true");
     EXPECT_EQ(writeProperty(ValueOf<sample::Tag>()).dump(), "true");

@@ -1,14 +1,11 @@
-// trembler accuracy, with tiny scenes: every ladder is complete, levels are exact where they must be, and
-// reports contain the measured values. Times are not tested.
+// The ladders, with tiny scenes: every ladder is complete, and levels are exact where they must be. Times are
+// not tested.
 #include "measure/accuracy/ladder.hpp"
-#include "measure/accuracy/ladders/ngspice.hpp"
-#include "measure/accuracy/ladders/wiring.hpp"
-#include "measure/accuracy/plot.hpp"
 #include "measure/accuracy/report.hpp"
 #include "puzzle/data/game_data.hpp"
+#include "tests/measure/accuracy/three_rungs.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +13,7 @@
 #include <set>
 
 namespace trembler::accuracy {
-namespace accuracy_test {
+namespace ladders_test {
 namespace {
 
 GameData const& gameData() {
@@ -182,92 +179,6 @@ TEST(Accuracy, NodalKnowsAmperesAndNobodyElseDoes) {
     }
 }
 
-// What ngspice says and what elimination says of the same circuits: they share no line of code.
-TEST(Accuracy, NgspiceAndEliminationAgree) {
-    // One lamp of 12 ohm on 12 V with 0.1 ohm inside, and halves of wires: by hand.
-    std::string const netlist = "* one\n* 0 = 'minus'\n* n1 = 'plus', 'wire'\n* n2 = 'lamp'\n"
-                                "v1 p1 0 dc 12\nr1 p1 n1 0.1\nr2 n1 n2 6\nr3 n2 0 6\n"
-                                ".control\nset numdgt=15\nop\nprint all\n.endc\n.end\n";
-    auto const found = potentialsByNgspice(netlist);
-    EXPECT_FALSE(potentialsByNgspice("").has_value());
-    if (!found) {
-        GTEST_SKIP() << "ngspice is not installed";
-    }
-    EXPECT_EQ(found->size(), 4U);
-    EXPECT_EQ(found->at("minus"), 0);
-    EXPECT_NEAR(found->at("plus"), 12 * 12 / 12.1, 1e-9);
-    EXPECT_NEAR(found->at("wire"), 12 * 12 / 12.1, 1e-9);
-    EXPECT_NEAR(found->at("lamp"), 12 * 6 / 12.1, 1e-9);
-}
-
-TEST(AccuracyWiring, CurrentsFollowOhmsLaw) {
-    Wiring w;
-    std::uint32_t const plus = w.add(Part::source, wireOhms);
-    std::uint32_t const minus = w.add(Part::earth, wireOhms);
-    std::uint32_t const a = w.add(Part::lamp, lampOhms);
-    std::uint32_t const b = w.add(Part::lamp, lampOhms);
-    std::uint32_t const loose = w.add(Part::lamp, lampOhms);
-    w.cable(plus, a);
-    w.cable(a, b);
-    w.cable(b, minus);
-    w.cable(b, loose);
-    std::vector<double> const amperes = currents(w, potentials(w));
-    double const expected = sourceVolts / (sourceOhms + 2 * wireOhms + 2 * lampOhms);
-    EXPECT_NEAR(amperes[a], expected, 1e-12);
-    EXPECT_NEAR(amperes[b], expected, 1e-12);
-    EXPECT_NEAR(amperes[loose], 0, 1e-12);
-}
-
-TEST(AccuracyWiring, GlowsAsTheSchoolbookSays) {
-    auto const all = schoolbook(72);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        Wiring const& w = all[i];
-        std::vector<bool> const glow = glowing(w);
-        std::vector<bool> lamps;
-        for (std::size_t p = 0; p < w.parts.size(); ++p) {
-            if (w.parts[p] == Part::lamp) {
-                lamps.push_back(glow[p]);
-            }
-        }
-        switch (i % 6) {
-        case 0: // in balance: four arms, and nothing across
-            EXPECT_EQ(lamps, (std::vector<bool>{true, true, true, false, true}));
-            break;
-        case 3: // three arms and a wire: all of them
-            EXPECT_EQ(lamps, (std::vector<bool>{true, true, true, true}));
-            break;
-        case 1: // the middle one has a wire across it
-            EXPECT_EQ(lamps, (std::vector<bool>{true, false, true}));
-            break;
-        case 2: { // 1/k² of the rated power each: from ten on they are dark
-            bool const bright = lamps.size() < 10;
-            EXPECT_EQ(lamps, std::vector<bool>(lamps.size(), bright)) << lamps.size();
-            break;
-        }
-        case 4:
-            EXPECT_EQ(lamps, (std::vector<bool>{true, true, true, false}));
-            break;
-        default:
-            EXPECT_EQ(lamps, (std::vector<bool>{false, false, true}));
-        }
-    }
-}
-
-Ladder threeRungs() {
-    Ladder one;
-    one.effect = "gravity";
-    one.scene = "a <made-up> scene & more";
-    one.unit = "m";
-    one.error = "distance";
-    one.reference = "nothing";
-    one.rungs = {{"cheap", 1, 0.5, "much", false, {}},
-                 {"silly", 10, 0.6, "much | more", false, {}},
-                 {"expensive", 100, 0, "little", false, {}},
-                 {"as expensive", 102, 0, "little", false, {}},
-                 {"torn", 5, std::numeric_limits<double>::infinity(), "all", false, {}}};
-    return one;
-}
-
 TEST(AccuracyFront, IsWhatNobodyBeats) {
     Ladder one = threeRungs();
     markFront(one);
@@ -283,67 +194,6 @@ TEST(AccuracyFront, IsWhatNobodyBeats) {
     }
 }
 
-TEST(AccuracyReport, JsonHasEveryRung) {
-    std::vector<Ladder> all{threeRungs()};
-    markFront(all[0]);
-    auto const json = nlohmann::json::parse(asJson(all).dump());
-    auto const& levels = json.at("ladders").at(0).at("levels");
-    ASSERT_EQ(levels.size(), 5U);
-    EXPECT_EQ(levels[1].at("beaten_by"), "cheap");
-    EXPECT_EQ(levels[1].at("error"), 0.6);
-    EXPECT_EQ(levels[1].at("us_per_frame"), 10);
-    EXPECT_EQ(levels[1].at("cannot_tell"), "much | more");
-    EXPECT_TRUE(levels[4].at("error").is_null());
-    EXPECT_EQ(levels[0].at("front"), true);
-}
-
-TEST(AccuracyReport, MarkdownIsATableAndTextSaysWhoIsBeaten) {
-    std::vector<Ladder> all{threeRungs()};
-    markFront(all[0]);
-    std::string const markdown = asMarkdown(all, "pictures");
-    EXPECT_NE(markdown.find("| silly | 10 | 0.6 | beaten by cheap | much \\| more |\n"), std::string::npos)
-        << markdown;
-    EXPECT_NE(markdown.find("| torn | 5 | no bound | beaten by cheap | all |\n"), std::string::npos);
-    EXPECT_NE(markdown.find("(pictures/accuracy-gravity-a-made-up-scene-more.svg)"), std::string::npos);
-    std::string const text = asText(all);
-    EXPECT_NE(text.find("beaten by cheap"), std::string::npos);
-    EXPECT_NE(text.find("expensive cannot tell little"), std::string::npos);
-}
-
-TEST(AccuracyReport, WhatNoLevelCanTellIsSaidOnce) {
-    std::vector<Ladder> all{threeRungs()};
-    for (Rung& rung : all[0].rungs) {
-        rung.cannotTell = "the future";
-    }
-    markFront(all[0]);
-    std::string const markdown = asMarkdown(all, "");
-    EXPECT_NE(markdown.find("None of them can tell the future.\n"), std::string::npos) << markdown;
-    EXPECT_NE(markdown.find("| silly | 10 | 0.6 | beaten by cheap |\n"), std::string::npos);
-    EXPECT_EQ(markdown.find("the future"), markdown.rfind("the future"));
-    EXPECT_EQ(markdown.find("what it cannot tell"), std::string::npos);
-}
-
-TEST(AccuracyPlot, HasADotForEachLevelAndEscapesWhatXmlWouldRead) {
-    std::vector<Ladder> all = ladders();
-    all.push_back(threeRungs());
-    markFront(all.back());
-    for (Ladder const& one : all) {
-        std::string const svg = asSvg(one);
-        auto const count = [&](std::string const& what) {
-            std::size_t found = 0;
-            for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) {
-                ++found;
-            }
-            return found;
-        };
-        EXPECT_EQ(count("<circle"), one.rungs.size());
-        EXPECT_EQ(count("<text"), count("</text>"));
-        EXPECT_EQ(svg.find("nan"), std::string::npos) << one.scene;
-        EXPECT_EQ(svg.find("inf"), std::string::npos) << one.scene;
-        EXPECT_EQ(svg.find("<made-up>"), std::string::npos);
-    }
-}
-
 TEST(Accuracy, AnUnknownEffectIsRefusedWithWhatThereIs) {
     try {
         static_cast<void>(climb(gameData(), {"gravitty"}, {.brief = true, .runs = 1}));
@@ -356,5 +206,5 @@ TEST(Accuracy, AnUnknownEffectIsRefusedWithWhatThereIs) {
 }
 
 } // namespace
-} // namespace accuracy_test
+} // namespace ladders_test
 } // namespace trembler::accuracy

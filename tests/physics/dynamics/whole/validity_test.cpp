@@ -1,6 +1,4 @@
 // Values on which Box2D would abort never reach it.
-#include "physics/dynamics/properties/shape_rules.hpp"
-#include "physics/dynamics/rules/joint_rules.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -23,85 +21,6 @@ std::vector<Vec2> ngon(int corners, double radius, bool clockwise = false) {
         made.push_back(rotated({radius, 0}, (clockwise ? -1 : 1) * 2 * pi * i / corners));
     }
     return made;
-}
-
-TEST(ShapeRules, SayWhatIsWrong) {
-    struct Case {
-        ShapePiece piece;
-        std::string_view says;
-    };
-    std::vector<Case> const cases{
-        {circlePiece(0), "radius is 0 m"},
-        {circlePiece(nan), "radius is nan m"},
-        {circlePiece(-1), "expected 0.005 to 1000"},
-        {boxPiece(0, 1), "width is 0 m"},
-        {boxPiece(1, inf), "height is inf m"},
-        {boxPiece(1, 1, {nan, 0}), "lies at [nan, 0]"},
-        {boxPiece(1, 1, {}, inf), "turned by inf"},
-        {capsulePiece(0.3, 0.2), "at least as long as both ends, 0.4 m"},
-        {polygonPiece({{0, 0}, {1, 0}}), "has 2 corners"},
-        {polygonPiece(ngon(9, 1)), "has 9 corners; expected 3 to 8"},
-        {polygonPiece(ngon(5, 1, true)), "clockwise"},
-        {polygonPiece({{0, 0}, {1, 0}, {2, 0}}), "on the line"},
-        {polygonPiece({{0, 0}, {1, 0}, {2, 0}, {1, 1}}), "corner 2 of its polygon, [1, 0], lies on the line"},
-        {polygonPiece({{0, 0}, {2, 0}, {1, 0.3}, {1, 2}}), "not convex"},
-        {polygonPiece({{0, 1}, {-0.6, -0.8}, {0.9, 0.3}, {-0.9, 0.3}, {0.6, -0.8}}),
-         "not convex"}, // pentagram
-        {polygonPiece({{0, 0}, {1, 0}, {1, 0.001}, {0, 1}}), "are 0.001 m apart"},
-        {polygonPiece({{0, 0}, {1, 0}, {0.5, 0.004}}), "thin"},
-        {polygonPiece({{0, 0}, {1, nan}, {0.5, 1}}), "[1, nan]"},
-    };
-    for (Case const& c : cases) {
-        auto const fault = faultIn(Shape{{c.piece}});
-        ASSERT_TRUE(fault) << c.says;
-        EXPECT_NE(fault->find(c.says), std::string::npos) << *fault;
-    }
-    EXPECT_TRUE(faultIn(Shape{}));
-    EXPECT_TRUE(faultIn(Shape{std::vector<ShapePiece>(257, circlePiece(1))}));
-    for (ShapePiece const& valid : {circlePiece(0.005), boxPiece(0.01, 0.01), capsulePiece(0.4, 0.2),
-                                    polygonPiece(ngon(8, 0.5)), polygonPiece(ngon(3, 0.02))}) {
-        EXPECT_FALSE(faultIn(Shape{{valid}})) << *faultIn(Shape{{valid}});
-    }
-}
-
-TEST(JointRules, SayWhatIsWrong) {
-    ObjectId const a{1, 0};
-    ObjectId const b{2, 0};
-    JointPartners const sound{.aIsBody = true, .bIsBody = true};
-    auto const fault = [&](JointPartners const& partners, auto&& change) {
-        Joint joint;
-        joint.a = a;
-        joint.b = b;
-        joint.atB = {1, 0};
-        change(joint);
-        return faultIn(joint, partners).value_or("");
-    };
-    auto const same = [](Joint&) {};
-    EXPECT_EQ(fault(sound, same), "");
-    EXPECT_NE(fault({.aIsBody = false, .bIsBody = true}, same).find("object a has no"), std::string::npos);
-    EXPECT_NE(fault({.aIsBody = true, .bIsBody = false}, same).find("object b has no"), std::string::npos);
-    EXPECT_NE(fault(sound, [&](Joint& j) { j.b = a; }).find("to itself"), std::string::npos);
-    EXPECT_NE(fault({.aIsBody = true, .bIsBody = true, .aFixed = true, .bFixed = true}, same).find("fixed"),
-              std::string::npos);
-    EXPECT_NE(fault(sound, [](Joint& j) { j.at = {nan, 0}; }).find("place is nan"), std::string::npos);
-    EXPECT_NE(fault(sound, [](Joint& j) { j.limited = true, j.lower = 1; }).find("above its upper"),
-              std::string::npos);
-    EXPECT_NE(
-        fault(sound, [](Joint& j) { j.form = JointForm::slider, j.upper = -1; }).find("above its upper"),
-        std::string::npos); // also while they are not in force
-    auto const form = [&](JointForm wanted, auto&& change) {
-        return fault(sound, [&](Joint& j) {
-            j.form = wanted;
-            change(j);
-        });
-    };
-    EXPECT_NE(form(JointForm::slider, [](Joint& j) { j.axis = {}; }).find("no direction"), std::string::npos);
-    EXPECT_NE(form(JointForm::spring, same).find("stiffness"), std::string::npos);
-    EXPECT_NE(form(JointForm::wheel, same).find("stiffness"), std::string::npos);
-    EXPECT_NE(form(JointForm::distance, [](Joint& j) { j.atB = j.at; }).find("coincide"), std::string::npos);
-    EXPECT_NE(form(JointForm::pulley, [](Joint& j) { j.b = {}; }).find("two ends"), std::string::npos);
-    EXPECT_NE(form(JointForm::pulley, [](Joint& j) { j.ratio = 0; }).find("ratio is 0"), std::string::npos);
-    EXPECT_NE(form(JointForm::gear, same).find("couples two joints"), std::string::npos);
 }
 
 // Numbers as a hostile script might hand them over.
