@@ -1,6 +1,7 @@
 // (Electricity <- Sound): a sound sensor conducts while it hears enough.
 #pragma once
 
+#include "audio/effect/properties/acoustics.hpp"
 #include "audio/effect/properties/loudness.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/electricity/calls.hpp"

@@ -1,5 +1,7 @@
+#include "audio/effect/properties/acoustics.hpp"
 #include "audio/effect/properties/decibel.hpp"
 #include "audio/effect/properties/loudness.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/shared/words.hpp"
 #include "physics/dynamics/properties/body.hpp"
