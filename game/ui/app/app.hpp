@@ -38,8 +38,9 @@ public:
     void show(std::unique_ptr<Screen> screen);
 
     /// One picture: takes SDL's events, lets `seconds` pass, draws and presents. False once the player wants
-    /// to go.
-    bool frame(double seconds);
+    /// to go. With `seen` false nobody looks, as at a minimised window: the picture is drawn and presented
+    /// only if the screen keeps it, and everything else happens as usual.
+    bool frame(double seconds, bool seen = true);
 
     [[nodiscard]] Screen& screen() { return *screen_; }
     /// The screen if it is that of a level, else nullptr: for tests, the program itself does not ask.

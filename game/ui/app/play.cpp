@@ -142,9 +142,10 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     }
     auto before = Clock::now();
     double passed = 1.0 / 60;
-    while (app.frame(passed)) {
-        // A hidden window is not held back by its screen.
-        if ((SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0) {
+    bool seen = true;
+    while (app.frame(passed, seen)) {
+        seen = (SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
+        if (!seen) { // a hidden window is not held back by its screen
             std::this_thread::sleep_for(std::chrono::milliseconds(15));
         }
         passed = secondsSince(before);

@@ -22,6 +22,8 @@ public:
     /// The next picture is to be kept.
     void wantPicture() { wanted_ = true; }
 
+    /// Whether take() is going to read the present picture.
+    [[nodiscard]] bool wants(bool stepped) const { return wanted_ || (recording_ && stepped); }
     /// A picture is complete. `stepped`: the world moved on in it, so it belongs to the film. `pixels` reads
     /// it, and is not called where nobody wants it.
     void take(std::function<render::Image()> const& pixels, bool stepped);

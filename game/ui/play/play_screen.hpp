@@ -19,6 +19,7 @@ public:
     std::optional<ScreenRequest> update(double seconds) override;
     /// Nothing moves.
     void updateBehindMenu(double seconds) override;
+    [[nodiscard]] bool keepsPicture() const override;
     void draw() override;
     /// Films and single pictures are taken here.
     void pictureComplete() override;

@@ -33,7 +33,8 @@ struct Quit {};
 using ScreenRequest = std::variant<request::OpenMenu, request::OpenLevel, request::ShowTitle,
                                    request::SwitchFullscreen, request::Quit>;
 
-/// Window thread only. In each picture: update or updateBehindMenu, draw, pictureComplete.
+/// Window thread only. In each picture: update or updateBehindMenu; then, unless nobody sees it, draw and
+/// pictureComplete. So draw() changes nothing that anything but drawing reads.
 class Screen {
 public:
     Screen() = default;
@@ -45,6 +46,9 @@ public:
     virtual std::optional<ScreenRequest> update(double seconds) = 0;
     /// Instead of update(), as long as a menu lies over it.
     virtual void updateBehindMenu(double seconds) = 0;
+    /// Whether it keeps the picture that was just updated, for a film or a file: then it is drawn even if
+    /// nobody sees the window.
+    [[nodiscard]] virtual bool keepsPicture() const { return false; }
     /// Into the window: after Window::beginFrame, before Gui::endFrame.
     virtual void draw() = 0;
     /// All is drawn: between Gui::endFrame and Window::present.
