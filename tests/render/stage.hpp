@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -40,11 +41,19 @@ inline Image picture(Size size, Colour back, std::function<void(Canvas&)> const&
     return window().readPixels();
 }
 
-/// A folder of this program's own, created if needed; its pictures are for people to look at.
+/// A folder of this program's own, created if needed.
 inline std::filesystem::path pictureFolder() {
     auto folder = std::filesystem::path(TREMBLER_BINARY_DIR) / "render-pictures";
     std::filesystem::create_directories(folder);
     return folder;
+}
+
+/// For people to look at, below pictureFolder(), if TREMBLER_PICTURES is in the environment: packing a
+/// picture takes longer than drawing it.
+inline void keepForPeople(Image const& image, std::string const& name) {
+    if (std::getenv("TREMBLER_PICTURES") != nullptr) {
+        writePng(image, pictureFolder() / (name + ".png"));
+    }
 }
 
 } // namespace trembler::render::test

@@ -38,8 +38,9 @@ public:
     void show(std::unique_ptr<Screen> screen);
 
     /// One picture: handles SDL's events, advances time by `seconds`, draws and presents. Returns false once
-    /// the player wants to quit.
-    bool frame(double seconds);
+    /// the player wants to quit. If `seen` is false, as for a minimised window, the picture is drawn and
+    /// presented only if the screen keeps it; everything else happens as usual.
+    bool frame(double seconds, bool seen = true);
 
     [[nodiscard]] Screen& screen() { return *screen_; }
     /// The current screen if it shows a level, else nullptr. Only for tests: the program itself does not need

@@ -142,9 +142,11 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     }
     auto before = Clock::now();
     double passed = 1.0 / 60;
-    while (app.frame(passed)) {
+    bool seen = true;
+    while (app.frame(passed, seen)) {
+        seen = (SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
         // Vertical sync does not limit the frame rate of a hidden window.
-        if ((SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0) {
+        if (!seen) {
             std::this_thread::sleep_for(std::chrono::milliseconds(15));
         }
         passed = secondsSince(before);

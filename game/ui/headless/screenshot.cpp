@@ -36,7 +36,7 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
     view.setView(window.size(), {left, rest, rest, rest});
     Image image;
     SceneView const scene;
-    // ImGui knows the size of a card only after a first layout pass.
+    // ImGui knows the size of a card only after a first layout pass: only the last pass is drawn.
     constexpr int passes = 3;
     for (int pass = 1; pass <= passes; ++pass) {
         if (options.step) {
@@ -46,6 +46,10 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
         layout.beginFrame();
         if (goals) {
             drawGoalCard(layout, session, {}, nullptr);
+        }
+        if (pass < passes) {
+            gui.dropFrame();
+            continue;
         }
         window.beginFrame(palette::paper);
         canvas.begin(view.camera(),

@@ -57,6 +57,10 @@ void PlayScreen::updateBehindMenu(double) {
     parts_.placing.cancel();
 }
 
+bool PlayScreen::keepsPicture() const {
+    return parts_.film.wants(parts_.run.stepped());
+}
+
 void PlayScreen::draw() {
     drawField(parts_);
 }

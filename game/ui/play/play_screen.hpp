@@ -19,6 +19,7 @@ public:
     std::optional<ScreenRequest> update(double seconds) override;
     /// The world stands still.
     void updateBehindMenu(double seconds) override;
+    [[nodiscard]] bool keepsPicture() const override;
     void draw() override;
     /// Adds the picture to the film, or keeps it by itself, if the player has asked for that.
     void pictureComplete() override;

@@ -34,7 +34,8 @@ struct Quit {};
 using ScreenRequest = std::variant<request::OpenMenu, request::OpenLevel, request::ShowTitle,
                                    request::SwitchFullscreen, request::Quit>;
 
-/// Window thread only. In each picture: update or updateBehindMenu, draw, pictureComplete.
+/// Window thread only. In each picture: update or updateBehindMenu; then, unless nobody sees it, draw and
+/// pictureComplete. So draw() changes nothing that anything but drawing reads.
 class Screen {
 public:
     Screen() = default;
@@ -46,6 +47,9 @@ public:
     virtual std::optional<ScreenRequest> update(double seconds) = 0;
     /// Called instead of update() while the menu is open.
     virtual void updateBehindMenu(double seconds) = 0;
+    /// Whether the screen keeps the picture that was just updated, for a film or a file: then it is drawn even
+    /// if nobody sees the window.
+    [[nodiscard]] virtual bool keepsPicture() const { return false; }
     /// Draws into the window: after Window::beginFrame, before Gui::endFrame.
     virtual void draw() = 0;
     /// Called when the picture is complete: between Gui::endFrame and Window::present.

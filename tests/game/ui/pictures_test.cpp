@@ -138,6 +138,61 @@ TEST_P(Screens, everyLevel) {
     }
 }
 
+/// What is seen on the way from the title through two levels, with every picture drawn or only those.
+std::vector<render::Image> picturesOnTheWay(bool drawsAll) {
+    Player player({960, 540});
+    std::filesystem::remove_all(player.films());
+    if (drawsAll) {
+        player.drawEveryPicture();
+    }
+    std::vector<render::Image> pictures;
+    auto const look = [&](std::string const& what) { pictures.push_back(player.look("on-the-way-" + what)); };
+    player.frames(9);
+    look("title");
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.5}));
+    player.key(SDLK_q);
+    look("placed");
+    player.moveTo(player.item("part spanner"));
+    player.press();
+    player.moveTo(player.at({1.7, 1.8}));
+    look("carried");
+    player.release();
+    player.key(SDLK_ESCAPE);
+    player.open(levelsFolder() / "experiments/1-switched-electromagnet.json");
+    player.key(SDLK_SPACE);
+    player.simulate(64);
+    player.frames(3);
+    look("running");
+    player.key(SDLK_F12); // kept by the game itself
+    pictures.push_back(render::readPng(player.films() / "picture-1.png"));
+    player.simulate(64);
+    player.key(SDLK_1);
+    player.key(SDLK_3);
+    look("solved");
+    player.clickItem("keep playing");
+    player.click(player.at({1.8, 1.7}));
+    player.frames(3);
+    look("inspecting");
+    player.key(SDLK_ESCAPE);
+    player.key(SDLK_ESCAPE);
+    player.frames(3);
+    look("menu");
+    return pictures;
+}
+
+TEST(PicturesThatNobodySees, LeaveNoTraceInThoseThatAreSeen) {
+    std::vector<render::Image> const all = picturesOnTheWay(true);
+    std::vector<render::Image> const few = picturesOnTheWay(false);
+    ASSERT_EQ(all.size(), few.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(all[i], few[i]) << "picture " << i;
+        for (std::size_t j = 0; j < i; ++j) {
+            EXPECT_NE(all[i], all[j]) << "pictures " << i << " and " << j << " show something else";
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Screens, testing::Values(render::Size{1280, 720}, render::Size{3840, 2160}),
                          [](auto const& info) { return "lines" + std::to_string(info.param.height); });
 

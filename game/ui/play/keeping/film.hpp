@@ -23,6 +23,8 @@ public:
     /// Asks for the next picture to be kept.
     void wantPicture() { wanted_ = true; }
 
+    /// Whether take() is going to read the present picture.
+    [[nodiscard]] bool wants(bool stepped) const { return wanted_ || (recording_ && stepped); }
     /// To be called when a picture is complete. `stepped`: the world moved on in it, so it belongs to the
     /// film. `pixels` reads the picture; it is called only if the picture is to be kept.
     void take(std::function<render::Image()> const& pixels, bool stepped);

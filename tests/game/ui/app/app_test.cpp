@@ -16,7 +16,7 @@ namespace {
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
 
 std::filesystem::path freshFolder(char const* name) {
-    auto folder = pictureFolder() / name;
+    auto folder = testFolder() / name;
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     return folder;
@@ -35,6 +35,7 @@ std::size_t colours(render::Image const& image) {
 
 TEST(Program, aLevelIsChosenOnTheTitleScreen) {
     Player player;
+    player.drawEveryPicture(); // title, level and menus one after the other, as on a player's screen
     EXPECT_EQ(player.app().play(), nullptr);
     player.clickItem("level first/1-first-contact.json");
     ASSERT_NE(player.app().play(), nullptr);

@@ -50,7 +50,7 @@ protected:
     }
     [[nodiscard]] KeysPage const& keysPage() const { return player->app().menu().keysPage(); }
 
-    std::filesystem::path const folder = pictureFolder() / "keys-page-test";
+    std::filesystem::path const folder = testFolder() / "profile";
     std::unique_ptr<Player> player;
 };
 

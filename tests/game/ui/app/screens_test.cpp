@@ -18,11 +18,14 @@ public:
         return std::exchange(request_, std::nullopt);
     }
     void updateBehindMenu(double) override { notes_ += "m"; }
+    [[nodiscard]] bool keepsPicture() const override { return keeps; }
     void draw() override { notes_ += "d"; }
     void pictureComplete() override { notes_ += "p"; }
     void leave() override { notes_ += "l"; }
     CommandSet& commands() override { return commands_; }
     [[nodiscard]] std::filesystem::path const& level() const override { return level_; }
+
+    bool keeps = false; // pictures
 
 private:
     std::string& notes_;
@@ -33,6 +36,8 @@ private:
 
 class OneScreen : public testing::Test {
 protected:
+    OneScreen() { player.drawEveryPicture(); }
+
     void show(std::optional<ScreenRequest> request = {}) {
         player.app().show(std::make_unique<NotedScreen>(notes, std::move(request)));
     }
@@ -49,6 +54,22 @@ TEST_F(OneScreen, IsLedThroughEachPictureAndLeftOnce) {
     EXPECT_EQ(notes, "udpudpl~");
     player.frames(1);
     EXPECT_EQ(notes, "udpudpl~");
+}
+
+TEST_F(OneScreen, IsDrawnWhereNobodyLooksOnlyIfItKeepsThePicture) {
+    auto screen = std::make_unique<NotedScreen>(notes, std::nullopt);
+    NotedScreen& shown = *screen;
+    player.app().show(std::move(screen));
+    EXPECT_TRUE(player.app().frame(1.0 / 60, false));
+    EXPECT_TRUE(player.app().frame(1.0 / 60, false));
+    EXPECT_EQ(notes, "uu");
+    shown.keeps = true;
+    EXPECT_TRUE(player.app().frame(1.0 / 60, false));
+    EXPECT_EQ(notes, "uuudp");
+    shown.keeps = false;
+    EXPECT_TRUE(player.app().frame(1.0 / 60, false));
+    EXPECT_TRUE(player.app().frame(1.0 / 60, true));
+    EXPECT_EQ(notes, "uuudpuudp");
 }
 
 TEST_F(OneScreen, WaitsBehindTheMenuThatItAsksFor) {

@@ -1,6 +1,8 @@
 // The inspector's rows about sound. (Other rows are tested in play_screen_test.)
+#include "audio/effect/properties/acoustics.hpp"
 #include "audio/effect/properties/decibel.hpp"
 #include "audio/effect/properties/loudness.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "puzzle/session/session.hpp"
 #include "puzzle/solutions/solution_file.hpp"

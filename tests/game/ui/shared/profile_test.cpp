@@ -18,7 +18,7 @@ protected:
         return file;
     }
 
-    std::filesystem::path const folder = pictureFolder() / "profile-test";
+    std::filesystem::path const folder = testFolder() / "profile";
 };
 
 TEST_F(ProfileFile, KeysAreKeptBesideTheRest) {

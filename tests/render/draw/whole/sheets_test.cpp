@@ -108,7 +108,7 @@ void save(std::string const& name, void (*draw)(Canvas&)) {
         window().resize(size);
         auto const image = picture(size, palette::paper, draw, {.uiScale = window().uiScale(), .time = 1.0},
                                    sheetCamera(size));
-        writePng(image, pictureFolder() / (name + "-" + std::to_string(size.height) + ".png"));
+        keepForPeople(image, name + "-" + std::to_string(size.height));
     }
 }
 

@@ -41,7 +41,7 @@ TEST(SceneGallery, EveryPart) {
             }
         },
         {}, camera);
-    writePng(sheet, pictureFolder() / "scene-parts.png");
+    keepForPeople(sheet, "scene-parts");
     EXPECT_EQ(drawn, library.all().size());
 }
 
@@ -157,7 +157,7 @@ TEST(SceneGallery, EveryJoint) {
     camera.viewport = {1280, 720};
     camera.fit({-5.6, -3.1}, {5.6, 3.1}, 0);
     GoalRegion const goal{{Box{{-5.3, -2.6}, {1.3, 1.5}}, {}}, false};
-    writePng(
+    keepForPeople(
         picture(
             camera.viewport, palette::paper,
             [&](Canvas& canvas) {
@@ -173,7 +173,7 @@ TEST(SceneGallery, EveryJoint) {
                 drawGhost(canvas, library.find("horseshoe magnet")->prototype(), {{2.2, 0.2}, 0}, true);
             },
             {}, camera),
-        pictureFolder() / "scene-joints.png");
+        "scene-joints");
     EXPECT_GT(length(world.find<Position>(hung)->value - Vec2{-3.3, 0.6}), 0.01); // it did run
 }
 
@@ -197,7 +197,7 @@ void drawLevel(std::filesystem::path const& file) {
                 drawScene(canvas, *world, options);
             },
             {}, camera);
-        writePng(image, pictureFolder() / ("scene-" + file.stem().string() + suffix + ".png"));
+        keepForPeople(image, "scene-" + file.stem().string() + suffix);
     };
     save("-start", {.placing = placing});
     for (int frame = 0; frame < 240; ++frame) {

@@ -22,7 +22,7 @@ protected:
             stepped);
     }
 
-    fs::path const folder = pictureFolder() / "film-test";
+    fs::path const folder = testFolder() / "films";
     Recorder recorder{folder};
     render::Toasts toasts;
     Film film{recorder, toasts};

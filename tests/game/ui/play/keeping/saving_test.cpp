@@ -8,7 +8,7 @@ namespace trembler::ui::test {
 namespace {
 
 TEST(Saving, ARunIsKeptAndNothingElse) {
-    auto const folder = pictureFolder() / "saving-test";
+    auto const folder = testFolder() / "saved";
     std::filesystem::remove_all(folder);
     Recorder recorder(folder);
     render::Toasts toasts;

@@ -83,7 +83,7 @@ TEST(SoundInTheWindow, whatRingsDiesAwayInAPause) {
 }
 
 TEST(SoundInTheWindow, volumeAndHrtfComeFromThePlayersSettings) {
-    auto const file = pictureFolder() / "sound-profile.json";
+    auto const file = testFolder() / "profile.json";
     std::filesystem::remove(file);
     Profile profile(file);
     Settings settings;
