@@ -46,7 +46,7 @@ endfunction()
 # namespaces of two files share are put into a namespace named after the file.
 function(trembler_unity target)
   if(TREMBLER_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
   endif()
 endfunction()
 
