@@ -15,7 +15,7 @@
 namespace trembler::render {
 namespace {
 
-constexpr Colour brass = rgb(0xC9A860);
+constexpr Colour socketBrass = rgb(0xC9A860);
 
 bool hasPoles(Facts const& facts) {
     return facts.poles != nullptr && facts.poles->poles != PoleSet::none;
@@ -127,7 +127,7 @@ void drawBulb(Canvas& canvas, Facts const& facts, Pose const& pose, Style const&
     }
     Style metal = style;
     metal.pattern = Pattern::Metal;
-    metal.tint = brass;
+    metal.tint = socketBrass;
     metal.glow = {};
     if (!socket.pieces.empty()) {
         drawShape(canvas, socket, pose, metal);

@@ -1,20 +1,11 @@
 // Sleeping and waking: Box2D's own state, and the loads of sleeping bodies.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
+#include "physics/dynamics/engines/drift.hpp"
 
 #include <cmath>
 #include <utility>
 
 namespace trembler {
-namespace {
-
-// A body that drifts freely, however slowly, does not come to rest: above these limits it must not fall
-// asleep.
-constexpr double driftAcceleration = 1e-3; // m/s²
-constexpr double driftSpeed = 1e-4;        // m/s
-constexpr double driftSpin = 1e-3;         // rad/s
-
-} // namespace
-
 void Box2dEngine::wake(SlotIndex slot) {
     wakeAll(bodies_[slot].body);
 }

@@ -1,4 +1,5 @@
 // Islands of touching or joined bodies fall asleep, and wake, together.
+#include "physics/dynamics/engines/drift.hpp"
 #include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 
 #include <algorithm>
@@ -13,11 +14,6 @@ namespace {
 constexpr double slowSpeed = 0.0025;        // m/s
 constexpr double slowSpin = 2.0 / 180 * pi; // rad/s
 constexpr double timeToSleep = 0.5 - 1e-9;  // s
-// A body that drifts freely, however slowly, does not come to rest: above these limits it must not fall
-// asleep.
-constexpr double driftAcceleration = 1e-3; // m/s²
-constexpr double driftSpeed = 1e-4;        // m/s
-constexpr double driftSpin = 1e-3;         // rad/s
 
 } // namespace
 
