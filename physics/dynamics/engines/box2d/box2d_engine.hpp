@@ -6,8 +6,8 @@
 
 #include "physics/dynamics/engines/body_core.hpp"
 #include "physics/dynamics/engines/box2d/box2d_crowd.hpp"
-#include "physics/dynamics/engines/box2d/box2d_displacement.hpp"
 #include "physics/dynamics/engines/box2d/joints_at_once.hpp"
+#include "physics/dynamics/engines/box2d/substep_motion.hpp"
 #include "physics/dynamics/engines/slot_set.hpp"
 
 #include <box2d/box2d.h>
@@ -101,9 +101,9 @@ private:
     /// reverse.
     [[nodiscard]] static bool isStale(b2Contact* contact);
     /// The body's motion from `start`, in the last substep, to where it is.
-    [[nodiscard]] Displacement displacementFrom(SlotIndex slot, Place const& start) const;
-    /// Finds displacements_, movedFar_ and farSlots_.
-    void noteDisplacements();
+    [[nodiscard]] SubstepMotion motionFrom(SlotIndex slot, Place const& start) const;
+    /// Finds substepMotions_, movedFar_ and farSlots_.
+    void noteSubstepMotions();
     /// Finds bodies of which each pair that moved far apart contains one; false if they are no fewer than
     /// farSlots_, which are such bodies, too.
     [[nodiscard]] bool findDeviating();
@@ -175,11 +175,11 @@ private:
     std::vector<OnTheWay> changedOnTheWay_;
     /// In the last substep: far enough for touches to be stale, or stopped by Box2D on its way.
     enum class Moved : std::uint8_t { little, far, stopped };
-    std::vector<Moved> movedFar_;             // by slot
-    std::vector<Displacement> displacements_; // by slot
-    std::vector<std::uint8_t> deviates_;      // by slot
-    std::vector<SlotIndex> farSlots_;         // ascending: what moved far or was stopped
-    std::vector<SlotIndex> deviating_;        // ascending
+    std::vector<Moved> movedFar_;               // by slot
+    std::vector<SubstepMotion> substepMotions_; // by slot
+    std::vector<std::uint8_t> deviates_;        // by slot
+    std::vector<SlotIndex> farSlots_;           // ascending: what moved far or was stopped
+    std::vector<SlotIndex> deviating_;          // ascending
     struct BodyEdge {
         b2ContactEdge* edge = nullptr;
         SlotIndex slot = noSlot;

@@ -31,7 +31,7 @@ bool Box2dEngine::isStale(b2Contact* contact) {
     return (now.pointCount > 0) != contact->IsTouching();
 }
 
-Displacement Box2dEngine::displacementFrom(SlotIndex slot, Place const& start) const {
+SubstepMotion Box2dEngine::motionFrom(SlotIndex slot, Place const& start) const {
     b2Body const& body = *bodies_[slot].body;
     return {start.centre, body.GetPosition(), body.GetAngle() - start.angle,
             static_cast<float>(bodies_[slot].extent * scale_)};
@@ -39,15 +39,15 @@ Displacement Box2dEngine::displacementFrom(SlotIndex slot, Place const& start) c
 
 // By positions, not by velocities: the correction of overlaps moves bodies that have no velocity, and may
 // even move one back to where it was at the beginning of the substep.
-void Box2dEngine::noteDisplacements() {
+void Box2dEngine::noteSubstepMotions() {
     float const limit = static_cast<float>(farInSubstep * scale_);
-    displacements_.resize(bodies_.size());
+    substepMotions_.resize(bodies_.size());
     movedFar_.assign(bodies_.size(), Moved::little);
     farSlots_.clear();
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (bodies_[slot].body != nullptr) {
-            displacements_[slot] = displacementFrom(slot, start_[slot]);
-            if (awake_[slot] != 0 && movedFar(displacements_[slot], limit)) {
+            substepMotions_[slot] = motionFrom(slot, start_[slot]);
+            if (awake_[slot] != 0 && movedFar(substepMotions_[slot], limit)) {
                 movedFar_[slot] = Moved::far;
                 farSlots_.push_back(slot);
             }
@@ -56,7 +56,7 @@ void Box2dEngine::noteDisplacements() {
     for (OnTheWay const& change : changedOnTheWay_) {
         Moved& moved = movedFar_[change.slot];
         if (moved != Moved::stopped &&
-            (change.ended || movedFar(displacementFrom(change.slot, change.place), limit))) {
+            (change.ended || movedFar(motionFrom(change.slot, change.place), limit))) {
             if (moved == Moved::little) {
                 farSlots_.insert(std::lower_bound(farSlots_.begin(), farSlots_.end(), change.slot),
                                  change.slot);
@@ -75,7 +75,7 @@ bool Box2dEngine::findDeviating() {
         if (movedFar_[slot] == Moved::stopped) {
             return false;
         }
-        if (largest == noSlot || displacements_[slot].extent > displacements_[largest].extent) {
+        if (largest == noSlot || substepMotions_[slot].extent > substepMotions_[largest].extent) {
             largest = slot;
         }
     }
@@ -86,7 +86,7 @@ bool Box2dEngine::findDeviating() {
     deviates_.assign(bodies_.size(), 0);
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (bodies_[slot].body != nullptr &&
-            deviatesFrom(displacements_[largest], displacements_[slot], limit)) {
+            deviatesFrom(substepMotions_[largest], substepMotions_[slot], limit)) {
             deviates_[slot] = 1;
             deviating_.push_back(slot);
             if (deviating_.size() == farSlots_.size()) {
@@ -99,11 +99,12 @@ bool Box2dEngine::findDeviating() {
 
 void Box2dEngine::reportIfStale(b2Contact* contact, SlotIndex slot, SlotIndex other) {
     bool const stopped = movedFar_[slot] == Moved::stopped || movedFar_[other] == Moved::stopped;
-    if (!stopped && outOfReach(displacements_[slot], displacements_[other])) {
+    if (!stopped && outOfReach(substepMotions_[slot], substepMotions_[other])) {
         return;
     }
     float const limit = static_cast<float>(farInSubstep * scale_);
-    if ((stopped || movedFarApart(displacements_[slot], displacements_[other], limit)) && isStale(contact)) {
+    if ((stopped || movedFarApart(substepMotions_[slot], substepMotions_[other], limit)) &&
+        isStale(contact)) {
         TouchChange const change = changeOf(contact, contact->IsTouching() ? -1 : 1);
         reported_.push_back({contact, change, slot, other});
         touches_.push_back(change);
@@ -111,7 +112,7 @@ void Box2dEngine::reportIfStale(b2Contact* contact, SlotIndex slot, SlotIndex ot
 }
 
 void Box2dEngine::reportStaleTouches() {
-    noteDisplacements();
+    noteSubstepMotions();
     bool const few = findDeviating();
     // The bodies' lists of contacts side by side, not one after the other: memory then fetches the next
     // contacts of many lists at once.

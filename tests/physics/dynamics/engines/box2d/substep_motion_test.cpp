@@ -1,6 +1,6 @@
 // Bounds on the motion of two bodies against points that move with them, and shapes that are clearly apart
 // against Box2D's own contacts.
-#include "physics/dynamics/engines/box2d/box2d_displacement.hpp"
+#include "physics/dynamics/engines/box2d/substep_motion.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace trembler {
-namespace box2d_displacement_test {
+namespace substep_motion_test {
 namespace {
 
 constexpr float limit = 0.01F;
@@ -33,8 +33,8 @@ b2Vec2 turnedBy(double angle, b2Vec2 v) {
 }
 
 // One that moves with a rigid motion about the origin, but for a deviation.
-Displacement drawnWith(b2Vec2 shift, float turn, float deviation) {
-    Displacement body;
+SubstepMotion drawnWith(b2Vec2 shift, float turn, float deviation) {
+    SubstepMotion body;
     body.from = drawnIn(2);
     body.extent = drawn(0.05F, 1);
     body.to = shift + turnedBy(static_cast<double>(turn), body.from) + drawnIn(deviation);
@@ -43,7 +43,7 @@ Displacement drawnWith(b2Vec2 shift, float turn, float deviation) {
 }
 
 // The farthest that a point on the rim of one body moves in the frame of the other.
-float farthestPoint(Displacement const& seen, Displacement const& frame) {
+float farthestPoint(SubstepMotion const& seen, SubstepMotion const& frame) {
     float farthest = 0;
     for (int i = 0; i < 360; ++i) {
         double const angle = i * std::numbers::pi / 180;
@@ -56,9 +56,9 @@ float farthestPoint(Displacement const& seen, Displacement const& frame) {
     return farthest;
 }
 
-RC_GTEST_PROP(Displacement, NoPointMovesFarWhereNoneIsSaidTo, ()) {
-    Displacement const a = drawnWith(drawnIn(0.05F), drawn(-0.2F, 0.2F), 0.02F);
-    Displacement const b = drawnWith(drawnIn(0.05F), drawn(-0.2F, 0.2F), 0.02F);
+RC_GTEST_PROP(SubstepMotion, NoPointMovesFarWhereNoneIsSaidTo, ()) {
+    SubstepMotion const a = drawnWith(drawnIn(0.05F), drawn(-0.2F, 0.2F), 0.02F);
+    SubstepMotion const b = drawnWith(drawnIn(0.05F), drawn(-0.2F, 0.2F), 0.02F);
     bool const aSmaller = a.extent < b.extent;
     float const farthest = aSmaller ? farthestPoint(a, b) : farthestPoint(b, a);
     if (!movedFarApart(a, b, limit)) {
@@ -66,17 +66,17 @@ RC_GTEST_PROP(Displacement, NoPointMovesFarWhereNoneIsSaidTo, ()) {
     }
     RC_ASSERT(movedFarApart(a, b, farthest * 0.999F - 2e-4F * 4));
     RC_ASSERT(movedFarApart(a, b, limit) == movedFarApart(b, a, limit) || a.extent == b.extent);
-    Displacement const still{b2Vec2_zero, b2Vec2_zero, 0, 2};
+    SubstepMotion const still{b2Vec2_zero, b2Vec2_zero, 0, 2};
     RC_ASSERT(movedFar(a, limit) || farthestPoint(a, still) <= limit * 1.001F);
 }
 
-RC_GTEST_PROP(Displacement, BodiesThatDoNotDeviateHaveNotMovedApart, ()) {
+RC_GTEST_PROP(SubstepMotion, BodiesThatDoNotDeviateHaveNotMovedApart, ()) {
     b2Vec2 const shift = drawnIn(0.3F);
     float const turn = drawn(-0.3F, 0.3F);
     float const deviation = *rc::gen::element(0.0F, 0.001F, 0.004F, 0.02F);
-    Displacement const reference = drawnWith(shift, turn, deviation);
-    Displacement const a = drawnWith(shift, turn, deviation);
-    Displacement const b = drawnWith(shift, turn, deviation);
+    SubstepMotion const reference = drawnWith(shift, turn, deviation);
+    SubstepMotion const a = drawnWith(shift, turn, deviation);
+    SubstepMotion const b = drawnWith(shift, turn, deviation);
     bool const deviates = deviatesFrom(reference, a, limit) || deviatesFrom(reference, b, limit);
     RC_CLASSIFY(!deviates, "neither deviates");
     if (!deviates && !outOfReach(a, b)) {
@@ -103,7 +103,7 @@ b2PolygonShape drawnPolygon() {
     return shape;
 }
 
-RC_GTEST_PROP(Displacement, OverlapsAreThoseOfBox2D, ()) {
+RC_GTEST_PROP(SubstepMotion, OverlapsAreThoseOfBox2D, ()) {
     b2PolygonShape const a = drawnPolygon();
     b2PolygonShape const b = drawnPolygon();
     b2Transform const atA(drawnIn(0.5F), b2Rot(drawn(-3, 3)));
@@ -134,7 +134,7 @@ RC_GTEST_PROP(Displacement, OverlapsAreThoseOfBox2D, ()) {
     RC_ASSERT(last == Overlap::none); // 5 m away, where no two of them reach each other
 }
 
-TEST(Displacement, NothingIsSaidOfTheOverlapOfCircles) {
+TEST(SubstepMotion, NothingIsSaidOfTheOverlapOfCircles) {
     b2CircleShape circle;
     circle.m_radius = 0.1F;
     b2PolygonShape box;
@@ -147,5 +147,5 @@ TEST(Displacement, NothingIsSaidOfTheOverlapOfCircles) {
 }
 
 } // namespace
-} // namespace box2d_displacement_test
+} // namespace substep_motion_test
 } // namespace trembler

@@ -1,4 +1,4 @@
-#include "physics/dynamics/engines/box2d/box2d_displacement.hpp"
+#include "physics/dynamics/engines/box2d/substep_motion.hpp"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 
 namespace trembler {
 
-struct Displacement {
+struct SubstepMotion {
     b2Vec2 from = b2Vec2_zero; ///< the body's centre at the beginning
     b2Vec2 to = b2Vec2_zero;   ///< and at the end
     float turn = 0;            ///< rad
@@ -26,7 +26,7 @@ inline constexpr float skinFactor = 1.5F;
 }
 
 /// By how far a body's end lies from where it would be if it had moved with the reference.
-[[nodiscard]] inline b2Vec2 deviationFrom(Displacement const& reference, Displacement const& body) {
+[[nodiscard]] inline b2Vec2 deviationFrom(SubstepMotion const& reference, SubstepMotion const& body) {
     // Nearly all bodies turn by little in a substep: the series are exact to 2e-4 of a distance.
     bool const little = std::abs(reference.turn) < 0.1F;
     b2Rot turned;
@@ -36,14 +36,14 @@ inline constexpr float skinFactor = 1.5F;
 }
 
 /// Whether any point of the body may have moved farther than `limit`.
-[[nodiscard]] inline bool movedFar(Displacement const& body, float limit) {
+[[nodiscard]] inline bool movedFar(SubstepMotion const& body, float limit) {
     return exceeds(body.to - body.from, body.turn, body.extent, limit);
 }
 
 /// Whether any point of the smaller body may have moved farther than `limit` in the frame of the larger one.
-[[nodiscard]] inline bool movedFarApart(Displacement const& a, Displacement const& b, float limit) {
-    Displacement const& large = a.extent < b.extent ? b : a;
-    Displacement const& small = a.extent < b.extent ? a : b;
+[[nodiscard]] inline bool movedFarApart(SubstepMotion const& a, SubstepMotion const& b, float limit) {
+    SubstepMotion const& large = a.extent < b.extent ? b : a;
+    SubstepMotion const& small = a.extent < b.extent ? a : b;
     return exceeds(deviationFrom(large, small), small.turn - large.turn, small.extent, limit);
 }
 
@@ -51,7 +51,8 @@ inline constexpr float skinFactor = 1.5F;
 /// does in the frame of a third one: if neither deviates by more than half of the limit from the third's
 /// motion, they have not moved apart by more than the limit. One pass over all bodies of a rotating drum
 /// replaces a look at all pairs in it.
-[[nodiscard]] inline bool deviatesFrom(Displacement const& reference, Displacement const& body, float limit) {
+[[nodiscard]] inline bool deviatesFrom(SubstepMotion const& reference, SubstepMotion const& body,
+                                       float limit) {
     // Let e be the deviation of a body and t its turn beyond the reference's. The smaller one of two bodies
     // has moved in the frame of the larger one by at most |e_s| + |e_l| + |t_l| d + |t_s - t_l| r_s, where d
     // is the distance of their centres at the beginning and r the extents. If they are within reach at either
@@ -63,7 +64,7 @@ inline constexpr float skinFactor = 1.5F;
 
 /// Whether two bodies are so far from each other, at the beginning and at the end, that no contact of theirs
 /// touches.
-[[nodiscard]] inline bool outOfReach(Displacement const& a, Displacement const& b) {
+[[nodiscard]] inline bool outOfReach(SubstepMotion const& a, SubstepMotion const& b) {
     float const reach = a.extent + b.extent + skinFactor * 2 * b2_polygonRadius;
     return b2DistanceSquared(a.to, b.to) > reach * reach && b2DistanceSquared(a.from, b.from) > reach * reach;
 }
