@@ -132,6 +132,9 @@ float Box2dEngine::freeShare(BodyEntry const& entry, Place const& start, b2Vec2 
             tiedApart(entry.body, other)) {
             return;
         }
+        if (fixture.TestPoint(at.p)) {
+            return; // b2ShapeCast may report a hit at the beginning of the path
+        }
         b2ShapeCastInput input;
         input.proxyA.Set(fixture.GetShape(), 0);
         input.proxyB.Set(&disc, 0);

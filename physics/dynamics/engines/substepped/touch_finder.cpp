@@ -154,6 +154,9 @@ double TouchFinder::freeShare(Vec2 start, double radius, Vec2 way,
         if (!b2TestOverlap(box, piece->box) || !stops(slot)) {
             return;
         }
+        if (piece->shape->TestPoint(entries_[slot].at, at.p)) {
+            return; // b2ShapeCast may report a hit at the beginning of the path
+        }
         b2ShapeCastInput input;
         input.proxyA.Set(piece->shape.get(), 0);
         input.proxyB.Set(&disc, 0);
