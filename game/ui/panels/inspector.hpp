@@ -34,7 +34,8 @@ struct InspectorSection {
 /// 1e-9.
 [[nodiscard]] std::string readable(double value);
 
-/// The inspector's card. Follows an object through all runs of its session (LastingObject), whatever its name.
+/// The inspector's card. Follows an object through all runs of its session (LastingObject), whatever its
+/// name.
 class Inspector {
 public:
     /// Shows an object of the session's world; closes the card for an invalid id.
