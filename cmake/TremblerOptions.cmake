@@ -50,6 +50,14 @@ function(trembler_unity target)
   endif()
 endfunction()
 
+# trembler_quick_with_sanitizers(TARGET): for code that takes little of the tests' time. clang++ optimises what the
+# sanitizers insert for two thirds of its time.
+function(trembler_quick_with_sanitizers target)
+  if(TREMBLER_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
+
 # trembler_precompile(TARGET HEADER...): with TREMBLER_PCH, parses these headers and common ones of the standard
 # library only once for the whole target.
 function(trembler_precompile target)
