@@ -2,6 +2,7 @@
 #include "physics/electricity/core/graph_changes.hpp"
 #include "physics/electricity/rules/initial_connections.hpp"
 #include "tests/physics/electricity/circuit_world.hpp"
+#include "tests/support/sanitizer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -200,7 +201,7 @@ TEST(ElectricityLifecycle, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(ElectricityLifecycle, AChainOfAMillionObjects) {
-    constexpr std::size_t count = 1000000;
+    constexpr std::size_t count = test::underSanitizer ? 100000 : 1000000;
     CircuitWorld circuit;
     std::vector<ObjectId> chain;
     chain.push_back(circuit.source("S"));
