@@ -21,7 +21,7 @@ ComponentStatus statusOf(World const& world, std::string const& name) {
     return {};
 }
 
-TEST(Keeping, whatWasPlayedIsSavedAndPlaysHeadless) {
+TEST(Keeping, WhatWasPlayedIsSavedAndPlaysHeadless) {
     Player player;
     std::filesystem::remove_all(player.films());
     player.open(firstContact);
@@ -60,7 +60,7 @@ TEST(Keeping, whatWasPlayedIsSavedAndPlaysHeadless) {
     EXPECT_TRUE(std::filesystem::exists(player.films() / "1-first-contact-solution-2.json"));
 }
 
-TEST(Keeping, contactsHaveNormalsAndImpulsesAsSoonAsTheyAreShown) {
+TEST(Keeping, ContactsHaveNormalsAndImpulsesAsSoonAsTheyAreShown) {
     Player player;
     player.open(experiment);
     player.key(SDLK_SPACE);
@@ -86,7 +86,7 @@ TEST(Keeping, contactsHaveNormalsAndImpulsesAsSoonAsTheyAreShown) {
     EXPECT_EQ(blind.world().stateHash(), player.session().world().stateHash());
 }
 
-TEST(Keeping, detailAndPeriodAreChangedWhileItRuns) {
+TEST(Keeping, DetailAndPeriodAreChangedWhileItRuns) {
     Player player;
     player.open(experiment);
     player.key(SDLK_SPACE);
@@ -127,7 +127,7 @@ TEST(Keeping, detailAndPeriodAreChangedWhileItRuns) {
     EXPECT_EQ(statusOf(player.session().world(), "Magnetic Forces DPS").period, period);
 }
 
-TEST(Keeping, aWindowThatLosesTheFocusLetsGo) {
+TEST(Keeping, AWindowThatLosesTheFocusLetsGo) {
     Player player;
     player.open(firstContact);
     player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
@@ -151,7 +151,7 @@ TEST(Keeping, aWindowThatLosesTheFocusLetsGo) {
     EXPECT_EQ(player.session().inputs().back().kind, PlayerInput::Kind::release);
 }
 
-TEST(Keeping, theMenuStartsTheLevelAgain) {
+TEST(Keeping, TheMenuStartsTheLevelAgain) {
     Player player;
     player.open(firstContact);
     auto const fresh = player.session().world().stateHash();

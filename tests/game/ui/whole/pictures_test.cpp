@@ -39,14 +39,14 @@ protected:
     }
 };
 
-TEST_P(Screens, title) {
+TEST_P(Screens, Title) {
     Player player(GetParam());
     player.frames(12);
     expectTidy(player, "title");
     player.look(named("title"));
 }
 
-TEST_P(Screens, building) {
+TEST_P(Screens, Building) {
     Player player(GetParam());
     player.open(levelsFolder() / "first/1-first-contact.json");
     expectTidy(player, "building");
@@ -73,7 +73,7 @@ TEST_P(Screens, building) {
     player.look(named("inspecting"));
 }
 
-TEST_P(Screens, running) {
+TEST_P(Screens, Running) {
     Player player(GetParam());
     player.open(levelsFolder() / "experiments/1-switched-electromagnet.json");
     player.key(SDLK_SPACE);
@@ -98,7 +98,7 @@ TEST_P(Screens, running) {
     player.look(named("components"));
 }
 
-TEST_P(Screens, menus) {
+TEST_P(Screens, Menus) {
     Player player(GetParam());
     player.open(levelsFolder() / "first/1-first-contact.json");
     player.key(SDLK_ESCAPE);
@@ -123,7 +123,7 @@ TEST_P(Screens, menus) {
     player.look(named("keys"));
 }
 
-TEST_P(Screens, everyLevel) {
+TEST_P(Screens, EveryLevel) {
     Player player(GetParam());
     for (CatalogGroup const& group : player.app().context().levels.groups()) {
         for (CatalogEntry const& entry : group.levels) {

@@ -43,7 +43,7 @@ private:
     Heard& heard_;
 };
 
-TEST(SoundInTheWindow, theDoorbellRingsUntilItIsStopped) {
+TEST(SoundInTheWindow, TheDoorbellRingsUntilItIsStopped) {
     Heard heard;
     Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
     Player player(small, {}, levelsFolder(), &loudspeaker);
@@ -66,7 +66,7 @@ TEST(SoundInTheWindow, theDoorbellRingsUntilItIsStopped) {
     EXPECT_EQ(heard.blocks, blocks);
 }
 
-TEST(SoundInTheWindow, whatRingsDiesAwayInAPause) {
+TEST(SoundInTheWindow, WhatRingsDiesAwayInAPause) {
     Heard heard;
     Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
     Player player(small, {}, levelsFolder(), &loudspeaker);
@@ -82,7 +82,7 @@ TEST(SoundInTheWindow, whatRingsDiesAwayInAPause) {
     EXPECT_LT(heard.loudest, loudest / 100);
 }
 
-TEST(SoundInTheWindow, volumeAndHrtfComeFromThePlayersSettings) {
+TEST(SoundInTheWindow, VolumeAndHrtfComeFromThePlayersSettings) {
     auto const file = testFolder() / "profile.json";
     std::filesystem::remove(file);
     Profile profile(file);
@@ -97,7 +97,7 @@ TEST(SoundInTheWindow, volumeAndHrtfComeFromThePlayersSettings) {
     EXPECT_TRUE(heard.settings.hrtf);
 }
 
-TEST(SoundInTheWindow, listeningChangesNothing) {
+TEST(SoundInTheWindow, ListeningChangesNothing) {
     Heard heard;
     Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
     auto const hashAfter = [](Loudspeaker* listening) {
