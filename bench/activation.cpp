@@ -1,7 +1,7 @@
-// That a scene pays only for what it calls for. First: a world with every effect compiled in, of which it
-// calls for none, beside one that knows dynamics alone and beside bare Box2D, turn by turn in blocks of
-// frames. Second: every level that comes to rest, its frames at rest against its frames in motion. CPU time
-// of this thread, medians.
+// Shows that a scene costs time only for the effects that it activates. First: a world of a program with
+// every effect, none of which the scene activates, compared with a world that has dynamics alone and with
+// bare Box2D, alternating in blocks of frames. Second: every level that comes to rest, its frames at rest
+// compared with its frames in motion. CPU time of this thread, medians.
 #include "measure/activation/activation.hpp"
 
 #include "bench/box2d_scenes.hpp"
@@ -41,7 +41,7 @@ bool noneActivated(Registry const& all, Registry const& dynamicsAlone, bench::Sc
         }
         for (int block = 0; block < scene.blocks; ++block) {
             std::array<double, 3> took{};
-            for (int turn = 0; turn < 3; ++turn) { // each of them comes first in a third of the blocks
+            for (int turn = 0; turn < 3; ++turn) { // each world is the first in a third of the blocks
                 switch ((turn + block) % 3) {
                 case 0:
                     took[0] = bench::timeBlock(bare, blockFrames);
@@ -61,8 +61,8 @@ bool noneActivated(Registry const& all, Registry const& dynamicsAlone, bench::Sc
         }
         same = same && bare.places() == everything.places() && alone.places() == everything.places();
     }
-    // What else the machine does hits both sides, but not always equally: the fastest tenth of the blocks of
-    // each side is what is held to the limit.
+    // Other load on the machine slows all worlds, but not always equally: so the limit applies to the fastest
+    // tenth of the blocks of each.
     double const fastest = times[2].quantile(0.1) / times[0].quantile(0.1);
     double const percent = 100 * (fastest - 1);
     bench::Table table(scene.name + " without gravity: all effects compiled in, none called for");
@@ -78,7 +78,7 @@ bool noneActivated(Registry const& all, Registry const& dynamicsAlone, bench::Sc
     return same && percent <= mostOverhead;
 }
 
-/// Frames of one play by the second, in s per frame.
+/// Seconds per frame of one play, one value per second of the run.
 std::vector<double> secondsOf(GameData const& gameData, LevelFile const& level, Solution const* solution,
                               int seconds) {
     Session session(gameData.registry, gameData.parts, level,
@@ -134,7 +134,7 @@ bool atRest(GameData const& gameData, int repetitions) {
 
 } // namespace
 
-// bench_activation [repetitions]; ends with 1 if a limit is missed.
+// bench_activation [repetitions]; exit status 1 if a limit is exceeded.
 int main(int argc, char** argv) {
     int const repetitions = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
     Registry all;

@@ -1,6 +1,6 @@
-// What the methodology costs: two scenes of Box2D's own testbed through a Trembler world against the same
-// scenes on bare Box2D (see box2d_scenes.hpp). Both run in this process, turn by turn in blocks of frames,
-// and that their motion is bit for bit the same is checked. CPU time of this thread, medians over blocks.
+// The overhead of Trembler's architecture: two scenes of Box2D's own testbed in a Trembler world and on bare
+// Box2D (see box2d_scenes.hpp). Both run in this process, alternating in blocks of frames, and their motion
+// must be bit for bit the same. CPU time of this thread, medians over blocks.
 #include "bench/box2d_scenes.hpp"
 #include "bench/measure.hpp"
 #include "physics/register_physics.hpp"
@@ -70,7 +70,7 @@ bool run(Registry const& registry, SceneOf const& scene, int repetitions, bool v
 
 } // namespace
 
-// bench_box2d_overhead [repetitions] [--verbose]; ends with 1 if a limit is missed.
+// bench_box2d_overhead [repetitions] [--verbose]; exit status 1 if a limit is exceeded.
 int main(int argc, char** argv) {
     int repetitions = 5;
     bool verbose = false;

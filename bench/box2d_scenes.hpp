@@ -1,6 +1,6 @@
-// Two scenes of Box2D's own testbed, on bare Box2D and in a Trembler world: gravity as an effect of its own,
-// forces by interaction, contacts kept, every property in its column. Both use the same substeps and
-// iterations and reach, bit for bit, the same motion.
+// Two scenes of Box2D's own testbed, on bare Box2D and in a Trembler world, where gravity is a separate
+// effect, forces come from interactions, contacts are kept, and every property has its column. Both use the
+// same substeps and iterations and produce bit for bit the same motion.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
@@ -27,19 +27,19 @@ struct Piece {
     double halfHeight;
 };
 
-// One object of a scene, for either side. All numbers are sums of few powers of two: nothing is rounded.
+// One object of a scene, for both sides. All numbers are sums of few powers of two, so nothing is rounded.
 struct Item {
     std::vector<Piece> pieces;
     Vec2 at;
     double density = 0;    // kg/m²; 0: fixed
-    double motorSpeed = 0; // not 0: turned about its origin by a motor
+    double motorSpeed = 0; // not 0: rotated about its origin by a motor
 };
 
 struct SceneOf {
     std::string name;
     std::vector<Item> items;
-    int blocks;           // to be measured
-    double gravity = -10; // m/s², upwards; 0: nothing calls for the effect
+    int blocks;           // number of blocks to measure
+    double gravity = -10; // m/s², upwards; 0: the gravity effect is not activated
 };
 
 inline double areaOf(Item const& item) {
@@ -65,8 +65,8 @@ inline SceneOf largePyramid() {
 
 inline SceneOf tumbler() {
     SceneOf scene{"tumbler", {}, 120, -10};
-    // In the order in which Trembler takes the pieces of any shape, see shape_order.hpp: Box2D's search for
-    // pairs, and so the last bits of the motion, depend on it.
+    // In the order in which Trembler sorts the pieces of any shape, see shape_order.hpp: Box2D's broad phase,
+    // and so the last bits of the motion, depend on it.
     Item drum{{{{-10, 0}, 0.5, 10}, {{0, 10}, 10, 0.5}, {{0, -10}, 10, 0.5}, {{10, 0}, 0.5, 10}}, {0, 10}, 5};
     drum.motorSpeed = 0.05 * pi;
     scene.items.push_back(drum);
@@ -126,7 +126,8 @@ public:
     }
     void step() {
         world_.Step(static_cast<float>(frameDuration), velocityIterations, positionIterations);
-        // What interactions say is done in the next frame: the first one knows no gravity, here as there.
+        // Calls of interactions take effect in the next frame: so the first frame has no gravity on either
+        // side.
         world_.SetGravity({0, gravity_});
     }
     [[nodiscard]] std::vector<Vec2> places() const {
@@ -204,7 +205,7 @@ private:
     std::vector<ObjectId> objects_;
 };
 
-/// Of this thread. Not wall time: what else the machine does is not counted.
+/// CPU time of this thread. Unlike wall time it does not include other processes.
 inline double cpuSeconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

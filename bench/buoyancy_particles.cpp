@@ -1,5 +1,5 @@
-// What the number of particles buys: area and centroid of the submerged part of Experiment IV's float as
-// particles have them (6.11), against the exact ones, and what both cost.
+// Accuracy by number of particles: area and centroid of the submerged part of Experiment IV's float computed
+// with particles (6.11), compared with the exact ones, and the cost of both.
 //
 //     bench_buoyancy_particles
 //
@@ -27,7 +27,7 @@ constexpr int angles = 90;
 constexpr int depths = 41;
 constexpr std::size_t repetitions = 31;
 
-/// The surfaces that it is cut by: all attitudes over half a turn, from all but dry to all but drowned.
+/// The surfaces that cut the float: all attitudes over half a turn, from nearly dry to nearly submerged.
 std::vector<Side> surfaces() {
     std::vector<Side> all;
     for (int i = 0; i < angles; ++i) {
@@ -58,7 +58,7 @@ void timeAll(bench::Series& series, Hull const& hull, std::vector<Side> const& a
 int main() {
     Shape const shape{{boxPiece(width, height)}};
     std::vector<Side> const all = surfaces();
-    auto const each = 1e9 / static_cast<double>(all.size()); // ns per cut for a second per sweep
+    auto const each = 1e9 / static_cast<double>(all.size()); // converts s per sweep to ns per cut
     ExactHull const exact(shape);
     std::vector<std::unique_ptr<ParticleHull>> hulls;
     for (int const count : counts) {
@@ -83,7 +83,8 @@ int main() {
             AreaMoments const want = cut(exact, surface).wet;
             AreaMoments const have = cut(*hulls[k], surface).wet;
             double const error = std::abs(have.area - want.area) / (width * height);
-            // Moments over the whole area: the centre counts as much as the force that acts on it.
+            // Moments over the whole area, so that errors of the centroid count as much as errors of the
+            // force.
             double const off =
                 std::hypot(have.first.x - want.first.x, have.first.y - want.first.y) / (width * height);
             area += error, centre += off;

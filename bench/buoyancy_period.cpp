@@ -1,11 +1,11 @@
-// Out-of-order execution of buoyancy (6.12.5): what happens to Experiment IV's raft if F_B is computed in
-// every nth frame only, for n from 1 to 12, at both detail levels, with and without looking ahead.
+// Out-of-order execution of buoyancy (6.12.5): the motion of Experiment IV's raft if F_B is computed only in
+// every nth frame, for n from 1 to 12, at both detail levels, with and without looking ahead.
 //
 //     bench_buoyancy_period [--svg FILE] [--csv FILE]
 //
-// Prints Markdown. The simulation is deterministic, so every machine prints the same numbers; only the times
-// do not belong to it. Of each run: the greatest deviation of the raft's height from the run with period 1,
-// when the raft has come to rest, and how far it still swings after that long.
+// Prints Markdown. The simulation is deterministic, so every machine prints the same numbers except for the
+// times. For each run: the greatest deviation of the raft's height from the run with period 1, the time at
+// which the raft has come to rest, and the remaining amplitude at the end.
 #include "physics/buoyancy/properties/settings.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/build/build_world.hpp"
@@ -32,14 +32,14 @@ constexpr int frames = 1800; // half a minute
 constexpr int longestPeriod = 12;
 constexpr double restAmplitude =
     0.005;                   // m: half a centimetre, less than a pixel of the level on a 720-line screen
-constexpr int watched = 120; // frames over which the swing is taken
+constexpr int watched = 120; // frames over which the final amplitude is taken
 
 struct Variant {
     char const* detail;
     char const* component;
     bool lookAhead;
     char const* name;
-    char const* stroke; // as SVG has it: colour tells whether it looks ahead, dashes tell the detail level
+    char const* stroke; // SVG attributes: colour for looking ahead, dashes for the detail level
     char const* colour;
 };
 constexpr std::array<Variant, 4> variants{{
@@ -71,7 +71,7 @@ std::vector<double> heights(GameData const& gameData, Variant const& variant, in
 }
 
 struct Measures {
-    double deviation = 0;          // m, the greatest from period 1
+    double deviation = 0;          // m, the greatest deviation from period 1
     std::optional<double> settled; // s
     double swing = 0;              // m, from lowest to highest at the end
 };
@@ -89,7 +89,7 @@ Measures measure(std::vector<double> const& values, std::vector<double> const& r
         found.deviation = std::max(found.deviation, std::abs(values[i] - reference[i]));
     }
     found.swing = swingOf(values, values.size() - watched);
-    // From the end back to the last time that it was farther from where it came to rest.
+    // From the end backwards to the last time at which it was farther from its place of rest.
     double const rest = values.back();
     std::size_t last = values.size();
     while (last > 0 && std::abs(values[last - 1] - rest) < restAmplitude) {
@@ -148,7 +148,7 @@ public:
                 path += fmt::format("{}{:.1f},{:.1f} ", path.empty() ? "M" : "L", x(period), y(shown));
                 body_ += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='3' fill='{}'/>\n", x(period),
                                      y(shown), colour);
-            } else { // a cross at the upper edge: never
+            } else { // a cross at the upper edge: it never came to rest
                 body_ += fmt::format("<path d='M{0:.1f},{2:.1f} l8,8 m0,-8 l-8,8' stroke='{1}' fill='none' "
                                      "stroke-width='2'/>\n",
                                      x(period) - 4, colour, top_ - 4);

@@ -1,11 +1,11 @@
-// What an interaction function costs (5.4): a million calls recorded through the interaction's own interface
-// in a running world, tracing off, and drained by a resolver, on one thread and on two. What it is held
-// against is the least that recording can cost: the same call appended to a plain buffer of the chunk's own,
-// in the same frames of the same run, so that neither the machine nor other work on it decides. Limit: 2
-// times as much.
+// The cost of calls of interaction functions (5.4): a million calls recorded through the interaction's own
+// interface in a running world, tracing off, and drained by a resolver, on one thread and on two. The
+// reference is the least possible cost of recording: the same call appended to a plain buffer per chunk, in
+// the same frames of the same run, so that the machine and its other load affect both equally. Limit: 2 times
+// the reference.
 //
-// What is measured is processor time of the threads, chunk by chunk. The loop and the clock are paid for by a
-// further interaction that does the same but the call; its time is subtracted from both.
+// Measures processor time of the threads, chunk by chunk. The cost of the loop and of the clock is measured
+// by another interaction that does the same without the call, and is subtracted from both.
 #include "bench/measure.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/component/resolver.hpp"
@@ -22,9 +22,9 @@ using namespace trembler;
 
 constexpr std::size_t count = 1000000;
 constexpr int frames = 61;
-constexpr double limit = 2; // times a plain buffer
+constexpr double limit = 2; // times the cost of a plain buffer
 
-/// Nanoseconds of processor time that this thread has had.
+/// Processor time of this thread, ns.
 std::int64_t processorTime() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -42,7 +42,7 @@ struct Weight {
     }
 };
 
-// As large as Dynamics's addForce.
+// As large as a call of Dynamics's addForce.
 struct Pull {
     static constexpr CallText text{"pull", "(object, force)", "Pulls the object."};
     static constexpr Algebra algebra = Algebra::sumOfRates;
@@ -90,7 +90,7 @@ struct Drain final : Resolver<Drain, PullRole, Reads<>, Writes<>> {
     }
 };
 
-// A buffer of its own for every producer, which keeps its memory from frame to frame.
+// A separate buffer for every producer, which keeps its memory between frames.
 constexpr std::size_t leastChunk = 256;
 std::vector<std::vector<Pull>> plainBuffers(count / leastChunk + 1);
 
@@ -159,7 +159,7 @@ void measure(int threads, bench::Table& table, std::string const& name) {
         auto const called = static_cast<double>(Caller<does>::took.load());
         auto const looped = static_cast<double>(Caller<Does::nothing>::took.load());
         if (frame == 0) {
-            first = called - looped; // buffers grow only now
+            first = called - looped; // buffers grow only in the first frame
         } else {
             calling.add(called);
             looping.add(looped);
@@ -180,7 +180,7 @@ void measure(int threads, bench::Table& table, std::string const& name) {
     table.row(name + ": recording", perCall / plain, "times a plain buffer", perCall / plain, limit);
     table.row(name + ": draining", draining.median() / count, "ns per call");
 
-    // The interactions asleep: what was held is carried out again without being said again.
+    // With the interactions asleep: held calls are drained again without being recorded again.
     if (does == Does::pulls) {
         bench::Series held;
         for (int frame = 0; frame < frames; ++frame) {

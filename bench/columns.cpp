@@ -1,5 +1,5 @@
-// Column iteration against raw arrays: two properties of 16 bytes each, p += v, a million objects.
-// Interleaved repetitions, medians. Limit: 1.3 times raw arrays where the columns have the same owners.
+// Iteration over columns compared with raw arrays: two properties of 16 bytes each, p += v, a million
+// objects. Alternating repetitions, medians. Limit: 1.3 times raw arrays if the columns have the same owners.
 #include "bench/measure.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/property/for_each.hpp"

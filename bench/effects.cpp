@@ -1,6 +1,6 @@
-// What an effect costs where it is called for: two worlds of the same bodies that move on for ever, one of
-// which has the effect's properties besides, turn by turn in blocks of frames. Once in a world of two bodies,
-// and in one of a thousand. CPU time of this thread, medians of the differences.
+// The cost of each activated effect: two worlds of the same bodies in perpetual motion, one of which also has
+// the effect's properties, alternating in blocks of frames; with two bodies and with a thousand. CPU time of
+// this thread, medians of the differences.
 #include "puzzle/data/effects.hpp"
 
 #include "audio/effect/hearing/loudness.hpp"
@@ -34,14 +34,14 @@ using namespace trembler;
 
 constexpr double drift = 0.05; // m/s
 
-/// Whether cables are being cut and mended: with it, one of every circuit in every frame.
+/// If the world has it, one cable of every circuit is cut or repaired in every frame.
 struct CableChanges {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Cable changes", "bench_cable_changes", "A cable to cut and to mend.",
                                        PropertyPlace::hidden};
     ObjectId a;
     ObjectId b;
-    bool cut = false; ///< whether it is cut now
+    bool cut = false; ///< whether the cable is cut now
 };
 
 class ElectricityFromBench final
@@ -53,7 +53,7 @@ public:
     void apply(Access& access) {
         for (CableChanges const& change : access.read<CableChanges>().values()) {
             if (change.cut) {
-                access.call(CutWire{change.a, change.b}); // the level's, or the one that mended it
+                access.call(CutWire{change.a, change.b}); // the original cable, or the one that repaired it
                 access.call(RemoveConnection{{change.a, change.b}});
             } else {
                 access.call(AddConnection{{change.a, change.b}});
@@ -62,7 +62,7 @@ public:
     }
 };
 
-/// Bodies a metre apart that drift along, or balls that bounce for ever on a floor.
+/// Bodies a metre apart that drift, or balls that bounce on a floor for ever.
 class Scene {
 public:
     Scene(Registry const& registry, int count, bool bouncing)
@@ -101,7 +101,7 @@ public:
         world_.store().column<GravityField>().set(settings_, {{0, -acceleration}});
     }
     void attract() { world_.store().column<GravityLaw>().set(settings_, {1e-9, 0.01, 0.35}); }
-    /// Ten bodies side by side in each circuit, always on.
+    /// Circuits of ten bodies each, always on.
     void wire() {
         Store& store = world_.store();
         auto const conductor = [&](std::string const& name) {
@@ -148,7 +148,7 @@ public:
             world_.store().column<MagneticPoles>().set(id, {PoleSet::both, {0.05, 0}, {-0.05, 0}});
         }
     }
-    /// All of them are immersed, but for a row that is half in it; it drifts with them.
+    /// All bodies are submerged, except for a row that is half submerged; the liquid drifts with them.
     void flood() {
         Store& store = world_.store();
         ObjectId const sea = store.create("sea");
@@ -192,9 +192,10 @@ private:
 struct Case {
     std::string name;
     bool bouncing;
-    std::function<void(Scene&)> base; ///< what both have
-    std::function<void(Scene&)> more; ///< what one of them has besides
-    std::string component; ///< part of its title; it must have had turns, so that something was measured
+    std::function<void(Scene&)> base; ///< properties of both worlds
+    std::function<void(Scene&)> more; ///< additional properties of one world
+    /// Part of the component's title; it must have run, as proof that something was measured.
+    std::string component;
 };
 
 Registry const& effects() {
@@ -252,7 +253,7 @@ Cost measure(Case const& one, int count, int repetitions) {
 
 } // namespace
 
-// bench_effects [repetitions]
+// bench_effects [repetitions].
 int main(int argc, char** argv) {
     int const repetitions = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
     auto const nothing = [](Scene&) {};

@@ -1,6 +1,6 @@
-// What one changed connection costs: Trembler's resolver and detail level, which look at the changed circuit
-// only, against the Boost Graph Library over the whole graph. In a city of 1e5 electrical objects in 2,000
-// separate buildings, and, where there is no locality to gain from, on one chain of 1e6 objects.
+// The cost of one changed connection: Trembler's resolver and detail level, which update only the changed
+// circuit, compared with the Boost Graph Library on the whole graph. In a city of 1e5 electrical objects in
+// 2,000 separate buildings, and on one chain of 1e6 objects, where locality gains nothing.
 #include "physics/electricity/calls.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/register.hpp"
@@ -35,8 +35,8 @@ struct Plan {
     Edges wires;
 };
 
-/// Buildings of equal size with a source and a return each; the wiring branches out, with a fifth more wires
-/// than a tree has, as houses have.
+/// Buildings of equal size with a source and a return each; the wiring is a tree with a fifth more wires, as
+/// in houses.
 Plan city(std::uint32_t buildings, std::uint32_t perBuilding) {
     Plan plan;
     std::mt19937 random(42);
@@ -90,7 +90,7 @@ public:
             if (change.add) {
                 access.call(AddConnection{{change.a, change.b}});
             } else {
-                access.call(CutWire{change.a, change.b}); // the level's, or the one that mended it
+                access.call(CutWire{change.a, change.b}); // the original cable, or the one that repaired it
                 access.call(RemoveConnection{{change.a, change.b}});
             }
         }
@@ -131,7 +131,7 @@ public:
         world_->start();
         step(2);
     }
-    /// Both frames that a change takes, with all that happens in them.
+    /// Both frames that a change takes, with everything computed in them.
     double change(std::pair<std::uint32_t, std::uint32_t> wire, bool add) {
         Change const change{objects_[wire.first], objects_[wire.second], add};
         auto const start = std::chrono::steady_clock::now();
@@ -155,8 +155,8 @@ private:
     ObjectId director_;
 };
 
-/// The graph library over everything. The graph is kept between changes, only the analysis starts from
-/// scratch.
+/// The Boost Graph Library on the whole graph. The graph is kept between changes; only the analysis starts
+/// from scratch.
 class WholeGraph {
 public:
     WholeGraph(Plan const& plan, bool twoWire)
@@ -195,7 +195,8 @@ private:
     static constexpr std::uint32_t returning = 1;
 
     void markBlock() {
-        auto const block = get(boost::edge_index, graph_); // the property serves as the number of the block
+        // The edge property serves as the index of the block.
+        auto const block = get(boost::edge_index, graph_);
         biconnected_components(graph_, block);
         std::size_t const live = get(block, edge(source, returning, graph_).first);
         for (auto [e, end] = edges(graph_); e != end; ++e) {
@@ -205,7 +206,7 @@ private:
             }
         }
     }
-    // The return node joins buildings, so it must not take part where whole cables are meant.
+    // The return node connects all buildings, so it is excluded from the components of cables.
     void markComponent() {
         component_.resize(num_vertices(graph_));
         clear_vertex(returning, graph_);
@@ -234,7 +235,8 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Cuts and mends wires here and there on both sides in turn. Returns how many times faster Trembler is.
+/// Cuts and repairs wires in different places, alternating between both sides. Returns how many times faster
+/// Trembler is.
 double compare(std::string const& title, Plan const& plan, std::string const& level, int rounds) {
     TremblerSide trembler(plan, level);
     WholeGraph whole(plan, level == "two-wire");

@@ -1,6 +1,6 @@
-// What each rigid-body engine costs, and how well it holds, on the same scenes through the same interface.
-// Wall time per frame of 1/60 s with the world's four substeps and sleeping off, one thread, medians over
-// frames; interleaved, so that all engines meet the same machine.
+// The cost and accuracy of each rigid-body engine in the same scenes through the same interface. Wall time
+// per frame of 1/60 s with the world's four substeps and sleeping off, one thread, medians over frames;
+// alternating, so that other load affects all engines equally.
 #include "bench/measure.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/joint.hpp"

@@ -1,6 +1,6 @@
-// What a frame costs in which nothing happens, by component: absent ones, which nothing in the scene calls
-// for, and ones that are asleep, as nothing that they read has changed. Wall time, medians over frames, one
-// thread.
+// The cost of a frame in which nothing happens, by component: absent components, which the scene does not
+// activate, and components that are asleep because their inputs have not changed. Wall time, medians over
+// frames, one thread.
 #include "bench/measure.hpp"
 #include "runtime/component/dps.hpp"
 #include "runtime/component/interaction.hpp"
@@ -28,7 +28,7 @@ struct Trait {
     }
 };
 
-// Two letters for every number, so that all components have names and keys of their own.
+// Two letters for every number, so that all components have unique names and keys.
 template <std::size_t n>
 struct Letters {
     static constexpr std::array<char, 2> characters{static_cast<char>('a' + n / 26),
@@ -86,7 +86,7 @@ Registry const& nobody() {
     return registry;
 }
 
-// Median time of a frame, in s.
+// Median time of a frame, s.
 double frameTime(Registry const& registry, bool activation, bool changing) {
     World world(registry);
     auto& traits = world.store().column<Trait>();

@@ -1,14 +1,15 @@
-// How cost grows with everything that a level can state in number: processor time to load a level up to its
-// first frame, and per frame after that, for a hundred to a hundred thousand of each, and the exponent k of
-// n^k that fits the last three sizes best. Prints a table in Markdown, for docs/measurements/performance.md,
-// and how far it is to stderr. Ends with 1 if an exponent is above the row's limit.
+// How cost grows with the number of each thing that a level can contain: processor time to load a level up to
+// its first frame, and per frame after that, for a hundred to a hundred thousand of each, and the exponent k
+// of n^k that fits the last three sizes best. Prints a table in Markdown, for
+// docs/measurements/performance.md, and its progress to standard error. Exit status 1 if an exponent exceeds
+// the row's limit.
 //
 //   bench_growth [ROW...] [--most N] [--engine E]
 //
-// Processor time, so that other programs on the machine count little, and medians of up to five trials. A
-// frame is the mean of five, so that what happens in one of them counts. A size is left out where those
-// before it let expect more than half a minute.
-#include "bench/growth_levels.hpp"
+// Processor time, so that other programs on the machine have little influence, and medians of up to five
+// trials. The time of a frame is the mean of five, so that work which is done in only one of them counts.
+// Sizes that would take more than half a minute, extrapolated from smaller ones, are skipped.
+#include "bench/growth_levels/rows.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -43,7 +44,7 @@ struct Measured {
     double frame = 0; // s
 };
 
-/// Loads a level of n, runs its frames and says what both took.
+/// Loads a level of n, runs its frames and returns the times of both.
 Measured measureOnce(GameData const& gameData, GrowthRow const& row, int n, std::string const& text,
                      std::string const& engine) {
     Measured measured{static_cast<double>(n), 0, 0};
@@ -84,7 +85,7 @@ double total(Measured const& measured) {
     return measured.load + framesOfGrowth * measured.frame;
 }
 
-/// The medians of up to five trials, fewer where they take long.
+/// The medians of up to five trials; fewer if they take long.
 Measured measure(GameData const& gameData, GrowthRow const& row, int n, std::string const& engine) {
     constexpr double enough = 5; // s
     constexpr std::size_t most = 5;
@@ -111,7 +112,7 @@ Measured measure(GameData const& gameData, GrowthRow const& row, int n, std::str
 }
 
 /// The exponent of n that fits the last three sizes best: the slope of a line through the logarithms. Times
-/// that the clock hardly sees do not count; what a level costs that states nothing hides in small sizes.
+/// close to the clock's resolution are ignored; in small sizes the constant cost of an empty level dominates.
 std::optional<double> exponent(std::vector<Measured> const& all, double Measured::*time) {
     constexpr double least = 2e-4; // s
     double const largest = all.empty() ? 0 : all.back().n;
@@ -135,7 +136,7 @@ std::string milliseconds(double seconds) {
     return seconds >= 0.1 ? fmt::format("{:.0f}", 1000 * seconds) : fmt::format("{:.2g}", 1000 * seconds);
 }
 
-/// False if it grows by a greater exponent than `most`.
+/// Returns false if the exponent exceeds `most`.
 bool print(GrowthRow const& row, std::vector<Measured> const& all, std::vector<int> const& sizes,
            char const* what, double Measured::*time, double most) {
     std::string line = fmt::format("| {} | {} |", row.what, what);
@@ -153,7 +154,7 @@ bool print(GrowthRow const& row, std::vector<Measured> const& all, std::vector<i
     return true;
 }
 
-/// False if a limit is missed.
+/// Returns false if a limit is exceeded.
 bool printRow(GameData const& gameData, GrowthRow const& row, std::vector<int> const& sizes,
               std::string const& engine) {
     std::vector<Measured> all;
@@ -161,7 +162,7 @@ bool printRow(GameData const& gameData, GrowthRow const& row, std::vector<int> c
         if (static_cast<std::size_t>(n) > row.most) {
             break;
         }
-        if (all.size() >= 2) { // as it grew up to here
+        if (all.size() >= 2) { // extrapolates the growth so far
             double const before = total(all[all.size() - 2]);
             double const last = total(all.back());
             if (last * last / std::max(1e-3, before) > patience) {

@@ -1,7 +1,7 @@
-// A hall of machines that never rest, as large as wanted: the scene for measuring what threads gain. Each
-// machine has a pool with driftwood and a paddle in it, a drum in which all sorts of things tumble, and a
-// motor that closes a contact in passing, so that an electromagnet snatches at iron balls. Nothing in it is
-// scripted. Where there are listeners, the noise switches lamps.
+// A hall of machines that never rest, of any size: the scene for measuring the gain from threads. Each
+// machine has a pool with driftwood and a paddle, a drum in which loose objects tumble, and a motor that
+// closes a contact once per turn, so that an electromagnet attracts iron balls. Nothing in it is scripted. If
+// there are listeners, the noise switches lamps.
 #pragma once
 
 #include "audio/effect/properties/acoustics.hpp"
@@ -28,13 +28,13 @@ namespace bench {
 
 using namespace trembler;
 
-/// Builds the hall in a store that is empty.
+/// Builds the hall in an empty store.
 class MachineHall {
 public:
     explicit MachineHall(Store& store) : store_(store) {}
 
-    /// As many machines as that, `listeners` of them with a lamp that hears, and loose things in their drums
-    /// until there are `objects` objects.
+    /// Builds that number of machines, `listeners` of them with a lamp that is switched by sound, and loose
+    /// objects in their drums until there are `objects` objects.
     void build(int machines, std::size_t objects, int listeners) {
         store_.column<GravityField>().set(store_.create("world"), {{0, -9.81}});
         for (int i = 0; i < machines; ++i) {
@@ -92,7 +92,7 @@ private:
             throw std::logic_error(*fault);
         }
     }
-    /// Turns for as long as there is electricity, and there is.
+    /// Turns as long as it has electricity, which is always.
     void motor(ObjectId id, double torque, double speed) {
         store_.column<Conductor>().set(id, {});
         store_.column<ElectricMotor>().set(id, {torque, speed, {}});
@@ -162,7 +162,7 @@ private:
         store_.column<SoundSensor>().set(ear, {75, plus_, lamp});
     }
 
-    /// The nth loose thing in a drum: balls, boxes and magnets of many materials.
+    /// The nth loose object in a drum: balls, boxes and magnets of many materials.
     void loose(int n) {
         constexpr std::array<Material, 6> materials{Material::steel, Material::wood,   Material::glass,
                                                     Material::iron,  Material::rubber, Material::copper};

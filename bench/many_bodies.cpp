@@ -1,9 +1,10 @@
-// What trees and grids buy where very many bodies attract one another: time per frame and error of the detail
-// levels of gravity and magnetism over the number of bodies, and where they overtake the sum over all pairs.
+// The gain from trees and grids for very many bodies that attract one another: time per frame and error of
+// the detail levels of gravity and magnetism by number of bodies, and the number at which they overtake the
+// sum over all pairs.
 //
 //     bench_many_bodies
 //
-// Prints Markdown. Errors are the same on every machine, times are medians of single frames on one thread.
+// Prints Markdown. Errors are the same on every machine; times are medians of single frames on one thread.
 #include "bench/measure.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/standstill.hpp"
@@ -30,14 +31,14 @@ using namespace trembler;
 
 constexpr std::array<int, 8> counts{100, 300, 500, 1000, 2000, 4000, 10000, 30000};
 constexpr std::array<double, 4> angles{0.25, 0.35, 0.5, 0.7};
-constexpr double spacing = 0.5; // m between neighbours, on the average
+constexpr double spacing = 0.5; // m, mean distance of neighbours
 
 struct Result {
     double microseconds = 0;
     std::vector<Vec2> forces;
 };
 
-Vec2 placeOf(int i) { // a sunflower: even density, no lattice
+Vec2 placeOf(int i) { // a sunflower spiral: uniform density without a lattice
     double const radius = spacing * std::sqrt(static_cast<double>(i));
     double const angle = i * pi * (3 - std::sqrt(5.0));
     return {radius * std::cos(angle), radius * std::sin(angle)};
@@ -76,7 +77,8 @@ Result measure(Registry const& registry, std::string const& effect, std::string 
     bench::Series series;
     ObjectId const first = world.store().find("m0");
     for (int i = 0; i <= repetitions; ++i) {
-        world.store().column<Position>().set(first, {placeOf(0)}); // wakes it
+        // Marks the column as changed, which wakes the component.
+        world.store().column<Position>().set(first, {placeOf(0)});
         world.step();
         for (ComponentStatus const& status : world.status()) {
             if (i > 0 && status.info->text.effect == effect && status.info->text.level == level) {

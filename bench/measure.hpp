@@ -1,4 +1,4 @@
-// What the benchmarks share: timing, medians, and a table that says whether a limit is held.
+// Common to the benchmarks: timing, medians, and a table of results and limits.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace bench {
 
-/// Keeps the compiler from leaving out work whose result nobody looks at.
+/// Keeps the compiler from removing work whose result is not used.
 template <class T>
 inline void keep(T const& value) {
     asm volatile("" : : "g"(&value) : "memory");
 }
 
-/// Durations of repetitions of one thing. Alternate the things to be compared, so that what disturbs the
-/// machine disturbs all of them, and compare medians.
+/// Durations of repetitions of one measurement. Alternate the measurements to be compared, so that other load
+/// on the machine affects all of them, and compare medians.
 class Series {
 public:
     template <class F>
@@ -28,10 +28,10 @@ public:
         seconds_.push_back(took.count());
     }
     void add(double seconds) { seconds_.push_back(seconds); }
-    /// In s; 0 if nothing was timed.
+    /// s; 0 if nothing was timed.
     [[nodiscard]] double median() const { return quantile(0.5); }
-    /// The duration that this share of all, 0 to 1, is shorter than. A small one tells what a machine that
-    /// has other work does when it has none.
+    /// The given quantile of the durations, `share` from 0 to 1. A small quantile estimates the duration on a
+    /// machine without other load.
     [[nodiscard]] double quantile(double share) const {
         if (seconds_.empty()) {
             return 0;
@@ -48,7 +48,8 @@ private:
     std::vector<double> seconds_;
 };
 
-/// Rows of name, value and unit; where there is a limit, what it applies to and whether it is held.
+/// Rows of name, value and unit; for rows with a limit also the limited quantity and whether the limit is
+/// kept.
 class Table {
 public:
     explicit Table(std::string title) : title_(std::move(title)) {}

@@ -1,6 +1,6 @@
-// What nodal analysis costs, by size of a circuit: all of it from scratch, with only the numbers new, with
-// only the EMF new; and what of that the refinement and the bookkeeping around Eigen's factorisation are.
-// Beside it two-wire and flow on the same circuits.
+// The cost of nodal analysis by size of a circuit: from scratch, with only new resistances, with only new
+// EMFs; and the share of refinement and bookkeeping around Eigen's factorisation. For comparison, two-wire
+// and flow on the same circuits.
 #include "bench/measure.hpp"
 #include "physics/electricity/analyses/max_flow.hpp"
 #include "physics/electricity/analyses/nodal_analysis.hpp"
@@ -22,8 +22,8 @@ struct Sample {
     std::vector<Microamperes> capacities;
 };
 
-/// A tree with a fifth more wires, as a house has it, or a sheet of squares. The first object is the source,
-/// the last the return; every second object is a resistor of 1 to 1000 ohm.
+/// A tree with a fifth more wires, as in a house, or a square grid. The first object is the source, the last
+/// the return; every second object is a resistor of 1 to 1000 ohm.
 Sample sampleOf(std::uint32_t objects, bool sheet) {
     std::mt19937 engine(11);
     auto const random = [&](std::uint32_t bound) { return static_cast<std::uint32_t>(engine() % bound); };

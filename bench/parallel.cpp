@@ -1,8 +1,8 @@
-// What a second thread gains where it should: a hall of machines, 2,000 objects that call on eight effects,
-// all of them at work in every frame. Two worlds of the same scene, on one thread and on two, take turns
-// frame by frame, so what disturbs the machine disturbs both. Beside the speed-up stands what the schedule
-// allows: the time of every component on one thread, and the longest chain of them that must run one after
-// the other.
+// The gain from a second thread in a favourable scene: a hall of machines, 2,000 objects with eight effects,
+// all of them active in every frame. Two worlds of the same scene, on one thread and on two, alternate frame
+// by frame, so that other load on the machine affects both. For comparison, the speed-up that the schedule
+// allows: the time of every component on one thread, and the longest chain of components that must run one
+// after the other.
 #include "audio/effect/properties/sounds.hpp"
 #include "bench/machine_hall.hpp"
 #include "bench/measure.hpp"
@@ -25,11 +25,11 @@ using namespace trembler;
 constexpr int machines = 40;
 constexpr std::size_t objects = 2000;
 
-/// How long to measure; the command line may say otherwise.
+/// How long to measure; the defaults can be changed on the command line.
 struct Plan {
     int runs = 5;
     int frames = 300;
-    int warmUp = 120; // frames, until everything has fallen to where it is thrown about
+    int warmUp = 120; // frames, until all loose objects have fallen to the moving parts
 };
 
 Registry const& effects() {
@@ -43,7 +43,7 @@ Registry const& effects() {
 
 struct Hall {
     std::unique_ptr<World> world;
-    Subscription sounds; // as a loudspeaker's
+    Subscription sounds; // requests the Sounds, as a loudspeaker does
 };
 
 Hall hall(int threads, int listeners) {
@@ -62,11 +62,11 @@ double stepTime(World& world) {
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What a component took per frame, and how often it had anything to do.
+/// The time of a component per frame, and how often it had work.
 struct Share {
     ComponentInfo const* info = nullptr;
     bool present = false;
-    std::vector<double> times; // µs, by frame; 0 where it slept
+    std::vector<double> times; // µs, by frame; 0 where it was asleep
     [[nodiscard]] double mean() const {
         double sum = 0;
         for (double const time : times) {
@@ -80,15 +80,15 @@ struct Share {
     }
 };
 
-/// How long a frame must take, in µs: a phase is never shorter than its longest chain of components that must
-/// follow one another, nor than half of its work on two threads.
+/// Lower bounds for the time of a frame, µs: a phase is never shorter than its longest chain of components
+/// that must follow one another, nor than half of its work on two threads.
 struct Bounds {
-    double all = 0;     ///< one thread
-    double whole = 0;   ///< two, were every component one piece
-    double divided = 0; ///< two, with those that run over ranges on both
+    double all = 0;     ///< on one thread
+    double whole = 0;   ///< on two, if every component were indivisible
+    double divided = 0; ///< on two, if components that split their work into ranges use both
 };
 
-/// Components that spread ranges of their work over threads by themselves.
+/// Components that split ranges of their work over threads by themselves.
 bool divides(ComponentInfo const& info) {
     static std::set<std::string_view> const names{"Buoyancy", "Magnetic Forces", "Straight Loudness",
                                                   "Loudness around Corners"};
@@ -132,7 +132,7 @@ Bounds boundsOf(std::vector<ComponentStatus> const& status, std::set<std::string
             }
             return most;
         };
-        // What runs inside a derived property set has no phase of its own; it is short.
+        // Functions inside a derived property set have no phase of their own; they are short.
         bounds.all += sum + shortcuts;
         bounds.whole += std::max(longest(1), sum / 2) + shortcuts;
         bounds.divided += std::max(longest(0.5), sum / 2) + shortcuts;

@@ -1,5 +1,6 @@
-// What sound costs: 200 bodies that hit the floor in one frame, worked out in the world, synthesised and
-// played into memory, against a tenth of a frame; and what fewer modes, or masking, save and lose.
+// The cost of sound: 200 bodies that hit the floor in one frame, computed in the world, synthesised and
+// rendered into memory, compared with a tenth of a frame; and the savings and losses of fewer modes and of
+// masking.
 #include "audio/effect/properties/decibel.hpp"
 #include "audio/effect/properties/sounds.hpp"
 #include "audio/effect/register.hpp"
@@ -57,7 +58,7 @@ struct Crash {
         store.column<Position>().set(id, {at});
         store.column<MadeOf>().set(id, {material});
     }
-    /// Steps the world; returns what its sound components took, in µs.
+    /// Steps the world; returns the time of its sound components, µs.
     double step() {
         world->step();
         double sum = 0;
@@ -74,10 +75,10 @@ struct Crash {
     std::unique_ptr<World> world;
 };
 
-constexpr std::size_t before = 12; // frames; the crash is in them
+constexpr std::size_t before = 12; // frames; the impacts are in them
 constexpr std::size_t after = 60;
 
-/// What one frame took, in µs.
+/// The times of one frame, µs.
 struct FrameCost {
     double world = 0;
     double synthesis = 0;
@@ -89,7 +90,7 @@ struct Run {
     std::size_t impacts = 0; // in the worst frame
     std::size_t modes = 0;
     std::size_t rendered = 0;
-    std::vector<float> mix; // at the listener's ear
+    std::vector<float> mix; // at the listener's place
 };
 
 double microsecondsSince(std::chrono::steady_clock::time_point start) {
@@ -138,8 +139,8 @@ Run runOnce(std::string const& level, bool masking) {
     return run;
 }
 
-/// The same run several times: of each frame the median, as the machine is shared and its scheduler takes
-/// slices of several milliseconds.
+/// The same run several times: the median of each frame, because the machine is shared and the scheduler
+/// interrupts for several milliseconds.
 Run medianRun(std::string const& level, bool masking) {
     constexpr std::size_t repetitions = 15;
     std::vector<Run> all;

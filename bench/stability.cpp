@@ -1,10 +1,10 @@
-// The hard cases of measure/stability/ over many jittered seeds: what is reached with the automatic settings,
-// and the cheapest fixed setting that holds. It makes the tables of docs/measurements/stability.md:
+// The hard cases of measure/stability/ over many jittered seeds: the results with the automatic settings, and
+// the cheapest fixed settings that keep all limits. Makes the tables of docs/measurements/stability.md:
 //
 //   bench_stability --markdown > table.md
 //
-// --case TEXT picks the cases whose name contains it. With --substeps only these are tried, and all figures
-// shown. Progress goes to the standard error.
+// --case TEXT selects the cases whose name contains it. With --substeps only these are tried, and all figures
+// shown. Progress goes to standard error.
 #include "measure/stability/hard_case.hpp"
 
 #include <CLI/CLI.hpp>
@@ -69,7 +69,7 @@ std::string text(std::vector<Figure> const& figures, bool limits) {
     return all;
 }
 
-// The fewest fixed substeps, at the automatic scale, with which all of some seeds hold.
+// The fewest fixed substeps, at the automatic scale, with which all of the seeds keep their limits.
 std::string cheapest(HardCase const& one, Setting setting, int seeds) {
     for (int const n : {1, 2, 4, 6, 8, 12, 16, 24, 32, 48, 64}) {
         setting.solver.substeps = n;

@@ -20,7 +20,7 @@ if(NOT TREMBLER_HEADLESS)
   pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
 endif()
 
-# Further engines for rigid bodies, behind the same interface as Box2D: what is not there is left out.
+# Further engines for rigid bodies, with the same interface as Box2D: optional, left out if not installed.
 set(TREMBLER_ENGINES)
 function(trembler_engine name header library package)
   if(NOT TREMBLER_${name})

@@ -1,7 +1,7 @@
-# cmake --install: the program, what it reads, and what a desktop shows of it.
+# cmake --install: the program, its data files, and its desktop entry, icon and manual page.
 include(GNUInstallDirs)
 install(TARGETS trembler RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-# The program finds share/trembler from where it lies itself, so what is installed can be moved as a whole.
+# The program finds share/trembler relative to its own path, so the installation can be moved as a whole.
 install(DIRECTORY assets levels mods DESTINATION share/trembler)
 install(FILES packaging/trembler.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES README.md LICENSE THIRD_PARTY.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,5 +1,6 @@
 #include "physics/look.hpp"
 
+#include "physics/look_form.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <fmt/format.h>
@@ -35,6 +36,7 @@ std::optional<std::string> checkLook(Store const& store, ObjectId id) {
 
 void registerLook(Registry& registry) {
     registry.property<Look>();
+    registry.property<DrawnAs>();
     registry.rule({&propertyInfo<Look>(), checkLook});
 }
 

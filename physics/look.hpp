@@ -59,7 +59,7 @@ struct Look {
     friend bool operator==(Look const&, Look const&) = default;
 };
 
-/// Makes the property known, with the rule that its colour is one.
+/// Makes the property and DrawnAs known, with the rule that a colour is one.
 void registerLook(Registry& registry);
 
 } // namespace trembler

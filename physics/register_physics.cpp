@@ -4,10 +4,7 @@
 #include "physics/buoyancy/properties/settings.hpp"
 #include "physics/buoyancy/register.hpp"
 #include "physics/dynamics/register.hpp"
-#include "physics/electricity/properties/electrical.hpp"
-#include "physics/electricity/properties/ratings.hpp"
 #include "physics/electricity/register.hpp"
-#include "physics/electricity/rules/wire.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/gravity/register.hpp"
 #include "physics/look.hpp"
@@ -28,15 +25,6 @@ namespace {
 template <class... Properties>
 void registerOnly(Registry& registry) {
     (registry.property<Properties>(), ...);
-}
-
-// Connections of a level that has no electricity: they may be stated, and nothing flows.
-void layNothing(Store& /*store*/, ObjectId /*a*/, ObjectId /*b*/) {}
-
-void knowElectricity(Registry& registry) {
-    registerOnly<Conductor, ElectricalSource, ElectricalReturn, ElectricalDevice, Resistance, Emf, RatedPower,
-                 Fuse, CurrentCapacity>(registry);
-    registry.connector(wireConnector(layNothing));
 }
 
 struct Effect {

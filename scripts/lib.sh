@@ -1,17 +1,17 @@
 # shellcheck shell=bash
-# Shared by ./play and ./check: where things are, and how a build folder is configured and built.
+# Shared by ./play and ./check: paths, and functions that configure and build a build folder.
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 # One job per processor, but no more than memory allows at 1.5 GB each.
 jobs=$(awk -v most="$(nproc)" '/^MemAvailable/ { n = int($2 / 1.5e6) } END { print n < 1 ? 1 : n < most ? n : most }' \
     /proc/meminfo)
-unset CXXFLAGS CPPFLAGS LDFLAGS # such as -march=native, which would change the simulation's bits
+unset CXXFLAGS CPPFLAGS LDFLAGS # flags such as -march=native would change the simulation's bits
 export NINJA_STATUS='[%f/%t] '
-export CCACHE_BASEDIR=$root # two clones share what they have in common
-export CCACHE_SLOPPINESS=pch_defines,time_macros # what it asks for where headers are precompiled
-export CCACHE_COMMENTS=true                         # precompiled headers know their files by every byte, comments too
+export CCACHE_BASEDIR=$root # so that clones in different folders share results
+export CCACHE_SLOPPINESS=pch_defines,time_macros # required by ccache for precompiled headers
+export CCACHE_COMMENTS=true                         # precompiled headers depend on every byte of their files, including comments
 
-# progress LOG: appends its input to LOG and shows only how far it is ("[3/80] ..." or "3/80 Test ...").
+# progress LOG: appends its input to LOG and shows only its progress ("[3/80] ..." or "3/80 Test ...").
 progress() {
     local line tenth shown=-1
     while IFS= read -r line; do
@@ -34,7 +34,7 @@ progress() {
     fi
 }
 
-# configure DIRECTORY [OPTION...]: a folder that was copied or moved here from elsewhere starts afresh.
+# configure DIRECTORY [OPTION...]: a folder that was copied or moved here from elsewhere is configured from scratch.
 configure() {
     local directory=$1 fresh=()
     shift
@@ -48,8 +48,8 @@ configure() {
     fi
 }
 
-# compile DIRECTORY TARGET...: builds, showing progress; on an error shows what the compiler said.
-# Compiler warnings are collected in DIRECTORY/warnings.txt, because ninja does not say them twice.
+# compile DIRECTORY TARGET...: builds, showing progress; on an error shows the compiler's messages.
+# Compiler warnings are collected in DIRECTORY/warnings.txt, because ninja does not repeat them.
 compile() {
     local directory=$1 log=$1/build.log status=0
     shift
@@ -57,7 +57,7 @@ compile() {
     cmake --build "$directory" --parallel "$jobs" --target "$@" 2>&1 | progress "$log" || status=$?
     grep -F 'warning:' "$log" >>"$directory/warnings.txt" || true
     if ((status != 0)); then
-        # What failed, without the warnings of what did not.
+        # The errors, without the warnings of other files.
         awk '/^\[[0-9]+\/[0-9]+\]/ { shown = 0 } /^FAILED: |^ninja: error/ { shown = 1 } shown' "$log" | head -n 100 || true
         echo "The build failed; all of it is in $log"
     fi

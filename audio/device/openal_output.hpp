@@ -2,9 +2,10 @@
 #pragma once
 
 #include "audio/device/openal.hpp"
+#include "audio/device/openal_reverb.hpp"
+#include "audio/device/openal_streams.hpp"
 #include "audio/device/output.hpp"
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,7 +36,7 @@ public:
     [[nodiscard]] std::span<float const> rendered() const { return rendered_; }
     [[nodiscard]] bool hrtf() const;
     /// Blocks that came too late, or too early, for the device.
-    [[nodiscard]] std::uint64_t slips() const { return slips_; }
+    [[nodiscard]] std::uint64_t slips() const { return leftOut_ + streams_.slips(); }
 
     /// Streams that have a place of their own at a time; the faintest beyond them come from everywhere.
     static constexpr std::size_t mostPlaces = 64;
@@ -43,41 +44,19 @@ public:
     static constexpr double fullScale = 2;
 
 private:
-    struct Source {
-        ALuint id = 0;
-        bool used = false; // in this block
-    };
-
     OpenAlOutput(ALCdevice* device, SynthesiserOptions const& format);
     [[nodiscard]] bool start(std::vector<ALCint> attributes, std::string& why);
-    void makeReverb();
-    void applyReverb();
-    [[nodiscard]] bool ahead();
-    void queue(Source& source, std::span<float const> samples);
-    void reclaim(Source& source);
-    [[nodiscard]] Source* sourceFor(std::uint64_t stream);
     void playRest(std::span<Voice const* const> voices, Listener const& listener);
-    void retire();
-    [[nodiscard]] ALuint freeBuffer();
 
     ALCdevice* device_;
     ALCcontext* context_ = nullptr;
     SynthesiserOptions format_;
     std::optional<OpenAlExtensions> extensions_; // of a loopback device
-    OpenAlEffects effects_;
-    ALuint effect_ = 0;
-    ALuint slot_ = 0;
+    OpenAlReverb reverb_;
+    OpenAlStreams streams_;
     OutputSettings settings_;
-    RoomAcoustics room_;
-    int cushion_ = 2;                         // blocks of silence before a stream begins
-    std::map<std::uint64_t, Source> sources_; // by stream
-    std::vector<ALuint> idleSources_;
-    std::vector<ALuint> allSources_;
-    std::vector<ALuint> idleBuffers_;
-    std::vector<ALuint> allBuffers_;
-    std::vector<float> scaled_;
     std::vector<float> rendered_;
-    std::uint64_t slips_ = 0;
+    std::uint64_t leftOut_ = 0; // blocks that came too early
 };
 
 } // namespace trembler

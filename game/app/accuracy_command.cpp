@@ -1,4 +1,4 @@
-// trembler accuracy: what accuracy costs.
+// trembler accuracy: measures the error and the cost of every detail level.
 #include "game/app/commands.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/outputs.hpp"
@@ -30,7 +30,7 @@ struct AccuracyArguments {
     int runs = 1;
 };
 
-// Where plots lie as seen from docs/measurements/, for the page that is made for it.
+// Path of a plot relative to docs/measurements/, for links on the generated page.
 std::string fromMeasurements(std::optional<std::string> const& plot) {
     if (!plot) {
         return "";
@@ -58,7 +58,8 @@ void makeFolder(std::string const& option, std::string const& folder) {
 int report(AccuracyArguments const& arguments) {
     GameData const gameData;
     Outputs outputs;
-    OutputFile* const json = outputs.add("--json", arguments.json); // rather now than after all the work
+    // Opened now, so that a bad path fails before the measurements.
+    OutputFile* const json = outputs.add("--json", arguments.json);
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
     if (arguments.plot) {
         makeFolder("--plot", *arguments.plot);

@@ -1,4 +1,4 @@
-// What the time budget decided during a run, as `trembler run --budget` tells it.
+// What the time budget decided during a run, as reported by `trembler run --budget`.
 #pragma once
 
 #include "game/budget/budget_mode.hpp"
@@ -9,11 +9,11 @@
 
 namespace trembler {
 
-/// Adds the member "budget": the decisions with frame, effect, levels, time saved (us) and error, and whether
-/// the budget was kept.
+/// Adds the member "budget": every decision with its frame, effect, options, time saved (µs per frame) and
+/// error, and whether the budget was kept.
 void addBudget(nlohmann::ordered_json& all, budget::BudgetMode const& mode);
 
-/// The same as lines for people.
+/// The same report as lines of text for people.
 [[nodiscard]] std::string budgetInWords(budget::BudgetMode const& mode);
 
 } // namespace trembler

@@ -25,14 +25,14 @@ void addScreenshotCommand(CLI::App& program, int& result);
 void addKeysCommand(CLI::App& program, int& result);
 void addModCommand(CLI::App& program, int& result);
 
-/// Runs a command's work; says on standard error what is wrong with its input, if anything.
+/// Runs a command's work and returns its exit status; prints errors in its input to standard error.
 [[nodiscard]] int guarded(std::function<int()> const& work);
 
-/// Takes "NAME=VALUE" apart; the last '=' counts, as component titles may hold others. Throws
-/// std::invalid_argument that names the option and the form expected.
+/// Splits "NAME=VALUE" at the last '=', as component titles may contain others. Throws std::invalid_argument
+/// that names the option and the expected form.
 [[nodiscard]] std::pair<std::string, std::string> assignment(std::string const& text, char const* option,
                                                              char const* form);
-/// The values of options "--detail EFFECT=LEVEL", the last of an effect counts.
+/// The values of options "--detail EFFECT=LEVEL"; the last one of each effect counts.
 [[nodiscard]] std::map<std::string, std::string> detailOf(std::vector<std::string> const& options);
 
 } // namespace trembler

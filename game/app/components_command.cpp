@@ -1,4 +1,5 @@
-// trembler components and trembler schema: what there is, described by itself, and what levels call for.
+// trembler components and trembler schema: descriptions of all components and properties, and the components
+// that each level's scene activates.
 #include "game/app/commands.hpp"
 #include "game/app/mods.hpp"
 #include "game/app/outputs.hpp"
@@ -17,7 +18,8 @@
 namespace trembler {
 namespace {
 
-constexpr int playSeconds = 20; // long enough for all that comes to rest, but for a motor that runs out
+/// Long enough for every level to come to rest, except for a motor that runs down.
+constexpr int playSeconds = 20;
 
 std::string printed(nlohmann::ordered_json const& json) {
     return escapedJson(json.dump(2)) + "\n";

@@ -1,4 +1,4 @@
-// trembler keys: every command of the window with its keys, as docs/players.md has them.
+// trembler keys: lists every command of the window with its keys; docs/players.md is made from this list.
 #include "game/app/commands.hpp"
 #include "game/app/outputs.hpp"
 

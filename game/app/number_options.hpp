@@ -1,4 +1,4 @@
-// Options that take a number.
+// Command-line options that take a number.
 #pragma once
 
 #include "game/app/numbers.hpp"
@@ -12,8 +12,9 @@
 
 namespace trembler {
 
-/// An option with a whole number from `least` to `most`, put into a number or an optional number; `target`
-/// must live until the program is parsed. Anything else is refused with what was expected.
+/// An option with a whole number from `least` to `most`, stored in a number or an optional number; `target`
+/// must live until the program is parsed. Any other text is refused with a message that states the expected
+/// range.
 template <class Target>
 CLI::Option* addNumber(CLI::App& command, std::string const& option, Target& target, std::int64_t least,
                        std::int64_t most, std::string const& meaning) {
@@ -38,7 +39,7 @@ CLI::Option* addNumber(CLI::App& command, std::string const& option, Target& tar
         ->type_name(fmt::format("N in [{} - {}]", least, most));
 }
 
-/// The same for any number.
+/// The same for a finite real number.
 inline CLI::Option* addNumber(CLI::App& command, std::string const& option, std::optional<double>& target,
                               double least, double most, std::string const& meaning) {
     return command

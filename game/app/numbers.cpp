@@ -28,7 +28,7 @@ std::optional<std::int64_t> wholeNumber(std::string_view text, std::int64_t leas
 }
 
 std::optional<double> decimalNumber(std::string_view text, double least, double most) {
-    return whole(text, least, most); // not a number is in no range
+    return whole(text, least, most); // not-a-number is in no range
 }
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// Numbers as people type them: in decimal, and nothing else.
+// Parses decimal numbers from command lines, strictly.
 #pragma once
 
 #include <cstdint>

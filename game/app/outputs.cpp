@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 constexpr char const* terminal = "-";
 
-/// Whether two names stand for one file: by device and inode, so also through links; for files that are not
-/// there yet by their folders and names.
+/// Whether two names mean the same file. Existing files are compared by device and inode, so links are
+/// followed; files that do not exist yet by folder and name.
 bool sameFile(fs::path const& a, fs::path const& b) {
     struct ::stat of {};
     struct ::stat other {};
@@ -31,7 +31,7 @@ bool sameFile(fs::path const& a, fs::path const& b) {
     return one == two;
 }
 
-/// What takes whatever is written to it, for as many outputs as like, such as /dev/null.
+/// Whether the path is a character device such as /dev/null, to which several outputs may write.
 bool isDevice(fs::path const& path) {
     struct ::stat is {};
     return ::stat(path.c_str(), &is) == 0 && S_ISCHR(is.st_mode);

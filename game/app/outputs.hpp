@@ -1,15 +1,15 @@
-// What a command reads and writes: which options may name which files, in one convention for all commands.
+// The files that a command reads and writes: one convention for all commands about which option may name
+// which file.
 //
 // - An output option takes a file's name; "-" is the terminal (standard output). Where the name may be left
-// out
-//   (addOptionalFile), none means "-".
-// - If an output goes to the terminal, words for people go to standard error.
+//   out (addOptionalFile), a missing name means "-".
+// - If an output goes to the terminal, messages for people go to standard error.
 // - An empty name, a file that is also an input, and two outputs to one file are refused before any work.
 // - A file is written beside its target and put in its place at the end (runtime/file/output_file.hpp).
 //
 //     Outputs outputs;
 //     outputs.reads(arguments.level);
-//     OutputFile* const csv = outputs.add("--csv", arguments.csv); // nullptr: not asked for
+//     OutputFile* const csv = outputs.add("--csv", arguments.csv); // nullptr: option not given
 //     ... if (csv != nullptr) { csv->stream() << ...; }
 //     outputs.words() << "a report for people\n";
 //     outputs.finish();                                            // throws if anything was not written
@@ -27,43 +27,45 @@
 
 namespace trembler {
 
-/// The target of an output option; none: it was not stated.
+/// The target of an output option; nullopt: the option was not given.
 using OutputTarget = std::optional<std::string>;
 
 /// An option that takes the name of a file, or "-".
 CLI::Option* addFile(CLI::App& command, std::string const& option, OutputTarget& target,
                      std::string const& meaning);
-/// An option that can stand alone and then means the terminal.
+/// An option whose file name may be left out and then means the terminal.
 CLI::Option* addOptionalFile(CLI::App& command, std::string const& option, OutputTarget& target,
                              std::string const& meaning);
 
-/// What every command's --help says about it.
+/// The sentence about outputs in every command's --help.
 inline constexpr char const* outputConvention = "FILE can be \"-\": the terminal (standard output); words "
                                                 "for people then go to standard error. A file is "
                                                 "complete or, if anything fails, as it was before.";
 
-/// After an option whose FILE may be left out, a command's own argument looks like that FILE: "--json LEVEL".
-/// Gives it back if the argument is missing. Throws CLI::RequiredError if there is none to give.
+/// After an option whose FILE may be left out, the parser takes a command's own argument for that FILE:
+/// "--json LEVEL". Moves it back to `argument` if that is empty. Throws CLI::RequiredError if the argument is
+/// missing altogether.
 void takeBack(std::string& argument, OutputTarget& target, char const* name);
 
 class Outputs {
 public:
-    /// An input of the command, whether it is there or not. Before any add().
+    /// Registers an input file of the command, whether it exists or not. Call before any add().
     void reads(std::filesystem::path const& file);
     /// Opens an output; nullptr if the option was not stated. Throws OutputError, naming the option, if its
     /// file is an input or another output, or cannot be written.
     OutputFile* add(std::string const& option, OutputTarget const& target,
                     OutputFile::Content content = OutputFile::Content::text);
-    /// The same for an output that its own code writes: only looks whether it may.
+    /// The same checks for an output that other code opens and writes.
     void claim(std::string const& option, OutputTarget const& target);
-    /// Whether an output goes to the terminal.
+    /// Whether any output goes to the terminal.
     [[nodiscard]] bool terminalTaken() const { return terminalTaken_; }
-    /// Where words for people go.
+    /// The stream for messages to people: standard error if an output goes to the terminal, else standard
+    /// output.
     [[nodiscard]] std::ostream& words() const;
-    /// Throws OutputError if a write has failed so far.
+    /// Throws OutputError, naming the option, if a write has failed so far.
     void check();
-    /// Completes all of them. Throws OutputError, naming the option, for the first that fails; those after it
-    /// are not written.
+    /// Puts all files in place, in the order of add(). Throws OutputError, naming the option, at the first
+    /// that fails; the remaining files are not written.
     void finish();
 
 private:

@@ -44,7 +44,8 @@ void Progress::clear() {
     }
 }
 
-// Past std::cerr, which lets no carriage return through. If it fails, nobody sees it anyway.
+// Writes to standard error directly, because std::cerr filters carriage returns. Errors are ignored: progress
+// is not a result.
 void Progress::show(std::string const& words) {
     std::cerr.flush();
     std::string const line = "\r\x1b[K" + words;

@@ -1,4 +1,4 @@
-// How far a command is, for whoever watches.
+// Shows on the terminal how far a command has come.
 #pragma once
 
 #include <chrono>
@@ -8,9 +8,9 @@
 
 namespace trembler {
 
-/// One line on standard error that is written over, if standard error is a terminal; else nothing. The first
-/// appears after a second, the next each half a second. Reads the clock, and so belongs to nothing that is
-/// computed. One thread at a time.
+/// One line on standard error that is overwritten, if standard error is a terminal; otherwise nothing is
+/// printed. The first line appears after a second, the next ones every half second. Reads the clock, so
+/// nothing computed may depend on it. Not thread-safe.
 class Progress {
 public:
     Progress();
@@ -19,11 +19,11 @@ public:
     Progress& operator=(Progress const&) = delete;
 
     [[nodiscard]] bool watched() const { return watched_; }
-    /// "12 of 100 frames", now and then.
+    /// Shows "12 of 100 frames", at the intervals above.
     void frames(std::uint64_t done, std::uint64_t of);
-    /// Some words, at once; for steps that may take long.
+    /// Shows a text at once; for steps that may take long.
     void say(std::string const& words);
-    /// Takes the line away.
+    /// Erases the line.
     void clear();
 
 private:

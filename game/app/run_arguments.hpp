@@ -1,4 +1,4 @@
-// What `trembler run` is asked for.
+// The arguments of `trembler run`.
 #pragma once
 
 #include "game/app/outputs.hpp"
@@ -15,7 +15,7 @@ struct RunArguments {
     std::string solution; ///< by name or file; empty: none
     std::optional<std::uint64_t> frames;
     int threads = 1;
-    std::uint64_t hashEvery = 0; ///< 0: only the last
+    std::uint64_t hashEvery = 0; ///< frames between printed hashes; 0: only the last frame's
     std::vector<std::string> detail;
     std::vector<std::string> periods;
     std::optional<int> substeps;
@@ -33,8 +33,8 @@ struct RunArguments {
     OutputTarget csv;
 };
 
-/// Runs it and writes what was asked for; returns the exit status. Throws InputError, OutputError,
-/// std::invalid_argument or std::runtime_error if that cannot be done.
+/// Runs the level and writes the requested outputs; returns the exit status. Throws InputError, OutputError,
+/// std::invalid_argument or std::runtime_error on failure.
 [[nodiscard]] int runLevel(RunArguments const& arguments);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// trembler run: a level without a window.
+// trembler run: runs a level without a window.
 #include "game/app/commands.hpp"
 #include "game/app/mods.hpp"
 #include "game/app/number_options.hpp"
@@ -36,7 +36,7 @@ void addRunCommand(CLI::App& program, int& result) {
         ->add_option("--detail", arguments->detail,
                      "EFFECT=LEVEL, for example electricity=single-cable or dynamics=chipmunk; `trembler "
                      "components` lists them")
-        ->allow_extra_args(false); // the level may follow
+        ->allow_extra_args(false); // otherwise the option would take the level for its value
     command
         ->add_option(
             "--period", arguments->periods,

@@ -22,7 +22,7 @@ namespace trembler {
 namespace {
 
 constexpr std::uint64_t usualFrames = 600;
-constexpr int longestPeriod = 3600; // as World::setPeriod has it
+constexpr int longestPeriod = 3600; // frames; the limit of World::setPeriod
 
 int asPeriod(std::string const& text, std::string const& value) {
     auto const period = wholeNumber(value, 1, longestPeriod);
@@ -38,7 +38,8 @@ WorldOptions optionsOf(RunArguments const& arguments, LevelFile const& level) {
     options.threads = arguments.threads;
     options.trace = arguments.trace.has_value() || arguments.account.has_value();
     options.detail = detailOf(arguments.detail);
-    options.detail.insert(level.detail.begin(), level.detail.end()); // what it asks for and nobody overrules
+    // The level's own choices, unless the command line overrides them.
+    options.detail.insert(level.detail.begin(), level.detail.end());
     for (std::string const& text : arguments.periods) {
         auto const [component, value] = assignment(text, "--period", "COMPONENT=N");
         options.periods[component] = asPeriod(text, value);
@@ -55,7 +56,7 @@ void setSubsteps(LevelFile& level, int substeps) {
     level.world.set(settings);
 }
 
-/// Every file that the run reads, or may come to read.
+/// Registers every file that the run reads or may read.
 void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const& gameData,
                 LevelFile const& level) {
     outputs.reads(arguments.level);
@@ -82,7 +83,7 @@ void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const&
     }
 }
 
-/// The circuits as they are when the run is over.
+/// The circuits at the end of the run, as a netlist.
 std::string netlistOf(Session const& session) {
     std::string netlist = spiceNetlist(session.world().store(), session.level().title);
     if (netlist.empty()) {
@@ -100,7 +101,7 @@ std::string jsonOf(RunReport const& report, budget::BudgetMode const* mode) {
     return escapedJson(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
-/// Adds to a run's onlookers one that writes a table.
+/// Adds a callback to the run that writes the table of watched fields.
 void watchWith(RunOptions& run, std::optional<watch::WatchTable>& table, Registry const& registry,
                RunArguments const& arguments, std::ostream& out) {
     run.enter = [&, others = run.enter](Session& session) {
@@ -176,7 +177,7 @@ int runLevel(RunArguments const& arguments) {
     Progress progress;
     run.progress = [&](std::uint64_t done) {
         progress.frames(done, run.frames);
-        outputs.check(); // nobody needs the rest of what cannot be written
+        outputs.check(); // fail early: the remaining outputs would be useless
     };
     std::optional<RunSound> sound;
     if (arguments.sound) {

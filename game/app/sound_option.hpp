@@ -1,4 +1,4 @@
-// `trembler run --sound`, in programs with sound and in those without.
+// `trembler run --sound`, for programs built with and without sound.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"
@@ -17,7 +17,7 @@ namespace trembler {
 
 #ifdef TREMBLER_HEADLESS
 
-/// Stands in for ui::RunSound.
+/// Replaces ui::RunSound in programs without sound.
 class RunSound {
 public:
     RunSound(std::string const&, std::string const&, GameData const&, RunOptions&) {
@@ -33,8 +33,9 @@ inline std::vector<std::filesystem::path> sampleFoldersOf(GameData const&, std::
 
 #else
 
-/// Has a run written into a .wav file. Throws std::invalid_argument for another name, OutputError if the file
-/// cannot be written and std::runtime_error if there is no sound to be had. `run` must not outlive it.
+/// Writes the sound of a run into a .wav file. Throws std::invalid_argument for another file extension,
+/// OutputError if the file cannot be written and std::runtime_error if OpenAL is not available. `run` must
+/// not outlive it.
 class RunSound {
 public:
     RunSound(std::string const& file, std::string const& level, GameData const& gameData, RunOptions& run)
@@ -42,16 +43,17 @@ public:
           sound_(
               file, {.synthesiser = {}, .output = {}, .sampleFolders = ui::sampleFolders(gameData, level)},
               [](std::string const& what) { std::cerr << "trembler: " << what << "\n"; }, run) {}
-    /// Puts the file in its place. Throws OutputError.
+    /// Puts the file in its final place. Throws OutputError.
     void finish() { sound_.finish(); }
 
 private:
-    /// OpenAL asks no sound server, which would make folders in the user's home: nothing is to be played.
+    /// Keeps OpenAL from contacting a sound server, which would create folders in the user's home: nothing is
+    /// played.
     int quiet_;
     ui::RunSound sound_;
 };
 
-/// Where a level's recordings are looked for.
+/// The folders in which a level's recordings are looked for.
 inline std::vector<std::filesystem::path> sampleFoldersOf(GameData const& gameData,
                                                           std::string const& level) {
     return ui::sampleFolders(gameData, level);

@@ -12,7 +12,7 @@ StandardStreams::StandardStreams()
     : out_(STDOUT_FILENO, DescriptorBuffer::Filter::visible),
       error_(STDERR_FILENO, DescriptorBuffer::Filter::visible), outBefore_(std::cout.rdbuf(&out_)),
       errorBefore_(std::cerr.rdbuf(&error_)) {
-    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is a write that fails, with a message
+    std::signal(SIGXFSZ, SIG_IGN); // exceeding the file size limit becomes a failed write, which is reported
 }
 
 StandardStreams::~StandardStreams() {

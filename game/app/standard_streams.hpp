@@ -1,5 +1,5 @@
-// Standard output and standard error as this program uses them: no control character from a level, a name or
-// an argument reaches a terminal, and a write that fails is noticed.
+// Standard output and standard error of this program: control characters from a level, a name or an argument
+// never reach a terminal, and failed writes are noticed.
 #pragma once
 
 #include "runtime/file/descriptor_stream.hpp"
@@ -8,7 +8,7 @@
 
 namespace trembler {
 
-/// Stands between std::cout, std::cerr and their descriptors for as long as it lives. One, in main().
+/// Filters std::cout and std::cerr for as long as it lives. One instance, in main().
 class StandardStreams {
 public:
     StandardStreams();
@@ -16,8 +16,8 @@ public:
     StandardStreams(StandardStreams const&) = delete;
     StandardStreams& operator=(StandardStreams const&) = delete;
 
-    /// Writes what is left. The exit status of the program: `status`, or that of a failure, which is said on
-    /// standard error, if standard output could not be written.
+    /// Flushes both streams. Returns the exit status of the program: `status`, or that of a failure, which is
+    /// reported on standard error, if standard output could not be written.
     [[nodiscard]] int finish(int status);
 
 private:

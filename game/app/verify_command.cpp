@@ -1,4 +1,4 @@
-// trembler verify: is every level valid?
+// trembler verify: checks whether every level is valid.
 #include "game/app/commands.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/solutions/verify.hpp"
@@ -75,7 +75,7 @@ void addVerifyCommand(CLI::App& program, int& result) {
     command
         ->add_option("--detail", *detail,
                      "EFFECT=LEVEL: check them with this detail level, for example dynamics=ode")
-        ->allow_extra_args(false); // a path may follow
+        ->allow_extra_args(false); // otherwise the option would take the path for its value
     command->callback(
         [paths, detail, &result] { result = guarded([&] { return verifyAll(*paths, *detail); }); });
 }

@@ -1,4 +1,4 @@
-// trembler play and trembler screenshot: whatever draws.
+// trembler play and trembler screenshot: the commands that draw.
 #include "game/app/commands.hpp"
 #include "game/app/mods.hpp"
 #include "game/app/number_options.hpp"
@@ -32,7 +32,7 @@ struct PlayArguments {
 
 constexpr std::int64_t smallestSide = 16;         // pixels
 constexpr std::int64_t largestSide = 16384;       // pixels
-constexpr std::int64_t mostPixels = 8192L * 8192; // a quarter of a gigabyte
+constexpr std::int64_t mostPixels = 8192L * 8192; // an image of a quarter of a gigabyte
 
 struct ScreenshotArguments {
     std::string level;
@@ -76,7 +76,7 @@ int play(PlayArguments const& arguments) {
 
 render::Size sizeFrom(std::string const& text) {
     std::size_t const cross = text.find('x');
-    // Without an x there is nothing behind it, which is no number.
+    // Without an x the height is empty, which is not a number and is refused below.
     std::string const behind = cross == std::string::npos ? "" : text.substr(cross + 1);
     auto const width = wholeNumber(text.substr(0, cross), smallestSide, largestSide);
     auto const height = wholeNumber(behind, smallestSide, largestSide);

@@ -1,5 +1,6 @@
 #include "game/budget/budget_mode.hpp"
 
+#include "runtime/level/model/change_fault.hpp"
 #include "runtime/level/model/world_change.hpp"
 
 #include <fmt/format.h>
@@ -110,7 +111,7 @@ void BudgetMode::beforeStep(Session& session, bool decide) {
     }
     World const& world = session.world();
     std::uint64_t const frame = world.frame();
-    if (frame < lastFrame_ || frame == 0) { // another run
+    if (frame < lastFrame_ || frame == 0) { // another run has begun
         log_.clear();
         controller_.forgetPlans();
         decisions_.clear();

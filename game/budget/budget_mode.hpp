@@ -1,4 +1,5 @@
-// The budget mode of a session, and what the panel shows of it: measures, estimates, decides, changes.
+// The budget mode of a session and the figures that the panel shows: measures, estimates, decides and applies
+// changes.
 #pragma once
 
 #include "game/budget/controller.hpp"
@@ -13,49 +14,52 @@
 
 namespace trembler::budget {
 
-/// A change that the mode has made.
+/// A change that the budget mode has made.
 struct Decision {
-    std::uint64_t frame = 0; ///< the first that it counts for
+    std::uint64_t frame = 0; ///< first frame that is computed with the change
     std::string effect;
     std::string from; ///< names of options
     std::string to;
-    double microseconds = 0; ///< per frame that it was expected to save; below zero: to cost
-    Error error;             ///< as estimated for what it went to
+    double microseconds = 0; ///< per frame, expected saving; negative: an expected cost
+    Error error;             ///< estimated error of the new option
     std::string of;
 };
 
 /// "Buoyancy: exact -> 64 particles: saves 1.2 ms, error 2 % of the lift".
 [[nodiscard]] std::string inWords(Decision const& decision);
 
-/// Off and unobserved it costs nothing. It reads the world between frames; what it changes, it changes
-/// through Session::change, so that a recording repeats it without any clock. Not thread-safe.
+/// Costs nothing while it is off and unobserved. Reads the world between frames; makes changes through
+/// Session::change, so that a recording repeats them without reading a clock. Not thread-safe.
 class BudgetMode {
 public:
-    /// Frames that a round takes: measure, estimate, decide.
+    /// Frames in a round of measuring, estimating and deciding.
     static constexpr std::uint64_t round = 60;
-    /// After a change the first frames make room for new things and do not count.
+    /// Frames after a change that are not measured, because new components allocate memory in them.
     static constexpr std::uint64_t settling = 5;
 
-    /// Where times come from: what World::status() says unless tests know better.
+    /// Source of the times: World::status() unless a test injects another.
     using Stopwatch = std::function<std::vector<ComponentStatus>(World const&)>;
     explicit BudgetMode(Registry const& registry, Stopwatch stopwatch = {});
 
-    /// µs per frame, above 0; none: off. Means of a round are kept to it, single frames may take longer.
+    /// µs per frame, above 0; nullopt: off. The mean of each round is kept to it; single frames may take
+    /// longer.
     void setBudget(std::optional<double> microseconds) { budget_ = microseconds; }
     [[nodiscard]] std::optional<double> budget() const { return budget_; }
-    /// Whether somebody looks at figures() and knobs() even while it is off.
+    /// Whether a panel reads figures() and knobs() even while the budget is off.
     void watch(bool watching) { watching_ = watching; }
 
-    /// To be called directly before each Session::step. Without `decide` it only measures and estimates.
+    /// Call directly before each Session::step. Without `decide` it measures and estimates but changes
+    /// nothing.
     void beforeStep(Session& session, bool decide = true);
-    /// Estimates again at once; the world need not run.
+    /// Estimates all options again at once; the world need not run.
     void look(World const& world);
-    /// Whether the knobs are those of another run, or of none, or of before something was changed.
+    /// Whether the knobs are out of date: they belong to another run, were never estimated, or detail
+    /// levels, periods or the objects of a world that has not started have changed since.
     [[nodiscard]] bool stale(World const& world) const;
-    /// Another level: forgets everything but the budget.
+    /// Forgets everything but the budget: call it when another level is opened.
     void clear();
 
-    /// As of the last round.
+    /// Figures of the last round.
     struct Figures {
         std::uint64_t frame = 0;                       ///< 0: none yet
         double microseconds = 0;                       ///< per frame, mean of the round, of all components
@@ -66,11 +70,11 @@ public:
     [[nodiscard]] Figures const& figures() const { return figures_; }
     [[nodiscard]] std::vector<Knob> const& knobs() const { return knobs_; }
     [[nodiscard]] Knob const* knob(std::string const& effect) const;
-    /// The sum of the errors of all knobs, m after a second.
+    /// The sum of the errors of all knobs, in m after one second.
     [[nodiscard]] double error() const;
-    /// Of this run, the latest last.
+    /// The decisions of this run, the latest last.
     [[nodiscard]] std::vector<Decision> const& decisions() const { return decisions_; }
-    /// Whether, as of the last decision, nothing that would do was cheap enough.
+    /// Whether, at the last decision, no allowed combination of options kept to the budget.
     [[nodiscard]] bool hopeless() const { return controller_.hopeless(); }
     /// Whether the budget was kept in the last round.
     [[nodiscard]] bool kept() const { return !budget_ || figures_.microseconds <= *budget_; }
@@ -87,8 +91,8 @@ private:
     MotionLog log_;
     Controller controller_;
     std::vector<Knob> knobs_;
-    std::uint64_t knobsFrame_ = 0; // of the world that they were looked up in
-    WorldOptions knobsOptions_;    // its levels and periods then
+    std::uint64_t knobsFrame_ = 0; // of the world when the knobs were estimated
+    WorldOptions knobsOptions_;    // the world's detail levels and periods at that time
     std::uint64_t knobsStructure_ = 0;
     Figures figures_;
     std::vector<Decision> decisions_;

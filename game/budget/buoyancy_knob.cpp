@@ -1,4 +1,5 @@
-// Buoyancy: exact, or by so many particles; each may stand for several frames.
+// The buoyancy knob: exact, or by a number of particles per body; each may be computed once in several
+// frames.
 #include "game/budget/force_sample.hpp"
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
@@ -22,13 +23,14 @@ namespace buoyancy_knob {
 namespace {
 
 constexpr std::string_view effect = "buoyancy";
-/// Particles are off by more or less as a body moves by a little: this share of its size, up and down.
+/// The error of the particles varies as a body moves slightly, so it is averaged over these shifts, up and
+/// down, as shares of the body's size.
 constexpr std::array<double, 3> shifts{0, 0.1, -0.1};
 
 struct Liquids {
     std::vector<LiquidPiece> pieces;
     Vec2 up;
-    double weight = 0; ///< N per m² that is displaced
+    double weight = 0; ///< N per m² of displaced area
 };
 
 struct Floater {
@@ -44,7 +46,7 @@ using HullMaker = std::function<std::unique_ptr<Hull>(Shape const&)>;
 
 struct Lift {
     Vec2 force;           ///< N
-    Vec2 change;          ///< N/s, as it moves, to first order
+    Vec2 change;          ///< N/s, rate of change due to the body's motion, to first order
     double stiffness = 0; ///< N/m, against sinking deeper
 };
 
@@ -56,7 +58,7 @@ Lift liftOf(Hull const& hull, Floater const& floater, Vec2 at, double angle) {
         for (LiquidPiece const& piece : liquid.pieces) {
             sum += displacedOf(hull, piece, pose, liquid.up);
         }
-        // What rises leaves the liquid along its waterline; see Waterline.
+        // A rising body loses displaced area along its waterline; see Waterline.
         double const growth =
             -(sum.waterline.length * dot(floater.velocity, liquid.up) + sum.waterline.first * floater.spin);
         lift.force += liquid.weight * sum.wet.area * liquid.up;
@@ -66,10 +68,10 @@ Lift liftOf(Hull const& hull, Floater const& floater, Vec2 at, double angle) {
     return lift;
 }
 
-/// What floats, or is about to, and what is known of it.
-class Flotilla {
+/// The immersed bodies of the sample with all that their lift is computed from.
+class FloatingSample {
 public:
-    explicit Flotilla(World const& world) {
+    explicit FloatingSample(World const& world) {
         Immersions const* const immersions = world.find<Immersions>();
         auto const* const gravity = world.find<LinearGravityVector>();
         if (immersions == nullptr || gravity == nullptr) {
@@ -119,7 +121,7 @@ public:
     [[nodiscard]] Error errorOfHulls(HullMaker const& makeHull) const {
         return errorOf(shifted_, forces(makeHull), right_, shiftedStiffness_);
     }
-    /// Of forces that stand for so many frames. Looking ahead makes up for the first order.
+    /// The error of forces that are reused for `period` frames. Looking ahead corrects it to first order.
     [[nodiscard]] Error errorOfPeriod(int period, bool lookAhead) const {
         double const age = (period - 1) / 2.0 * frameDuration;
         std::vector<Vec2> stale;
@@ -157,9 +159,9 @@ private:
     }
 
     Sample sample_;
-    Sample shifted_; // the same bodies once for each shift
+    Sample shifted_; // the same bodies, once for each shift
     std::vector<Floater> floaters_;
-    std::vector<Vec2> right_; // of the shifted ones
+    std::vector<Vec2> right_; // the exact forces on the shifted bodies, N
     std::vector<double> stiffness_;
     std::vector<double> shiftedStiffness_;
 };
@@ -180,13 +182,13 @@ std::optional<Knob> buoyancyKnob(World const& world) {
     if (!now) {
         return std::nullopt;
     }
-    Flotilla const flotilla(world);
+    FloatingSample const floating(world);
     auto const settings = settingsOf<BuoyancySettings>(world);
     Knob knob;
     knob.effect = effect;
     knob.of = "of the lift";
     knob.source = fmt::format("Measured on {} bodies that float, against exact sections of their shapes.",
-                              flotilla.size());
+                              floating.size());
     std::map<int, Error> stale;
     auto const add = [&](ComponentStatus const& level, Option made, Error const& error, bool current) {
         bool const isNow = level.info == now->info && current;
@@ -196,7 +198,7 @@ std::optional<Knob> buoyancyKnob(World const& world) {
             runEvery(option, title(*level.info), period);
             auto const [at, isNew] = stale.try_emplace(period);
             if (isNew) {
-                at->second = flotilla.errorOfPeriod(period, settings.lookAhead);
+                at->second = floating.errorOfPeriod(period, settings.lookAhead);
             }
             option.error = together(error, at->second);
             if (isNow && period == now->period) {
@@ -212,7 +214,7 @@ std::optional<Knob> buoyancyKnob(World const& world) {
             continue;
         }
         for (int const count : withCurrent(std::vector<int>{4, 16, 64, 256}, settings.particles)) {
-            Error const error = flotilla.errorOfHulls(
+            Error const error = floating.errorOfHulls(
                 [count](Shape const& shape) { return std::make_unique<ParticleHull>(shape, count); });
             add(level,
                 {fmt::format("{} particles", count),

@@ -16,7 +16,8 @@ std::string nameOf(std::span<KnobFigures const> knobs, std::vector<std::size_t> 
     return name;
 }
 
-// A plan has the cheapest of what is equally right. What is there already stays if there is room for it.
+// The plan holds the cheapest of equally accurate options. Keeps a knob's current option instead if it is no
+// less accurate and the budget has room for it, so that nothing changes needlessly.
 void keepWhatIsAsGood(std::vector<std::vector<Choice>> const& choices,
                       std::vector<std::size_t> const& current, double room, std::vector<std::size_t>& plan) {
     double cost = 0;

@@ -1,5 +1,5 @@
-// Decides, round by round, which choices a time budget calls for. Knows no clock, no world and no effect: the
-// same figures always lead to the same decisions.
+// Decides, round by round, which options keep to a time budget. Has no access to a clock, the world or an
+// effect: the same figures always lead to the same decisions.
 #pragma once
 
 #include "game/budget/plan.hpp"
@@ -12,44 +12,46 @@
 
 namespace trembler::budget {
 
-/// A knob as it is at the end of a round.
+/// A knob's figures at the end of a round.
 struct KnobFigures {
     struct Option {
         std::string name;
-        double work = 1;  ///< > 0, in proportion to what it costs, as far as known beforehand
+        double work = 1;  ///< > 0, relative cost as far as known beforehand
         double error = 0; ///< m, see Error
         bool allowed = true;
     };
     std::string name;
     std::vector<Option> options;
     std::size_t current = 0;
-    double microseconds = 0; ///< per frame, measured at the current option; 0: it sleeps
+    /// Per frame, measured at the current option; 0: the effect does nothing in this scene.
+    double microseconds = 0;
 };
 
 class Controller {
 public:
-    /// What is left of the budget for noise when something is added, and when something must go.
+    /// Shares of the budget that may be used, which leaves room for noise: when accuracy is added, and when
+    /// cost must be reduced.
     static constexpr double roomForMore = 0.90;
     static constexpr double roomForLess = 0.95;
-    /// Nothing changes of its own accord for less than a fifth of the error.
+    /// A change that the budget does not force must reduce the error to this share of it or less.
     static constexpr double worthwhile = 0.8;
-    /// Below this, m after a second, nobody can tell errors apart.
+    /// Errors below this, in m after one second, are invisible and count as equal.
     static constexpr double unseen = 1e-4;
     static constexpr std::uint64_t mostPatience = 64; ///< rounds
 
-    /// The option for each knob, in their order. `rest`: µs per frame of all that no knob changes; `budget`:
-    /// µs per frame for everything.
+    /// Returns the index of the option for each knob, in their order. `rest`: µs per frame of all components
+    /// that no knob changes; `budget`: µs per frame for everything.
     ///
     /// An option that is not allowed is left at once. Over the budget, the plan with the least error that
     /// costs 95 % of it is taken if it saves at least 2 %. Within the budget, a plan that costs 90 % of it is
-    /// taken if its error is a fifth less. Where nothing allowed is so cheap, what costs 5 % more than the
-    /// cheapest counts as cheap enough. A knob that sleeps stays where it is. After a change a round passes
-    /// before the next, so that its cost is known. A change that nothing forces and that leads back to where
-    /// it has been before makes the next such change wait for twice as many rounds: however the figures
-    /// waver, it does not flip to and fro.
+    /// taken if its error is a fifth less. Where no allowed plan is cheap enough, any that costs at most 5 %
+    /// more than the cheapest counts as cheap enough. A knob whose effect does nothing in the scene keeps its
+    /// option. After a change one round passes before the next change, so that the cost of the new options is
+    /// measured. A change that is not forced and leads back to a combination that was used before makes the
+    /// next such change wait for twice as many rounds: noisy figures cannot make the plan oscillate.
     ///
-    /// What an option costs that has not been tried follows from what the current one costs and from their
-    /// works; what has been tried, from the ratio that was measured then.
+    /// The cost of an option that has not been tried follows from the current option's measured cost and the
+    /// ratio of their works; for an option that has been tried, from the ratio that was measured then.
     [[nodiscard]] std::vector<std::size_t> decide(std::span<KnobFigures const> knobs, double rest,
                                                   double budget);
 
@@ -57,7 +59,7 @@ public:
     [[nodiscard]] bool hopeless() const { return hopeless_; }
     /// µs per frame that an option of a knob would cost.
     [[nodiscard]] double predicted(KnobFigures const& knob, std::size_t option) const;
-    /// Forgets all but what options cost: another budget, another scene.
+    /// Forgets everything but the measured costs of options: call it for another budget or another scene.
     void forgetPlans();
 
 private:
@@ -71,7 +73,7 @@ private:
     void learn(std::span<KnobFigures const> knobs);
     [[nodiscard]] double correction(Key const& key, double otherwise) const;
 
-    std::map<Key, double> corrections_; // of the works, by what was measured
+    std::map<Key, double> corrections_; // factors on the works, from measurements
     std::map<Key, Tried> tried_;        // by the option that is being tried
     std::set<std::string> visited_;     // combinations
     double budget_ = 0;

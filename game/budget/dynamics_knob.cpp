@@ -1,4 +1,4 @@
-// Dynamics: steps of the engine in a frame.
+// The dynamics knob: the engine's substeps per frame.
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
 #include "physics/dynamics/properties/joint.hpp"
@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::string_view effect = "dynamics";
 
-// µs for one small body, on the machine of docs/measurements/accuracy.md.
+// µs per small body and frame, on the machine of docs/measurements/accuracy.md.
 double workOf(int steps) {
     return 0.19 + 0.52 * steps;
 }
 
-// Too long a step tears a chain and topples a stack (docs/measurements/accuracy.md): no small error but
-// another course of things.
+// Too long a substep tears a chain and topples a stack (docs/measurements/accuracy.md): not a small error but
+// a different course of events. So joints need all the stated substeps; without joints two are enough.
 int fewestSteps(World const& world, int stated) {
     auto const* const joints = world.store().findColumn<Joint>();
     bool const jointed = joints != nullptr && !joints->empty();
@@ -56,7 +56,8 @@ std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log) {
                                 {step / 2 * log.changePerSecond(), step},
                                 std::move(cannot)});
     };
-    // What the level states, or what its scene calls for by itself, is never undercut.
+    // Fewer substeps than the level, or automatically its scene, needs are not allowed: see fewestSteps. The
+    // current number stays allowed.
     bool const automatic = log.statedSteps() == 0;
     int const fewest = automatic ? log.automaticSteps() : fewestSteps(world, log.statedSteps());
     if (automatic) {

@@ -1,7 +1,8 @@
-// Electricity: what the scene's circuits call for, or more. There is no nearly right in "on" and "off".
+// The electricity knob: the detail level that the scene's circuits need, or a finer one. Coarser levels are
+// not allowed: "on" and "off" have no small error.
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
-#include "physics/electricity/core/sufficient_level.hpp"
+#include "physics/electricity/properties/scene_level.hpp"
 
 namespace trembler::budget {
 namespace electricity_knob {
@@ -34,7 +35,7 @@ std::optional<Knob> electricityKnob(World const& world) {
                                             ElectricalLevel::flow, ElectricalLevel::nodal}) {
             enough = enough || (name == nameOf(known) && isFaithful(known, world.store()));
         }
-        if (!enough && !isNow) { // what somebody has asked for is left to them
+        if (!enough && !isNow) { // a level that the user has chosen stays allowed
             option.cannot = "it cannot tell everything that the circuits state";
         }
         if (isNow) {

@@ -62,7 +62,8 @@ Error errorOf(Sample const& sample, std::span<Vec2 const> forces, std::span<Vec2
         double const square = lengthSquared(forces[i] - right[i]);
         double const mass = sample.bodies[i].mass;
         double const yields = stiffness.empty() ? 0 : stiffness[i];
-        double const give = std::max(2 * mass, yields); // N per m of the first second
+        // N/m: the force error that displaces the body by 1 m in the first second.
+        double const give = std::max(2 * mass, yields);
         off += square / (give * give);
         wrong += square;
         all += lengthSquared(right[i]);

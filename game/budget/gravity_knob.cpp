@@ -1,4 +1,4 @@
-// Gravity: linear, tree by its opening angle, real; each may stand for several frames.
+// The gravity knob: linear, tree with its opening angle, real; each may be computed once in several frames.
 #include "game/budget/force_sample.hpp"
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view effect = "gravity";
 
-// µs on the machine of docs/measurements/accuracy.md; only how they compare matters.
+// µs on the machine of docs/measurements/accuracy.md; only the ratios matter.
 double workOfPairs(double n) {
     return 2.1e-3 * n * n;
 }
@@ -77,7 +77,7 @@ std::optional<Knob> gravityKnob(World const& world) {
         sums.push_back(sumOf(world, law, sample, tree));
         right = forcesOn(sample, sums, addPairs);
     } else {
-        right = linear; // there is nothing more exact to be had
+        right = linear; // linear is the most exact level that this scene has
     }
     double const n = isLaw ? static_cast<double>(sums.front().sources.size())
                            : static_cast<double>(world.store().findColumn<Mass>()->size());

@@ -1,5 +1,5 @@
-// What there is to choose in a running world, and how far off each choice is there: the estimates behind the
-// panel and the budget. Reads the world and never changes it.
+// The options of a running world and the error of each there: the estimates behind the panel and the budget.
+// Reads the world and never changes it.
 #pragma once
 
 #include "game/budget/knob.hpp"
@@ -12,12 +12,12 @@
 namespace trembler::budget {
 
 /// One knob per effect that has any choice in this world, in order of the effects' names. Errors come from
-/// evaluating every option for a sample of objects where they are now wherever that can be done (gravity,
-/// magnetism, buoyancy), from a formula and what has been seen to move (dynamics), or from the figures of
-/// `trembler accuracy` (sound); Knob::source says which. `log` has been told of the world's last frames.
+/// evaluating every option for a sample of objects at their current places where that is possible
+/// (gravity, magnetism, buoyancy), from a formula and the logged motion (dynamics), or from the figures of
+/// `trembler accuracy` (sound); Knob::source says which. `log` must have looked at the world's last frames.
 [[nodiscard]] std::vector<Knob> knobsOf(World const& world, MotionLog const& log);
 
-// Those of one effect each; nothing where the effect is absent.
+// The knob of one effect each; nullopt where the effect is absent.
 [[nodiscard]] std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log);
 [[nodiscard]] std::optional<Knob> gravityKnob(World const& world);
 [[nodiscard]] std::optional<Knob> electricityKnob(World const& world);

@@ -1,4 +1,5 @@
-// Magnetism: grid by its cutoff, tree by its opening angle, every pair; each may stand for several frames.
+// The magnetism knob: grid with its cutoff, tree with its opening angle, all pairs; each may be computed once
+// in several frames.
 #include "game/budget/force_sample.hpp"
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
@@ -20,7 +21,7 @@ constexpr std::string_view effect = "magnetism";
 struct Scene {
     Sample sample;
     std::vector<SampledSum> sums;
-    double poles = 0; ///< sources and what they attract
+    double poles = 0; ///< number of sources and of the bodies that they attract
 };
 
 Scene lookAt(World const& world, TreeSample& tree) {
@@ -63,7 +64,7 @@ Scene lookAt(World const& world, TreeSample& tree) {
     return scene;
 }
 
-/// The mean number of sources in the nine squares around a receiver, as wide as the cutoff.
+/// The mean number of sources in the nine cells around a receiver; a cell is as wide as the cutoff.
 double neighbours(Scene const& scene, double cutoff) {
     double found = 0;
     double receivers = 0;
@@ -80,7 +81,7 @@ double neighbours(Scene const& scene, double cutoff) {
     return receivers > 0 ? found / receivers : 0;
 }
 
-// µs on the machine of docs/measurements/accuracy.md, 2000 poles; only how they compare matters.
+// µs on the machine of docs/measurements/accuracy.md, 2000 poles; only the ratios matter.
 double workOfPairs(double n) {
     return 0.1 + 2.5e-3 * n * n;
 }

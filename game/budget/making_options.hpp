@@ -1,4 +1,4 @@
-// What the knobs of all effects are made with.
+// Helpers that build the options of all knobs.
 #pragma once
 
 #include "game/budget/knob.hpp"
@@ -15,13 +15,13 @@ namespace trembler::budget {
 [[nodiscard]] RecordedChange toPeriod(std::string_view component, int period);
 [[nodiscard]] RecordedChange toSetting(std::string_view property, std::string_view field, double value);
 
-/// The components of an effect that are its detail levels, as they are now; only those that the scene's
-/// properties would let be constructed.
+/// The components that are the detail levels of an effect, with their current status; only those that the
+/// scene's properties allow to be constructed.
 [[nodiscard]] std::vector<ComponentStatus> levelsOf(World const& world, std::string_view effect);
-/// Among them the one that is there.
+/// The one of `levels` that is constructed, if any.
 [[nodiscard]] std::optional<ComponentStatus> working(std::vector<ComponentStatus> const& levels);
 
-/// The usual values and the one that is in use, ascending.
+/// The usual values and the current one, ascending and without duplicates.
 template <class T>
 [[nodiscard]] std::vector<T> withCurrent(std::vector<T> usual, T current) {
     bool known = false;
@@ -38,17 +38,17 @@ template <class T>
     return usual;
 }
 
-/// The world's settings of one kind, or the default ones.
+/// The world's settings of one kind, or the defaults if it has none.
 template <class Settings>
 [[nodiscard]] Settings settingsOf(World const& world) {
     auto const* const column = world.store().findColumn<Settings>();
     return column == nullptr || column->empty() ? Settings{} : column->values().front();
 }
 
-/// Adds how often it runs to an option: name, change and work.
+/// Adds the component's period (frames) to an option: to its name, its changes and its work.
 void runEvery(Option& option, std::string_view component, int period);
 
-/// Errors that have nothing to do with each other.
+/// The sum of two independent errors: root of the sum of the squares.
 [[nodiscard]] Error together(Error const& a, Error const& b);
 
 } // namespace trembler::budget

@@ -32,7 +32,7 @@ void MotionLog::noteSteps(World const& world) {
 
 void MotionLog::look(World const& world) {
     if (world.frame() < seen_) {
-        clear(); // another run
+        clear(); // another run has begun
     }
     noteSteps(world);
     if (world.frame() % interval != 0 || (world.frame() == seen_ && !last_.empty())) {

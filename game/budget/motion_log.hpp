@@ -1,5 +1,5 @@
-// What is known of a run besides how it stands: how much velocities have changed lately, which the error of a
-// step in time is in proportion to, and how many steps the level asked for.
+// History of a run that the estimates need: by how much velocities have changed lately, which the error of a
+// time step is proportional to, and how many substeps the level asked for.
 #pragma once
 
 #include "runtime/world/world.hpp"
@@ -10,33 +10,32 @@
 
 namespace trembler::budget {
 
-/// Looks at every tenth frame and adds up by how much the velocity of each object has changed since the last
-/// look.
+/// Samples every tenth frame and sums the change of each object's velocity since the last sample.
 class MotionLog {
 public:
     static constexpr std::uint64_t interval = 10; ///< frames
-    /// To be called before or after every frame; costs nothing but in each tenth.
+    /// Call before or after every frame; does nothing except in each tenth.
     void look(World const& world);
     void clear();
 
-    /// Root of the mean square over all objects that can move, of the changes of velocity added up over a
-    /// second, in m/s; what has been seen so far is taken for a whole second. 0 if nothing has been seen.
+    /// Root mean square over all movable objects of the change of velocity in one second, in m/s; a shorter
+    /// history is extrapolated. 0 without any history.
     [[nodiscard]] double changePerSecond() const;
 
-    /// Steps of the engine per frame when the run was first looked at: what the level states. 0: automatic.
+    /// Substeps per frame that the level states, read at the first look() of the run. 0: automatic.
     [[nodiscard]] int statedSteps() const { return stated_; }
-    /// How many steps the scene called for by itself when it was last asked; 4 if it never was.
+    /// Substeps per frame that the scene needed when it was last evaluated; 4 if it never was.
     [[nodiscard]] int automaticSteps() const { return automatic_; }
 
 private:
     void noteSteps(World const& world);
 
-    static constexpr std::size_t kept = 6; // looks: one second
+    static constexpr std::size_t kept = 6; // samples: one second
 
     std::map<ObjectId, Vec2> last_;
-    std::vector<std::map<ObjectId, double>> changes_; // m/s, one per look, the latest last
-    std::uint64_t seen_ = 0;                          // frame of the last look
-    bool known_ = false;                              // how many steps are stated
+    std::vector<std::map<ObjectId, double>> changes_; // m/s, one per sample, the latest last
+    std::uint64_t seen_ = 0;                          // frame of the last sample
+    bool known_ = false;                              // whether stated_ has been read
     int stated_ = 4;
     int automatic_ = 4;
 };

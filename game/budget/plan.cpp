@@ -13,7 +13,8 @@ struct Combination {
     std::vector<std::size_t> choices;
 };
 
-/// Leaves, ascending by cost, those that nothing as cheap equals.
+/// Keeps the Pareto front, ascending by cost: drops combinations that another one equals or beats in both
+/// cost and error.
 void keepFront(std::vector<Combination>& all) {
     std::stable_sort(all.begin(), all.end(), [](Combination const& a, Combination const& b) {
         return a.cost != b.cost ? a.cost < b.cost : a.error < b.error;
@@ -44,14 +45,14 @@ std::vector<std::size_t> bestPlan(std::span<std::vector<Choice> const> knobs, do
             }
         }
         keepFront(longer);
-        // Costs only grow: what is too expensive now stays so, but for the cheapest, which is taken if
-        // nothing fits.
-        auto const tooDear = std::find_if(longer.begin() + 1, longer.end(),
-                                          [&](Combination const& c) { return c.cost > budget; });
-        longer.erase(tooDear, longer.end());
+        // Further knobs only add cost, so combinations over the budget are dropped, except for the cheapest,
+        // which is the answer if nothing fits.
+        auto const tooExpensive = std::find_if(longer.begin() + 1, longer.end(),
+                                               [&](Combination const& c) { return c.cost > budget; });
+        longer.erase(tooExpensive, longer.end());
         front = std::move(longer);
     }
-    // Ascending by cost, falling by error: the most expensive that fits is the best.
+    // Ascending by cost and falling by error: the most expensive combination that fits has the least error.
     return front.back().cost <= budget ? front.back().choices : front.front().choices;
 }
 

@@ -1,4 +1,4 @@
-// Sound: how many modes of each body are followed.
+// The sound knob: the number of modes per body.
 #include "audio/effect/properties/sounds.hpp"
 #include "game/budget/knobs.hpp"
 #include "game/budget/making_options.hpp"
@@ -11,19 +11,19 @@ namespace {
 
 constexpr std::string_view effect = "sound";
 
-/// Calibrated: the sound ladder of `trembler accuracy`.
+/// A measured point of the sound ladder of `trembler accuracy`.
 struct Calibrated {
     std::string_view level;
     double microseconds;
-    double hertz; ///< by which the mean frequency that is heard of a body is off
+    double hertz; ///< error of a body's mean audible frequency, Hz
 };
 constexpr std::array<Calibrated, 5> ladder{{{"1-mode", 3.79, 47.8},
                                             {"4-modes", 4.56, 11.5},
                                             {"8-modes", 5.13, 7.53},
                                             {"16-modes", 5.79, 2.55},
                                             {"32-modes", 7.42, 0}}};
-/// What is heard moves nothing: a pitch that is off by all of itself counts as much as a body that is off by
-/// this.
+/// Sound moves no bodies, so its error needs a conversion: an error of 100 % of the pitch counts as much as a
+/// body that is off by this.
 constexpr double metresForAll = 0.01;
 
 double meanFrequency(World const& world) {

@@ -1,4 +1,4 @@
-// How far off forces by a tree are, found out on a few of its groups.
+// Estimates the error of tree forces from some of the tree's groups.
 #pragma once
 
 #include "game/budget/knob.hpp"
@@ -10,8 +10,8 @@
 
 namespace trembler::budget {
 
-/// Receivers walk through a tree in groups of neighbours, which opens more clusters than each of them would:
-/// so whole groups are looked at, evenly spread, and only what can move in them counts.
+/// Receivers traverse a tree in groups of neighbours, and a group opens more clusters than each of its
+/// members alone would: so whole groups are sampled, evenly spread, and only their movable members count.
 class TreeSample {
 public:
     static constexpr std::size_t groups = 3;
@@ -20,20 +20,22 @@ public:
     /// Adds one sum of the effect, with all its receivers; see inverse_square::Tree.
     void add(inverse_square::Points const& sources, inverse_square::Points const& receivers,
              bool ownElsewhere, double softening2);
-    /// A body feels the errors of all the sums and poles that were looked at as if they were independent.
+    /// The error at an opening angle. Errors of different sums and poles on the same body are added as
+    /// independent ones.
     [[nodiscard]] Error errorAt(double openingAngle) const;
 
 private:
     struct Sum {
         inverse_square::Tree tree;
         std::size_t receivers = 0;
-        double softening2 = 0;                                   ///< m²
-        std::vector<std::pair<std::size_t, std::size_t>> ranges; ///< of ordered receivers
+        double softening2 = 0; ///< m²
+        /// Index ranges in the tree's order of receivers.
+        std::vector<std::pair<std::size_t, std::size_t>> ranges;
         struct Looked {
-            std::size_t row = 0; ///< of the receivers as given
+            std::size_t row = 0; ///< index of the receiver as given
             std::uint32_t owner = 0;
             double mass = 0; ///< kg
-            Vec2 right;      ///< N
+            Vec2 right;      ///< the exact force, N
         };
         std::vector<Looked> looked;
     };

@@ -11,7 +11,7 @@
 namespace trembler::watch {
 namespace {
 
-/// Reads one field out of whatever it visits; of a list, out of the entries of one object.
+/// Reads one field of the visited value; for a list, from the entries of one object.
 class Reader final : public FieldVisitor {
 public:
     Reader(WatchedField const& field, World const& world, ObjectId object, std::vector<Cell>& cells)
@@ -89,7 +89,7 @@ private:
     bool done_ = false;
 };
 
-/// Whether the field can mean something of an object of this name, as far as is known at the start.
+/// Whether an object of this name can have the field, as far as is known at the start of the run.
 bool concerns(World const& world, WatchedField const& field, std::string const& object) {
     if (field.property->kind != PropertyKind::object) {
         return field.ofWorld() == (object == "world");
@@ -110,8 +110,9 @@ std::vector<std::string> objectNames(World const& world) {
     return names;
 }
 
-/// Names of objects may have points in them, so the longest that there is counts. One that does not exist may
-/// still be created while the level runs, if its name is one that such objects get.
+/// The object's name in "OBJECT.FIELD". Names may contain dots, so the longest existing name is taken. An
+/// object that does not exist yet may be created while the level runs if its name has the form of generated
+/// names.
 std::string objectIn(World const& world, std::string_view what) {
     for (std::size_t at = what.rfind('.'); at != std::string_view::npos && at > 0;
          at = what.rfind('.', at - 1)) {

@@ -1,4 +1,4 @@
-// Reading a field of a running world by name, frame by frame: for tables of numbers and for probes.
+// Reads fields of a running world by name, frame by frame: for tables of numbers and for probes.
 #pragma once
 
 #include "game/watch/watched_fields.hpp"
@@ -11,23 +11,23 @@
 
 namespace trembler::watch {
 
-/// Nothing, a number in the unit of its column, or words.
+/// Empty, a number in the unit of its column, or text.
 using Cell = std::variant<std::monostate, double, std::string>;
 
-/// One field of one object, by the object's name: it may come and go. Reads only, and is safe to keep for as
-/// long as the registry lives.
+/// One field of one object, found by the object's name in each frame: the object may be destroyed and created
+/// again. Only reads; valid as long as the registry lives.
 class Watch {
 public:
-    /// `asked` is what stands above its columns: the words in which it was asked for.
+    /// `asked` is the user's text for the field and becomes the column's heading.
     Watch(std::string asked, std::string object, WatchedField field)
         : asked_(std::move(asked)), object_(std::move(object)), field_(std::move(field)) {}
 
     [[nodiscard]] std::string const& object() const { return object_; }
     [[nodiscard]] WatchedField const& field() const { return field_; }
-    /// What stands above its columns, one or, for a vector, two: "ball.position.x [m]".
+    /// Headings of its columns; a vector has two: "ball.position.x [m]".
     [[nodiscard]] std::vector<std::string> headers() const;
-    /// One cell per column, as the world is now: empty ones while there is no such object, it has no such
-    /// property, or nothing is known of it.
+    /// One cell per column for the current frame; empty while the object does not exist, lacks the property,
+    /// or the value is unknown.
     [[nodiscard]] std::vector<Cell> read(World const& world) const;
 
 private:
@@ -36,10 +36,10 @@ private:
     WatchedField field_;
 };
 
-/// What "OBJECT.FIELD" means in a world that has been built: FIELD is a property that has one value, as
-/// "mass"; a property and one of its fields, as "magnetic_force.force"; or a field alone, as "current", where
-/// only one property of the object can be meant. The object "world" has the properties of the world as a
-/// whole. Throws std::invalid_argument, naming what is near or what there is.
+/// Resolves "OBJECT.FIELD" in a built world: FIELD is a property with a single value, as "mass"; a property
+/// and one of its fields, as "magnetic_force.force"; or a field alone, as "current", if only one property of
+/// the object has it. The object "world" has the properties of the world as a whole. Throws
+/// std::invalid_argument that suggests similar names or lists all of them.
 [[nodiscard]] Watch find(World const& world, std::vector<WatchedField> const& fields, std::string_view what);
 
 } // namespace trembler::watch

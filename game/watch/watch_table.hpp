@@ -1,4 +1,4 @@
-// Watched fields over time, as a table.
+// Writes watched fields over time as a table.
 #pragma once
 
 #include "game/watch/watch.hpp"
@@ -11,16 +11,16 @@
 namespace trembler::watch {
 
 /// Rows of comma-separated values (RFC 4180): frame, time in s, and a column per number. The first line names
-/// the columns with their units; what is not known is an empty cell. Numbers have as many digits as tell them
-/// apart. What is watched is computed, for as long as the table lives, even if nobody else reads it, and that
-/// changes nothing else. Not thread-safe.
+/// the columns with their units; an unknown value is an empty cell. Numbers have as many digits as are needed
+/// to read them back exactly. While the table lives, watched derived properties are computed even if nothing
+/// else reads them; nothing else in the run changes. Not thread-safe.
 class WatchTable {
 public:
-    /// Writes the first line. `what` are "OBJECT.FIELD"; see find(), which throws. `world` must be at its
-    /// start. `every` is at least 1: frames between rows.
+    /// Writes the first line. `what` lists "OBJECT.FIELD" texts; throws as find() does. `world` must be at
+    /// its start. `every`, at least 1, is the number of frames between rows.
     WatchTable(Registry const& registry, World const& world, std::vector<std::string> const& what,
                std::uint64_t every, std::ostream& out);
-    /// To be called at the start and after every frame: writes a row if it is its turn.
+    /// Call at the start and after every frame: writes a row if one is due.
     void look(World const& world);
 
 private:

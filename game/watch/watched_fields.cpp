@@ -15,7 +15,7 @@ std::string shownUnit(std::string_view unit) {
     return unit == "rad" ? "deg" : unit == "rad/s" ? "deg/s" : std::string(unit);
 }
 
-/// Gathers the fields of a value and those of the entries in its lists.
+/// Collects the fields of a value and those of the entries in its lists.
 class Gatherer final : public FieldVisitor {
 public:
     Gatherer(PropertyInfo const& property, std::vector<WatchedField>& into)
@@ -32,7 +32,7 @@ public:
         if (property_.kind == PropertyKind::object || !list_.empty() || !field.elementsHaveFields()) {
             return;
         }
-        field.resize(1); // of a copy, to see what an element is like
+        field.resize(1); // of a copy, to visit the fields of one element
         std::vector<WatchedField> found;
         Gatherer entry(property_, found);
         entry.list_ = info.key;
@@ -55,7 +55,7 @@ private:
     std::string list_;
 };
 
-/// "Angular velocity" as a word of a file: "angular_velocity".
+/// "Angular velocity" as a key in a file: "angular_velocity".
 std::string asWord(std::string_view name) {
     std::string word;
     for (char const c : name) {

@@ -1,4 +1,4 @@
-// Which numbers of a running world can be asked for by name: found out from the descriptions of properties.
+// The numbers of a running world that can be read by name, found in the descriptions of the properties.
 #pragma once
 
 #include "runtime/level/property/field_outline.hpp"
@@ -9,31 +9,31 @@
 
 namespace trembler::watch {
 
-/// One field that can be watched: of a property of objects; of a resolver or derived property as a whole,
-/// which belongs to the world; or of the entry that such a property has for an object. An entry is an element
-/// of a list whose first field names an object.
+/// A field that can be watched. It belongs to a property of an object; to a resolver property or derived
+/// property as a whole, which counts as the world's; or to the entry that such a property has for an object.
+/// An entry is an element of a list whose first field refers to an object.
 struct WatchedField {
     PropertyInfo const* property = nullptr;
     std::string list; ///< key of the list of entries; empty: a field of the property itself
-    std::string key;  ///< of the field; "value" if the property is bare
+    std::string key;  ///< of the field; "value" if the property is a single value
     FieldType type = FieldType::number;
-    std::string unit;  ///< as shown: degrees for angles; empty for a pure number
-    bool adds = false; ///< several entries of one object add up; otherwise the first counts
+    std::string unit;  ///< as displayed: degrees for angles; empty for a pure number
+    bool adds = false; ///< entries of the same object are summed; otherwise the first one counts
 
-    /// Whether it is a number or a vector of the world as a whole: of a resolver or derived property without
+    /// Whether it belongs to the world as a whole: to a resolver property or derived property, outside its
     /// entries.
     [[nodiscard]] bool ofWorld() const { return property->kind != PropertyKind::object && list.empty(); }
-    /// "magnetic_force.force", or the property's key alone where that is bare: how it is written out.
+    /// The full name: "magnetic_force.force", or the property's key alone if that is a single value.
     [[nodiscard]] std::string name() const;
-    /// The same with the property's own name, in small letters and with low lines: "position", "f_m.force".
+    /// The same with the property's display name in lower case and with underscores: "position", "f_m.force".
     [[nodiscard]] std::string spokenName() const;
-    /// Whether a word means it: one of the two names ...
+    /// Whether a word is one of the two full names.
     [[nodiscard]] bool isNamed(std::string_view word) const { return word == name() || word == spokenName(); }
-    /// ... or the field's key alone ("current"), which several may share.
+    /// Whether a word is the field's key alone ("current"), which several properties may share.
     [[nodiscard]] bool isKnownAs(std::string_view word) const { return key == word && key != "value"; }
 };
 
-/// All that there is in a program, in order of the properties' keys.
+/// All fields that the registry's properties have, in order of the properties' keys.
 [[nodiscard]] std::vector<WatchedField> watchedFields(Registry const& registry);
 
 } // namespace trembler::watch

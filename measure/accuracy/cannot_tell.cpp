@@ -1,4 +1,4 @@
-// What detail levels cannot tell at all, in one table: it is a part of what they are, not of any scene.
+// A table of the phenomena that each detail level cannot represent, whatever the scene.
 #include "measure/accuracy/ladder.hpp"
 
 #include <array>
@@ -9,7 +9,7 @@ namespace {
 
 struct Limit {
     std::string_view effect;
-    std::string_view level; ///< of a setting, the part that all its levels have in common
+    std::string_view level; ///< for settings, the part that the names of all their levels share
     std::string_view cannotTell;
 };
 
@@ -46,7 +46,7 @@ constexpr std::array<Limit, 24> limits{{
 } // namespace
 
 std::string whatCannotTell(std::string const& effect, std::string const& level) {
-    for (Limit const& limit : limits) { // exact names first: "4-modes" is not just any number of modes
+    for (Limit const& limit : limits) { // exact names first: "4-modes" must not match the entry "modes"
         if (limit.effect == effect && limit.level == level) {
             return std::string(limit.cannotTell);
         }

@@ -28,7 +28,7 @@ namespace {
 
 constexpr double sameTime = 1.05;
 
-// At least as good in both respects and better in one.
+// Whether a is at least as good in both error and time and better in one.
 bool beats(Rung const& a, Rung const& b) {
     bool const faster = a.microseconds * sameTime < b.microseconds;
     bool const asFast = a.microseconds < b.microseconds * sameTime;

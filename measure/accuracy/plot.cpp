@@ -37,7 +37,7 @@ std::string escaped(std::string const& text) {
     return result;
 }
 
-// Whole decades around what is to be shown, at least one.
+// The range of a logarithmic axis: whole decades that contain all values, at least one.
 struct Axis {
     int low = 0;
     int high = 1;
@@ -49,7 +49,7 @@ struct Axis {
         }
     }
     [[nodiscard]] double share(double value) const { return (std::log10(value) - low) / (high - low); }
-    // So that not more than a dozen lines are labelled.
+    // Decades between labels, so that there are at most about a dozen.
     [[nodiscard]] int step() const { return (high - low) / 12 + 1; }
 };
 
@@ -80,7 +80,7 @@ private:
         }
         return values;
     }
-    // What the arithmetic itself rounds away would stretch the picture over many empty decades.
+    // Rounding errors are drawn as exact: they would stretch the axis over many empty decades.
     static constexpr double nothing = 1e-12;
     static std::vector<double> errors(Ladder const& ladder) {
         std::vector<double> values;
@@ -146,7 +146,7 @@ private:
                 fmt::format("<path d='{}' stroke='{}' stroke-width='2' fill='none'/>\n", path, frontColour);
         }
     }
-    // Dots have numbers, which are read at the side: names beside the dots would run into one another.
+    // Dots are numbered, with the names in a list at the side, because names beside the dots would overlap.
     void dots(Ladder const& ladder) {
         double line = top + 4;
         int number = 0;
@@ -155,7 +155,8 @@ private:
             bool const good = rung.onFront || !ladder.rivals;
             char const* const fill = good ? frontColour : "#faf6ec";
             char const* const stroke = good ? frontColour : restColour;
-            // Beside the dot on alternate sides, as neighbours in the ladder are often neighbours here.
+            // On alternate sides of the dots, because neighbours in the ladder are often close together in
+            // the plot.
             double const side = number % 2 == 0 ? 14 : -6;
             text_ += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='4.5' fill='{}' stroke='{}' "
                                  "stroke-width='2'/><text x='{:.1f}' y='{:.1f}' font-size='11' fill='{}' "

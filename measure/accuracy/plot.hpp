@@ -1,12 +1,12 @@
-// Error over time per frame, as a picture.
+// Draws error over time per frame as a picture.
 #pragma once
 
 #include "measure/accuracy/ladder.hpp"
 
 namespace trembler::accuracy {
 
-/// An SVG with both axes logarithmic; the Pareto front is drawn as a line through its filled dots. What has
-/// no error at all stands on the line at the bottom, "exact"; what has no bound, at the top.
+/// An SVG with two logarithmic axes; the Pareto front is drawn as a line through its filled dots. Exact
+/// levels are drawn on the line "exact" at the bottom; levels of unbounded error at the top.
 [[nodiscard]] std::string asSvg(Ladder const& ladder);
 
 } // namespace trembler::accuracy

@@ -50,7 +50,8 @@ std::string placeText(Ladder const& ladder, Rung const& rung) {
     return rung.onFront ? "front" : "beaten by " + rung.beatenBy;
 }
 
-// What no level of a ladder can tell, if that is the same for all of them: worth saying once. "" otherwise.
+// What none of a ladder's levels can represent, if it is the same for all of them, so that it is reported
+// once; otherwise "".
 std::string cannotTellOfAll(Ladder const& ladder) {
     if (ladder.rungs.empty()) {
         return "";
@@ -121,7 +122,7 @@ nlohmann::ordered_json asJson(std::vector<Ladder> const& ladders) {
     for (Ladder const& ladder : ladders) {
         nlohmann::ordered_json levels = nlohmann::ordered_json::array();
         for (Rung const& rung : ladder.rungs) {
-            nlohmann::ordered_json error; // null where there is no bound: JSON has no infinity
+            nlohmann::ordered_json error; // null if unbounded: JSON has no infinity
             if (std::isfinite(rung.error)) {
                 error = rung.error;
             }

@@ -1,5 +1,5 @@
-// Only what a scene calls for: what every component of the registry did in a level, and what is left of it
-// when the level is at rest.
+// Measures activation: the work of every registered component while a level is played, and the work that
+// remains when the level is at rest.
 #pragma once
 
 #include "runtime/level/model/level.hpp"
@@ -13,7 +13,7 @@ namespace trembler {
 
 struct GameData;
 
-/// One component in one play.
+/// The work of one component during one play.
 struct ComponentUse {
     ComponentInfo const* info = nullptr;
     Activity atEnd = Activity::absent;
@@ -21,29 +21,31 @@ struct ComponentUse {
     std::uint64_t updatesInLastSecond = 0;
 };
 
-/// What a play called for. Counts are the same on every machine: no clock is read.
+/// The components that were active during a play. Counts are the same on every machine: no clock is read.
 struct LevelUse {
-    std::string level;    ///< as a person would name the file
-    std::string title;    ///< as the level states it
-    std::string solution; ///< "" for hands off
+    std::string level;    ///< path for display
+    std::string title;    ///< the title in the level file
+    std::string solution; ///< "" for no player input
     std::uint64_t frames = 0;
     std::vector<ComponentUse> components; ///< one per registered component, in the order of World::status()
-    std::uint64_t busiestSecond = 0;      ///< updates in it, of all components, of whole seconds from frame 1
-    std::uint64_t lastSecond = 0;         ///< updates in it
-    /// Whether the world's state was the same, bit for bit, after each frame of the last second.
+    /// Most updates in one second, of all components; seconds count from frame 1.
+    std::uint64_t busiestSecond = 0;
+    std::uint64_t lastSecond = 0; ///< updates in the last second
+    /// Whether the world's state was bit for bit the same after each frame of the last second.
     bool atRest = false;
 
-    [[nodiscard]] std::size_t constructed() const; ///< components that are there at the end
+    [[nodiscard]] std::size_t constructed() const; ///< number of components that are constructed at the end
 };
 
 inline constexpr std::uint64_t framesPerSecond = 60;
 
-/// Plays a level, hands off if `solution` is null, on one thread for that many whole seconds, at least one.
-/// Throws InputError if the level or the solution does not fit.
+/// Plays a level, without player input if `solution` is null, on one thread for `seconds` whole seconds, at
+/// least one. Throws InputError if the level or the solution is invalid.
 [[nodiscard]] LevelUse playForCalls(GameData const& gameData, LevelFile const& level,
                                     Solution const* solution, int seconds);
 
-/// Every level with every recorded solution, in order of path; a level that has none is played hands off.
+/// Plays every level with every recorded solution, in order of path; a level without solutions is played
+/// without player input.
 [[nodiscard]] std::vector<LevelUse> playAllForCalls(GameData const& gameData, int seconds);
 
 } // namespace trembler

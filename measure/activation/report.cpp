@@ -22,7 +22,7 @@ std::size_t countOf(LevelUse const& play, Activity activity) {
                       [&](ComponentUse const& use) { return use.atEnd == activity; }));
 }
 
-// The first play of each level: what the table of components has a column for.
+// The first play of each level: these are the columns of the table of components.
 std::vector<LevelUse const*> firstOfEach(std::vector<LevelUse> const& plays) {
     std::vector<LevelUse const*> first;
     for (LevelUse const& play : plays) {

@@ -14,8 +14,8 @@ constexpr double g = 9.81;
 constexpr int second = 60;
 
 // Angles of the links of the right half, from the middle outwards, of a chain at rest whose ends are `span`
-// apart: the horizontal pull H is the same in every link, and each bears half the ball and what hangs below
-// it, so tan(angle) = V / H. H is found by halving intervals.
+// apart: the horizontal force H is the same in every link, and each carries half of the ball and of the
+// weight below it, so tan(angle) = V / H. H is found by bisection.
 std::vector<double> restAngles(int half, double link, double linkMass, double ballMass, double span) {
     std::vector<double> angles(static_cast<std::size_t>(half));
     double low = 1e-6 * g * linkMass;
@@ -33,8 +33,8 @@ std::vector<double> restAngles(int half, double link, double linkMass, double ba
     return angles;
 }
 
-// The chain hangs at rest between two pins that are 0.8 of its length apart, but for its jitter: every joint
-// that opens and every speed is the engine's own.
+// The chain starts at rest between two pins that are 0.8 of its length apart, except for the jitter: so joint
+// gaps and speeds come from the engine alone.
 std::vector<Figure> chain(Setting const& setting, std::uint64_t seed, int links, double ratio) {
     constexpr double link = 0.2;
     Rig rig(setting, seed);
@@ -43,7 +43,7 @@ std::vector<Figure> chain(Setting const& setting, std::uint64_t seed, int links,
     for (double const angle : angles) {
         depth += link * Vec2{std::cos(angle), std::sin(angle)};
     }
-    Vec2 pin = -depth; // hence the ball is at the origin
+    Vec2 pin = -depth; // so that the ball is at the origin
     pin.y = depth.y;
     ObjectId before;
     for (int i = 0; i < links; ++i) {
@@ -76,7 +76,7 @@ std::vector<Figure> chain(Setting const& setting, std::uint64_t seed, int links,
     return {{"joint gap", "m", 0.02, gap}, {"jitter in the last second", "m/s", 0.2, jitter}};
 }
 
-// Planks on a flat arc 2 % longer than its span fall into place.
+// Planks on a flat arc 2 % longer than its span, released.
 std::vector<Figure> bridge(Setting const& setting, std::uint64_t seed) {
     constexpr int planks = 160;
     constexpr double plank = 0.5;

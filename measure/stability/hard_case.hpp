@@ -11,14 +11,14 @@
 
 namespace trembler::stability {
 
-/// What a run reached, and what it may reach at most.
+/// A measured quantity of a run and its limit.
 struct Figure {
     std::string what; ///< for example "joint gap"
     std::string unit;
     double limit = 0;
     double value = 0;
 
-    /// No number counts as infinitely bad.
+    /// NaN counts as exceeding the limit.
     [[nodiscard]] bool holds() const { return value <= limit; }
 };
 
@@ -26,11 +26,11 @@ struct HardCase {
     std::string row;  ///< of the table, for example "suspended chain"
     std::string name; ///< within it, for example "30 links, 1:100"
     std::function<std::vector<Figure>(Setting const&, std::uint64_t seed)> run;
-    /// Whether the engine's settings have anything to do with it.
+    /// Whether the engine's settings influence the result.
     bool tunable = true;
-    /// Whether one run takes so little that every test run can afford it.
+    /// Whether a run is fast enough to be part of every test run.
     bool quick = true;
-    /// Whether the seed makes any difference.
+    /// Whether the seed influences the result.
     bool jittered = true;
 };
 
@@ -44,7 +44,7 @@ struct HardCase {
 [[nodiscard]] std::vector<HardCase> networkCases();
 [[nodiscard]] std::vector<HardCase> orbitCases();
 [[nodiscard]] std::vector<HardCase> machineCases();
-/// Everything, in the order of the table.
+/// All cases, in the order of the table.
 [[nodiscard]] std::vector<HardCase> allCases();
 
 [[nodiscard]] inline bool holds(std::span<Figure const> figures) {
@@ -56,7 +56,7 @@ struct HardCase {
     return !figures.empty();
 }
 
-/// `value` if it is a number, or one that no limit allows.
+/// `value`, or infinity in place of NaN, so that no limit holds.
 [[nodiscard]] inline double orWorst(double value) {
     return value == value ? value : std::numeric_limits<double>::infinity();
 }

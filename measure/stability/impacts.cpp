@@ -10,9 +10,9 @@
 namespace trembler::stability {
 namespace {
 
-// Two hundred lanes side by side, without gravity: a ball of 5 cm and 0.1 kg flies at a wall of 0.1 m and
-// 10 kg. It has passed if its centre has crossed the wall's middle plane between the wall's ends, as seen
-// from the wall, which a hit may send spinning.
+// Two hundred lanes side by side, without gravity: a ball of 5 cm and 0.1 kg flies at a wall of 0.1 m and 10
+// kg. It has passed through if its centre has crossed the wall's middle plane between the wall's ends, in the
+// wall's frame of reference, as an impact may spin the wall.
 std::vector<Figure> bullets(Setting const& setting, std::uint64_t seed, double speed, bool free) {
     constexpr std::size_t lanes = 200;
     constexpr double wallHeight = 1;
@@ -33,7 +33,7 @@ std::vector<Figure> bullets(Setting const& setting, std::uint64_t seed, double s
         ShapePiece const piece = boxPiece(0.1, wallHeight);
         all.push_back({id, free ? rig.body(piece, wall, 10) : rig.fixed(piece, wall), ball - wall, false});
     }
-    double lost = 0; // in the first frame, before any can have hit: flight itself must not slow it down
+    double lost = 0; // m/s, in the first frame, before any impact: free flight must not be slowed down
     for (int frame = 1; frame <= 30; ++frame) {
         rig.step();
         for (Lane& lane : all) {
@@ -56,7 +56,7 @@ std::vector<Figure> bullets(Setting const& setting, std::uint64_t seed, double s
             {"speed lost in flight", "m/s", 0.01 * speed, lost}};
 }
 
-// A row and a heap of boxes, each a quarter inside its neighbour.
+// A wall of boxes, each overlapping its neighbours by a quarter.
 std::vector<Figure> overlaps(Setting const& setting, std::uint64_t seed) {
     Rig rig(setting, seed);
     rig.fixed(boxPiece(40, 1), {0, -0.5});
@@ -67,7 +67,7 @@ std::vector<Figure> overlaps(Setting const& setting, std::uint64_t seed) {
         }
     }
     double fastest = 0;
-    double moved = 0; // way per frame
+    double moved = 0; // m/s, displacement per frame times 60
     std::vector<Vec2> before;
     for (ObjectId const id : rig.bodies()) {
         before.push_back(rig.at(id));
@@ -82,7 +82,8 @@ std::vector<Figure> overlaps(Setting const& setting, std::uint64_t seed) {
         }
     }
     return {{"speed", "m/s", 5, fastest},
-            // What the solver pushes apart moves without having a speed: told, but no limit is set on it.
+            // Bodies that the solver pushes apart are displaced without a velocity: reported, but without a
+            // limit.
             {"pushed apart at", "m/s", std::numeric_limits<double>::infinity(), moved}};
 }
 

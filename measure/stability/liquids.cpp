@@ -1,5 +1,5 @@
-// What floats, sinks or turns over: densities six orders of magnitude apart, plates of a millimetre, hulls
-// that are let go upside down.
+// Bodies that float, sink or turn over: densities over six orders of magnitude, plates of a millimetre, hulls
+// released upside down.
 #include "measure/stability/hard_case.hpp"
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "runtime/placement.hpp"
@@ -39,8 +39,8 @@ std::vector<Figure> settles(Rig& rig, int seconds) {
             {"not finite", "", 0, rig.finite() ? 0.0 : 1.0}};
 }
 
-// Thirteen densities from a thousandth to a thousand times the water's, let go 3 m deep. 0.1 m deep worlds:
-// a mass is density times area times 0.1 m.
+// Thirteen densities from a thousandth to a thousand times the water's, released 3 m deep. Worlds are 0.1 m
+// thick: a mass is density times area times 0.1 m.
 std::vector<Figure> densities(Setting const& setting, std::uint64_t seed) {
     Rig rig(setting, seed);
     pool(rig);
@@ -70,13 +70,14 @@ std::vector<Figure> plates(Setting const& setting, std::uint64_t seed) {
     return settles(rig, 60);
 }
 
-// A box twice as high as wide stands on its end, and one heavy below lies the wrong way up: both turn over.
+// Boxes twice as high as wide stand on end, and hulls start upside down, with the mast in the water: both
+// turn over.
 std::vector<Figure> flipping(Setting const& setting, std::uint64_t seed) {
     Rig rig(setting, seed);
     pool(rig);
     for (int i = 0; i < 4; ++i) {
         rig.body(boxPiece(0.3, 0.6), {-20 + 5.0 * i, 0.1}, 1000 * 0.5 * 0.18 * 0.1, 0.02 * rig.jitter());
-        // A hull: its mast, a tenth of its width, sticks into the water.
+        // A hull; its mast, a tenth of its width, points down into the water.
         ObjectId const hull =
             rig.body(boxPiece(1, 0.3), {2 + 5.0 * i, 0.1}, 1000 * 0.4 * 0.3 * 0.1, 0.02 * rig.jitter());
         ShapePiece mast = boxPiece(0.1, 1);

@@ -41,7 +41,8 @@ void shift(LevelFile& level, std::string const& name, Vec2 by) {
     }
 }
 
-// Rings in each minute but the first, which the switch's fall is part of: the most over the fewest.
+// The ratio of the most to the fewest rings per minute, without the first minute, which contains the switch's
+// fall.
 std::vector<Figure> doorbell(Setting const& setting, std::uint64_t seed) {
     Jitter jitter(seed);
     LevelFile level = experiment("2-doorbell.json");
@@ -77,7 +78,7 @@ std::vector<Figure> doorbell(Setting const& setting, std::uint64_t seed) {
     return {{"rate drift", "%", 1, 100 * orWorst(drift)}};
 }
 
-// From any angle. Whole turns of the ten minutes after the first half: the later five against the earlier.
+// Starts at any angle. Compares the rate of whole turns in minutes 6 to 11 with that in minutes 1 to 6.
 std::vector<Figure> motor(Setting const& setting, std::uint64_t seed) {
     Jitter jitter(seed);
     LevelFile level = experiment("3-electric-motor.json");
@@ -96,11 +97,11 @@ std::vector<Figure> motor(Setting const& setting, std::uint64_t seed) {
     ObjectId const axis = world.store().find("main axis");
     double const start = world.find<Rotation>(axis)->angle;
     double before = 0;
-    std::vector<double> marks; // frames at which whole turns were complete
+    std::vector<double> marks; // frames at which whole turns were completed
     while (world.frame() < 11 * minute) {
         session->step();
         double const now = (world.find<Rotation>(axis)->angle - start) / (2 * pi);
-        double const next = std::floor(before) + 1; // it turns far less than once in a frame
+        double const next = std::floor(before) + 1; // it turns far less than one turn per frame
         if (next <= now) {
             marks.push_back(static_cast<double>(world.frame()) - 1 + (next - before) / (now - before));
         }
@@ -117,8 +118,8 @@ std::vector<Figure> motor(Setting const& setting, std::uint64_t seed) {
              100 * orWorst(std::abs(rate(6 * minute, 11 * minute) / rate(minute, 6 * minute) - 1))}};
 }
 
-// Nobody touches anything. What leaves the level's bounds by more than a tenth of their size is counted, each
-// object once, and so is what is no number.
+// Without player input. Counts objects that leave the level's bounds by more than a tenth of their size, each
+// once, and non-finite positions in every frame.
 std::vector<Figure> handsOff(Setting const& setting, std::filesystem::path const& path) {
     LevelFile level = loadLevel(gameData().registry, path);
     Box bounds = level.bounds.value_or(Box{{-1e3, -1e3}, {2e3, 2e3}});

@@ -1,4 +1,4 @@
-// Magnets that are let go where they touch, where their poles coincide, and by the hundred.
+// Magnets released in contact, with coinciding poles, and by the hundred.
 #include "measure/stability/hard_case.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/placement.hpp"
@@ -16,21 +16,21 @@ constexpr double mass = 0.5;
 constexpr double wide = 0.2;
 constexpr double high = 0.05;
 
-// The strength of poles (A m) with which two bars that lie side by side, like poles together, push each other
-// off with `weights` times their weight: 2 µ0/4π q² r / (r² + s²)^(3/2), r being their height.
+// The pole strength (A m) at which two bars that lie side by side, like poles together, repel each other with
+// `weights` times their weight: 2 µ0/4π q² r / (r² + s²)^(3/2), where r is their height.
 double strengthFor(double weights) {
     double const perSquare =
         2 * 1e-7 * high / std::pow(high * high + magneticSoftening * magneticSoftening, 1.5);
     return std::sqrt(weights * mass * g / perSquare);
 }
 
-/// Bar magnets, and the energy that they have: of motion, of height, and of every two poles.
+/// Bar magnets and their energies: kinetic, gravitational, and of every pair of poles.
 class Magnets {
 public:
     Magnets(Setting const& setting, std::uint64_t seed, double gravity)
         : rig(setting, seed, {0, -gravity}), gravity_(gravity) {}
 
-    /// Poles lie on the bar's axis, this far from its middle.
+    /// The poles lie on the bar's axis, at the distance `poles` from its middle.
     void bar(Vec2 at, double angle, double poles, double strength, bool collides = true) {
         ObjectId const id = rig.body(boxPiece(wide, high), at, mass, angle);
         rig.give(id, MagneticStrength{.strength = strength, .susceptibility = 0});
@@ -43,7 +43,7 @@ public:
     }
 
     [[nodiscard]] double energy() const { return kinetic() + potential().sum + height(); }
-    /// J
+    /// Gravitational energy, J.
     [[nodiscard]] double height() const {
         double sum = 0;
         for (ObjectId const id : rig.bodies()) {
@@ -51,7 +51,7 @@ public:
         }
         return sum;
     }
-    /// J
+    /// J.
     [[nodiscard]] double kinetic() const {
         double sum = 0;
         for (ObjectId const id : rig.bodies()) {
@@ -64,9 +64,9 @@ public:
     }
     struct Potential {
         double sum = 0;  // J
-        double size = 0; // J, without signs
+        double size = 0; // J, sum of the absolute values
     };
-    /// µ0/4π q1 q2 / √(r² + s²) for every two poles of two magnets.
+    /// µ0/4π q1 q2 / √(r² + s²) for every two poles of different magnets.
     [[nodiscard]] Potential potential() const {
         Potential found;
         std::vector<Vec2> places;
@@ -98,8 +98,8 @@ private:
     double gravity_;
 };
 
-// By how much the energy rises at most above what it has been before, as a share of all that there has been:
-// between every two poles, and in motion or from falling.
+// The greatest rise of the energy above its minimum so far, relative to the sum of all energies: between
+// every two poles, and kinetic or gravitational.
 std::vector<Figure> watch(Magnets& magnets, int frames) {
     double least = magnets.energy();
     double const height = magnets.height();
@@ -117,7 +117,7 @@ std::vector<Figure> watch(Magnets& magnets, int frames) {
             {"not finite", "", 0, magnets.rig.finite() ? 0.0 : 1.0}};
 }
 
-// Two bars end to end, attracting; two bars side by side, repelling. The poles are 1 cm inside.
+// Two bars end to end, attracting; two bars side by side, repelling. The poles are 1 cm inside the ends.
 std::vector<Figure> contact(Setting const& setting, std::uint64_t seed, double weights) {
     double const strength = strengthFor(weights);
     Magnets magnets(setting, seed, 0);
@@ -129,7 +129,7 @@ std::vector<Figure> contact(Setting const& setting, std::uint64_t seed, double w
     return watch(magnets, 600);
 }
 
-// Poles at the very ends of bars that touch: they lie in one point.
+// Poles at the very ends of touching bars: they coincide.
 std::vector<Figure> polesMeet(Setting const& setting, std::uint64_t seed, double weights) {
     double const strength = strengthFor(weights);
     Magnets magnets(setting, seed, 0);
@@ -141,7 +141,7 @@ std::vector<Figure> polesMeet(Setting const& setting, std::uint64_t seed, double
     return watch(magnets, 600);
 }
 
-// Two bars that collide with nothing, one in the other, attracting: they swing through each other for ever.
+// Two bars without collisions, one inside the other, attracting: they oscillate through each other for ever.
 std::vector<Figure> oneInTheOther(Setting const& setting, std::uint64_t seed, double weights) {
     double const strength = strengthFor(weights);
     Magnets magnets(setting, seed, 0);

@@ -1,4 +1,4 @@
-// Netlists branch by branch, without objects in between, and a check of their solution.
+// Builds netlists branch by branch, without objects, and checks their solution.
 #pragma once
 
 #include "physics/electricity/analyses/nodal_analysis.hpp"
@@ -31,9 +31,9 @@ struct Draft {
     }
 };
 
-/// By how much the currents at a node miss Kirchhoff's first law, as a share of the current through that very
-/// node: the largest of all nodes. Stricter than a share of the largest current anywhere. Nodes with nothing
-/// but rounding errors are left out. Computed from the currents alone, in long double.
+/// The violation of Kirchhoff's first law at a node, relative to the current through that node: the largest
+/// of all nodes. Stricter than relative to the largest current anywhere. Nodes with only rounding errors are
+/// skipped. Computed from the currents alone, in long double.
 [[nodiscard]] inline double localResidual(Netlist const& netlist, NodalSolution const& solution) {
     std::vector<long double> balance(netlist.objects.size() + 1, 0);
     std::vector<long double> passing(netlist.objects.size() + 1, 0);

@@ -1,4 +1,5 @@
-// Nodal analysis where it is hardest: twelve orders of magnitude, islands, shorts, ten thousand nodes.
+// Difficult networks for nodal analysis: twelve orders of magnitude, islands, short circuits, ten thousand
+// nodes.
 #include "measure/stability/hard_case.hpp"
 #include "measure/stability/netlist_draft.hpp"
 #include "physics/electricity/analyses/nodal_analysis.hpp"
@@ -11,12 +12,12 @@ namespace {
 
 constexpr double residualLimit = 1e-9;
 
-// Of the currents as they are recomputed, or as the analysis itself says: the worse.
+// The larger of the recomputed residual and the one that the analysis reports.
 double residualOf(Netlist const& netlist, NodalSolution const& solution) {
     return orWorst(std::max(localResidual(netlist, solution), solution.residual));
 }
 
-// From 1 mΩ to 1 GΩ, any mesh.
+// Resistances from 1 mΩ to 1 GΩ in a random mesh.
 std::vector<Figure> ratios(Setting const& /*setting*/, std::uint64_t seed) {
     Jitter jitter(seed);
     auto const below = [&](std::uint32_t n) {
@@ -39,7 +40,7 @@ std::vector<Figure> ratios(Setting const& /*setting*/, std::uint64_t seed) {
     return {{"residual", "", residualLimit, residualOf(draft.netlist, solution)}};
 }
 
-// A hundred by a hundred.
+// A grid of a hundred by a hundred nodes.
 std::vector<Figure> sheet(Setting const& /*setting*/, std::uint64_t seed) {
     constexpr std::uint32_t side = 100;
     Jitter jitter(seed);
@@ -61,9 +62,8 @@ std::vector<Figure> sheet(Setting const& /*setting*/, std::uint64_t seed) {
     return {{"residual", "", residualLimit, residualOf(draft.netlist, solution)}};
 }
 
-// A ring of ten that feeds a lamp, an island of five that touches nothing, and a battery whose poles a bar of
-// a milliohm joins. Three things have to be told of: the island, its every object; the shorted source; and
-// that the rest is well.
+// A ring of ten that feeds a lamp, an isolated island of five, and a battery short-circuited by 1 mΩ. The
+// analysis must report every object of the island and the shorted source, and must solve the rest.
 std::vector<Figure> islandsAndShorts(Setting const& /*setting*/, std::uint64_t seed) {
     Jitter jitter(seed);
     auto const ohm = [&] { return 10 + 9 * jitter(); };
@@ -91,7 +91,7 @@ std::vector<Figure> islandsAndShorts(Setting const& /*setting*/, std::uint64_t s
     shorted.earth(1, 0);
     NodalSolution const through = analysis.solve(shorted.netlist);
     wrong += through.objects[0].shorted ? 0 : 1;
-    Draft ideal(2); // what no current could answer to
+    Draft ideal(2); // an ideal source, shorted by an ideal conductor: no finite current exists
     ideal.source(0, 9, 0);
     ideal.join(0, 1, 0);
     ideal.earth(1, 0);

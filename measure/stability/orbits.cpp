@@ -1,4 +1,5 @@
-// Two bodies under real gravity: ten thousand revolutions, and encounters so close that little time is left.
+// Two bodies under real gravity: ten thousand revolutions, and close encounters with little time for the
+// turn.
 #include "measure/stability/hard_case.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/placement.hpp"
@@ -19,7 +20,7 @@ struct Pair {
     double starMass = 1000;
     double planetMass = 1;
 
-    // `r` m apart, moving across with `speed` m/s relative to each other; the centre of mass rests.
+    // `r` m apart, moving transversely at `speed` m/s relative to each other; the centre of mass rests.
     Pair(Setting const& setting, std::uint64_t seed, double law, Vec2 r, Vec2 speed)
         : rig(setting, seed, {}), constant(law) {
         double const share = planetMass / (starMass + planetMass);
@@ -41,8 +42,8 @@ struct Pair {
     }
 };
 
-// A revolution takes about 2 s. What drifts is the mean over a revolution: within one, a symplectic
-// integrator lets the energy swing to and fro.
+// A revolution takes about 2 s. Drift is measured on the mean over a revolution, because the energy of a
+// symplectic integrator oscillates within one.
 std::vector<Figure> revolutions(Setting const& setting, std::uint64_t seed, int count) {
     constexpr double axis = 3;
     constexpr int framesEach = 120;
@@ -66,12 +67,12 @@ std::vector<Figure> revolutions(Setting const& setting, std::uint64_t seed, int 
     return {{"energy drift", "%", 1, 100 * drift}};
 }
 
-// Comes in from 20 m on a hyperbola, turns by most of a circle, and leaves. As far out as it came from, it
-// must have the energy that it came with.
+// Approaches from 20 m on a hyperbola, is deflected by most of a circle, and leaves. At 20 m again, it must
+// have its initial energy.
 std::vector<Figure> encounter(Setting const& setting, std::uint64_t seed) {
     constexpr double law = 0.05;
     Jitter jitter(seed);
-    double const past = 2 + 0.5 * jitter(); // m, by which it would miss
+    double const past = 2 + 0.5 * jitter(); // m, impact parameter
     Pair pair(setting, seed, law, {-20, past}, {4, 0});
     double const before = pair.energy();
     double nearest = 20;

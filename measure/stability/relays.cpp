@@ -1,12 +1,12 @@
 // Circuits that switch themselves off: an interrupter and a ring of relays, whose contacts move without any
-// mechanism in between, so that nothing but the frame holds them back.
+// mechanism in between, so that only the frame's length limits their rate.
 #include "measure/stability/hard_case.hpp"
 #include "physics/electricity/calls.hpp"
 #include "physics/electricity/properties/electrical.hpp"
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "puzzle/data/effects.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/property/for_each.hpp"
+#include "runtime/world/registry.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 namespace trembler::stability {
 namespace {
 
-/// A contact between two conductors that the object, a coil, closes while it is on, or opens.
+/// A contact between two conductors that closes, or opens, while the object, a coil, is on.
 struct Relay {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Relay", "test_relay", "A contact that a coil moves, for tests.",
@@ -68,9 +68,15 @@ Registry const& registry() {
     return shared;
 }
 
-/// How a ring of relays behaved: each one's contact feeds the next one's coil.
+/// How a level's wires are connected.
+Connector const& levelWire() {
+    auto const all = registry().connectors();
+    return *std::find_if(all.begin(), all.end(), [](Connector const& one) { return one.kind == "wire"; });
+}
+
+/// The behaviour of a ring of relays: each relay's contact feeds the next one's coil.
 struct Course {
-    std::vector<std::vector<int>> switched; // frames in which each coil went on or off
+    std::vector<std::vector<int>> switched; // by coil, the frames in which it was switched
     std::uint64_t hash = 0;
 };
 
@@ -91,9 +97,10 @@ Course run(std::vector<bool> const& closedAtRest, int threads, int frames) {
     std::vector<ObjectId> coils;
     for (std::size_t i = 0; i < closedAtRest.size(); ++i) {
         coils.push_back(conductor(fmt::format("coil {}", i)));
-        if (auto const wrong = connectInitially(store, coils.back(), earth)) {
+        if (auto const wrong = levelWire().refusal(store, coils.back(), earth)) {
             throw std::logic_error(*wrong);
         }
+        levelWire().lay(store, coils.back(), earth);
     }
     for (std::size_t i = 0; i < coils.size(); ++i) {
         store.column<Relay>().set(coils[i], {source, coils[(i + 1) % coils.size()], closedAtRest[i]});
@@ -124,7 +131,7 @@ std::vector<Figure> judge(std::vector<bool> const& closedAtRest) {
     Course const one = run(closedAtRest, 1, frames);
     double rate = 0;
     double stuck = 0;
-    double apart = 0; // frames between switchings: longest less shortest, of any coil, once it goes round
+    double apart = 0; // frames between switchings: longest minus shortest, of any coil, in periodic operation
     for (std::vector<int> const& switched : one.switched) {
         rate = std::max(rate, 60.0 * static_cast<double>(switched.size()) / frames);
         stuck += switched.empty() || switched.back() < lately ? 1 : 0;
@@ -154,7 +161,7 @@ std::vector<HardCase> relayCases() {
              [](Setting const&, std::uint64_t) { return judge({true}); }, false, true, false},
             {"50 relays in a ring", "",
              [](Setting const&, std::uint64_t seed) {
-                 // An odd number of them open when they should close: there is no state to rest in.
+                 // With an odd number of inverting relays there is no stable state.
                  std::vector<bool> closedAtRest(50, false);
                  closedAtRest[seed % 50] = true;
                  if (seed % 2 == 0) {

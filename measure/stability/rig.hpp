@@ -1,5 +1,5 @@
-// Worlds for the hard cases: bodies and hinges by hand, and what is measured of them. Every world is jittered
-// by a seed, so that nothing stands merely because it is perfectly symmetrical.
+// Worlds for the hard cases: bodies and joints, and measurements on them. Every world is jittered by a seed,
+// so that no result depends on perfect symmetry.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
@@ -15,14 +15,14 @@
 
 namespace trembler::stability {
 
-/// How a case is to be run.
+/// How to run a case.
 struct Setting {
-    DynamicsSettings solver = {}; ///< `sleeping` is up to the case
+    DynamicsSettings solver = {}; ///< each case sets `sleeping` itself
     std::string engine = "box2d";
     int threads = 1;
 };
 
-/// Numbers between -1 and 1 that follow from a seed alone, on every machine (SplitMix64).
+/// Numbers between -1 and 1 that depend on a seed alone, the same on every machine (SplitMix64).
 class Jitter {
 public:
     explicit Jitter(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15U) {}
@@ -34,35 +34,35 @@ private:
 
 class Rig {
 public:
-    /// With gravity of 9.81 m/s² downwards unless told otherwise, and sleeping off.
+    /// With gravity of 9.81 m/s² downwards by default, and sleeping off.
     Rig(Setting const& setting, std::uint64_t seed, Vec2 gravity = {0, -9.81});
 
     ObjectId body(ShapePiece piece, Vec2 at, double mass, double angle = 0);
     ObjectId fixed(ShapePiece piece, Vec2 at, double angle = 0);
-    /// Without `b` to the world. Its gap counts in worstGap().
+    /// Joins `a` to `b`, or to the world if `b` is invalid. The joint's gap is included in worstGap().
     ObjectId tie(JointForm form, ObjectId a, ObjectId b, Vec2 at);
     template <class P>
     void give(ObjectId id, P property) {
         world->store().column<P>().set(id, std::move(property));
     }
-    /// Starts the world if it has not been; one frame.
+    /// Starts the world if needed and computes one frame.
     void step();
     void start();
 
     [[nodiscard]] Vec2 at(ObjectId id) const;
     [[nodiscard]] Vec2 velocity(ObjectId id) const;
     [[nodiscard]] double angle(ObjectId id) const;
-    /// All that body() made.
+    /// All bodies made by body().
     [[nodiscard]] std::vector<ObjectId> const& bodies() const { return bodies_; }
-    /// How far the farthest of them is from where it was made, in m.
+    /// The largest displacement of any body from its initial place, m.
     [[nodiscard]] double drift() const;
     /// The same, along x only.
     [[nodiscard]] double sidewaysDrift() const;
-    /// m/s.
+    /// The largest speed of any body, m/s.
     [[nodiscard]] double fastest() const;
-    /// How far the widest joint stands open, in m.
+    /// The widest gap of any joint, m.
     [[nodiscard]] double worstGap() const;
-    /// Whether every number that moves is one.
+    /// Whether all positions and velocities are finite.
     [[nodiscard]] bool finite() const;
 
     Jitter jitter;

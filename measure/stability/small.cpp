@@ -1,4 +1,5 @@
-// Small boxes and thin cards: the engine keeps shapes a fixed distance apart, which is much of their size.
+// Small boxes and thin cards: the engine keeps shapes a fixed distance apart, which is a large share of their
+// size.
 #include "measure/stability/hard_case.hpp"
 #include "runtime/placement.hpp"
 
@@ -31,8 +32,8 @@ std::vector<Figure> smallPyramid(Setting const& setting, std::uint64_t seed) {
     return {{"drift", "m", 0.1, drift}};
 }
 
-// Cards of 0.2 m and 1 cm thickness lean against each other in pairs, 70 degrees steep; others lie across.
-// It stands if no card has sunk by half a level.
+// Cards of 0.2 m and 1 cm thickness lean against each other in pairs at 70 degrees; others lie across. The
+// house stands if no card has sunk by half a storey.
 std::vector<Figure> cardHouse(Setting const& setting, std::uint64_t seed) {
     constexpr double card = 0.2;
     constexpr double thick = 0.01;

@@ -13,8 +13,8 @@ namespace {
 constexpr int second = 60;
 constexpr double anyDrift = std::numeric_limits<double>::infinity();
 
-// Boxes of 1 m and 100 kg, the last of them `weight` times as heavy as another. Drift is sideways: Box2D
-// keeps shapes 4 mm apart, which lifts a tall stack by centimetres within its first moments.
+// Boxes of 1 m and 100 kg, the top one `weight` times as heavy. Drift is measured sideways: Box2D keeps
+// shapes 4 mm apart, which lifts a tall stack by centimetres in its first moments.
 std::vector<Figure> stack(Setting const& setting, std::uint64_t seed, int boxes, double weight,
                           double allowed) {
     Rig rig(setting, seed);
@@ -48,8 +48,8 @@ std::vector<Figure> pyramid(Setting const& setting, std::uint64_t seed) {
     return {{"drift", "m", 0.3, drift}};
 }
 
-// A box a hundred times as heavy falls on the top from 2 m. The height of what is left is that of the highest
-// of the small boxes.
+// A box a hundred times as heavy falls on the top from 2 m. The height of the rest is that of the highest of
+// the small boxes.
 std::vector<Figure> hitPyramid(Setting const& setting, std::uint64_t seed) {
     Rig rig(setting, seed);
     rig.fixed(boxPiece(60, 1), {0, -0.5});

@@ -25,9 +25,7 @@ void DynamicsFromElectricity::apply(Access& access) {
             if (!state.isOn(id)) {
                 return;
             }
-            // Two free bodies turn against one another as one body of the harmonic sum of their inertias
-            // turns against the world.
-            double const reduced = 1 / (1 / inertia(id) + 1 / inertia(motor.against));
+            double const reduced = reducedInertia(inertia(id), inertia(motor.against));
             double const speed = speedOf(speeds, id) - speedOf(speeds, motor.against);
             double const torque = motorTorque(motor, speed, reduced, access.duration());
             access.call(AddTorque{id, torque}, state.eventOf(id));

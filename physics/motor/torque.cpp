@@ -14,6 +14,10 @@ double slopeOf(ElectricMotor const& motor, double inertia, double step) {
 
 } // namespace
 
+double reducedInertia(double a, double b) {
+    return 1 / (1 / a + 1 / b);
+}
+
 double motorTorque(ElectricMotor const& motor, double speed, double inertia, double step) {
     if (!(motor.idleSpeed > 0)) {
         return motor.torque;

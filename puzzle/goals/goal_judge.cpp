@@ -1,8 +1,8 @@
 #include "puzzle/goals/goal_judge.hpp"
 
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/never_holds.hpp"
+#include "puzzle/goals/checking/never_holds.hpp"
 #include "puzzle/goals/read_goals.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-// Watches a running world and tells which goals are met. Looks, and changes nothing.
+// Watches a running world and reports which goals are met. Changes nothing in the world.
 #pragma once
 
-#include "puzzle/goals/condition.hpp"
-#include "puzzle/goals/condition_state.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/model/condition.hpp"
 #include "runtime/world/world.hpp"
 
 #include <memory>
@@ -22,16 +22,16 @@ struct GoalStatus {
 class GoalJudge {
 public:
     /// Finds the objects of the goals in a world that buildWorld() made from the level and that has done no
-    /// frame yet. Throws InputError if the goals are wrong or speak of what cannot happen: a lamp of wood
-    /// that shall be on, or an object without a shape that shall touch something.
+    /// frame yet. Throws InputError if the goals are wrong or can never be met, for example if an object of
+    /// wood is to be on, or one without a shape is to touch something.
     GoalJudge(LevelFile const& level, World const& world);
     ~GoalJudge();
     GoalJudge(GoalJudge const&) = delete;
     GoalJudge& operator=(GoalJudge const&) = delete;
 
-    /// Looks at the world; call it after every part of a frame (World::step()), so that nothing that comes
-    /// and goes within a frame is missed. Depends on the world's data alone. Once the level is solved
-    /// everything stays as it is.
+    /// Looks at the world. To be called after every part of a frame (World::step()), so that nothing that
+    /// comes and goes within a frame is missed. The result depends on the world's data alone. Once the level
+    /// is solved it stays as it is.
     void update(World const& world);
 
     [[nodiscard]] std::vector<GoalStatus> const& status() const { return status_; }
@@ -43,12 +43,12 @@ public:
     /// Whether the last update was the one in which the level was solved.
     [[nodiscard]] bool newlySolved() const { return newlySolved_; }
 
-    /// The recorded events that make a goal true (contacts, electrical states, what pulls the object),
-    /// ascending; right after an update. Empty while nobody traces.
+    /// The recorded events that make a goal true (contacts, electrical states, magnetic forces), ascending.
+    /// To be called right after an update. Empty without a trace.
     [[nodiscard]] std::vector<EventId> causes(World const& world, std::size_t goal) const;
     /// The same for the condition as a whole.
     [[nodiscard]] std::vector<EventId> causes(World const& world) const;
-    /// The objects that a goal speaks of, ascending.
+    /// The objects that a goal is about, ascending.
     [[nodiscard]] std::vector<ObjectId> objects(std::size_t goal) const;
 
 private:
@@ -56,7 +56,7 @@ private:
 
     std::optional<Condition> condition_;
     std::unique_ptr<ConditionState> state_; // of the condition as a whole
-    bool split_ = false;                    // one goal for each child
+    bool split_ = false;                    // each child of the condition is a goal
     std::vector<GoalStatus> status_;
     std::vector<std::size_t> newlyMet_;
     std::optional<std::uint64_t> solvedFrame_;

@@ -1,7 +1,7 @@
 #include "puzzle/goals/level_schema.hpp"
 
 #include "puzzle/goals/conditions/table.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/write/schema.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A condition of one kind, with what every condition can have besides.
+/// The schema of a condition of one kind, with the members that every condition may have.
 Json conditionSchema(std::string const& key, Json body) {
     Json members;
     members[key] = std::move(body);
@@ -31,7 +31,7 @@ Json conditionSchema(std::string const& key, Json body) {
     return goal_schema::strictObject(std::move(members), {key});
 }
 
-/// Those of all kinds, in the order of the table, but kinds with the same body stand side by side.
+/// The schemas of all kinds, in the order of the table, except that kinds with the same body are neighbours.
 Json conditionSchemas() {
     std::vector<Json> bodies;
     std::vector<std::vector<std::string>> keys; // for each body

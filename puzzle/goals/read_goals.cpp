@@ -1,6 +1,6 @@
 #include "puzzle/goals/read_goals.hpp"
 
-#include "puzzle/goals/goal_reader.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
 
 namespace trembler {
 
@@ -11,7 +11,8 @@ std::optional<Condition> readGoals(LevelFile const& level, Problems& problems) {
     if (level.document) {
         return GoalReader(level).condition(JsonNode(*level.document, level.goals, "/goals", problems));
     }
-    // A level that never was a file still has to be told where its goals are wrong.
+    // The level was not read from a file: its goals become a document of their own, so that messages can show
+    // where they are wrong.
     auto const document = JsonDocument::parse(
         nlohmann::json{{"goals", level.goals}}.dump(1, ' ', false, nlohmann::json::error_handler_t::replace),
         "(level)");

@@ -1,7 +1,7 @@
 // Reading a level's "goals".
 #pragma once
 
-#include "puzzle/goals/condition.hpp"
+#include "puzzle/goals/model/condition.hpp"
 
 namespace trembler {
 

@@ -1,5 +1,6 @@
 #include "puzzle/session/run.hpp"
 
+#include "runtime/level/model/change_fault.hpp"
 #include "runtime/level/model/world_change.hpp"
 
 #include <algorithm>

@@ -26,6 +26,9 @@ public:
     /// The object that a placement became, by its index in those that were given. It may have been destroyed
     /// since.
     [[nodiscard]] ObjectId objectOf(std::size_t placement) const { return built_.placements[placement]; }
+    /// Likewise of the level's "objects" and "joints", by index.
+    [[nodiscard]] std::span<ObjectId const> objects() const { return built_.objects; }
+    [[nodiscard]] std::span<ObjectId const> joints() const { return built_.joints; }
     /// The index of the placement that an object came from; nothing for any other object.
     [[nodiscard]] std::optional<std::size_t> placementOf(ObjectId object) const;
 
@@ -46,7 +49,7 @@ public:
     /// What the player does, for the next frame. Does nothing before begin().
     void feed(PlayerInput const& input);
     /// Changes how exactly the world is computed, from the next frame on. Throws std::invalid_argument, see
-    /// world_change.hpp.
+    /// change_fault.hpp.
     void change(RecordedChange change);
 
     /// What was fed since begin(), with the frames that see it, ascending.

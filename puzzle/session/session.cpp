@@ -2,7 +2,7 @@
 
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/json/add_problem.hpp"
-#include "runtime/level/model/world_change.hpp"
+#include "runtime/level/model/change_fault.hpp"
 
 #include <utility>
 
@@ -31,6 +31,42 @@ ObjectId Session::objectOf(int number) const {
 std::optional<int> Session::numberOf(ObjectId object) const {
     auto const index = run_->placementOf(object);
     return index ? std::optional(placed()[*index].number) : std::nullopt;
+}
+
+LastingObject Session::lasting(ObjectId object) const {
+    Origin const origin = world().store().originOf(object);
+    switch (origin.kind) {
+    case Origin::Kind::placement:
+        return {origin.kind, static_cast<std::uint64_t>(placed()[origin.number].number), {}};
+    case Origin::Kind::object:
+    case Origin::Kind::joint:
+        return {origin.kind, origin.number, {}};
+    case Origin::Kind::program:
+    case Origin::Kind::world:
+    case Origin::Kind::birth:
+        break;
+    }
+    return world().store().alive(object) ? LastingObject{origin.kind, 0, world().store().nameOf(object)}
+                                         : LastingObject{};
+}
+
+ObjectId Session::find(LastingObject const& object) const {
+    Store const& store = world().store();
+    auto const living = [&](ObjectId id) { return store.alive(id) ? id : ObjectId{}; };
+    switch (object.kind) {
+    case Origin::Kind::placement:
+        return living(objectOf(static_cast<int>(object.number)));
+    case Origin::Kind::object:
+        return living(run_->objects()[object.number]);
+    case Origin::Kind::joint:
+        return living(run_->joints()[object.number]);
+    case Origin::Kind::program:
+    case Origin::Kind::world:
+    case Origin::Kind::birth:
+        break;
+    }
+    ObjectId const named = store.find(object.name);
+    return store.originOf(named).kind == object.kind ? named : ObjectId{};
 }
 
 Verdict Session::check(Placement const& placement, std::optional<int> ignoring) const {

@@ -1,6 +1,7 @@
 // One player at one level: placing parts, running the world, taking everything back.
 #pragma once
 
+#include "puzzle/session/lasting_object.hpp"
 #include "puzzle/session/placements.hpp"
 #include "puzzle/session/playback.hpp"
 #include "puzzle/session/run.hpp"
@@ -45,6 +46,10 @@ public:
     [[nodiscard]] ObjectId objectOf(int number) const;
     /// The placed part that an object in world() came from.
     [[nodiscard]] std::optional<int> numberOf(ObjectId object) const;
+    /// What names an object of world() in all worlds of this session; a default one for an invalid id.
+    [[nodiscard]] LastingObject lasting(ObjectId object) const;
+    /// The object in world() that is meant; an invalid id if that was put back or is not there (any more).
+    [[nodiscard]] ObjectId find(LastingObject const& object) const;
     /// Whether a part may stand there, `ignoring` one that is being moved.
     [[nodiscard]] Verdict check(Placement const& placement, std::optional<int> ignoring = {}) const;
     /// Takes a part out of the toolbox; returns its number, or nothing if check() objects.
@@ -74,7 +79,7 @@ public:
     [[nodiscard]] std::span<RecordedInput const> inputs() const { return run_->inputs(); }
     /// Changes how exactly the running world is computed from its next frame on, and remembers it with that
     /// frame; later runs know nothing of it. Does nothing while building. Throws std::invalid_argument, see
-    /// world_change.hpp.
+    /// change_fault.hpp.
     void change(RecordedChange change);
     /// All such changes of this run, those of setDetail() and setPeriod() among them.
     [[nodiscard]] std::span<RecordedChange const> changes() const { return run_->changes(); }

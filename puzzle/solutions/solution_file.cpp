@@ -1,7 +1,7 @@
 #include "puzzle/solutions/solution_file.hpp"
 
 #include "runtime/level/json/add_problem.hpp"
-#include "runtime/level/model/world_change.hpp"
+#include "runtime/level/model/change_fault.hpp"
 #include "runtime/level/read/check_inputs.hpp"
 #include "runtime/level/read/read_solutions.hpp"
 

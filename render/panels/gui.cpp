@@ -122,6 +122,10 @@ void Gui::endFrame() {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
+void Gui::dropFrame() {
+    ImGui::EndFrame();
+}
+
 bool Gui::wantsMouse() const {
     return ImGui::GetIO().WantCaptureMouse;
 }

@@ -1,5 +1,6 @@
 #include "render/scene/labels.hpp"
 
+#include "render/scene/facts/look_form.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
 #include "render/scene/objects/body.hpp"
 
@@ -27,7 +28,10 @@ Colour inkOn(Facts const& facts) {
 std::vector<SceneLabel> sceneLabels(World const& world, Poses const& poses, double alpha) {
     std::vector<SceneLabel> labels;
     for (Facts const& facts : FactsReader(world).drawOrder()) {
-        bool const signedAlready = facts.source || facts.earth || facts.shape == nullptr;
+        LookForm const form = formOf(facts);
+        bool const signedAlready = form == LookForm::plus || form == LookForm::minus ||
+                                   form == LookForm::battery || form == LookForm::earth ||
+                                   facts.shape == nullptr;
         if (facts.look == nullptr || facts.look->label.empty() || signedAlready) {
             continue;
         }

@@ -1,7 +1,7 @@
 // All channels of a world, by role.
 #pragma once
 
-#include "runtime/component/call.hpp"
+#include "runtime/component/channel.hpp"
 
 #include <memory>
 #include <typeindex>

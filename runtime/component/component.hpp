@@ -1,6 +1,7 @@
 // The interface of a running component, whatever its kind, to the world.
 #pragma once
 
+#include "runtime/component/caller_id.hpp"
 #include "runtime/component/info.hpp"
 #include "runtime/schedule/executor.hpp"
 #include "runtime/trace/tracer.hpp"

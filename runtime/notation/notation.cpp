@@ -208,7 +208,7 @@ std::string notationMarkdown(Registry const& registry) {
     return text + "## Schedule of a frame\n\n" + scheduleText(registry, "- ") +
            "\n## What the state hash covers\n\nEqual hashes mean equal worlds and equal futures. *Derived* "
            "is what each "
-           "turn of its provider works out again from\nwhat is hashed; it is hashed where that one has a "
+           "turn of its provider recomputes from\nwhat is hashed; it is hashed where that one has a "
            "period.\n\n" +
            coverageMarkdown(registry);
 }

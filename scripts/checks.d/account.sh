@@ -1,3 +1,3 @@
 #!/usr/bin/env bash
-# Is docs/account.md what the program prints of Experiment I?
+# Checks that docs/account.md is the program's output for Experiment I.
 exec scripts/page-is-fresh docs/account.md scripts/account build/trembler

@@ -1,3 +1,3 @@
 #!/usr/bin/env bash
-# Is docs/components.md what the program says of itself?
+# Checks that docs/components.md is the program's output.
 exec scripts/page-is-fresh docs/components.md scripts/components build/trembler

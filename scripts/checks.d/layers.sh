@@ -1,14 +1,21 @@
 # shellcheck shell=bash
-# Includes point down only, and an effect shows others nothing but its public face.
+# Checks that includes point down only, and that effects include only each other's public headers.
 #
 # Layers, from below: runtime, physics, sound (audio/effect) and lua, then side by side audio/synth with audio/device
-# above it, render, and puzzle; then side by side measure and game; game/ui; game/app. Tests and benches may look at anything,
-# and nothing may look at them.
+# above it, render, and puzzle; then side by side measure and game; game/ui; game/app. Tests and benches may include
+# anything, and nothing may include them.
 #
-# The face of an effect (a folder of physics/ with a register.hpp, and audio/effect) is calls.hpp and properties.hpp or
-# properties/. What stands in properties/ includes nothing else of its effect. Interactions A <- B live with A and are
-# registered by B, if B is there: so register.cpp, and nothing else, may include another effect's interactions/from_*.
-# What effects share (physics/*.hpp, physics/inverse_square) knows none of them; only register_physics.cpp knows all.
+# The public headers of an effect (a folder of physics/ with a register.hpp, and audio/effect) are calls.hpp and
+# properties.hpp or properties/. Files in properties/ include nothing else of their effect. Interactions A <- B are in A's
+# folder and are registered by B: so register.cpp, and no other file, may include another effect's interactions/from_*.
+# (A single place for all registrations would change their order, which is part of the simulation.)
+# Files that effects share (physics/*.hpp, physics/inverse_square) include none of them; only register_physics.cpp
+# includes the public headers and the register.hpp of all.
+#
+# Folders above the effects include their public headers and register.hpp. The budget, the ladders, the hard cases, the
+# SPICE export, the synthesiser and the sound rings may also include the pure functions from which derived property sets
+# are computed: the folders and files of `pure` below. No other effect or folder includes core/, rules/, interactions/ or
+# engines/.
 set -euo pipefail
 
 effects=(audio/effect)
@@ -40,6 +47,7 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
     }
     BEGIN {
         split(effects, effect, " ")
+        pure = "^(physics/buoyancy/hulls/|physics/electricity/analyses/|physics/magnetism/magnetic_|audio/effect/hearing/)"
         below["runtime"] = "runtime"
         below["physics"] = "runtime physics"
         below["sound"] = "runtime physics sound"
@@ -80,6 +88,8 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
             }
         } else if (from ~ /^physics\// && from != "physics/register_physics.cpp") {
             complain("what effects share knows none of them")
+        } else if (!public && inside != "register.hpp" && (from ~ /^(physics|render)\// || to !~ pure)) {
+            complain("that is not for others (calls.hpp, properties, register.hpp and pure functions are)")
         }
     }
     END {

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Every relative link in a Markdown file leads to something that exists.
+# Checks that the target of every relative link in a Markdown file exists.
 set -euo pipefail
 status=0
 while IFS= read -r file; do

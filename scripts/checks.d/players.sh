@@ -1,3 +1,3 @@
 #!/usr/bin/env bash
-# Are the keys in docs/players.md those of the program?
+# Checks that the keys in docs/players.md are those of the program.
 exec scripts/page-is-fresh docs/players.md scripts/players build/trembler

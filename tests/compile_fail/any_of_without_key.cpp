@@ -1,4 +1,4 @@
-// A held choice that does not say what it is about.
+// A held choice that does not declare a key.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

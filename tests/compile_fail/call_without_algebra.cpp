@@ -1,4 +1,4 @@
-// A call that does not say what makes the order of calls irrelevant.
+// A call that does not declare an algebra, which makes the order of calls irrelevant.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

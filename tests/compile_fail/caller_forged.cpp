@@ -1,4 +1,4 @@
-// Somebody makes up a caller, or gives itself another's name.
+// A component constructs a caller, or uses another component's name.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// Somebody outside calls a resolver that is not fed from outside.
+// Code outside the world calls a resolver that does not accept calls from outside.
 #include "runtime/world/world.hpp"
 #include "tests/compile_fail/kit.hpp"
 

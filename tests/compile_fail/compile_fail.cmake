@@ -5,10 +5,12 @@
 # of ours, such as a static_assert's: what compilers say themselves differs. In the file the offending
 # line stands in `#ifndef TREMBLER_CONTROL`, next to what a well-behaved component would say instead.
 # Sanitizers have nothing to add here, so that their builds leave these cases out.
-function(trembler_compile_fail name source expected_regex)
-  if(TREMBLER_SANITIZE)
-    return()
-  endif()
+if(TREMBLER_SANITIZE)
+  return()
+endif()
+
+# trembler_syntax_check(VARIABLE): the compiler's command line without what is to be checked.
+function(trembler_syntax_check variable)
   # Conditions that do not hold leave empty entries behind.
   set(includes $<FILTER:$<TARGET_PROPERTY:trembler_physics,INTERFACE_INCLUDE_DIRECTORIES>,EXCLUDE,^$>)
   set(defines $<FILTER:$<TARGET_PROPERTY:trembler_physics,INTERFACE_COMPILE_DEFINITIONS>,EXCLUDE,^$>)
@@ -17,9 +19,31 @@ function(trembler_compile_fail name source expected_regex)
   if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
     set(no_carets -fno-caret-diagnostics)
   endif()
-  set(compile ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only ${no_carets}
+  set(${variable} ${CMAKE_CXX_COMPILER} -std=c++20 ${no_carets}
     "$<$<BOOL:${includes}>:-I$<JOIN:${includes},$<SEMICOLON>-I>>"
-    "$<$<BOOL:${defines}>:-D$<JOIN:${defines},$<SEMICOLON>-D>>")
+    "$<$<BOOL:${defines}>:-D$<JOIN:${defines},$<SEMICOLON>-D>>" PARENT_SCOPE)
+endfunction()
+
+# Most cases begin with kit.hpp, and reading what it includes takes most of their time. So it is compiled once, before
+# the cases and whenever they run. g++ looks for a compiled header, under the name with .gch, wherever it looks for the
+# header itself, and passes over one that does not fit.
+set(trembler_compiled_kit ${CMAKE_CURRENT_BINARY_DIR}/compile_fail_kit)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  file(MAKE_DIRECTORY ${trembler_compiled_kit}/tests/compile_fail)
+  trembler_syntax_check(compile)
+  add_test(NAME compile_fail.kit
+    COMMAND ${compile} -w -x c++-header ${CMAKE_CURRENT_SOURCE_DIR}/compile_fail/kit.hpp
+      -o ${trembler_compiled_kit}/tests/compile_fail/kit.hpp.gch
+    COMMAND_EXPAND_LISTS)
+  set_tests_properties(compile_fail.kit PROPERTIES LABELS compile_fail TIMEOUT 3600 FIXTURES_SETUP compile_fail_kit)
+endif()
+
+function(trembler_compile_fail name source expected_regex)
+  trembler_syntax_check(compile)
+  list(APPEND compile -fsyntax-only)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(INSERT compile 1 -I${trembler_compiled_kit})
+  endif()
   set(script ${PROJECT_SOURCE_DIR}/cmake/TremblerMustNotCompile.cmake)
   set(file ${CMAKE_CURRENT_SOURCE_DIR}/compile_fail/${source})
   add_test(NAME compile_fail.${name}
@@ -28,7 +52,7 @@ function(trembler_compile_fail name source expected_regex)
   add_test(NAME compile_fail.${name}.control COMMAND ${compile} -DTREMBLER_CONTROL ${file}
     COMMAND_EXPAND_LISTS)
   set_tests_properties(compile_fail.${name} compile_fail.${name}.control PROPERTIES
-    LABELS compile_fail TIMEOUT 3600)
+    LABELS compile_fail TIMEOUT 3600 FIXTURES_REQUIRED compile_fail_kit)
 endfunction()
 
 trembler_compile_fail(sample sample.cpp "a sample refuses by design")

@@ -1,4 +1,4 @@
-// A component keeps something from turn to turn and does not say how the state hash covers it.
+// A component keeps state between its turns and does not declare how the state hash covers it.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A call on a counted set that does not say whether it adds or takes away.
+// A call on a counted set that does not declare whether it adds or removes.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

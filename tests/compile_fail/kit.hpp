@@ -1,5 +1,6 @@
 // The smallest world in which every rule of access can be broken: two object properties, a resolver property,
-// a derived property and two roles. Each case adds one component, which as the control obeys.
+// a derived property and two roles. Each case adds one component; compiled as the control, the component
+// obeys the rules.
 #pragma once
 
 #include "runtime/component/dps.hpp"
@@ -41,7 +42,7 @@ struct HotSpots {
     std::vector<ObjectId> objects;
 };
 
-/// Tells news, which frames of several parts gather.
+/// News: a property of events, which are merged in frames of several parts.
 struct Sparks {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Sparks", "sparks", "What has just gone off."};
@@ -98,12 +99,12 @@ struct PaintRole {
     using Calls = CallList<Paint>;
 };
 
-/// What the cases' completions call themselves, and which objects they complete.
+/// The name of the cases' completions, and the objects that they complete.
 struct Warming {
     static constexpr CompletionText text{.name = "Warmth", .work = "Warms."};
     using Activation = NeedsAll<Colour>;
 };
-/// A completion that obeys, if what it reads lets it.
+/// A completion that obeys the rules if its reads allow it.
 template <class Seen>
 struct WarmthAfter final : Warming, Completion<WarmthAfter<Seen>, Seen, Adds<Heat>> {
     static void complete(typename Completion<WarmthAfter<Seen>, Seen, Adds<Heat>>::Access& access) {

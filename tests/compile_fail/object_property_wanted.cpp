@@ -1,4 +1,4 @@
-// Somebody subscribes to a property of objects, which needs no reader to be there.
+// A subscription to an object property, which exists without readers.
 #include "runtime/input/input_resolver.hpp"
 #include "runtime/world/world.hpp"
 

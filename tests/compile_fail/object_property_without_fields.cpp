@@ -1,5 +1,5 @@
-// An object property that levels may state has a member that it does not describe, so no level could state
-// it.
+// An object property that levels may state has a member that it does not describe, so that no level could
+// state it.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

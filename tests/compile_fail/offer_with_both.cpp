@@ -1,4 +1,5 @@
-// A resolver property gathers the news of a frame's parts, and says that it tells how things stand.
+// A resolver property that merges the news (events) of a frame's parts also declares that it is a state
+// without events.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,5 +1,5 @@
-// A resolver property says neither how the news of a frame's parts add up nor that it tells no news. Its
-// gather() lacks the span, so that nobody would call it.
+// A resolver property declares neither how the news (events) of a frame's parts are merged nor that it has no
+// events. Its gather() lacks the span parameter, so it would never be called.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// Who only looks at a session's world changes it.
+// An observer of a session's world tries to change it.
 #include "puzzle/session/session.hpp"
 #include "runtime/input/input_resolver.hpp"
 

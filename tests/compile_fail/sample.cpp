@@ -1,4 +1,4 @@
-// The machinery's own case: refused by name, and fine as the control.
+// Self-test of the test machinery: must fail to compile under its name and compile as the control.
 #ifdef TREMBLER_CONTROL
 constexpr bool allowed = true;
 #else

@@ -1,4 +1,4 @@
-// An interaction that speaks in the setup reads what nobody has derived by then.
+// An interaction that makes calls in the setup reads a property that is not derived by then.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

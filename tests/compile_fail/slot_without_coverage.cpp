@@ -1,4 +1,4 @@
-// A resolver property does not say how the state hash covers it.
+// A resolver property does not declare how the state hash covers it.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A subscription is copied: then it would end twice.
+// A subscription is copied, so that it would be ended twice.
 #include "runtime/input/input_resolver.hpp"
 #include "runtime/world/world.hpp"
 

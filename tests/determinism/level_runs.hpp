@@ -1,4 +1,4 @@
-// Running the project's levels and collecting their hashes, for all determinism tests.
+// Runs the project's levels and collects their hashes, for all determinism tests.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"
@@ -19,13 +19,12 @@ inline constexpr std::uint64_t every = 60;
 /// Hashes at every 60th frame of one run.
 struct RunHashes {
     std::vector<std::string> state;
-    /// Of where bodies are and how they move, and of nothing else: what the state hash covers may grow, the
-    /// motion stays.
+    /// Hashes of positions and velocities only: they stay the same when the state hash is extended.
     std::vector<std::string> motion;
     friend bool operator==(RunHashes const&, RunHashes const&) = default;
 };
-/// The hashes of a level, hands off or with a solution, by "hands off" or the solution's name; each run has
-/// `length` frames.
+/// The hashes of a level without player input and with each solution, by "hands off" or the solution's name;
+/// each run has `length` frames.
 [[nodiscard]] std::map<std::string, RunHashes> hashesOf(LevelFile const& level, int threads = 1,
                                                         std::uint64_t length = frames);
 

@@ -1,4 +1,4 @@
-// Two processes, the same bits: nothing leaks in from addresses, the environment or the clock.
+// Two processes produce the same bits: nothing depends on addresses, the environment or the clock.
 #include "tests/determinism/level_runs.hpp"
 
 #include <gtest/gtest.h>

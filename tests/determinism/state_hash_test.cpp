@@ -1,5 +1,5 @@
-// Equal hashes mean equal worlds: every field of every property, every member of every slot and of every call
-// is changed in turn, and the hash sees it, or the thing is on the list of what is left out.
+// Equal hashes mean equal worlds: changes every field of every property and every member of every slot and of
+// every call in turn. The hash must change, unless the member is on the list of exceptions.
 #include "audio/effect/calls.hpp"
 #include "audio/effect/properties/acoustics.hpp"
 #include "audio/effect/properties/sounds.hpp"
@@ -291,7 +291,7 @@ TEST(StateHashCovers, EveryMemberOfEverySlotOrTheListSaysWhyNot) {
     checkSlots(all.world, AllSlots{});
 }
 
-// What is worked out again in each turn is state where its provider has a period: it stands for several
+// What is recomputed in each turn is state where its provider has a period: it stands for several
 // frames.
 TEST(StateHashCovers, WhatStandsForSeveralFrames) {
     for (int const period : {1, 5}) {

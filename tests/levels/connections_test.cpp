@@ -1,4 +1,5 @@
-// Wires of electricity beside another effect's pipes in one level: each connection goes to whom it belongs.
+// Electric wires beside another effect's pipes in one level: each connection is given to the effect that owns
+// it.
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/properties/graph.hpp"
 #include "physics/register_physics.hpp"

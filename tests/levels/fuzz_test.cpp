@@ -1,4 +1,4 @@
-// Whatever happens to a level file, the program says what is wrong with it and where, or plays it.
+// For any damage to a level file, the program reports the error and its place, or plays the level.
 #include "puzzle/goals/goal_judge.hpp"
 #include "puzzle/goals/level_schema.hpp"
 #include "tests/levels/level_kit.hpp"

@@ -1,5 +1,5 @@
-// How deep and how many a level's goals may be: at the limits they are read, beyond them they are refused at
-// their place, and no size makes the reader descend into them.
+// Depth and number of a level's goals: accepted at the limits, rejected with their place above them, and
+// never read by unbounded recursion.
 #include "puzzle/goals/level_schema.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "runtime/level/json/limits.hpp"

@@ -1,4 +1,4 @@
-// What every test of real levels needs: everything that the program knows, the parts, and a small level.
+// Common to the tests of levels: the registry of all effects, the parts, and a small level.
 #pragma once
 
 #include "runtime/level/build/build_world.hpp"
@@ -18,9 +18,9 @@ struct LevelKit {
 };
 
 [[nodiscard]] LevelKit const& levelKit();
-/// A level that has something of everything.
+/// A level that uses every section of the format.
 [[nodiscard]] std::string sampleLevel();
-/// Every level file that is shipped.
+/// All level files of the project.
 [[nodiscard]] std::vector<std::filesystem::path> levelFiles();
 [[nodiscard]] std::filesystem::path sourceFolder();
 

@@ -1,5 +1,5 @@
-// A small JSON Schema validator for the keywords that our schemas use: an oracle that shares no code with the
-// reader.
+// A small JSON Schema validator for the keywords that our schemas use: a reference that shares no code with
+// the reader.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,8 +9,8 @@
 
 namespace trembler {
 
-/// What is wrong with `value`, one line each; empty if it is valid. Throws std::invalid_argument for a
-/// keyword that it does not know, so that none is ever silently ignored.
+/// The errors in `value`, one line each; empty if it is valid. Throws std::invalid_argument for an
+/// unsupported keyword, so that none is silently ignored.
 [[nodiscard]] std::vector<std::string> validate(nlohmann::json const& schema, nlohmann::json const& value);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// A piece of a shape states the measures of its form and no others.
+// A piece of a shape has the measures of its form and no others.
 #include "physics/dynamics/properties/shape.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"

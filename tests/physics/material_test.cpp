@@ -1,4 +1,4 @@
-// What follows from what a thing is made of, and what it states instead.
+// Properties that follow from an object's material, and values that the object states instead.
 #include "physics/depth.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"

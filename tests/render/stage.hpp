@@ -1,4 +1,4 @@
-// What every drawing test needs: one offscreen window for the whole program, and places for the pictures.
+// Common to the drawing tests: one offscreen window for the whole program, and folders for the pictures.
 #pragma once
 
 #include "render/draw/canvas.hpp"
@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -26,8 +27,8 @@ inline Canvas& canvas() {
     return theCanvas;
 }
 
-/// What `draw` draws on plain `back`, 100 pixels per metre with the origin in the middle unless a camera is
-/// given.
+/// A picture of the shapes that `draw` draws on the background `back`, at 100 pixels per metre with the
+/// origin in the middle unless a camera is given.
 inline Image picture(Size size, Colour back, std::function<void(Canvas&)> const& draw,
                      CanvasOptions const& options = {}, Camera camera = {}) {
     window().resize(size);
@@ -40,11 +41,19 @@ inline Image picture(Size size, Colour back, std::function<void(Canvas&)> const&
     return window().readPixels();
 }
 
-/// A folder of this program's own that is there; pictures in it are for people to look at.
+/// A folder of this program's own, created if needed.
 inline std::filesystem::path pictureFolder() {
     auto folder = std::filesystem::path(TREMBLER_BINARY_DIR) / "render-pictures";
     std::filesystem::create_directories(folder);
     return folder;
+}
+
+/// For people to look at, below pictureFolder(), if TREMBLER_PICTURES is in the environment: packing a
+/// picture takes longer than drawing it.
+inline void keepForPeople(Image const& image, std::string const& name) {
+    if (std::getenv("TREMBLER_PICTURES") != nullptr) {
+        writePng(image, pictureFolder() / (name + ".png"));
+    }
 }
 
 } // namespace trembler::render::test

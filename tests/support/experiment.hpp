@@ -1,5 +1,5 @@
-// What the tests of the thesis's experiments have in common: a level, played as recorded and looked at by
-// name.
+// Common base of the tests of the thesis's experiments: plays a level with a recorded solution and finds
+// objects by name.
 #pragma once
 
 #include "physics/dynamics/properties/contacts.hpp"
@@ -17,14 +17,14 @@ namespace trembler {
 class Experiment : public ::testing::Test {
 protected:
     [[nodiscard]] static GameData const& gameData();
-    /// A level in levels/experiments, by the name of its file.
+    /// Loads a level of levels/experiments by its file's name.
     [[nodiscard]] static LevelFile load(std::string const& file);
-    /// Opens it with one of its recorded solutions, or hands off ("").
+    /// Opens it with one of its recorded solutions, or without player input ("").
     void open(std::string const& file, std::string const& solution = "", bool trace = false);
     void open(LevelFile level, std::string const& solution = "", bool trace = false);
     void step() { session_->step(); }
     void runTo(std::uint64_t frame);
-    /// Runs up to that frame and returns those in which the two began to touch, however briefly.
+    /// Runs up to that frame and returns the frames in which the two objects began to touch, even briefly.
     [[nodiscard]] std::vector<std::uint64_t> hits(std::string const& a, std::string const& b,
                                                   std::uint64_t frame);
 
@@ -37,23 +37,23 @@ protected:
     [[nodiscard]] bool on(std::string const& name) const;
     [[nodiscard]] bool touching(std::string const& a, std::string const& b) const;
 
-    /// The events of that name about all these objects, in order.
+    /// The events of that name that concern all these objects, in order.
     [[nodiscard]] std::vector<Event const*> events(std::string const& event,
                                                    std::vector<std::string> const& objects) const;
-    /// The first of them from a frame on; fails the test if there is none.
+    /// The first such event from a frame on; fails the test if there is none.
     [[nodiscard]] Event const& first(std::string const& event, std::vector<std::string> const& objects,
                                      std::uint64_t frame = 0) const;
-    /// Whether one event led to another.
+    /// Whether one event caused another.
     [[nodiscard]] bool led(Event const& from, Event const& to) const;
 
 private:
     std::unique_ptr<Session> session_;
 };
 
-/// Arithmetic mean, and standard deviation over it.
+/// Arithmetic mean, and standard deviation relative to it.
 [[nodiscard]] double mean(std::vector<double> const& values);
 [[nodiscard]] double relativeDeviation(std::vector<double> const& values);
-/// The differences of neighbours.
+/// The differences of adjacent values.
 [[nodiscard]] std::vector<double> intervals(std::vector<std::uint64_t> const& frames);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// Experiment III's motor, turned as a test wants it, and what is measured of it.
+// Experiment III's motor at a given angle, and measurements of its rotation.
 #pragma once
 
 #include "runtime/level/model/level.hpp"
@@ -8,20 +8,20 @@
 
 namespace trembler {
 
-/// The level with its axis and spokes turned by that angle (rad) from where the file has them.
+/// The level with the motor's axis and spokes rotated by `angle` (rad) relative to the file.
 [[nodiscard]] LevelFile turnedMotor(LevelFile level, double angle);
 
-/// Follows the main axis of a world, one look per frame.
+/// Tracks the rotation of a world's main axis; call once per frame.
 class Tachometer {
 public:
     explicit Tachometer(World const& world);
     void look(World const& world);
 
-    /// Anticlockwise, since the start.
+    /// Turns since the start, anticlockwise.
     [[nodiscard]] double turns() const { return turns_; }
-    /// Times (s) at which a whole number of turns was complete, interpolated between frames.
+    /// Times (s) at which whole turns were completed, interpolated between frames.
     [[nodiscard]] std::vector<double> const& marks() const { return marks_; }
-    /// How long each complete turn took (s), of those that began at `from` (s) or later.
+    /// Durations (s) of the complete turns that began at `from` (s) or later.
     [[nodiscard]] std::vector<double> durations(double from) const;
     /// Angular velocities (rad/s) in every frame from `from` (s) on.
     [[nodiscard]] std::vector<double> speeds(double from) const;

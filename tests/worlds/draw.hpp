@@ -8,8 +8,8 @@
 
 namespace trembler::worlds {
 
-/// Draws from one stream of random numbers. No distribution of the standard library, as these differ between
-/// libraries.
+/// Draws from one stream of random numbers, without the standard library's distributions, whose results
+/// differ between implementations.
 class Draw {
 public:
     Draw(nlohmann::json const& schema, std::vector<std::string> const& parts, Manner const& manner,
@@ -19,28 +19,27 @@ public:
     /// Objects, and joints that gears can couple, that names may refer to.
     std::vector<std::string> objects;
     std::vector<std::string> couplings;
-    /// Leaves every number ordinary but the n-th, from 0, which stands at the low or the high end of its
-    /// range.
+    /// Makes every number ordinary except the n-th, from 0, which is at the low or the high end of its range.
     struct Spike {
         std::size_t number;
         bool high;
     };
     std::optional<Spike> spike;
-    /// Numbers with two ends that were drawn so far.
+    /// Number of values with two ends that have been drawn so far.
     [[nodiscard]] std::size_t numbers() const { return numbers_; }
 
-    /// A value for a member `key`, which says what names and places stand for.
+    /// A value for a member `key`, which determines the meaning of names and places.
     [[nodiscard]] nlohmann::json value(nlohmann::json const& schema, std::string const& key);
     [[nodiscard]] nlohmann::json object(nlohmann::json const& schema, double share);
     [[nodiscard]] nlohmann::json shape();
     [[nodiscard]] nlohmann::json joint(nlohmann::json const& schema);
-    /// [x, y] in the room of the level.
+    /// A place [x, y] in the level's area.
     [[nodiscard]] nlohmann::json place();
 
     [[nodiscard]] std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
     [[nodiscard]] double unit() { return static_cast<double>(random_() >> 11U) * 0x1p-53; } ///< [0, 1)
     [[nodiscard]] bool chance(double share) { return unit() < share; }
-    /// Between both, evenly in their logarithms.
+    /// Between both, uniformly in the logarithm.
     [[nodiscard]] double bySize(double low, double high) {
         return std::exp(std::log(low) + unit() * (std::log(high) - std::log(low)));
     }

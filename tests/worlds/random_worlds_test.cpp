@@ -1,5 +1,5 @@
-// No level that the schema allows breaks the program, on any engine: random ones, and every number of every
-// property at the ends of its range. sweep_worlds tries as many more as one likes.
+// No level that the schema allows crashes the program, on any engine: random levels, and every number of
+// every property at the ends of its range. sweep_worlds tries any number of further levels.
 #include "puzzle/goals/level_schema.hpp"
 #include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"

@@ -1,5 +1,5 @@
-// sweep_worlds: random levels from the schema for as long as one likes, on every engine and several numbers
-// of threads. Prints a line for each level that fails and keeps it as a file; exit status 1 if any did.
+// sweep_worlds: tests random levels from the schema for a given time, on every engine and several numbers of
+// threads. Prints a line for each level that fails and saves it as a file; exit status 1 if any failed.
 //
 //   sweep_worlds --minutes 60 --jobs 8 --seed 1 --keep failing
 #include "puzzle/goals/level_schema.hpp"

@@ -1,5 +1,5 @@
-// Tries a level in processes of its own, so that whatever happens there, a signal among it, is told and not
-// died of.
+// Runs a level in separate processes, so that a crash there, even by a signal, is reported instead of ending
+// the test program.
 #pragma once
 
 #include <nlohmann/json.hpp>

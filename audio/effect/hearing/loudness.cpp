@@ -120,12 +120,6 @@ void addUp(std::vector<Way> const& ways, std::vector<Loudness::Entry>& entries) 
 
 } // namespace
 
-double Loudness::at(ObjectId ear) const {
-    auto const found = std::lower_bound(entries.begin(), entries.end(), ear,
-                                        [](Entry const& entry, ObjectId id) { return entry.ear < id; });
-    return found != entries.end() && found->ear == ear ? found->level : silentLevel;
-}
-
 std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
                                         PathDetail detail, ForPaths const& forPaths) {
     std::vector<Source> const sources = sourcesOf(sounds);

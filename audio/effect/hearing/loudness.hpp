@@ -1,8 +1,9 @@
-// How loud it is at listening objects.
+// Works out how loud it is at listening objects.
 #pragma once
 
 #include "audio/effect/hearing/sound_path.hpp"
 #include "audio/effect/properties/acoustics.hpp"
+#include "audio/effect/properties/loudness.hpp"
 #include "audio/effect/properties/sounds.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "runtime/component/dps.hpp"
@@ -13,35 +14,6 @@
 #include <functional>
 
 namespace trembler {
-
-/// Derived by whichever detail level of loudness is at work.
-struct Loudness {
-    static constexpr PropertyKind kind = PropertyKind::derived;
-    static constexpr PropertyText text{"Loudness", "loudness",
-                                       "How loud it is for each object that listens."};
-    static constexpr std::string_view standing = "the level of the sounds at their end, smoothed over 125 ms";
-    struct Entry {
-        ObjectId ear;
-        double level = 0; ///< dB(A), "fast"; silentLevel where nothing is heard
-        ObjectId loudest; ///< the object that contributes most; invalid in silence
-        EventId event;    ///< that made the loudest one sound; none without tracing
-        template <class Self, class Visitor>
-        static void describe(Self& self, Visitor&& visit) {
-            visit(FieldInfo{.key = "object", .unit = "", .meaning = "that listens"}, self.ear);
-            visit(FieldInfo{.key = "level", .unit = "dB(A)", .meaning = "how loud it is"}, self.level);
-            visit(FieldInfo{.key = "loudest", .unit = "", .meaning = "that contributes most"}, self.loudest);
-        }
-    };
-    std::vector<Entry> entries; ///< ascending by ear
-
-    /// The level at an object that listens; silentLevel for others.
-    [[nodiscard]] double at(ObjectId ear) const;
-
-    template <class Self, class Visitor>
-    static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by object"}, self.entries);
-    }
-};
 
 /// The columns that loudness is worked out from.
 struct LoudnessColumns {

@@ -1,7 +1,8 @@
 // (Electricity <- Sound): a sound sensor conducts while it hears enough.
 #pragma once
 
-#include "audio/effect/hearing/loudness.hpp"
+#include "audio/effect/properties/acoustics.hpp"
+#include "audio/effect/properties/loudness.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/electricity/calls.hpp"
 #include "physics/electricity/properties/electrical.hpp"

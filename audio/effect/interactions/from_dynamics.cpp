@@ -1,6 +1,7 @@
 #include "audio/effect/interactions/from_dynamics.hpp"
 
 #include "audio/effect/core/contact_pulse.hpp"
+#include "audio/effect/core/rubbing.hpp"
 #include "audio/effect/properties/acoustic_material.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"
 
@@ -129,7 +130,7 @@ void SoundFromDynamics::tellRubbing(Access& access) {
     };
     for (ContactPatch const& patch : access.read<ContactPatches>().patches) {
         double const load = (patch.normalImpulse[0] + (patch.count > 1 ? patch.normalImpulse[1] : 0)) / step;
-        if (!(load > faintest)) {
+        if (!(load > faintestRubbing)) {
             continue;
         }
         Vec2 const point = patch.count > 1 ? 0.5 * (patch.points[0] + patch.points[1]) : patch.points[0];
@@ -137,16 +138,14 @@ void SoundFromDynamics::tellRubbing(Access& access) {
         double const slip = std::abs(dot(relative, perpendicular(patch.normal)));
         double const turning = std::abs(scene.spin(patch.b) - scene.spin(patch.a));
         double const rolling = turning * std::max(scene.roundness(patch.a), scene.roundness(patch.b));
-        double const speed = slip > slowest ? slip : rolling;
-        if (!(speed > slowest)) {
+        double const speed = rubbingSpeed(slip, rolling);
+        if (!(speed > 0)) {
             continue;
         }
-        double const force = slip > slowest
-                                 ? slidingShare * std::sqrt(friction(patch.a) * friction(patch.b)) * load
-                                 : rollingShare * load;
+        double const force = rubbingForce(load, slip, std::sqrt(friction(patch.a) * friction(patch.b)));
         double const bump = std::max(acousticMaterial(scene.material(patch.a)).roughness,
                                      acousticMaterial(scene.material(patch.b)).roughness);
-        if (!(force > faintest)) {
+        if (!(force > faintestRubbing)) {
             continue;
         }
         EventId const cause =

@@ -30,12 +30,6 @@ public:
                                                 "plays the recordings of struck objects."};
     using Activation = NeedsAny<MadeOf, Acoustics, Sample>;
 
-    static constexpr double slidingShare = 0.1; ///< of the friction that is noise, an estimate
-    static constexpr double rollingShare =
-        0.03;                                ///< of the load that is noise where something rolls, an estimate
-    static constexpr double slowest = 0.02;  ///< m/s, of sliding and rolling that is heard
-    static constexpr double faintest = 1e-4; ///< N, of noise that is reported
-
     void apply(Access& access);
 
 private:

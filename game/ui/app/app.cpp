@@ -95,18 +95,25 @@ void GameApp::update(double seconds) {
     }
 }
 
-bool GameApp::frame(double seconds) {
+bool GameApp::frame(double seconds, bool seen) {
     context_.input.poll();
     context_.gui.beginFrame(context_.input, seconds);
     context_.layout.beginFrame();
     context_.focus.beginFrame();
     update(seconds);
-    context_.window.beginFrame(render::palette::paper);
-    screen_->draw();
-    context_.toasts.draw(seconds);
-    context_.gui.endFrame();
-    screen_->pictureComplete();
-    context_.window.present();
+    bool const drawn = seen || screen_->keepsPicture();
+    if (drawn) {
+        context_.window.beginFrame(render::palette::paper);
+        screen_->draw();
+    }
+    context_.toasts.draw(seconds); // seen or not, they grow older
+    if (drawn) {
+        context_.gui.endFrame();
+        screen_->pictureComplete();
+        context_.window.present();
+    } else {
+        context_.gui.dropFrame();
+    }
     return going_ && !context_.input.quit();
 }
 

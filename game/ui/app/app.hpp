@@ -1,4 +1,4 @@
-// The game in its window: title screen, levels, menu.
+// The game in its window: shows one screen at a time, and the menu over it.
 #pragma once
 
 #include "game/ui/app/menu.hpp"
@@ -13,36 +13,38 @@ namespace trembler::ui {
 
 struct GameOptions {
     std::filesystem::path levels;         ///< folder of the levels to choose from
-    std::filesystem::path pictures = "."; ///< films and pictures go below
-    std::filesystem::path profile;        ///< settings and progress; empty: nothing is kept
+    std::filesystem::path pictures = "."; ///< folder for films and pictures
+    std::filesystem::path profile;        ///< file of settings and progress; empty: nothing is kept
     WorldOptions world;
     Loudspeaker* loudspeaker = nullptr; ///< must outlive the game; nullptr: it is silent
-    bool steady = false;                ///< nothing blinks: for tests
+    bool steady = false;                ///< disables blinking, for tests
 };
 
-/// Driven picture by picture, so that tests can play it with pushed events. Thread of the window only; the
-/// window, the registry and the parts must outlive it.
+/// Advances one picture per call, so that tests can drive it with pushed SDL events. Only on the window's
+/// thread; the window, the registry and the parts must outlive it.
 class GameApp {
 public:
-    /// Throws render::RenderError if the graphics card cannot draw the game.
+    /// Throws render::RenderError if the graphics driver cannot draw the game.
     GameApp(render::Window& window, Registry const& registry, PartLibrary const& parts,
             GameOptions const& options);
     ~GameApp();
     GameApp(GameApp const&) = delete;
     GameApp& operator=(GameApp const&) = delete;
 
-    /// Opens a level. Throws InputError if it cannot be read or built; what was on the screen then stays.
+    /// Opens a level. Throws InputError if it cannot be read or built; the current screen then stays.
     void open(std::filesystem::path const& level);
     void showTitle();
-    /// Puts a screen in the place of the one before, which is left. Not nullptr.
+    /// Replaces the current screen after calling its leave(). Not nullptr.
     void show(std::unique_ptr<Screen> screen);
 
-    /// One picture: takes SDL's events, lets `seconds` pass, draws and presents. False once the player wants
-    /// to go.
-    bool frame(double seconds);
+    /// One picture: handles SDL's events, advances time by `seconds`, draws and presents. Returns false once
+    /// the player wants to quit. If `seen` is false, as for a minimised window, the picture is drawn and
+    /// presented only if the screen keeps it; everything else happens as usual.
+    bool frame(double seconds, bool seen = true);
 
     [[nodiscard]] Screen& screen() { return *screen_; }
-    /// The screen if it is that of a level, else nullptr: for tests, the program itself does not ask.
+    /// The current screen if it shows a level, else nullptr. Only for tests: the program itself does not need
+    /// the type.
     [[nodiscard]] PlayScreen* play() { return dynamic_cast<PlayScreen*>(screen_.get()); }
     [[nodiscard]] UiContext& context() { return context_; }
     [[nodiscard]] Menu const& menu() const { return menu_; }

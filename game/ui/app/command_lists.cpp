@@ -1,7 +1,7 @@
 #include "game/ui/app/command_lists.hpp"
 
 #include "game/ui/app/title_screen.hpp"
-#include "game/ui/play/play_commands.hpp"
+#include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/play_parts.hpp"
 
 namespace trembler::ui {

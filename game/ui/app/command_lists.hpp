@@ -7,7 +7,7 @@
 
 namespace trembler::ui {
 
-/// One list for each screen; a new screen's table is added here. What they point to lives for ever.
+/// One list for each screen; a new screen's table is added here. The lists refer to static data.
 [[nodiscard]] std::vector<CommandList> commandLists();
 
 } // namespace trembler::ui

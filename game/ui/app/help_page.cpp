@@ -10,7 +10,7 @@ namespace {
 
 using namespace render;
 
-constexpr float roomForAll = 640; // pixels at UI scale 1
+constexpr float roomForAll = 640; // height at which no row needs scrolling, in pixels at UI scale 1
 
 void drawHelpLine(HelpLine const& line) {
     ImGui::TableNextColumn();

@@ -1,4 +1,5 @@
-// The page of keys: what each does on this screen, as bound, and what the mouse does.
+// The page of keys: what each key does on the current screen with the player's bindings, and what the mouse
+// does.
 #pragma once
 
 #include "game/ui/shared/screen.hpp"
@@ -10,7 +11,7 @@ namespace trembler::ui {
 
 enum class HelpChoice : std::uint8_t { stay, back, changeKeys };
 
-/// Between Gui::beginFrame and endFrame; `behind` is the screen that it tells of.
+/// Call between Gui::beginFrame and endFrame; `behind` is the screen that it describes.
 HelpChoice drawHelp(UiContext& context, Screen& behind);
 
 } // namespace trembler::ui

@@ -1,4 +1,4 @@
-// The page of the settings on which keys are given to commands.
+// The settings page on which the player assigns keys to commands.
 #pragma once
 
 #include "game/ui/shared/ui_context.hpp"
@@ -7,15 +7,15 @@
 
 namespace trembler::ui {
 
-/// Every change goes into the profile at once. Window thread only.
+/// Every change is saved in the profile at once. Window thread only.
 class KeysPage {
 public:
-    /// Between Gui::beginFrame and endFrame. True if the player wants to go back.
+    /// Call between Gui::beginFrame and endFrame. Returns true if the player wants to go back.
     bool draw(UiContext& context);
-    /// It waits for a key. False if it did not: then there is nothing to be left.
+    /// Stops waiting for a key. Returns false if it was not waiting.
     bool cancel();
     [[nodiscard]] bool waiting() const { return waiting_ != nullptr; }
-    /// What it last said of a key that could not be had; "" if nothing.
+    /// The message why a key could not be assigned last; "" if it could.
     [[nodiscard]] std::string const& complaint() const { return complaint_; }
 
 private:
@@ -23,8 +23,8 @@ private:
     void drawRows(UiContext& context);
     void drawRow(UiContext& context, CommandInfo const& command);
 
-    CommandInfo const* waiting_ = nullptr; // for its key
-    bool taking_ = false;                  // the keys of this picture are for it
+    CommandInfo const* waiting_ = nullptr; // the command that waits for a key; nullptr: none
+    bool taking_ = false;                  // the key events of this picture belong to waiting_
     std::string complaint_;
 };
 

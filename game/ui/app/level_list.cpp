@@ -29,14 +29,14 @@ void drawMark(ImVec2 centre, bool solved, bool trouble) {
     }
 }
 
-/// The text, or as much of its beginning as fits into `width` pixels, and an ellipsis.
+/// The text, truncated with an ellipsis to fit into `width` pixels.
 std::string fitted(std::string const& text, float width) {
     std::string shown = text;
     std::size_t kept = text.size();
     while (kept > 0 && ImGui::CalcTextSize(shown.c_str()).x > width) {
         --kept;
         while (kept > 0 && (static_cast<unsigned char>(text[kept]) & 0xC0U) == 0x80U) {
-            --kept; // never half a letter
+            --kept; // do not cut inside a UTF-8 sequence
         }
         shown = text.substr(0, kept) + "…";
     }

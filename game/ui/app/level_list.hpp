@@ -1,4 +1,4 @@
-// The levels to choose from, with their titles and a mark on those that are solved.
+// The list of levels to choose from, with their titles and a mark on solved ones.
 #pragma once
 
 #include "game/ui/shared/ui_context.hpp"
@@ -6,7 +6,7 @@
 namespace trembler::ui {
 
 /// Draws the list into the open card, at most `height` pixels at UI scale 1 high; returns the level that was
-/// chosen.
+/// chosen in this picture, or nullptr.
 CatalogEntry const* drawLevelList(UiContext& context, std::filesystem::path const& current, float height);
 
 } // namespace trembler::ui

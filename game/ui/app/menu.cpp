@@ -19,7 +19,7 @@ namespace {
 
 using namespace render;
 
-/// The world steps back behind a sheet of tracing paper.
+/// Dims the world behind the menu.
 void drawVeil() {
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, screen, imColour(faded(palette::paper, 0.80F)));
@@ -77,7 +77,8 @@ bool drawSoundSettings(UiContext& context, Settings& settings) {
     return touched;
 }
 
-// Steps, not a slider: a slider that changes its own size while it is dragged runs away from the mouse.
+// Buttons for steps, not a slider: a slider that changes its own size while it is dragged runs away from the
+// mouse.
 bool drawSizes(UiContext& context, Settings& settings) {
     constexpr std::array steps{0.75F, 0.9F, 1.F, 1.15F, 1.35F, 1.6F};
     bool touched = false;
@@ -107,7 +108,7 @@ bool drawSizes(UiContext& context, Settings& settings) {
     return touched;
 }
 
-/// As wide as the card unless `width`, in pixels at UI scale 1, says otherwise.
+/// A button as wide as the card, or `width` pixels at UI scale 1 wide.
 bool wide(UiContext& context, char const* label, Icon icon, ButtonLook look = ButtonLook::Quiet,
           float width = -1) {
     bool const clicked = bigButton(label, {.icon = icon, .look = look, .width = width});

@@ -1,4 +1,4 @@
-// What Esc opens: resume, restart, levels, settings, keys, quit.
+// The menu that Esc opens: resume, restart, levels, settings, keys, quit.
 #pragma once
 
 #include "game/ui/app/keys_page.hpp"
@@ -10,8 +10,8 @@
 
 namespace trembler::ui {
 
-/// Lies over everything; while it is open nothing else is drawn or moves. Works with the mouse alone, and
-/// with the keyboard alone.
+/// Covers the screen; while it is open no other card is drawn and the world stands still. Can be used with
+/// the mouse alone and with the keyboard alone.
 class Menu {
 public:
     void open(MenuPage page) { pages_ = {page}; }
@@ -19,11 +19,11 @@ public:
     [[nodiscard]] bool isOpen() const { return !pages_.empty(); }
     [[nodiscard]] MenuPage page() const { return pages_.empty() ? MenuPage::closed : pages_.back(); }
     [[nodiscard]] KeysPage const& keysPage() const { return keys_; }
-    /// One page back: from the settings to the menu, from the menu to the game.
+    /// Goes one page back: from the settings to the menu, from the menu to the game.
     void back();
 
-    /// Between Gui::beginFrame and endFrame. `behind` is the screen that it lies over. Whatever it asks for,
-    /// it is closed, but for a level: that may turn out not to be playable.
+    /// Call between Gui::beginFrame and endFrame. `behind` is the covered screen. Returns the player's
+    /// request, if any, and closes the menu, except for a request to open a level, which may fail.
     std::optional<ScreenRequest> draw(UiContext& context, Screen& behind);
 
 private:
@@ -31,11 +31,11 @@ private:
     void drawSettings(UiContext& context);
     std::optional<ScreenRequest> drawLevels(UiContext& context, Screen& behind);
 
-    std::vector<MenuPage> pages_; // the way here; empty: closed
+    std::vector<MenuPage> pages_; // the opened pages, the current one last; empty: closed
     KeysPage keys_;
 };
 
-/// Makes the window as the settings say.
+/// Applies the profile's settings to the window.
 void applySettings(UiContext& context);
 
 } // namespace trembler::ui

@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t usualFrames = 600;
-/// Frames after success, so that the picture shows it and not the moment before.
+/// Frames simulated after success, so that the picture shows the solved state and not the moment before.
 constexpr std::uint64_t encore = 45;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The level to show to somebody who named none: the first with a recorded solution.
+/// The level to show if none is named: the first with a recorded solution.
 fs::path firstLevel(GameData const& gameData) {
     LevelCatalog const catalog(gameData.registry, gameData.home / "levels");
     fs::path first;
@@ -49,7 +49,7 @@ fs::path firstLevel(GameData const& gameData) {
     return first;
 }
 
-/// Steps the session to its end, with a line every second. Returns the frame in which it was solved.
+/// Steps the session to its end and prints a line every second. Returns the frame in which it was solved.
 std::optional<std::uint64_t> playOut(Session& session, std::uint64_t frames, std::ostream& out) {
     std::optional<std::uint64_t> solved;
     auto told = Clock::now();
@@ -117,7 +117,7 @@ int playWithoutDisplay(GameData const& gameData, PlayOptions const& options, std
     fs::path const picture = options.picture.empty()
                                  ? options.pictures / ("trembler-" + file.stem().string() + ".png")
                                  : options.picture;
-    std::error_code ignored; // writing says what is wrong with the folder
+    std::error_code ignored; // errors are ignored here: writing the picture reports them
     fs::create_directories(options.pictures, ignored);
     writePicture(gameData, session, picture, out);
     return solved ? 0 : 1;
@@ -142,9 +142,11 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     }
     auto before = Clock::now();
     double passed = 1.0 / 60;
-    while (app.frame(passed)) {
-        // A hidden window is not held back by its screen.
-        if ((SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0) {
+    bool seen = true;
+    while (app.frame(passed, seen)) {
+        seen = (SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
+        // Vertical sync does not limit the frame rate of a hidden window.
+        if (!seen) {
             std::this_thread::sleep_for(std::chrono::milliseconds(15));
         }
         passed = secondsSince(before);

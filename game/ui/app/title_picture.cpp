@@ -9,14 +9,14 @@
 namespace trembler::ui {
 
 using namespace render;
-using render::Pattern; // not that of a Look
+using render::Pattern; // not Look's Pattern
 
 namespace {
 
-constexpr double period = 1.6;  // s: rings for a while, rests for a while
+constexpr double period = 1.6;  // s, of ringing and then resting
 constexpr double ringing = 1.0; // s
 
-/// 0: at rest, the circuit is closed; 1: pulled over, the hammer is at the bell.
+/// Position of the armature. 0: at rest, the circuit is closed; 1: pulled over, the hammer touches the bell.
 double pulled(double time) {
     double const phase = std::fmod(time, period);
     return phase > ringing ? 0.0 : 0.5 - 0.5 * std::cos(phase * 2 * 3.14159265 * 6 / ringing);
@@ -71,7 +71,7 @@ void drawWire(Canvas& canvas, std::span<Point const> path, bool live, double tim
 void drawTrembler(Canvas& canvas, double time) {
     double const pull = pulled(time);
     bool const live = std::fmod(time, period) < ringing && pull < 0.6;
-    // The board that everything is screwed to.
+    // The board on which everything is mounted.
     canvas.box({{0, 0}, 0}, {3.1, 1.75}, 0.12,
                {.pattern = Pattern::Wood, .tint = mix(palette::wood, palette::paper, 0.35F), .grain = 0.22});
     canvas.newSheet();
@@ -93,7 +93,7 @@ void drawTrembler(Canvas& canvas, double time) {
     drawWire(canvas, second, live, -time);
     drawWire(canvas, third, live, -time);
     drawCoil(canvas, {0.62, -0.22}, live);
-    // The contact screw, the armature with its hammer, the spring's foot.
+    // The contact screw, the armature with its hammer, the spring's mount.
     canvas.capsule({-1.52, 0.30}, screw, 0.045, {.pattern = Pattern::Copper});
     canvas.box({{-1.36, 0.30}, 0}, {0.10, 0.24}, 0.03, {.pattern = Pattern::Metal});
     canvas.newSheet();

@@ -1,16 +1,16 @@
-// The trembler: an electromagnet that pulls an armature, opens its own circuit, lets go, and so on; and a
-// bell.
+// The picture of the title screen, a trembler bell: an electromagnet that pulls an armature, opens its own
+// circuit, releases the armature, and so on.
 #pragma once
 
 #include "render/draw/canvas.hpp"
 
 namespace trembler::ui {
 
-/// The room that the picture takes around the origin, m.
+/// Width of the picture around the origin, m.
 inline constexpr double titleWidth = 6.4;
 inline constexpr double titleHeight = 3.8;
 
-/// A drawing and not a simulation; `time` in s makes it tremble.
+/// Draws an animation, not a simulation; `time` in s.
 void drawTrembler(render::Canvas& canvas, double time);
 
 } // namespace trembler::ui

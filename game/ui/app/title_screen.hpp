@@ -1,4 +1,4 @@
-// What one sees first: the name, a bell that rings itself, and the levels.
+// The title screen: the name, an animated bell, and the levels.
 #pragma once
 
 #include "game/ui/shared/screen.hpp"
@@ -7,7 +7,7 @@
 namespace trembler::ui {
 
 class TitleScreen;
-/// The table of what the title screen can be asked to do.
+/// The table of the title screen's commands.
 [[nodiscard]] std::span<Command<TitleScreen> const> titleCommands();
 
 /// Window thread only; the context must outlive it.
@@ -21,7 +21,7 @@ public:
     void draw() override;
     [[nodiscard]] CommandSet& commands() override { return commands_; }
     [[nodiscard]] std::filesystem::path const& level() const override { return none_; }
-    /// What the next update() asks for, unless more is asked for.
+    /// Sets the request that the next update() returns, unless another call replaces it.
     void ask(ScreenRequest request) { request_ = std::move(request); }
 
 private:

@@ -39,7 +39,8 @@ void drawHints(Session const& session, std::size_t hintsShown, CommandButtons& b
     std::size_t const shown = std::min(hintsShown, hints.size());
     for (std::size_t i = 0; i < shown; ++i) {
         smallHeading(words::hintOf(i + 1, hints.size()));
-        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - scaled(5)); // it belongs to what follows
+        // A heading stands closer to the text below it.
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - scaled(5));
         ImGui::TextWrapped("%s", hints[i].c_str());
         ImGui::Dummy({0, scaled(2)});
     }

@@ -1,4 +1,4 @@
-// The cards around a level: what is wanted, the toolbox, the large buttons, the tools, success.
+// The cards around a level: goals, toolbox, large buttons, tools, success.
 #pragma once
 
 #include "game/ui/commands/command_buttons.hpp"
@@ -16,29 +16,30 @@ class Celebration;
 class PlacingTool;
 class RunControl;
 
-/// Widths in pixels at UI scale 1, which the other cards keep clear of.
+/// Widths in pixels at UI scale 1; the other cards stay clear of these.
 inline constexpr float goalCardWidth = 316;
 inline constexpr float toolboxWidth = 236;
 inline constexpr float cardGap = 16;
-inline constexpr float bottomRow = 74; ///< height of what stands at the bottom
-inline constexpr float cornerRow = 74; ///< and of the buttons in the corner at the top right
+inline constexpr float bottomRow = 74; ///< height of the cards at the bottom
+inline constexpr float cornerRow = 74; ///< height of the buttons in the top right corner
 
 struct GoalCardLook {
     std::size_t hintsShown = 0;
-    bool brief = false; ///< only the goals, without the story: something else needs the room
+    bool brief = false; ///< only the goals, without the story: another card needs the room
 };
 
-// Each draws its card between Gui::beginFrame and endFrame, from what it is about. The buttons note what the
-// player asks for with them.
+// Each function draws its card between Gui::beginFrame and endFrame. Commands that the player asks for are
+// recorded in `buttons`.
 
-/// `buttons` nullptr: a picture, nothing to press.
+/// `buttons` is nullptr for a picture, which has no buttons.
 void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons);
 void drawTransport(CommandButtons& buttons, RunControl const& run, AskedTwice const& allBack);
 void drawTools(CommandButtons& buttons, Session const& session);
 void drawCorner(CommandButtons& buttons);
-/// Nothing while there is nothing to celebrate.
+/// Draws nothing while there is nothing to celebrate.
 void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration);
-/// Returns the part on whose tile the mouse went down. `hint`: what is said below while nothing is carried.
+/// Returns the part on whose tile the mouse button was pressed. `hint` is the text below the tiles while no
+/// part is carried.
 std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartCatalog& catalog,
                                        PlacingTool const& placing, std::string const& hint);
 

@@ -1,5 +1,5 @@
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/play/celebration.hpp"
+#include "game/ui/play/run/celebration.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using namespace render;
 
-/// Even numbers from 0 to 1 that look random and are always the same.
+/// Uniform pseudo-random numbers from 0 to 1, the same in every run.
 float scatter(int index, int which) {
     auto mixed = static_cast<unsigned>(index) * 2654435761U + static_cast<unsigned>(which) * 40503U;
     mixed ^= mixed >> 15U;
@@ -61,7 +61,8 @@ void drawConfetti(double age) {
 void drawSeal(ImVec2 centre, float radius, double age) {
     auto const t = static_cast<float>(std::min(age / 0.35, 1.0));
     float const grown = radius * (1 + 0.9F * (1 - t) * (1 - t));
-    auto& list = *ImGui::GetForegroundDrawList(); // while it comes down it is larger than the card
+    // Drawn outside the card, because the seal is larger than the card while it falls.
+    auto& list = *ImGui::GetForegroundDrawList();
     float const seen = std::min(1.F, 2 * t);
     list.AddCircleFilled(centre, grown, imColour(faded(palette::goal, seen)));
     list.AddCircle(centre, grown * 0.84F, imColour(faded(palette::paperLight, 0.7F * seen)), 0, scaled(1.6F));

@@ -1,6 +1,6 @@
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/play/asked_twice.hpp"
-#include "game/ui/play/run_control.hpp"
+#include "game/ui/commands/asked_twice.hpp"
+#include "game/ui/play/run/run_control.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/theme.hpp"
 
@@ -17,7 +17,7 @@ void next() {
     ImGui::SameLine(0, scaled(7));
 }
 
-/// Side by side.
+/// Draws the buttons side by side.
 void row(CommandButtons& buttons, std::initializer_list<char const*> ids) {
     bool first = true;
     for (char const* id : ids) {

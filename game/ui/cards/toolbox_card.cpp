@@ -14,7 +14,7 @@ using namespace render;
 
 constexpr float tileSide = 92;
 
-/// What it does, in words, once the mouse rests on its tile.
+/// Shows the part's description while the mouse rests on its tile.
 void tipFor(PartCatalog const& catalog, std::string const& part) {
     ImGui::BeginTooltip();
     ImGui::PushFont(theme().fonts.strong);
@@ -59,7 +59,7 @@ std::optional<std::string> drawToolbox(Layout& layout, Session const& session, P
         ImGui::BeginChild("tiles", {0, room});
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-    // Two columns, in the middle of the card.
+    // Two columns, centred in the card.
     float const left =
         ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - (2 * scaled(tileSide) + gap));
     for (std::size_t i = 0; i < slots.size(); ++i) {

@@ -22,7 +22,7 @@ void carryOutKeys(std::span<SDL_Event const> events, KeyBindings const& bindings
         done.push_back(*index);
         commands.run(*index);
         if (info.fixed) {
-            return; // it leads back: what came with it was meant for where it led back from
+            return; // it leaves this page: later keys of this picture were meant for the page that is left
         }
     }
 }

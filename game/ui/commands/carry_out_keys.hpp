@@ -1,4 +1,4 @@
-// From key events to commands.
+// Runs commands from key events.
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
@@ -10,12 +10,11 @@
 
 namespace trembler::ui {
 
-/// Carries out what the keys of one picture's events ask for, each command at most once, in the order in
-/// which the keys went down. A held key counts again where the command says so.
+/// Runs the commands of one picture's key events, each at most once, in the order in which the keys went
+/// down. Key repeats count where the command's KeyUse says so.
 void carryOutKeys(std::span<SDL_Event const> events, KeyBindings const& bindings, CommandSet& commands);
 
-/// Whether a key of a command of KeyUse::held is down; modifiers that its chord does not have make no
-/// difference.
+/// Whether a key of a command of KeyUse::held is down; modifiers that are not part of the chord are ignored.
 [[nodiscard]] bool isHeld(render::InputEvents const& input, KeyBindings const& bindings, std::string_view id);
 
 } // namespace trembler::ui

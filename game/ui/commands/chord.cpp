@@ -7,12 +7,12 @@
 namespace trembler::ui {
 namespace {
 
-/// The same for both spellings, so that a label can be found in a file.
+/// The prefixes are the same in nameOf and labelOf, so that players can find a label's key in a file.
 std::string modifiersOf(Chord const& chord) {
     return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") + (chord.shift ? "Shift+" : "");
 }
 
-/// Takes `prefix` from the beginning of `text` if something follows it.
+/// Removes `prefix` from the beginning of `text` if more text follows it.
 bool takePrefix(std::string_view& text, std::string_view prefix) {
     if (text.size() <= prefix.size()) {
         return false;
@@ -70,7 +70,7 @@ std::optional<Chord> chordFrom(std::string_view name) {
         taken = ctrl || alt || shift;
     }
     if (name.empty() || static_cast<unsigned char>(name.front()) < 0x20) {
-        return std::nullopt; // SDL takes a control character for a key
+        return std::nullopt; // SDL would accept a control character as a key
     }
     chord.key = SDL_GetKeyFromName(std::string(name).c_str());
     if (!chord.any() || isModifier(chord.key)) {
@@ -87,7 +87,7 @@ std::string labelOf(Chord const& chord) {
         {SDLK_RIGHT, "→"},
         {SDLK_UP, "↑"},
         {SDLK_DOWN, "↓"},
-        {SDLK_COMMA, "comma"}, // they get lost between other signs
+        {SDLK_COMMA, "comma"}, // punctuation is hard to see between other characters
         {SDLK_PERIOD, "full stop"},
     }};
     for (auto const& [key, label] : shorter) {

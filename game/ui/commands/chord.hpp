@@ -1,4 +1,4 @@
-// A key with the modifiers that are held with it, and how it is spelt in files and for people.
+// A key with the modifiers that are held with it, and its names in files and on the screen.
 #pragma once
 
 #include <SDL_keyboard.h>
@@ -28,16 +28,16 @@ struct Chord {
     return {.key = key, .ctrl = true, .shift = true};
 }
 
-/// What was pressed. Left and right modifiers count alike; Num Lock and Caps Lock are left out.
+/// The chord of a key event. Left and right modifiers count alike; Num Lock and Caps Lock are ignored.
 [[nodiscard]] Chord chordOf(SDL_Keysym const& keysym);
-/// Shift, Ctrl, Alt and the like: pressed for another key's sake.
+/// Whether the key is a modifier: Shift, Ctrl, Alt and the like.
 [[nodiscard]] bool isModifier(SDL_Keycode key);
 
-/// "Ctrl+Shift+Z", with SDL's English name of the key: what profiles hold. "" for no key.
+/// The name in profiles: "Ctrl+Shift+Z", with SDL's English name of the key. "" for no key.
 [[nodiscard]] std::string nameOf(Chord const& chord);
-/// The reverse; upper and lower case count alike. Nothing if it is not a key, or a modifier alone.
+/// The inverse of nameOf, ignoring case. nullopt if the name is not a key's, or is a modifier's alone.
 [[nodiscard]] std::optional<Chord> chordFrom(std::string_view name);
-/// As people read it, and shorter: "Esc", "←". "" for no key.
+/// The shorter name on the screen: "Esc", "←". "" for no key.
 [[nodiscard]] std::string labelOf(Chord const& chord);
 
 } // namespace trembler::ui

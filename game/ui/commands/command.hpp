@@ -1,4 +1,4 @@
-// What a player can ask for, by key or by button: one row of a table for each command.
+// A command of the player, given by key or by button: each is one row of a screen's table.
 #pragma once
 
 #include "game/ui/commands/chord.hpp"
@@ -14,48 +14,48 @@ namespace trembler::ui {
 enum class KeyUse : std::uint8_t {
     once,    ///< when the key goes down
     repeats, ///< and again while it is held
-    held,    ///< the key is no switch: it counts as long as it is held, see KeyBindings::held()
+    held,    ///< the command acts as long as the key is held, see isHeld()
 };
 
-/// Where a command stands on the page of keys.
+/// The section of the page of keys in which a command is listed.
 enum class CommandGroup : std::uint8_t { building, running, looking, program };
 
-/// How a command that is a switch looks and reads while it is on; nullptr or None: as while it is off.
+/// Name and look of a switch while it is on; nullptr or None: the same as while it is off.
 struct WhenOn {
     render::Icon icon = render::Icon::None;
     char const* name = nullptr;
     char const* tip = nullptr;
 };
 
-/// What everybody may know of a command without the screen that carries it out. The words are in British
-/// English and live for ever.
+/// The public description of a command, independent of the screen that runs it. The texts are British English
+/// in static storage.
 struct CommandInfo {
-    /// What it is called in profiles; small letters and hyphens. Never changes once published.
+    /// The name in profiles; lower-case letters and hyphens. Never changes once published.
     std::string_view id;
-    std::array<Chord, 2> keys{}; ///< unless the player has others; the first is the one that tips name
+    std::array<Chord, 2> keys{}; ///< defaults that the player may replace; tips show the first
     KeyUse use = KeyUse::once;
-    bool fixed = false; ///< the player cannot give it other keys; modifiers make no difference
+    bool fixed = false; ///< the player cannot change its keys; modifiers are ignored
     render::Icon icon = render::Icon::None;
     CommandGroup group = CommandGroup::program;
     char const* name = ""; ///< on buttons and in the list of keys
-    char const* tip = "";  ///< a line, without the key
-    /// On the page of keys, as short as can be. Neighbours with equal words share a row.
+    char const* tip = "";  ///< one line, without the key
+    /// Description on the page of keys, as short as possible. Adjacent commands with equal texts share a row.
     char const* help = "";
     WhenOn whenOn{};
-    /// The id of the command whose key does this too, for tips; "" if there is none.
+    /// The id of a command whose key has the same effect, for tips; "" if there is none.
     std::string_view alsoBy{};
 };
 
-/// A row of a screen's table. `Context` is what the screen is made of.
+/// A row of a screen's table. `Context` is the object that the screen's commands act on.
 template <class Context>
 struct Command {
     CommandInfo info;
     void (*run)(Context&) = nullptr;
     bool (*available)(Context const&) = nullptr; ///< nullptr: always
-    bool (*on)(Context const&) = nullptr;        ///< of a switch; nullptr: it is none
+    bool (*on)(Context const&) = nullptr;        ///< whether a switch is on; nullptr: not a switch
 };
 
-/// The commands of one screen, whatever it is made of. Indices are places in its table.
+/// The commands of one screen, independent of its Context. Indices are rows of its table.
 class CommandSet {
 public:
     virtual ~CommandSet() = default;
@@ -63,16 +63,16 @@ public:
     [[nodiscard]] virtual CommandInfo const& info(std::size_t index) const = 0;
     [[nodiscard]] virtual bool available(std::size_t index) const = 0;
     [[nodiscard]] virtual bool on(std::size_t index) const = 0;
-    /// Does nothing if it is not available.
+    /// Does nothing if the command is not available.
     virtual void run(std::size_t index) = 0;
 
-    /// Throws std::invalid_argument if there is no such command: a mistake in the program.
+    /// Throws std::invalid_argument if there is no such command, which is a programming error.
     [[nodiscard]] std::size_t indexOf(std::string_view id) const;
     [[nodiscard]] bool has(std::string_view id) const;
     void run(std::string_view id) { run(indexOf(id)); }
 };
 
-/// A table and what it works on.
+/// A table with the context on which its commands act.
 template <class Context>
 class CommandsOf final : public CommandSet {
 public:

@@ -1,4 +1,4 @@
-// Buttons that ask for commands: icon, words, key, availability and state all come from the table.
+// Buttons for commands: icon, words, key, availability and state come from the command table.
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
@@ -11,35 +11,35 @@
 
 namespace trembler::ui {
 
-/// What a table cannot know of a button.
+/// Properties of a button that are not part of its command.
 struct CommandButtonOptions {
-    std::string_view item{};     ///< what Layout calls it; "": the command's id with spaces for hyphens
-    char const* label = nullptr; ///< large ones; nullptr: the command's name
-    render::ButtonLook look = render::ButtonLook::Quiet; ///< large ones
-    float width = 0;                                     ///< large ones, as render::ButtonOptions has it
-    bool withIcon = true;                                ///< large ones
-    bool withTip = true;                                 ///< large ones: false where the label says it all
+    std::string_view item{}; ///< name of the button in Layout; "": the command's id with spaces for hyphens
+    char const* label = nullptr;                         ///< large buttons only; nullptr: the command's name
+    render::ButtonLook look = render::ButtonLook::Quiet; ///< large buttons only
+    float width = 0;                                     ///< large buttons only, see render::ButtonOptions
+    bool withIcon = true;                                ///< large buttons only
+    bool withTip = true; ///< large buttons only: false where the label says everything
 };
 
-/// For the cards of one picture; between Gui::beginFrame and endFrame, inside a card. Nothing is carried out
-/// while cards are drawn: what was asked for is asked of it afterwards. Throws std::invalid_argument for an
-/// id that the screen has not.
+/// For the cards of one picture; call between Gui::beginFrame and endFrame, inside a card. No command runs
+/// while cards are drawn: the caller runs asked() afterwards. Throws std::invalid_argument for an id that the
+/// screen does not have.
 class CommandButtons {
 public:
-    /// All must outlive this.
+    /// All arguments must outlive this.
     CommandButtons(Layout& layout, KeyBindings const& bindings, CommandSet const& commands)
         : layout_(layout), bindings_(bindings), commands_(commands) {}
 
-    /// A square one; a switch is shown pressed in while it is on.
+    /// A square button; a switch is drawn pressed while it is on.
     void icon(std::string_view id, CommandButtonOptions const& options = {});
     void big(std::string_view id, CommandButtonOptions const& options = {});
     [[nodiscard]] Layout& layout() const { return layout_; }
     [[nodiscard]] bool available(std::string_view id) const {
         return commands_.available(commands_.indexOf(id));
     }
-    /// What a button other than these would say of the command.
+    /// The tip of the command, for other widgets than these buttons.
     [[nodiscard]] std::string tip(std::string_view id) const;
-    /// The command that was asked for last.
+    /// The command whose button was pressed last.
     [[nodiscard]] std::optional<std::size_t> asked() const { return asked_; }
 
 private:

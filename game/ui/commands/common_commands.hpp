@@ -1,4 +1,4 @@
-// Commands that several screens have; each says in its own table what it does for them.
+// Commands that several screens have; each screen's own table defines their action.
 #pragma once
 
 #include "game/ui/commands/command.hpp"

@@ -70,7 +70,7 @@ std::optional<std::string> KeyBindings::whyNot(CommandInfo const& command, Chord
     }
     for (CommandInfo const* other : commands_) {
         for (Chord const& own : defaultsOf(*other)) {
-            if (other->fixed && own.key == chord.key) { // modifiers make no difference to it
+            if (other->fixed && own.key == chord.key) { // a fixed command reacts with any modifiers
                 return words::keyIsTaken(labelOf(own), other->name);
             }
         }
@@ -134,8 +134,8 @@ std::optional<std::vector<Chord>> KeyBindings::read(CommandInfo const& command,
 }
 
 void KeyBindings::settleConflicts(StatedKeys const& stated, std::vector<std::string>& troubles) {
-    // Whoever goes back to the keys of its table may meet somebody who was given one of them: once more, at
-    // most as often as there are stated commands.
+    // A command that falls back to its default keys may now conflict with another stated command, so check
+    // again; each pass resets a command, so there are at most as many passes as stated commands.
     bool again = true;
     while (again) {
         again = false;

@@ -1,4 +1,4 @@
-// Which keys stand for which commands: those of the tables, unless the player has chosen others.
+// The keys of all commands: the tables' defaults, unless the player has chosen others.
 #pragma once
 
 #include "game/ui/commands/command.hpp"
@@ -12,8 +12,8 @@
 
 namespace trembler::ui {
 
-/// The commands of one kind of screen, without such a screen. A command of several screens (the same id) has
-/// the same keys in all of them.
+/// The commands of one kind of screen, without an instance of it. A command that several screens share (the
+/// same id) has the same keys in all of them.
 struct CommandList {
     std::vector<CommandInfo const*> commands;
 };
@@ -27,46 +27,47 @@ template <class Context>
     return list;
 }
 
-/// Keys as a profile holds them: names of chords by id of the command.
+/// Keys as stored in a profile: names of chords by command id.
 using StatedKeys = std::map<std::string, std::vector<std::string>>;
 
-/// On one screen no two commands ever have the same chord. Window thread only.
+/// No two commands of one screen ever have the same chord. Window thread only.
 class KeyBindings {
 public:
-    /// What the lists point to must outlive this, and have no conflicts of its own.
+    /// The objects that the lists refer to must outlive this, and their default keys must not conflict.
     explicit KeyBindings(std::vector<CommandList> screens);
 
-    /// Takes what differs from the tables. What cannot be taken keeps the keys of its table; returns a
-    /// sentence for each such thing.
+    /// Applies stored keys. A command whose stored keys are invalid or in conflict keeps its defaults;
+    /// returns a sentence for each such problem.
     [[nodiscard]] std::vector<std::string> load(StatedKeys const& stated);
-    /// What differs from the tables, for a profile.
+    /// The keys that differ from the defaults, for a profile.
     [[nodiscard]] StatedKeys stated() const;
 
-    /// Of a command of any of the screens, the most important first; empty if it has none.
+    /// The chords of a command, the one shown in tips first; empty if it has none.
     [[nodiscard]] std::span<Chord const> keysOf(std::string_view id) const;
-    /// All commands once, in the order of the tables.
+    /// All commands of all screens without duplicates, in the order of the tables.
     [[nodiscard]] std::vector<CommandInfo const*> const& commands() const { return commands_; }
-    /// The same, group by group.
+    /// The same, sorted by group.
     [[nodiscard]] std::vector<CommandInfo const*> inGroups() const;
     [[nodiscard]] bool isDefault() const { return stated().empty(); }
 
-    /// Why the command cannot have this chord, in words for the player; nothing if it can.
+    /// Why the command cannot have this chord, as a sentence for the player; nullopt if it can.
     [[nodiscard]] std::optional<std::string> whyNot(CommandInfo const& command, Chord const& chord) const;
-    /// Gives the command this chord instead of all that it has; does nothing and returns why if it cannot.
+    /// Replaces all keys of the command by this chord; if that is not possible, changes nothing and returns
+    /// the reason.
     std::optional<std::string> bind(CommandInfo const& command, Chord const& chord);
-    /// Leaves a command without a key; one that is fixed keeps its own.
+    /// Removes the command's keys; a fixed command keeps its own.
     void unbind(CommandInfo const& command);
-    /// All as in the tables.
+    /// Restores all defaults.
     void reset();
 
-    /// The command that pressing a key asks for. A chord with Shift or Alt goes before one without; where
-    /// there is none with them they make no difference, as tools give them a meaning of their own. Nothing
-    /// for keys of KeyUse::held.
+    /// The command for a pressed key. A chord with Shift or Alt takes precedence over one without; if no
+    /// chord has these modifiers they are ignored, as tools give them other meanings. nullopt for keys of
+    /// KeyUse::held.
     [[nodiscard]] std::optional<std::size_t> find(CommandSet const& commands,
                                                   SDL_Keysym const& pressed) const;
 
 private:
-    /// nullptr: there is no such command.
+    /// The command with this id, or nullptr.
     [[nodiscard]] CommandInfo const* known(std::string_view id) const;
     [[nodiscard]] bool shareAScreen(CommandInfo const& a, CommandInfo const& b) const;
     [[nodiscard]] CommandInfo const* owner(CommandInfo const& asking, Chord const& chord) const;
@@ -80,9 +81,9 @@ private:
     std::map<std::string_view, std::vector<Chord>> keys_;
 };
 
-/// "Undo (Ctrl+Z)": a text with the first key of the command; without a key only the text.
+/// "Undo (Ctrl+Z)": the text with the first key of the command; the text alone if it has no key.
 [[nodiscard]] std::string withKey(std::string const& text, std::string_view id, KeyBindings const& bindings);
-/// The same of a command's tip, as it is while a switch is on or off.
+/// The same with the command's tip for a switch that is on or off.
 [[nodiscard]] std::string tipOf(CommandInfo const& command, bool on, KeyBindings const& bindings);
 
 } // namespace trembler::ui

@@ -9,7 +9,7 @@
 namespace trembler::ui {
 namespace {
 
-/// Each between two marks, separated by commas.
+/// All labels, each between two marks, separated by commas.
 std::string joined(std::span<Chord const> keys, char const* mark) {
     std::string all;
     for (Chord const& chord : keys) {
@@ -18,7 +18,7 @@ std::string joined(std::span<Chord const> keys, char const* mark) {
     return all;
 }
 
-/// Appends to the last row if that says the same.
+/// Adds a row, or adds the keys to the last row if its description is the same.
 void append(std::vector<HelpLine>& lines, std::string const& keys, std::string const& does) {
     if (!lines.empty() && lines.back().does == does) {
         lines.back().keys += ", " + keys;
@@ -27,7 +27,7 @@ void append(std::vector<HelpLine>& lines, std::string const& keys, std::string c
     }
 }
 
-/// "Pause; go on": what it does, and what a switch does while it is on.
+/// "Pause; go on": the description, and for a switch also that of its on state.
 std::string doesOf(CommandInfo const& command) {
     std::string does = command.tip;
     if (command.whenOn.tip != nullptr) {
@@ -38,7 +38,7 @@ std::string doesOf(CommandInfo const& command) {
     return does;
 }
 
-/// `heading` for each group, then a line for each of its commands.
+/// Calls `heading` for each group and then `line` for each of its commands.
 template <class Heading, class Line>
 std::string grouped(KeyBindings const& bindings, Heading&& heading, Line&& line) {
     std::string text;

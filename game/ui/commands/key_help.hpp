@@ -8,11 +8,11 @@
 
 namespace trembler::ui {
 
-/// What hands do besides pressing a command's key; it cannot be changed.
+/// A mouse action or modifier that has a fixed meaning.
 struct Gesture {
     char const* with = "";     ///< wheel, click, a modifier
-    char const* does = "";     ///< if a command's help says the same, the two share a row
-    std::string_view beside{}; ///< id of the command at whose row it stands
+    char const* does = "";     ///< shares a row with a command whose help is the same
+    std::string_view beside{}; ///< id of the command in whose row or after which it is listed
 };
 
 struct HelpLine {
@@ -20,7 +20,7 @@ struct HelpLine {
     std::string does;
 };
 
-/// What people call it.
+/// The group's title on the page.
 [[nodiscard]] char const* titleOf(CommandGroup group);
 /// "C, F3"; "" for none.
 [[nodiscard]] std::string labelsOf(std::span<Chord const> keys);
@@ -29,8 +29,8 @@ struct HelpLine {
 [[nodiscard]] std::vector<HelpLine> helpLines(CommandSet const& commands, std::span<Gesture const> gestures,
                                               KeyBindings const& bindings);
 
-/// All commands of all screens as Markdown, a table for each group: what it does, its keys as bound, and its
-/// id for the profile.
+/// All commands of all screens as Markdown, one table per group: description, current keys, and the id used
+/// in profiles.
 [[nodiscard]] std::string keysMarkdown(KeyBindings const& bindings);
 /// The same for a terminal.
 [[nodiscard]] std::string keysText(KeyBindings const& bindings);

@@ -1,4 +1,4 @@
-// What a run without a window sounds like, as a file: `trembler run --sound`.
+// Writes the sound of a run without a window to a file: `trembler run --sound`.
 #pragma once
 
 #include "audio/device/sound_file.hpp"
@@ -13,16 +13,17 @@ struct GameData;
 
 namespace ui {
 
-/// Where recordings are looked for: beside the level (empty: none), beside the program's levels, among its
-/// own sounds.
+/// Folders in which recordings are looked for: beside the level (empty: none), beside the program's levels,
+/// and the program's own sounds.
 [[nodiscard]] std::vector<std::filesystem::path> sampleFolders(GameData const& gameData,
                                                                std::filesystem::path const& level);
 
-/// Hears a level from where a player sees all of it: in front of the middle of its bounds, as far away as
-/// they are high. A level without bounds is heard from the middle of where its objects begin.
+/// A listener at the place of a player who sees the whole level: in front of the middle of its bounds, at a
+/// distance of their height (0.5 to 50 m). For a level without bounds, the bounding box of the objects'
+/// initial positions is used.
 [[nodiscard]] Listener listenerFor(LevelFile const& level, World const& world);
 
-/// Has a run written into a sound file; see SoundFile for what that may throw. `run` must not outlive it.
+/// Writes a run's sound into a file; throws as SoundFile does. `run` must not outlive it.
 class RunSound {
 public:
     RunSound(std::filesystem::path const& file, LoudspeakerOptions const& options, Loudspeaker::Tell tell,

@@ -1,8 +1,8 @@
 #include "game/ui/headless/screenshot.hpp"
 
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/play/goal_areas.hpp"
-#include "game/ui/play/sound_view.hpp"
+#include "game/ui/play/view/goal_areas.hpp"
+#include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "game/ui/tools/camera_control.hpp"
 #include "puzzle/solutions/solution_file.hpp"
@@ -20,7 +20,7 @@ using namespace render;
 
 Image pictureOf(Window& window, GameData const&, Session const& session, PictureOptions const& options) {
     Gui gui(window, {.steady = true});
-    InputEvents const input(window); // nobody is there
+    InputEvents const input(window); // there are no events
     Canvas canvas;
     Layout layout;
     World const& world = session.world();
@@ -36,7 +36,7 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
     view.setView(window.size(), {left, rest, rest, rest});
     Image image;
     SceneView const scene;
-    // ImGui knows the size of a card only after it has laid it out once.
+    // ImGui knows the size of a card only after a first layout pass: only the last pass is drawn.
     constexpr int passes = 3;
     for (int pass = 1; pass <= passes; ++pass) {
         if (options.step) {
@@ -46,6 +46,10 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
         layout.beginFrame();
         if (goals) {
             drawGoalCard(layout, session, {}, nullptr);
+        }
+        if (pass < passes) {
+            gui.dropFrame();
+            continue;
         }
         window.beginFrame(palette::paper);
         canvas.begin(view.camera(),

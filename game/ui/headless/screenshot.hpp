@@ -1,4 +1,4 @@
-// Pictures of levels without anybody playing: `trembler screenshot`, and the program without a display.
+// Pictures of levels without a player: `trembler screenshot`, and the program without a display.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"
@@ -13,36 +13,36 @@
 
 namespace trembler::ui {
 
-/// How a picture of a session looks.
+/// What a picture of a session shows.
 struct PictureOptions {
     render::Overlays overlays{};
-    std::vector<render::Ripple> ripples{}; ///< of what sounds
+    std::vector<render::Ripple> ripples{}; ///< around sounding objects
     bool names = false;
-    bool card = true; ///< title and goals
+    bool card = true; ///< shows the title and the goals
     bool shadows = true;
-    /// Called before each step that may take long, with words for it; may be empty.
+    /// Progress callback, called before each step that may take long with a description of it; may be empty.
     std::function<void(std::string const&)> step{};
 };
 
-/// Draws the session's world as it is now, and everything of it, into the window and reads it back. Throws
-/// render::RenderError.
+/// Draws the session's world in its current state, showing all of it, into the window and reads the image
+/// back. Throws render::RenderError.
 [[nodiscard]] render::Image pictureOf(render::Window& window, GameData const& gameData,
                                       Session const& session, PictureOptions const& options = {});
 
 struct ScreenshotOptions {
     std::filesystem::path level;
-    std::uint64_t frame = 0;      ///< frames done; 0: as the level begins
+    std::uint64_t frame = 0;      ///< frames to simulate; 0: the initial state
     render::Size size{1280, 720}; ///< pixels
-    std::string solution;         ///< by name or from a file; empty: none is placed
-    bool firstSolution = false;   ///< the level's first recorded one, if it has any
-    PictureOptions picture{};     ///< the ripples are those of the run
+    std::string solution;         ///< by name or from a file; empty: none
+    bool firstSolution = false;   ///< place the level's first recorded solution, if it has any
+    PictureOptions picture{};     ///< its ripples are replaced by those of the run
     WorldOptions world{};
-    /// Called after each frame with the frames done, for a sign of progress; may be empty.
+    /// Progress callback, called after each frame with the number of frames done; may be empty.
     std::function<void(std::uint64_t)> progress;
 };
 
-/// Throws InputError or std::invalid_argument for bad input, render::RenderError (WindowError among them) if
-/// there is no picture.
+/// Throws InputError or std::invalid_argument for bad input, render::RenderError (including WindowError) if
+/// the picture cannot be drawn.
 [[nodiscard]] render::Image screenshot(GameData const& gameData, ScreenshotOptions const& options);
 
 } // namespace trembler::ui

@@ -1,4 +1,4 @@
-// Changes of a running world that may be refused.
+// Changes of a running world that may fail.
 #pragma once
 
 #include "render/panels/toasts.hpp"
@@ -7,7 +7,7 @@
 
 namespace trembler::ui {
 
-/// Calls change(); if it throws std::invalid_argument or std::runtime_error, shows the player the reason.
+/// Calls change(); if it throws std::invalid_argument or std::runtime_error, shows the player the message.
 template <class F>
 void attempt(render::Toasts& toasts, F&& change) {
     try {

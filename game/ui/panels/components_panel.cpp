@@ -59,7 +59,8 @@ void drawState(Activity activity) {
     float const height = ImGui::GetTextLineHeight();
     auto& list = *ImGui::GetWindowDrawList();
     ImVec2 const dot{at.x + scaled(6), at.y + 0.5F * height};
-    // A ring for what sleeps and a disc for what works: not told by colour alone.
+    // A ring for a sleeping component and a disc for an active one, so that colour is not the only
+    // difference.
     if (activity == Activity::active) {
         list.AddCircleFilled(dot, scaled(4.5F), imColour(colourOf(activity)));
     } else {
@@ -102,7 +103,7 @@ void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, dou
     }
     ImGui::EndDisabled();
     ImGui::PopID();
-    if (ImGui::IsItemVisible()) { // not what has been scrolled out of sight
+    if (ImGui::IsItemVisible()) { // skip rows that are scrolled out of sight
         layout.item("period of " + name);
     }
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {

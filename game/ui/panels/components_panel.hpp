@@ -1,4 +1,4 @@
-// The engineers' panel: every component of the world, what it costs, and the knobs.
+// The engineers' panel: every component of the world, its cost, and the knobs.
 #pragma once
 
 #include "game/ui/panels/cost_rows.hpp"
@@ -16,8 +16,7 @@ public:
     [[nodiscard]] bool open() const { return open_; }
     /// See CostRows.
     void setTips(CostRows::Tips tips) { costs_.setTips(std::move(tips)); }
-    /// Between Gui::beginFrame and endFrame, in pixels at UI scale 1: where its top is and how high it may
-    /// be.
+    /// Call between Gui::beginFrame and endFrame. `top` and the maximum `height` are in pixels at UI scale 1.
     void draw(Layout& layout, Session& session, budget::BudgetMode& mode, render::Toasts& toasts, float top,
               float height);
 
@@ -28,8 +27,8 @@ private:
 
     CostRows costs_;
     bool open_ = false;
-    bool all_ = false;                     // absent ones too
-    std::map<std::string, double> smooth_; // µs by title, so that the bars can be read
+    bool all_ = false;                     // also lists absent components
+    std::map<std::string, double> smooth_; // µs by title, smoothed so that the bars are legible
 };
 
 } // namespace trembler::ui

@@ -21,7 +21,7 @@ void tip(std::string const& text) {
     }
 }
 
-/// A time (µs) against a scale; `limit` draws the line of the budget.
+/// Draws a time (µs) as a bar relative to `scale`; `limit` draws the line of the budget.
 void timeBar(double microseconds, double scale, double limit, bool grey) {
     auto const share = [&](double time) {
         return scale > 0 ? std::clamp(static_cast<float>(time / scale), 0.F, 1.F) : 0.F;
@@ -36,17 +36,17 @@ void timeBar(double microseconds, double scale, double limit, bool grey) {
                  .framed = true});
 }
 
-/// What else an effect could be computed like, in its unfolded knob.
+/// Lists the other options of an effect, in its unfolded knob.
 void drawOptions(Layout& layout, Session& session, Toasts& toasts, budget::Knob const& knob) {
     if (session.mode() == SessionMode::building || knob.options.size() < 2) {
-        return; // settings and estimates belong to a world that runs
+        return; // settings and estimates need a running world
     }
     ImGui::Separator();
     ImGui::PushFont(theme().fonts.small);
     for (std::size_t i = 0; i < knob.options.size(); ++i) {
         budget::Option const& option = knob.options[i];
         if (option.name.find(", every ") != std::string::npos && i != knob.current) {
-            continue; // how often a component runs has a knob of its own
+            continue; // the period of a component has a knob of its own
         }
         std::string const label = option.name + "  ·  " + words::howFarOff(option.error.metres);
         ImGui::BeginDisabled(!option.cannot.empty() && i != knob.current);
@@ -70,7 +70,7 @@ std::string switchBudget(budget::BudgetMode& mode) {
         mode.setBudget(std::nullopt);
         return words::budgetOff;
     }
-    constexpr double usual = 2000; // µs: leaves a display at 60 Hz all the room that it needs for the picture
+    constexpr double usual = 2000; // µs: leaves a 60 Hz display enough time to draw
     mode.setBudget(usual);
     return words::budgetIs(usual);
 }
@@ -127,7 +127,7 @@ void CostRows::drawStatus(budget::BudgetMode const& mode) const {
     if (mode.decisions().empty()) {
         caption(known ? words::nothingToChange : words::budgetMeasuring);
     }
-    // All that was decided last, at one time.
+    // All decisions of the last frame that had any.
     for (budget::Decision const& decision : mode.decisions()) {
         if (decision.frame == mode.decisions().back().frame) {
             caption(inWords(decision).c_str());
@@ -162,7 +162,7 @@ void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode cons
     } else {
         std::string const automatic =
             effect->working.empty() ? std::string(words::automatic) : words::automaticNow(effect->working);
-        // A level that the scene gives nothing to do leaves the work to another one.
+        // The chosen level is not used because the scene does not need it; another level does the work.
         bool const elsewhere =
             !effect->chosen.empty() && !effect->working.empty() && effect->working != effect->chosen;
         std::string const asked =

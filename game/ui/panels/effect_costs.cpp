@@ -1,4 +1,4 @@
-// What the rows of the panel are made from: levels, times and reasons by effect.
+// Collects the figures for the rows of the panel: levels, times and reasons by effect.
 #include "game/ui/panels/cost_rows.hpp"
 #include "game/ui/shared/words.hpp"
 
@@ -8,24 +8,20 @@
 namespace trembler::ui {
 namespace {
 
-/// What an absent component is waiting for.
-std::string reasonOf(World const& world, ComponentInfo const& info) {
-    auto const missing = [&](PropertyInfo const* property) {
-        if (property->kind != PropertyKind::object) {
-            return false;
-        }
-        ColumnBase const* const column = world.store().findColumn(*property);
-        return column == nullptr || column->empty();
-    };
-    for (PropertyInfo const* property : info.neededAll) {
-        if (missing(property)) {
-            return words::nothingHas(property->text.name);
-        }
+/// Why a component is absent, in words.
+std::string reasonOf(ComponentStatus const& status) {
+    switch (status.choice.reason) {
+    case ChoiceReason::noObjects: {
+        // Without a property it needs any one of several: the first stands for them.
+        PropertyInfo const* const missing =
+            status.choice.property != nullptr ? status.choice.property : status.info->neededAny.front();
+        return words::nothingHas(missing->text.name);
     }
-    if (!info.neededAny.empty() && std::all_of(info.neededAny.begin(), info.neededAny.end(), missing)) {
-        return words::nothingHas(info.neededAny.front()->text.name);
+    case ChoiceReason::notRead:
+        return words::nobodyAsks;
+    default:
+        return words::notNeeded;
     }
-    return info.onDemand ? words::nobodyAsks : words::notNeeded;
 }
 
 } // namespace
@@ -79,7 +75,7 @@ std::vector<EffectCost> effectCosts(World const& world, budget::BudgetMode const
         EffectCost& cost = all[effect];
         cost.effect = effect;
         if (cost.reason.empty() || !status.info->text.level.empty()) {
-            cost.reason = reasonOf(world, *status.info);
+            cost.reason = reasonOf(status);
         }
         cost.activity = busier(cost.activity, status.activity);
         if (!measured && status.activity == Activity::active) {

@@ -1,5 +1,7 @@
-#include "audio/effect/hearing/loudness.hpp"
+#include "audio/effect/properties/acoustics.hpp"
 #include "audio/effect/properties/decibel.hpp"
+#include "audio/effect/properties/loudness.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/shared/words.hpp"
 #include "physics/dynamics/properties/body.hpp"
@@ -22,7 +24,7 @@
 namespace trembler::ui {
 namespace {
 
-/// "cool_down" is for files; people read "cool down".
+/// Replaces the underscores of a file's key: "cool_down" becomes "cool down".
 std::string spoken(std::string_view key) {
     std::string text(key);
     constexpr std::string_view degrees = "_deg";
@@ -37,7 +39,7 @@ std::string pointText(Vec2 v) {
     return readable(v.x) + ", " + readable(v.y);
 }
 
-/// Puts every field into a row.
+/// Writes each field into a row.
 class RowWriter final : public FieldVisitor {
 public:
     RowWriter(Store const& store, std::vector<InspectorRow>& rows, std::string prefix = {})
@@ -101,7 +103,7 @@ private:
     std::string prefix_;
 };
 
-/// Up to four names, and how many more.
+/// The names of up to four objects, and the number of the others.
 std::string namesOf(Store const& store, std::vector<ObjectId> const& objects) {
     constexpr std::size_t most = 4;
     std::string text;
@@ -136,12 +138,12 @@ std::string forceText(Vec2 force) {
     return fmt::format("{} N {}", readable(length(force)), words::direction(std::atan2(force.y, force.x)));
 }
 
-/// `level` in dB(A). Nobody hears what is below 0.
+/// Text for a `level` in dB(A). Levels below 0 are inaudible.
 std::string levelText(double level) {
     return level >= 0 ? fmt::format("{:.1f} dB(A)", level) : std::string(words::silence);
 }
 
-/// Pa², A-weighted, at 1 m: of all that the object sounds like at the moment.
+/// A-weighted square of the sound pressure at 1 m, Pa², of all current sounds of the object.
 double soundOf(Sounds const& sounds, ObjectId object) {
     double sum = 0;
     for (Sounds::Body const& body : sounds.bodies) {
@@ -153,7 +155,7 @@ double soundOf(Sounds const& sounds, ObjectId object) {
     return sum;
 }
 
-/// How loud the object is, and how loud it is where the object is, if it listens.
+/// Adds rows for the object's own sound level and, if it listens, the level at its place.
 void saySound(World const& world, ObjectId object, std::vector<InspectorRow>& rows) {
     if (auto const* sounds = world.find<Sounds>(); sounds != nullptr) {
         if (double const own = levelOf(soundOf(*sounds, object)); own >= 0) {

@@ -63,13 +63,28 @@ void drawSection(InspectorSection const& section, bool first) {
 
 } // namespace
 
-void Inspector::draw(Layout& layout, World const& world, float top, float height) {
+void Inspector::show(Session const& session, ObjectId object) {
+    close();
+    if (session.world().store().alive(object)) {
+        subject_ = session.lasting(object);
+        name_ = session.world().store().nameOf(object);
+    }
+}
+
+ObjectId Inspector::object(Session const& session) const {
+    return subject_ ? session.find(*subject_) : ObjectId{};
+}
+
+void Inspector::draw(Layout& layout, Session const& session, float top, float height) {
     shown_.clear();
     if (!open()) {
         return;
     }
-    ObjectId const object = world.store().find(name_);
-    shown_ = inspect(world, object);
+    ObjectId const subject = object(session);
+    if (subject.valid()) {
+        name_ = session.world().store().nameOf(subject); // placed otherwise, parts may have other names
+    }
+    shown_ = inspect(session.world(), subject);
     layout.beginCard("inspector", "", {.anchor = Anchor::TopRight, .offset = {16, top}, .width = cardWidth});
     ImGui::PushFont(theme().fonts.heading);
     float const side = scaled(40);
@@ -87,7 +102,7 @@ void Inspector::draw(Layout& layout, World const& world, float top, float height
     if (shown_.empty()) {
         caption(words::objectIsGone);
     } else {
-        // The rest of the height is for the list, which scrolls.
+        // The list scrolls in the remaining height.
         float const used = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
         ImGui::BeginChild("properties", {0, std::max(scaled(height) - used, scaled(80))});

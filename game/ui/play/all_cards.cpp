@@ -23,7 +23,7 @@ std::string keyOf(KeyBindings const& bindings, std::string_view command) {
     return keys.empty() ? std::string() : labelOf(keys.front());
 }
 
-/// Below what stands at the top, above the tools.
+/// The components panel, between the cards at the top of the screen and the row of tools.
 void drawComponents(PlayParts& parts, float screen) {
     UiContext& context = parts.context;
     float top = 150;
@@ -66,7 +66,7 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     drawTools(buttons, session);
     drawSuccess(buttons, session, parts.celebration);
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
-    parts.inspector.draw(layout, session.world(), cornerRow, screen - cornerRow - bottomRow - 8);
+    parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
     drawComponents(parts, screen);
     return buttons.asked();
 }

@@ -1,4 +1,4 @@
-// All cards of a level's screen, each where it belongs.
+// Draws the cards of a level's screen.
 #pragma once
 
 #include "game/ui/play/play_parts.hpp"
@@ -7,8 +7,8 @@
 
 namespace trembler::ui {
 
-/// Between Gui::beginFrame and endFrame. Returns the command that a button asked for; a part that is pressed
-/// on in the toolbox is taken at once.
+/// To be called between Gui::beginFrame and Gui::endFrame. Returns the index of the command whose button was
+/// pressed. A part that is pressed in the toolbox goes into the hand at once.
 std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& commands);
 
 } // namespace trembler::ui

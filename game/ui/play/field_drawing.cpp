@@ -10,7 +10,7 @@ namespace {
 
 using namespace render;
 
-/// The knob that turns the selected part, on its arc.
+/// The handle that turns the selected part, on its arc.
 void drawHandle(PlayParts const& parts) {
     auto const handle = parts.handle();
     if (!handle) {
@@ -45,7 +45,7 @@ void drawCarried(PlayParts const& parts) {
     }
 }
 
-/// The wire that a click would cut.
+/// Marks the wire that a click of the scissors would cut.
 void drawBlades(PlayParts const& parts) {
     auto const& wire = parts.hand.wireUnderBlades();
     if (!parts.hand.cutting() || !wire.a.valid()) {
@@ -83,7 +83,6 @@ void drawWords(PlayParts const& parts) {
 }
 
 SceneOptions sceneOptions(PlayParts& parts, double time) {
-    World const& world = parts.session.world();
     SceneOptions options{.time = time, .alpha = parts.run.alpha(), .overlays = parts.shown.overlays()};
     auto const& carried = parts.placing.carried();
     if (parts.session.level().placing && carried && !carried->turning) {
@@ -92,7 +91,7 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
     if (parts.placing.selected() && !carried) {
         options.selected = parts.session.objectOf(*parts.placing.selected());
     } else if (parts.inspector.open()) {
-        options.selected = world.store().find(parts.inspector.name());
+        options.selected = parts.inspector.object(parts.session);
     }
     ObjectId const hovered = parts.picking.hovered();
     bool const canTake =

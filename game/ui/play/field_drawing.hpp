@@ -1,11 +1,12 @@
-// What a level's screen draws in the world: the things, marks on them, what is in the hand, and words.
+// Draws the world of a level's screen: its objects, marks on them, the part in the hand, and words.
 #pragma once
 
 #include "game/ui/play/play_parts.hpp"
 
 namespace trembler::ui {
 
-/// After Window::beginFrame, before Gui::endFrame. Changes nothing but what drawing itself keeps.
+/// To be called after Window::beginFrame and before Gui::endFrame. Changes only what drawing itself remembers
+/// from picture to picture.
 void drawField(PlayParts& parts);
 
 } // namespace trembler::ui

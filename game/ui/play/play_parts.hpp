@@ -1,19 +1,19 @@
-// What a level's screen is made of; its commands, its cards and its drawing work on these.
+// The parts of a level's screen. Its commands, its cards and its drawing work on them.
 #pragma once
 
 #include "game/budget/budget_mode.hpp"
+#include "game/ui/commands/asked_twice.hpp"
 #include "game/ui/panels/components_panel.hpp"
 #include "game/ui/panels/inspector.hpp"
-#include "game/ui/play/asked_twice.hpp"
-#include "game/ui/play/celebration.hpp"
-#include "game/ui/play/field_mouse.hpp"
-#include "game/ui/play/film.hpp"
-#include "game/ui/play/goal_areas.hpp"
-#include "game/ui/play/level_audio.hpp"
-#include "game/ui/play/run_control.hpp"
-#include "game/ui/play/shown.hpp"
-#include "game/ui/play/sound_view.hpp"
-#include "game/ui/play/turn_handle.hpp"
+#include "game/ui/play/keeping/film.hpp"
+#include "game/ui/play/mouse/field_mouse.hpp"
+#include "game/ui/play/mouse/turn_handle.hpp"
+#include "game/ui/play/run/celebration.hpp"
+#include "game/ui/play/run/level_audio.hpp"
+#include "game/ui/play/run/run_control.hpp"
+#include "game/ui/play/view/goal_areas.hpp"
+#include "game/ui/play/view/shown.hpp"
+#include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
@@ -22,7 +22,7 @@
 
 namespace trembler::ui {
 
-/// Each part owns what it is about and nobody copies it. Here is only what concerns several of them. Window
+/// Each part keeps its own state and nobody copies that; here is only what concerns several parts. Window
 /// thread only; the context must outlive it.
 struct PlayParts {
     /// Throws InputError if the level cannot be read or built.
@@ -48,17 +48,18 @@ struct PlayParts {
     Film film;
     Picking picking;
     FieldMouse mouse;
-    AskedTwice allBack;
+    AskedTwice allBack; ///< whether all parts are to be put back
     Shown shown;
     std::size_t hintsShown = 0;
     Pointer pointer;                      ///< of this picture
     std::optional<ScreenRequest> request; ///< what this picture asks of the program
 
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
-    /// The session's world is another one: what was remembered of the old one goes.
+    /// To be called when the session has another world: forgets what was remembered of the old one.
     void newWorld();
     /// Everything as it was when the level was opened: parts in the toolbox, the world at rest.
     void restart();
+    /// The handle that turns the selected part, if there is one at present.
     [[nodiscard]] std::optional<TurnHandle> handle() const;
 
 private:

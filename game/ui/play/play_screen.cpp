@@ -3,8 +3,8 @@
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/commands/carry_out_keys.hpp"
 #include "game/ui/play/all_cards.hpp"
+#include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/field_drawing.hpp"
-#include "game/ui/play/play_commands.hpp"
 
 namespace trembler::ui {
 
@@ -55,6 +55,10 @@ void PlayScreen::updateBehindMenu(double) {
     setView();
     parts_.run.beginPicture(false);
     parts_.placing.cancel();
+}
+
+bool PlayScreen::keepsPicture() const {
+    return parts_.film.wants(parts_.run.stepped());
 }
 
 void PlayScreen::draw() {

@@ -1,8 +1,8 @@
-// A level on the screen: building, running, looking on.
+// The screen of a level: building, running, watching.
 #pragma once
 
+#include "game/ui/play/mouse/pointer_reader.hpp"
 #include "game/ui/play/play_parts.hpp"
-#include "game/ui/play/pointer_reader.hpp"
 #include "game/ui/shared/screen.hpp"
 
 #include <filesystem>
@@ -10,17 +10,18 @@
 
 namespace trembler::ui {
 
-/// Leads its parts through a picture. Window thread only; the context must outlive it.
+/// Calls its parts in order for every picture. Window thread only; the context must outlive it.
 class PlayScreen final : public Screen {
 public:
     /// Throws InputError if the level cannot be read or built.
     PlayScreen(UiContext& context, std::filesystem::path file, WorldOptions const& options);
 
     std::optional<ScreenRequest> update(double seconds) override;
-    /// Nothing moves.
+    /// The world stands still.
     void updateBehindMenu(double seconds) override;
+    [[nodiscard]] bool keepsPicture() const override;
     void draw() override;
-    /// Films and single pictures are taken here.
+    /// Adds the picture to the film, or keeps it by itself, if the player has asked for that.
     void pictureComplete() override;
     void leave() override;
     [[nodiscard]] CommandSet& commands() override { return commands_; }

@@ -24,7 +24,7 @@ void Focus::begin(std::string_view page, std::span<SDL_Event const> events, bool
         page_ = page;
         index_ = 0;
         adjusts_ = false;
-        return; // the key that led here is not meant for what is here
+        return; // the key that opened this page must not act on it
     }
     for (SDL_Event const& event : events) {
         if (event.type == SDL_KEYDOWN) {
@@ -75,7 +75,7 @@ bool Focus::item(bool adjusts) {
         return false;
     }
     adjusts_ = adjusts;
-    // Around the item, and not beyond what is seen of its list.
+    // Around the item, clipped to the visible part of its list.
     float const gap = render::scaled(3);
     float const line = render::scaled(2.4F);
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -1,4 +1,4 @@
-// The keyboard's way through a page of buttons: arrows move a ring from item to item, Enter presses.
+// Keyboard navigation on a page of buttons: arrow keys move a ring from item to item, Enter presses.
 #pragma once
 
 #include <SDL_events.h>
@@ -9,19 +9,20 @@
 
 namespace trembler::ui {
 
-/// For pages that lie over everything, where keys have no other meaning. The ring is shown from the first
-/// arrow key on until the mouse moves. Window thread only.
+/// For pages that cover the screen, where keys have no other meaning. The ring is shown from the first arrow
+/// key until the mouse moves. Window thread only.
 class Focus {
 public:
-    /// Once per picture, whatever is shown in it: a page that was not there in the last one begins again.
+    /// Call once per picture, whatever is shown: a page that was not drawn in the last picture starts again
+    /// at its first item.
     void beginFrame();
-    /// Once per picture, before the first item of a page. A page's ring begins at its first item. `events`
-    /// may be empty where keys mean something else at the moment.
+    /// Call once per picture, before the first item of a page. The ring of a new page begins at its first
+    /// item. `events` may be empty while keys have another meaning.
     void begin(std::string_view page, std::span<SDL_Event const> events, bool mouseMoved);
-    /// Directly after an ImGui item that can be pressed. True if Enter, or Space, presses it. With `adjusts`
-    /// the left and right arrows change it instead of leading to its neighbours.
+    /// Call directly after an ImGui item that can be pressed. Returns true if Enter or Space presses it. With
+    /// `adjusts` the left and right arrows change its value instead of moving the ring.
     bool item(bool adjusts = false);
-    /// Whether the ring is around the item that was named last.
+    /// Whether the ring is around the last item.
     [[nodiscard]] bool here() const { return visible_ && count_ == index_ + 1; }
     /// By how many steps the last item is to be changed: -1, 0 or 1.
     [[nodiscard]] int adjusted() const { return here() ? adjust_ : 0; }
@@ -35,10 +36,10 @@ private:
     int count_ = 0;     // items of this picture so far
     int lastCount_ = 0; // items of the last picture
     int adjust_ = 0;
-    bool adjusts_ = false; // the item at the ring takes left and right
+    bool adjusts_ = false; // the item at the ring uses the left and right arrows
     bool press_ = false;
     bool moved_ = false;
-    bool shown_ = false; // a page, in this picture
+    bool shown_ = false; // a page was drawn in this picture
     bool visible_ = false;
 };
 

@@ -13,7 +13,7 @@ Rect rectOf(ImVec2 low, ImVec2 high) {
             {static_cast<double>(high.x), static_cast<double>(high.y)}};
 }
 
-/// How far the content reaches beyond the room that the window has for it.
+/// How far the content exceeds the window's size, pixels.
 double overflowOf(ImGuiWindow const& window) {
     float const right = window.DC.CursorMaxPos.x - window.WorkRect.Max.x;
     float const bottom = window.DC.CursorMaxPos.y - window.WorkRect.Max.y;
@@ -34,7 +34,7 @@ void Layout::beginCard(char const* name, char const* title, render::CardOptions 
 
 void Layout::endCard() {
     auto const& window = *ImGui::GetCurrentWindow();
-    // Before its first complete picture ImGui does not know a card's size.
+    // ImGui does not know a card's size before it has drawn the card once.
     bool const known =
         window.AutoFitFramesX <= 0 && window.AutoFitFramesY <= 0 && window.HiddenFramesCannotSkipItems == 0;
     if (known) {
@@ -46,7 +46,7 @@ void Layout::endCard() {
 }
 
 void Layout::item(std::string name) {
-    // What is scrolled out of sight is not there.
+    // Parts that are scrolled out of sight are clipped.
     ImDrawList const& list = *ImGui::GetWindowDrawList();
     ImVec2 const from = list.GetClipRectMin();
     ImVec2 const to = list.GetClipRectMax();

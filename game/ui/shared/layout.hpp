@@ -1,4 +1,4 @@
-// Where the cards of a picture lie: the mouse asks it, and tests see that nothing lies on anything else.
+// Positions of the cards of a picture: for hit tests with the mouse, and for tests that nothing overlaps.
 #pragma once
 
 #include "render/draw/geometry.hpp"
@@ -25,24 +25,24 @@ struct Rect {
     [[nodiscard]] render::Point middle() const { return 0.5 * (low + high); }
 };
 
-/// Something on the screen that has a name: a card, or a button on one.
+/// A named item on the screen: a card, or a button on one.
 struct Placed {
     std::string name;
     Rect rect;
     double overflow = 0; ///< pixels by which a card's content is wider or higher than the card
 };
 
-/// Cards and buttons of the last complete picture and of the one that is being made. Window thread only.
+/// Cards and buttons of the last complete picture and of the current one. Window thread only.
 class Layout {
 public:
     void beginFrame();
-    /// render::beginCard, remembering where it lies.
+    /// Calls render::beginCard and records the card's position.
     void beginCard(char const* name, char const* title, render::CardOptions const& options = {});
     void endCard();
-    /// Remembers the ImGui item that was made last.
+    /// Records the last ImGui item under this name.
     void item(std::string name);
 
-    /// Of the last complete picture.
+    /// Cards of the last complete picture.
     [[nodiscard]] std::vector<Placed> const& cards() const { return cards_; }
     [[nodiscard]] std::vector<Placed> const& items() const { return items_; }
     [[nodiscard]] std::optional<Rect> card(std::string_view name) const { return find(cards_, name); }

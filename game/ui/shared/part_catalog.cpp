@@ -41,7 +41,7 @@ unsigned PartCatalog::picture(std::string const& part, int pixels) {
         made.pixels = pixels;
         made.target->bind();
         render::clearBound(render::tileGround());
-        // Long parts lie aslant: so they fill a square best.
+        // Long parts are drawn diagonally, which fills the square best.
         render::Extent const flat = render::extentOf(*known, {});
         bool const slim = !flat.empty() && std::max(flat.half().x, flat.half().y) >
                                                2.2 * std::min(flat.half().x, flat.half().y);

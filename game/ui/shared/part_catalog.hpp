@@ -1,4 +1,4 @@
-// Parts as the window needs them: made once from their definitions, with a small picture of each.
+// Prototypes of parts for the window, each made once from its definition, with a small picture.
 #pragma once
 
 #include "render/draw/canvas.hpp"
@@ -16,14 +16,14 @@ class PartCatalog {
 public:
     PartCatalog(PartLibrary const& parts, render::Canvas& canvas) : parts_(parts), canvas_(canvas) {}
 
-    /// What the player calls a part.
+    /// The part's name for the player.
     [[nodiscard]] std::string titleOf(std::string const& part) const;
-    /// What it does, "" if nobody says.
+    /// The part's description, "" if it has none.
     [[nodiscard]] std::string textOf(std::string const& part) const;
     /// nullptr if there is no such part.
     [[nodiscard]] Prototype const* prototype(std::string const& part);
     /// An OpenGL texture of the part lying on a tile, `pixels` wide and high; 0 if there is no such part.
-    /// Draws into a picture of its own: the caller binds its target again afterwards.
+    /// Draws into its own framebuffer: the caller must bind its target again afterwards.
     [[nodiscard]] unsigned picture(std::string const& part, int pixels);
     /// Distance from the part's middle to its farthest point, m.
     [[nodiscard]] double radius(std::string const& part);

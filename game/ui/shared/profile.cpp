@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Keys = std::map<std::string, std::vector<std::string>>;
 
-/// {"run": ["Space"], "redo": ["Ctrl+Y", "Ctrl+R"], "hint": []}; one that is damaged must not cost the
-/// others.
+/// For example {"run": ["Space"], "redo": ["Ctrl+Y", "Ctrl+R"], "hint": []}; a damaged entry does not affect
+/// the others.
 Keys readKeys(Json const& stated, std::vector<std::string>& troubles) {
     Keys keys;
     if (!stated.is_object()) {
@@ -81,7 +81,7 @@ void Profile::read() {
     if (!all.is_object()) {
         return;
     }
-    // Each value by itself: one that is damaged must not cost the others.
+    // Each value by itself: a damaged one must not affect the others.
     auto const flag = [&](char const* key, bool usual) {
         auto const found = all.find(key);
         return found != all.end() && found->is_boolean() ? found->get<bool>() : usual;
@@ -125,10 +125,10 @@ void Profile::write() const {
     if (!keys_.empty()) {
         all["keys"] = keys_;
     }
-    // Whole or not at all: a crash while writing must not cost the player's progress.
+    // The file is replaced atomically: a crash while writing must not lose the player's progress.
     try {
         writeFile(file_, all.dump(2) + "\n");
-    } catch (OutputError const&) { // what was kept before is kept
+    } catch (OutputError const&) { // the previous file stays
     }
 }
 

@@ -1,4 +1,4 @@
-// What the program remembers of a player from one day to the next: settings, and which levels are solved.
+// The persistent data of a player: settings, keys, and solved levels.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,11 @@ struct Settings {
     bool fullscreen = false;
     bool names = false; ///< names of objects in the world
     int volume = 80;    ///< percent; 0: silence
-    bool hrtf = false;  ///< directions as ears tell them, for headphones
+    bool hrtf = false;  ///< binaural sound for headphones
 };
 
-/// Written at once whenever it changes. A file that cannot be read or written is no reason to stop playing:
-/// the profile is then simply empty, or not kept.
+/// Saved at once whenever it changes. A file that cannot be read or written is not an error: the profile is
+/// then empty, or not saved.
 class Profile {
 public:
     /// `file` empty: nothing is read or written (tests).
@@ -28,18 +28,19 @@ public:
     [[nodiscard]] Settings const& settings() const { return settings_; }
     void setSettings(Settings const& settings);
     [[nodiscard]] bool solved(std::string const& levelId) const { return solved_.count(levelId) != 0; }
-    /// True if it was not marked before.
+    /// Returns true if the level was not marked before.
     bool markSolved(std::string const& levelId);
-    /// There was a file: these are the player's own settings.
+    /// Whether the file existed, so that these are the player's own settings.
     [[nodiscard]] bool stated() const { return stated_; }
 
-    /// Keys other than the usual ones, by ids of commands and names of keys, as the file has them.
+    /// Keys other than the defaults: names of keys by command id, as in the file.
     [[nodiscard]] std::map<std::string, std::vector<std::string>> const& keys() const { return keys_; }
     void setKeys(std::map<std::string, std::vector<std::string>> keys);
-    /// What could not be read of the keys, a sentence for each.
+    /// A sentence for each entry of the keys that could not be read.
     [[nodiscard]] std::vector<std::string> const& troubles() const { return troubles_; }
 
-    /// $XDG_DATA_HOME/trembler/profile.json, or below ~/.local/share; empty if there is no home.
+    /// The default file: $XDG_DATA_HOME/trembler/profile.json, or below ~/.local/share; empty if neither
+    /// variable is set.
     [[nodiscard]] static std::filesystem::path usualFile();
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first of name-1, name-2 ... that is not there.
+/// The first of name-1, name-2 ... that does not exist.
 fs::path fresh(fs::path const& folder, std::string const& name, char const* ending) {
     std::error_code ignored;
     for (int n = 1;; ++n) {

@@ -1,4 +1,4 @@
-// Pictures that the player takes: a film as numbered PNG files, and single ones.
+// Writes pictures that the player takes: films as numbered PNG files, and single pictures.
 #pragma once
 
 #include "render/gl/image.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler::ui {
 
-/// Writes frames into a new folder per film. Window thread only.
+/// Writes the frames of each film into a new folder. Window thread only.
 class Recorder {
 public:
     /// Films and pictures go into folders and files below `folder`.
@@ -17,20 +17,20 @@ public:
 
     [[nodiscard]] bool recording() const { return recording_; }
     [[nodiscard]] int frames() const { return frames_; }
-    /// Where the present or last film is.
+    /// Folder of the current or last film.
     [[nodiscard]] std::filesystem::path const& film() const { return film_; }
 
-    /// Begins a film in a folder that is not there yet: "film-1", "film-2" ... Throws RenderError with a
-    /// message for the player if it cannot be made.
+    /// Starts a film in a new folder: "film-1", "film-2" ... Throws RenderError with a message for the player
+    /// if the folder cannot be created.
     void start();
     void stop() { recording_ = false; }
-    /// Adds a picture as frame-00001.png and so on. Throws RenderError if it cannot be written; the film is
-    /// then over.
+    /// Adds a frame as frame-00001.png and so on. Throws RenderError if it cannot be written; that ends the
+    /// film.
     void add(render::Image const& image);
-    /// Writes a single picture, "picture-1.png" and so on, and returns where. Throws RenderError.
+    /// Writes a single picture, "picture-1.png" and so on, and returns its path. Throws RenderError.
     std::filesystem::path picture(render::Image const& image);
-    /// Writes a solution as `trembler run --solution FILE` takes it, "LEVEL-solution-1.json" and so on, and
-    /// returns where. Throws RenderError.
+    /// Writes a solution file for `trembler run --solution FILE`, "LEVEL-solution-1.json" and so on, and
+    /// returns its path. Throws RenderError.
     std::filesystem::path solution(Solution const& solution, std::string const& level);
 
 private:

@@ -1,11 +1,11 @@
-// Words on the sheet: the labels that objects carry, and their names if the player asks for them.
+// Text in the world: the labels of objects, and their names if the player asks for them.
 #pragma once
 
 #include "render/scene/scene_view.hpp"
 
 namespace trembler::ui {
 
-/// Between Gui::beginFrame and endFrame; objects are where `scene` draws them.
+/// Call between Gui::beginFrame and endFrame; uses the objects' positions in `scene`.
 void drawSceneWords(render::Camera const& camera, World const& world, render::SceneView const& scene,
                     double alpha, bool names);
 

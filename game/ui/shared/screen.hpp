@@ -1,4 +1,5 @@
-// A screen of the program, whichever: the title, a level. The program holds one and knows none by its type.
+// Interface of a screen of the program, such as the title or a level. The program holds one and does not
+// depend on its type.
 #pragma once
 
 #include "game/ui/commands/key_help.hpp"
@@ -11,16 +12,16 @@
 
 namespace trembler::ui {
 
-/// Pages of what Esc opens.
+/// Pages of the menu that Esc opens.
 enum class MenuPage : std::uint8_t { closed, main, settings, keys, levels, help };
 
-/// What a screen, or the menu over it, cannot do by itself.
+/// Requests of a screen, or of the menu over it, to the program.
 namespace request {
 
 struct OpenMenu {
     MenuPage page = MenuPage::main;
 };
-/// If it cannot be read or built the player is told, and the screen stays.
+/// If it cannot be read or built, the player gets a message and the screen stays.
 struct OpenLevel {
     std::filesystem::path level;
 };
@@ -33,7 +34,8 @@ struct Quit {};
 using ScreenRequest = std::variant<request::OpenMenu, request::OpenLevel, request::ShowTitle,
                                    request::SwitchFullscreen, request::Quit>;
 
-/// Window thread only. In each picture: update or updateBehindMenu, draw, pictureComplete.
+/// Window thread only. In each picture: update or updateBehindMenu; then, unless nobody sees it, draw and
+/// pictureComplete. So draw() changes nothing that anything but drawing reads.
 class Screen {
 public:
     Screen() = default;
@@ -41,20 +43,23 @@ public:
     Screen(Screen const&) = delete;
     Screen& operator=(Screen const&) = delete;
 
-    /// One picture's worth of the player's doing, and `seconds` of time: between Gui::beginFrame and draw().
+    /// Handles one picture's input and advances by `seconds`: between Gui::beginFrame and draw().
     virtual std::optional<ScreenRequest> update(double seconds) = 0;
-    /// Instead of update(), as long as a menu lies over it.
+    /// Called instead of update() while the menu is open.
     virtual void updateBehindMenu(double seconds) = 0;
-    /// Into the window: after Window::beginFrame, before Gui::endFrame.
+    /// Whether the screen keeps the picture that was just updated, for a film or a file: then it is drawn
+    /// even if nobody sees the window.
+    [[nodiscard]] virtual bool keepsPicture() const { return false; }
+    /// Draws into the window: after Window::beginFrame, before Gui::endFrame.
     virtual void draw() = 0;
-    /// All is drawn: between Gui::endFrame and Window::present.
+    /// Called when the picture is complete: between Gui::endFrame and Window::present.
     virtual void pictureComplete() {}
-    /// Another screen takes its place, or the program ends; nothing else is called after it.
+    /// Called once when another screen replaces it or the program ends; no other call follows.
     virtual void leave() {}
 
-    /// What it can be asked for.
+    /// The screen's commands.
     [[nodiscard]] virtual CommandSet& commands() = 0;
-    /// What hands can do besides, for the page of keys.
+    /// Mouse actions and modifiers besides the commands, for the page of keys.
     [[nodiscard]] virtual std::span<Gesture const> gestures() const { return {}; }
     /// The level that it shows; empty if it shows none.
     [[nodiscard]] virtual std::filesystem::path const& level() const = 0;

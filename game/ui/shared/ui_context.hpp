@@ -1,4 +1,4 @@
-// What every screen of the program works with.
+// The objects that every screen of the program uses.
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
@@ -18,7 +18,7 @@ class Loudspeaker;
 
 namespace trembler::ui {
 
-/// Everything that lives as long as the program; GameApp owns it. Window thread only.
+/// Objects that live as long as the program; GameApp owns them. Window thread only.
 struct UiContext {
     render::Window& window;
     Registry const& registry;
@@ -34,8 +34,8 @@ struct UiContext {
     Profile profile;
     KeyBindings keys;
     Recorder recorder;
-    Loudspeaker* loudspeaker = nullptr; ///< nullptr: nobody listens
-    bool shadows = true;                ///< soft shadows, as the settings or the graphics card have it
+    Loudspeaker* loudspeaker = nullptr; ///< nullptr: no sound
+    bool shadows = true;                ///< soft shadows, if the settings and the graphics driver allow them
 
     [[nodiscard]] bool shiftHeld() const { return (input.modifiers() & KMOD_SHIFT) != 0; }
     [[nodiscard]] bool controlHeld() const { return (input.modifiers() & KMOD_CTRL) != 0; }

@@ -1,4 +1,4 @@
-// What the window says, in one place and in British English; what commands are called stands in their tables.
+// The window's texts, in one place and in British English; the names of commands are in their tables.
 #pragma once
 
 #include <cstddef>
@@ -157,13 +157,13 @@ inline constexpr char const* budgetHopeless = "Nothing that would do is cheap en
 inline constexpr char const* nothingToChange = "Everything is as it should be: nothing to change.";
 inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 
-/// For the toolbox; keys may be empty.
+/// For the toolbox; the key names may be empty.
 [[nodiscard]] std::string toolboxHint(std::string const& turnLeft, std::string const& turnRight);
 /// "hold Tab"
 [[nodiscard]] std::string hold(std::string const& key);
 [[nodiscard]] std::string keyIsTaken(std::string const& key, std::string const& command);
 [[nodiscard]] std::string keepsItsKey(std::string const& command);
-// What is wrong with the keys of a profile; commands by their ids.
+// Problems with the keys of a profile; commands by their ids.
 [[nodiscard]] std::string noSuchCommand(std::string const& id);
 [[nodiscard]] std::string notAKey(std::string const& id, std::string const& text);
 [[nodiscard]] std::string keysNotTaken(std::string const& id, std::string const& why);
@@ -195,7 +195,7 @@ inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 [[nodiscard]] std::string seconds(double time);
 /// An arrow for the nearest of eight directions; `angle` in rad, anticlockwise from the right.
 [[nodiscard]] std::string direction(double angle);
-/// The first letter large.
+/// The text with an upper-case first letter.
 [[nodiscard]] std::string capital(std::string text);
 /// Broken into lines of at most `width` characters at spaces.
 [[nodiscard]] std::string wrapped(std::string const& text, std::size_t width);

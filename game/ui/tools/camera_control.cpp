@@ -6,7 +6,7 @@
 namespace trembler::ui {
 namespace {
 
-/// How much nearer, and how much farther, than "everything" one may look.
+/// Limits of the zoom, as factors of the view that shows everything.
 constexpr double nearest = 30;
 constexpr double farthest = 0.15;
 constexpr double zoomPerNotch = 1.15;
@@ -21,7 +21,7 @@ void CameraControl::setView(render::Size viewport, Margins const& margins) {
     if (!moved_) {
         fit();
     } else if (!same && before > 0) {
-        camera_.pixelsPerMetre *= viewport.width / before; // the same part of the world on a larger window
+        camera_.pixelsPerMetre *= viewport.width / before; // a larger window shows the same part of the world
     }
 }
 

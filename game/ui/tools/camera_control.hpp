@@ -1,4 +1,4 @@
-// How the player looks around: zoom at the mouse, drag the paper, show everything.
+// The player's view of the world: zoom at the mouse, pan, show everything.
 #pragma once
 
 #include "game/ui/shared/pointer.hpp"
@@ -15,19 +15,19 @@ struct Margins {
     double bottom = 0;
 };
 
-/// Plain data and arithmetic; any thread.
+/// A value type without access to the window; any thread.
 class CameraControl {
 public:
-    /// What is to be seen when everything is shown.
+    /// The area that is shown by fit().
     void setSubject(render::Extent const& subject) { subject_ = subject; }
-    /// Follows the window's size; as long as the player has not moved the view it keeps showing everything.
+    /// Follows the window's size; until the player moves the view it keeps showing everything.
     void setView(render::Size viewport, Margins const& margins);
     /// Shows the whole subject between the margins.
     void fit();
     void zoom(render::Point at, double notches);
     void startPan() { panning_ = true; }
     void stopPan() { panning_ = false; }
-    /// Moves the paper along with the mouse, if it is held.
+    /// Pans with the mouse while the button is held.
     void drag(render::Point pixels);
 
     [[nodiscard]] render::Camera const& camera() const { return camera_; }

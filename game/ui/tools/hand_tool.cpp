@@ -6,9 +6,9 @@
 namespace trembler::ui {
 namespace {
 
-/// Pressing this long without a move takes hold too, s.
+/// Pressing this long without moving also grabs the object, s.
 constexpr double holdTime = 0.25;
-/// A wire is hit within this many pixels at UI scale 1.
+/// Distance within which a click hits a wire, pixels at UI scale 1.
 constexpr double wireReach = 10;
 
 } // namespace
@@ -28,7 +28,7 @@ bool HandTool::movable(ObjectId object) const {
 
 void HandTool::grab(Press const& press) {
     held_ = press.object;
-    target_ = told_ = press.at;
+    target_ = sentTarget_ = press.at;
     waiting_.push_back({PlayerInput::Kind::grab, press.object, {}, press.at});
 }
 
@@ -43,7 +43,7 @@ void HandTool::cut(Pointer const& pointer) {
 
 std::optional<ObjectId> HandTool::update(Pointer const& pointer, ObjectId hovered, double seconds) {
     if (held_.valid() && !session_.world().store().alive(held_)) {
-        held_ = {}; // it was taken out of the world while in the hand
+        held_ = {}; // the object was destroyed while it was held
     }
     if (cutting_) {
         cut(pointer);
@@ -86,9 +86,9 @@ void HandTool::beforeStep() {
         session_.feed(input);
     }
     waiting_.clear();
-    if (held_.valid() && !(target_ == told_)) {
+    if (held_.valid() && !(target_ == sentTarget_)) {
         session_.feed({PlayerInput::Kind::move, held_, {}, target_});
-        told_ = target_;
+        sentTarget_ = target_;
     }
 }
 

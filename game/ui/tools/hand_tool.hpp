@@ -1,4 +1,4 @@
-// The hand while the world runs: drags objects, points at them, cuts wires.
+// The hand while the world runs: drags objects, selects them, cuts wires.
 #pragma once
 
 #include "game/ui/shared/pointer.hpp"
@@ -10,16 +10,17 @@
 
 namespace trembler::ui {
 
-/// Everything that it does to the world goes through Session::feed, so that a run can be watched again.
-/// Window thread only.
+/// Acts on the world only through Session::feed, so that a run can be replayed. Window thread only.
 class HandTool {
 public:
     explicit HandTool(Session& session) : session_(session) {}
 
-    /// One picture's worth of mouse; `hovered` is the object under it. Returns the object that was clicked
-    /// without being dragged: an invalid id for a click beside everything, nothing if there was no click.
+    /// Handles one picture's mouse input; `hovered` is the object under the mouse. Returns the object that
+    /// was clicked without being dragged: an invalid id for a click on empty space, nullopt if there was no
+    /// click.
     std::optional<ObjectId> update(Pointer const& pointer, ObjectId hovered, double seconds);
-    /// Passes on what the hand did since the last frame; call it directly before each Session::step.
+    /// Sends the hand's inputs since the last frame to the session; call it directly before each
+    /// Session::step.
     void beforeStep();
     /// The run is over: nothing is held any more.
     void reset();
@@ -52,7 +53,7 @@ private:
     std::vector<PlayerInput> waiting_; // for the next frame
     ObjectId held_;
     Vec2 target_;
-    Vec2 told_; // the target that the world knows
+    Vec2 sentTarget_; // the last target that was fed to the session
     bool cutting_ = false;
     render::Link wire_;
 };

@@ -17,7 +17,7 @@ Vec2 onGrid(Vec2 at, double step) {
 double tidyAngle(double angle) {
     double const turned = std::remainder(angle, 2 * pi);
     double const whole = std::round(turned / fineTurnStep) * fineTurnStep;
-    // Sums of steps must come back to exactly where they began.
+    // Removes rounding errors, so that steps forth and back return exactly to the initial angle.
     return std::abs(turned - whole) < 1e-6 ? whole + 0.0 : turned;
 }
 
@@ -74,7 +74,8 @@ void PlacingTool::settle(Placement const& wanted, double reach) {
     if (carried_->verdict.ok || reach <= 0) {
         return;
     }
-    // Not here, but perhaps right beside: the player points at things, and those have an edge.
+    // If the part does not fit here, try positions close by: the player points at objects, and the part would
+    // touch their edges.
     constexpr int rings = 4;
     constexpr int directions = 8;
     for (int ring = 1; ring <= rings; ++ring) {
@@ -108,7 +109,7 @@ void PlacingTool::follow(Pointer const& pointer) {
 
 void PlacingTool::drop() {
     if (!carried_->verdict.ok) {
-        carried_->dragging = carried_->turning = false; // it stays in the hand, and says why
+        carried_->dragging = carried_->turning = false; // it stays in the hand and shows the reason
         toasts_.add(carried_->verdict.why, render::ToastKind::Trouble, 2.5);
         return;
     }
@@ -184,7 +185,7 @@ void PlacingTool::updateFree(Pointer const& pointer, std::optional<int> hovered,
 
 void PlacingTool::update(Pointer const& pointer, std::optional<int> hovered, bool onHandle) {
     if (selected_ && placementOf(*selected_) == nullptr) {
-        selected_.reset(); // undone
+        selected_.reset(); // its placement was undone
     }
     if (carried_ && carried_->number && placementOf(*carried_->number) == nullptr) {
         carried_.reset();

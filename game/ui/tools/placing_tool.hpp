@@ -1,4 +1,4 @@
-// The hand while building: takes parts, turns them, lets them go, and is forgiving about it.
+// The hand while building: takes parts, turns and places them, and looks for the nearest free place.
 #pragma once
 
 #include "game/ui/shared/pointer.hpp"
@@ -15,37 +15,38 @@ inline constexpr double gridStep = 0.05; ///< m
 inline constexpr double turnStep = pi / 12;
 inline constexpr double fineTurnStep = pi / 180;
 
-/// A part in the hand.
+/// A part that is being placed.
 struct Carried {
-    std::optional<int> number; ///< of the placed part that it is; none: fresh from the toolbox
-    Placement landing;         ///< where it would go if it were let go now
-    Verdict verdict;           ///< whether it may
-    Vec2 grip;                 ///< m, from the mouse to its middle
+    std::optional<int> number; ///< of the placed part that was picked up; nullopt: new from the toolbox
+    Placement landing;         ///< where it goes if it is released now
+    Verdict verdict;           ///< whether that place is allowed
+    Vec2 grip;                 ///< m, from the mouse to the part's origin
     render::Point takenAt;     ///< pixels
-    bool dragging = false;     ///< the button has been held since it was taken
-    bool turning = false;      ///< held by its handle: it turns on the spot
+    bool dragging = false;     ///< the button has been held since the part was taken
+    bool turning = false;      ///< held by its handle: it rotates in place
 };
 
-/// Works on a session that is building. Window thread only.
+/// Acts on a session in its building phase. Window thread only.
 class PlacingTool {
 public:
     PlacingTool(Session& session, render::Toasts& toasts) : session_(session), toasts_(toasts) {}
 
-    /// Takes a part from the toolbox; what was carried goes back first.
+    /// Takes a part from the toolbox; a part that is carried goes back first.
     void take(std::string const& part, Pointer const& pointer);
-    /// One picture's worth of mouse. `hovered` is the placed part under it, `handle` whether it is on the
-    /// handle of the selected one.
+    /// Handles one picture's mouse input. `hovered` is the placed part under the mouse, `onHandle` whether
+    /// the mouse is on the handle of the selected part.
     void update(Pointer const& pointer, std::optional<int> hovered, bool onHandle);
-    /// Turns what is carried, or else what is selected, by so many steps anticlockwise.
+    /// Turns the carried or else the selected part by `steps` anticlockwise.
     void turn(int steps, bool fine);
-    /// Moves what is selected by so many steps of the grid, a fifth of that if fine.
+    /// Moves the selected part by steps of the grid, or by a fifth of that if `fine`.
     void nudge(Vec2 steps, bool fine);
-    /// Puts what is carried, or else what is selected, into the toolbox.
+    /// Returns the carried or else the selected part to the toolbox.
     void putBack();
-    /// Lets go without changing anything. False if there was nothing to let go.
+    /// Lets go of the carried part, or of a press on one, without changing anything. Returns false if there
+    /// was neither.
     bool cancel();
     void select(std::optional<int> number) { selected_ = number; }
-    /// Forgets everything: the session runs, or is another.
+    /// Forgets everything: call when the session starts to run or is replaced.
     void reset();
 
     [[nodiscard]] std::optional<Carried> const& carried() const { return carried_; }
@@ -75,7 +76,8 @@ private:
     std::optional<Press> press_;
 };
 
-/// The angle brought to -pi..pi, and to a whole number of steps if it is that close to one.
+/// The angle normalised to -pi..pi, and rounded to a whole number of steps if it is within rounding error of
+/// one.
 [[nodiscard]] double tidyAngle(double angle);
 
 } // namespace trembler::ui

@@ -1,4 +1,4 @@
-// Buoyancy: particles against exact, and how seldom it may be computed.
+// Buoyancy ladders: particles against exact, and periods of several frames.
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/effect_clock.hpp"
 #include "physics/buoyancy/hulls/exact_hull.hpp"
@@ -25,7 +25,7 @@ constexpr std::array<int, 7> counts{4, 8, 16, 32, 64, 128, 256};
 
 struct Ride {
     double microseconds = 0;
-    std::vector<double> heights; ///< m, of the raft, by frame
+    std::vector<double> heights; ///< m, height of the raft, by frame
 };
 
 Ride ride(GameData const& gameData, std::string const& level, int particles, int period, int frames) {
@@ -110,7 +110,7 @@ Ladder climbPeriods(GameData const& gameData, Effort effort) {
     return ladder;
 }
 
-// A box cut by the surface in many attitudes: all that particles can get wrong, without what comes of it.
+// A box cut by the surface at many attitudes: the error of the particles alone, without its effect on motion.
 Ladder climbCuts(GameData const&, Effort effort) {
     constexpr double width = 0.6;  // m, the raft's float
     constexpr double height = 0.4; // m
@@ -136,9 +136,10 @@ Ladder climbCuts(GameData const&, Effort effort) {
     auto const wet = [&](Hull const& hull, Side const& surface) {
         return hull.displaced(std::span(&surface, 1), surface.normal).wet.area;
     };
-    // Independent of both hulls: the depth of a point of the box is the sum of two evenly spread numbers, of
-    // the widths a and b, so the share of the box below a depth is a sum of four parabolas.
-    auto const byHand = [&](Side const& surface) {
+    // A closed form independent of both hulls: the depth of a random point of the box is the sum of two
+    // uniformly distributed numbers of the widths a and b, so the share of the box below a depth is a sum of
+    // four parabolas.
+    auto const closedForm = [&](Side const& surface) {
         double const a = width * std::abs(surface.normal.x);
         double const b = height * std::abs(surface.normal.y);
         double const depth = surface.offset + (a + b) / 2;
@@ -152,7 +153,7 @@ Ladder climbCuts(GameData const&, Effort effort) {
     auto const add = [&](std::string name, Hull const& hull) {
         double error = 0;
         for (Side const& surface : surfaces) {
-            error += std::abs(wet(hull, surface) - byHand(surface)) / (width * height);
+            error += std::abs(wet(hull, surface) - closedForm(surface)) / (width * height);
         }
         std::vector<double> times;
         double sum = 0;

@@ -21,8 +21,8 @@
 namespace trembler::accuracy {
 namespace {
 
-constexpr int oscillations = 6; // the first and the last of which are compared
-constexpr int settling = 2;     // frames, until every interaction has spoken
+constexpr int oscillations = 6; // the first and the last one are compared
+constexpr int settling = 2;     // frames, until every interaction has made its calls
 
 DynamicsSettings solverOf(int substeps) {
     DynamicsSettings solver;
@@ -44,8 +44,8 @@ ObjectId spring(Store& store, ObjectId body, Vec2 at, Vec2 to, double restLength
     return id;
 }
 
-// Both terms of the energy are those of the conserved motion, so that is what a mean over a whole oscillation
-// is: the ripple within one, which every method has, is not counted.
+// The energy of the conserved motion, averaged over a whole oscillation, so that the ripple within an
+// oscillation, which every method has, is not counted.
 Swing swing(World& world, Stiffness const& stiffness, std::function<double()> const& place,
             std::function<double()> const& speed) {
     double const omega2 = stiffness.lagged + stiffness.own;
@@ -104,12 +104,12 @@ Swing magnetOnSpring(GameData const& gameData, int substeps, bool lookAhead, int
     };
     store.column<Fixed>().set(magnet("fixed magnet", {-distance, 0}), {});
     ObjectId const body = magnet("magnet", {0, 0});
-    // F = µ0/4π q² r / (r² + s²)^(3/2) at r = 1 m, and how fast it falls there.
+    // F = µ0/4π q² r / (r² + s²)^(3/2) at r = 1 m, and its slope there.
     constexpr double softened = distance * distance + magneticSoftening * magneticSoftening;
     double const push = 1e-7 * strength * strength / std::pow(softened, 1.5);
     Stiffness const found{push * (3 * distance * distance / softened - 1), stiffness};
-    // At rest where it stands: the spring, pressed together, pushes back. In the first frame it does so
-    // alone, which is what starts the swing.
+    // The compressed spring balances the magnetic force, so the body would rest. In the first frame only the
+    // spring acts, which starts the oscillation.
     spring(store, body, {0, 0}, {anchor, 0}, anchor + push * distance / stiffness, stiffness);
     Swing result = swing(
         world, found, [&] { return world.find<Position>(body)->value.x; },
@@ -124,9 +124,9 @@ Swing floatOnSpring(GameData const& gameData, int substeps, int period, bool loo
     constexpr double height = 1.2;  // m
     constexpr double draught = 1;   // m
     constexpr double water = 1000;  // kg/m³
-    constexpr double lifted = 0.01; // m
+    constexpr double lifted = 0.01; // m, initial displacement
     constexpr double mass = water * draught * width * worldDepth;
-    constexpr double own = 1; // 1/s², of the spring
+    constexpr double own = 1; // 1/s², of the spring alone
     WorldOptions options;
     options.detail["buoyancy"] = "exact";
     options.periods["Buoyancy"] = period;

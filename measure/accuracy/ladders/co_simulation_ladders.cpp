@@ -1,4 +1,4 @@
-// Co-simulation: the energy that one frame of lag between simulations puts in or takes out.
+// Co-simulation ladders: the energy that one frame of lag between simulations adds or removes.
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/co_simulation.hpp"
 #include "puzzle/data/game_data.hpp"
@@ -15,7 +15,7 @@ namespace {
 [[maybe_unused]] constexpr std::array<int, 5> substepCounts{1, 2, 4, 8, 16};
 [[maybe_unused]] constexpr std::array<int, 4> partCounts{1, 2, 4, 8};
 
-// A ladder whose remark says how far the measured growth is from the predicted one, at worst.
+// A ladder whose remark states the largest deviation of the measured growth from the predicted one.
 class Growth {
 public:
     explicit Growth(std::string scene) {

@@ -1,5 +1,5 @@
-// Dynamics: substeps and iterations, against closed forms, against what must not move, and against 64
-// substeps.
+// Dynamics ladders: substeps and iterations, against closed forms, against scenes that must not move, and
+// against 64 substeps.
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/dynamics_scenes.hpp"
 #include "measure/accuracy/ladders/effect_clock.hpp"
@@ -35,7 +35,7 @@ struct Words {
     std::string remark;
 };
 
-/// Frames, and those of a brief run.
+/// Length of a run in frames, and that of a brief run.
 struct Length {
     int frames;
     int brief;
@@ -69,7 +69,7 @@ Plan substepsPlan(Words words, DynamicsSceneMaker make, Length length) {
             }};
 }
 
-/// What iterations are of, and how many of them are tried.
+/// A kind of solver iterations, and the numbers to be measured.
 struct Iterations {
     char const* of; ///< "velocity" or "position"
     std::int32_t DynamicsSettings::*count;
@@ -82,7 +82,7 @@ Iterations const positionIterations{"position", &DynamicsSettings::positionItera
 Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Iterations const& iterations,
                     Length length) {
     return {"dynamics", [=](GameData const& gameData, Effort effort) {
-                bool const holds = substeps >= 4; // torn chains are no rivals in anything
+                bool const holds = substeps >= 4; // torn chains are useless, so their levels do not compete
                 Ladder ladder = begin(words, length.of(effort), holds);
                 for (int const count : iterations.tried) {
                     Solver solver;
@@ -96,7 +96,7 @@ Plan iterationsPlan(Words words, DynamicsSceneMaker make, int substeps, Iteratio
             }};
 }
 
-// Every registered engine, at two numbers of substeps.
+// Every registered engine, with two numbers of substeps.
 Plan enginesPlan(Words words, DynamicsSceneMaker make, Length length) {
     return {"dynamics", [=](GameData const& gameData, Effort effort) {
                 Ladder ladder = begin(words, length.of(effort));

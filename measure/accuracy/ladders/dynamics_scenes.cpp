@@ -54,7 +54,7 @@ Vec2 placeOf(World const& world, ObjectId id) {
     return world.find<Position>(id)->value;
 }
 
-// Where a point of a body that stood at `start` without any rotation is now.
+// Where the point `local` (m, in the body's coordinates) of a body is now.
 Vec2 carried(World const& world, ObjectId id, Vec2 local) {
     return placeOf(world, id) + rotated(local, world.find<Rotation>(id)->angle);
 }
@@ -69,8 +69,8 @@ std::string linkName(int i) {
 
 } // namespace
 
-// Interactions speak for the first time at the end of the first frame, so gravity acts from the second on:
-// time counts from there.
+// Interactions make their first calls at the end of the first frame, so gravity acts from the second on: time
+// counts from there.
 DynamicsScene thrownBall(GameData const& gameData, Solver const& solver) {
     DynamicsScene scene{emptyWorld(gameData, solver), {}};
     ObjectId const ball = body(*scene.world, "ball", circlePiece(0.1), {0, 0}, 1);
@@ -92,7 +92,7 @@ DynamicsScene pendulum(GameData const& gameData, Solver const& solver) {
     ObjectId const bob = body(*scene.world, "bob", circlePiece(radius),
                               {arm * std::sin(amplitude), -arm * std::cos(amplitude)}, 1);
     hinge(*scene.world, "pivot", bob, {}, {0, 0});
-    // θ'' = -g L sin θ / (r²/2 + L²), by Runge and Kutta's fourth order in 500 steps a frame.
+    // θ'' = -g L sin θ / (r²/2 + L²), by the classical fourth-order Runge-Kutta method in 500 steps a frame.
     struct Motion {
         double angle = amplitude;
         double speed = 0;

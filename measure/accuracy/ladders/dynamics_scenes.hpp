@@ -1,4 +1,4 @@
-// Scenes of rigid bodies whose right motion is known.
+// Scenes of rigid bodies whose exact motion is known.
 #pragma once
 
 #include "physics/dynamics/properties/settings.hpp"
@@ -17,34 +17,33 @@ struct GameData;
 
 namespace accuracy {
 
-/// A world at its start, and how to look at it after each frame.
+/// A world at its start, and its error after each frame.
 struct DynamicsScene {
     std::unique_ptr<World> world;
-    /// m, how far what is to be seen after `frame` frames is off; the greatest over all frames is the error.
+    /// Deviation in m after `frame` frames; the greatest over all frames is the scene's error.
     std::function<double(World const&, int frame)> error;
 };
 
 struct Solver {
     DynamicsSettings settings;
-    std::string engine; ///< "box2d"; empty: the one that the world picks
+    std::string engine; ///< "box2d"; empty: the world's default engine
 };
 
-/// Makes the scene again with a solver.
+/// Builds the scene with a solver's settings.
 using DynamicsSceneMaker = std::function<DynamicsScene(GameData const&, Solver const&)>;
 
-/// A ball thrown up at an angle: distance from the parabola.
+/// A ball thrown up at an angle. Error: distance from the parabola.
 [[nodiscard]] DynamicsScene thrownBall(GameData const& gameData, Solver const& solver);
-/// A body on an arm, let go at 1.5 rad: distance from the solution of its equation of motion.
+/// A body on an arm, released at 1.5 rad. Error: distance from the solution of its equation of motion.
 [[nodiscard]] DynamicsScene pendulum(GameData const& gameData, Solver const& solver);
-/// A chain between two pins with a heavy ball at its middle: the widest gap of any joint; there should be
-/// none.
+/// A chain between two pins with a heavy ball at its middle. Error: the widest gap of any joint; exact is 0.
 [[nodiscard]] DynamicsScene loadedChain(GameData const& gameData, Solver const& solver, int links,
                                         double ballMass);
-/// A stack of unit boxes, not allowed to sleep: how far any box has moved sideways; none should.
-/// (Downwards all of them sink into one another by the engine's tolerance, however short the steps are.)
+/// A stack of unit boxes that may not sleep. Error: the largest sideways displacement of any box; exact is 0.
+/// (Vertically all of them sink into one another by the engine's tolerance, however short the substeps are.)
 [[nodiscard]] DynamicsScene stack(GameData const& gameData, Solver const& solver, int boxes);
-/// A chain let go level, held at one end: how far any link is from where `path` has it, by frame and link;
-/// while `path` is being recorded, 0.
+/// A chain released horizontally, held at one end. Error: the largest distance of any link from its place in
+/// `path`, by frame and link; 0 while `path` is being recorded.
 struct ChainPath {
     std::vector<std::vector<Vec2>> places; ///< by frame, then link
 };

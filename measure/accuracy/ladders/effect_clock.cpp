@@ -27,7 +27,7 @@ void EffectClock::frame(World const& world) {
             total += status.totalMicroseconds;
         }
     }
-    if (!first) { // the first frame warms everything up and does not count
+    if (!first) { // the first frame allocates memory and fills caches and is not counted
         means_.push_back((total - total_) / window);
     }
     total_ = total;

@@ -1,4 +1,4 @@
-// How long an effect's components take in a frame.
+// Measures the time of an effect's components per frame.
 #pragma once
 
 #include <string>
@@ -10,29 +10,31 @@ class World;
 
 namespace accuracy {
 
-/// Reads the world's own stopwatch. Components of a period above one do nothing in most frames, so frames are
-/// gathered into windows, whose means the median is taken of. Times reach nobody but the report.
+/// Reads the world's own time measurements. Components of a period above one do nothing in most frames, so
+/// frames are grouped into windows, and the median of the windows' means is taken. Times are used only in
+/// reports.
 class EffectClock {
 public:
-    /// "": all effects.
+    /// Name of the effect; "": all effects.
     explicit EffectClock(std::string effect) : effect_(std::move(effect)) {}
-    /// To be called after each frame.
+    /// Call after each frame.
     void frame(World const& world);
-    /// µs per frame; 0 before the first whole window.
+    /// µs per frame; 0 before the first complete window.
     [[nodiscard]] double median() const;
-    /// µs per frame, for effects whose cost lies in a few frames; 0 before the first whole window.
+    /// µs per frame, for effects whose cost is concentrated in few frames; 0 before the first complete
+    /// window.
     [[nodiscard]] double mean() const;
 
 private:
     static constexpr int window = 12; // a multiple of the periods 1 to 4, 6 and 12
 
     std::string effect_;
-    double total_ = -1; // µs, of the effect at the beginning of the window
+    double total_ = -1; // µs, of the effect at the start of the window
     int frames_ = 0;
     std::vector<double> means_;
 };
 
-/// The middle of the values; 0 of none.
+/// The median of the values; 0 if there are none.
 [[nodiscard]] double medianOf(std::vector<double> values);
 
 } // namespace accuracy

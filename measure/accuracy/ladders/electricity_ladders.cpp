@@ -1,8 +1,8 @@
-// Electricity: every registered detail level that says which objects are on, against Kirchhoff's laws and
-// ngspice.
+// Electricity ladders: every registered detail level that determines which objects are on, against
+// Kirchhoff's laws and ngspice.
 //
-// A level that is registered as a component and derives ElectricalState takes part by that alone. Properties
-// that only some levels know, such as resistances, are stated if the registry knows them.
+// Any registered level that derives ElectricalState is measured automatically. Properties that only some
+// levels use, such as resistances, are set if the registry has them.
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/effect_clock.hpp"
 #include "measure/accuracy/ladders/ngspice.hpp"
@@ -27,7 +27,7 @@
 namespace trembler::accuracy {
 namespace {
 
-/// The cable to be cut or mended in the next frame.
+/// The cable to be cut or repaired in the next frame.
 struct CableChange {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Cable change", "accuracy_cable_change", "A cable to cut or to mend.",
@@ -48,7 +48,7 @@ public:
             if (change.mend) {
                 access.call(AddConnection{{change.a, change.b}});
             } else {
-                access.call(CutWire{change.a, change.b}); // the level's, or the one that mended it
+                access.call(CutWire{change.a, change.b}); // the original cable, or the one that repaired it
                 access.call(RemoveConnection{{change.a, change.b}});
             }
         }
@@ -66,7 +66,7 @@ Registry const& electricityAlone() {
     return registry;
 }
 
-/// Detail levels by cost, cheapest first.
+/// Detail levels by ascending cost.
 std::vector<std::string> levels(Registry const& registry) {
     std::vector<ComponentText> found;
     for (Registration const& registration : registry.components()) {
@@ -85,7 +85,7 @@ std::vector<std::string> levels(Registry const& registry) {
     return names;
 }
 
-// What a level that knows no amperes says of a lamp that is on: what stands on it.
+// The current that a level without currents implies for a lamp that is on: its rated current.
 constexpr double ratedAmperes = lampWatts / sourceVolts;
 
 std::string nameOf(std::size_t circuit, std::size_t part) {
@@ -107,7 +107,7 @@ nlohmann::json propertiesOf(Registry const& registry, Part part, double ohm) {
         properties["electrical_return"] = true;
     } else if (part == Part::lamp) {
         state("rated", {{"power", lampWatts}, {"voltage", sourceVolts}});
-        state("current_capacity", ratedAmperes); // asked by flow alone
+        state("current_capacity", ratedAmperes); // only used by the level flow
     }
     return properties;
 }
@@ -133,7 +133,7 @@ using Amperes = std::vector<std::vector<double>>; // by circuit and part
 
 struct Measured {
     double microseconds = 0;
-    double wrong = 0;   ///< share of the lamps
+    double wrong = 0;   ///< share of the lamps whose state is wrong
     double amperes = 0; ///< mean error of the current through a lamp
 };
 
@@ -167,7 +167,7 @@ Measured measure(std::vector<Wiring> const& circuits, LevelFile const& file, std
     }
     found.wrong /= std::max(1, lamps);
     found.amperes /= std::max(1, lamps);
-    // What a change costs: in every frame one cable is cut, or that of the frame before is mended.
+    // The cost of changes: in every frame one cable is cut, or the one cut in the last frame is repaired.
     EffectClock clock("electricity");
     ObjectId const world0 = store.find("world");
     for (int frame = 0; frame < frames; ++frame) {
@@ -188,7 +188,7 @@ struct Reference {
     Amperes amperes;
 };
 
-// ngspice on the netlist of the very same world, where it is installed.
+// ngspice on the netlist of the same world, where ngspice is installed.
 Reference referenceOf(std::vector<Wiring> const& circuits, LevelFile const& file) {
     auto const world = buildWorld(electricityAlone(), file, PartLibrary{}, {}, {});
     world->step();
@@ -201,7 +201,8 @@ Reference referenceOf(std::vector<Wiring> const& circuits, LevelFile const& file
         std::vector<double> volts = potentials(circuits[c]);
         for (std::size_t p = 0; spice && p < volts.size(); ++p) {
             auto const found = spice->find(nameOf(c, p));
-            volts[p] = found == spice->end() ? 0 : found->second; // what floats is left out
+            // Floating objects are not in ngspice's result.
+            volts[p] = found == spice->end() ? 0 : found->second;
         }
         reference.amperes.push_back(currents(circuits[c], volts));
     }

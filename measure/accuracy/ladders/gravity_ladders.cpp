@@ -1,4 +1,4 @@
-// Gravity: linear, tree and real, against every pair in long double.
+// Gravity ladders: linear, tree and real, against the sum over all pairs in long double.
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/effect_clock.hpp"
 #include "measure/accuracy/ladders/vector_error.hpp"
@@ -21,13 +21,13 @@ struct Scene {
     std::vector<double> masses; ///< kg
     std::vector<Vec2> places;   ///< m
     GravityLaw law;
-    Vec2 linear; ///< m/s², what linear gravity is told
-    /// How many of the first ones to leave out of the error: a planet feels nothing of linear gravity's,
-    /// being what it stands for.
+    Vec2 linear; ///< m/s², the uniform field set for linear gravity
+    /// Number of objects at the beginning to exclude from the error: the planet itself is not subject to the
+    /// linear field that replaces it.
     std::size_t skipped = 0;
 };
 
-// A disc of stars, denser towards its middle (sunflower spiral), with a heavy one there.
+// A disc of stars on a sunflower spiral, denser towards its middle, with a heavy star there.
 Scene galaxy(int count) {
     Scene scene;
     scene.law = {1, 0.1, 0.35};
@@ -40,7 +40,7 @@ Scene galaxy(int count) {
     return scene;
 }
 
-// Things of some kilograms up to 50 m above the ground of a world of 6371 km, as on Earth.
+// Objects of a few kilograms up to 50 m above the ground of a planet of 6371 km radius, as on Earth.
 Scene onTheGround(int count) {
     constexpr double radius = 6.371e6;
     Scene scene;
@@ -104,7 +104,8 @@ Rung measure(Scene const& scene, std::vector<Vec2> const& right, std::string con
     world.start();
     EffectClock clock("gravity");
     for (int frame = 0; frame < frames; ++frame) {
-        store.column<Position>().set(first, {scene.places[0]}); // as if something had moved
+        // Marks the column as changed, as if an object had moved.
+        store.column<Position>().set(first, {scene.places[0]});
         store.column<Mass>().set(first, {scene.masses[0]});
         world.step();
         clock.frame(world);

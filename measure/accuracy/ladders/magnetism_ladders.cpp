@@ -1,4 +1,5 @@
-// Magnetism: grid, tree and pairwise, against every pair in long double; and poles against point dipoles.
+// Magnetism ladders: grid, tree and pairwise, against the sum over all pairs in long double; and poles
+// against point dipoles.
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/effect_clock.hpp"
 #include "measure/accuracy/ladders/vector_error.hpp"
@@ -25,7 +26,7 @@ struct Bar {
 };
 constexpr double half = 0.1; // m, from the middle of a bar to its pole
 
-// A sunflower of magnets, half a metre apart.
+// Magnets on a sunflower spiral, half a metre apart.
 std::vector<Bar> field(int count, PoleSet poles) {
     std::vector<Bar> bars;
     for (int i = 0; i < count; ++i) {
@@ -109,7 +110,8 @@ Run run(std::vector<Bar> const& bars, std::string const& level, MagnetismSetting
     world.start();
     EffectClock clock("magnetism");
     for (int frame = 0; frame < frames; ++frame) {
-        store.column<Position>().set(first, {bars[0].at}); // as if something had moved
+        // Marks the column as changed, as if an object had moved.
+        store.column<Position>().set(first, {bars[0].at});
         world.step();
         clock.frame(world);
     }
@@ -149,9 +151,9 @@ Ladder climbField(std::vector<Bar> const& bars, std::string scene, std::string r
 }
 
 // In line, at the distance r: point dipoles of the moment m attract each other with 3 µ0 m² / (2 π r⁴)
-// (Griffiths, Introduction to Electrodynamics, problem 6.1 on its 1999 edition's numbering). The bars have
-// that moment, m = q l, whatever the distance l of their poles; one pole has no moment, and stands for the
-// pole of a bar of that length.
+// (Griffiths, Introduction to Electrodynamics, 1999, problem 6.1). The bars have this moment, m = q l,
+// whatever the distance l of their poles; a single pole has no moment and represents the pole of a bar of
+// that length.
 Ladder climbDipoles(Effort effort) {
     Ladder ladder;
     ladder.scene = "two bars in line";

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file that goes with its owner.
+// A file that is deleted with its owner.
 class TemporaryFile {
 public:
     explicit TemporaryFile(std::string const& text) {
@@ -39,7 +39,7 @@ private:
     bool good_ = false;
 };
 
-// "n3 = 1.25e+00" by name.
+// Parses lines such as "n3 = 1.25e+00" into values by name.
 std::map<std::string, double> valuesIn(std::string const& output) {
     std::map<std::string, double> values;
     std::istringstream lines(output);
@@ -73,7 +73,7 @@ std::optional<std::map<std::string, double>> potentialsByNgspice(std::string con
     if (values.empty()) {
         return std::nullopt;
     }
-    // "* n3 = 'one', 'another'": who is at that potential. Node 0 is the return.
+    // Comment lines "* n3 = 'one', 'another'" list the objects at a node's potential. Node 0 is the return.
     std::map<std::string, double> potentials;
     std::istringstream lines(netlist);
     for (std::string line; std::getline(lines, line);) {

@@ -1,4 +1,4 @@
-// Circuits computed by somebody else, where that is installed.
+// Solves circuits with ngspice, as an independent reference, where it is installed.
 #pragma once
 
 #include <map>
@@ -7,9 +7,9 @@
 
 namespace trembler::accuracy {
 
-/// The potential, in V, of every object of a netlist of Trembler's (see spiceNetlist()), by name, as ngspice
-/// has it. Nothing if there is no ngspice, or it does not understand the netlist. Starts a process and writes
-/// a temporary file.
+/// The potential in V of every object of a Trembler netlist (see spiceNetlist()), by the object's name,
+/// computed by ngspice. nullopt if ngspice is not installed or does not accept the netlist. Starts a process
+/// and writes a temporary file.
 [[nodiscard]] std::optional<std::map<std::string, double>> potentialsByNgspice(std::string const& netlist);
 
 } // namespace trembler::accuracy

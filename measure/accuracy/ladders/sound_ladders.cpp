@@ -1,4 +1,4 @@
-// Sound: how many modes of each body are followed, against all of them.
+// Sound ladder: the number of modes per body, against all modes.
 #include "audio/effect/properties/sounds.hpp"
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/ladders/effect_clock.hpp"
@@ -24,7 +24,7 @@ struct Hearing {
     std::map<std::pair<int, ObjectId>, double> brightness; ///< Hz, by frame and body
 };
 
-// Bars, plates and balls of five materials fall on a floor of stone.
+// Bars, plates and balls of five materials fall on a stone floor.
 Hearing listen(GameData const& gameData, std::string const& level, int bodies, int frames) {
     World world(gameData.registry, {.threads = 1, .detail = {{"sound", level}}, .periods = {}});
     Store& store = world.store();
@@ -68,7 +68,8 @@ Hearing listen(GameData const& gameData, std::string const& level, int bodies, i
 }
 
 Ladder climbModes(GameData const& gameData, Effort effort) {
-    int const bodies = effort.brief ? 3 : 60; // enough for the modes to show beside what tells of impacts
+    // Enough sounding bodies for the cost of the modes to exceed the constant cost of impacts.
+    int const bodies = effort.brief ? 3 : 60;
     int const frames = effort.brief ? 40 : 180;
     Ladder ladder{"",         fmt::format("{} bodies fall on stone", bodies),
                   "Hz",       "mean difference of the mean frequency that is heard of a body",

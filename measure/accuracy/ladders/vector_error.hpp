@@ -1,4 +1,4 @@
-// How far a set of vectors is off, as one number.
+// The relative error of a set of vectors.
 #pragma once
 
 #include "runtime/math/vec2.hpp"
@@ -9,8 +9,8 @@
 
 namespace trembler::accuracy {
 
-/// Root of the mean squared difference, relative to the root of the mean squared right one, from the entry
-/// `from` on. Infinite if there is not one for each.
+/// Root of the mean squared difference, relative to the root of the mean squared exact vector `right`, from
+/// the entry `from` on. Infinite if the numbers of vectors differ.
 [[nodiscard]] inline double relativeError(std::vector<Vec2> const& found, std::vector<Vec2> const& right,
                                           std::size_t from = 0) {
     if (found.size() != right.size()) {

@@ -21,7 +21,7 @@ void Wiring::cable(std::uint32_t a, std::uint32_t b) {
 
 namespace {
 
-// Solves a x = b in place; a row that has nothing to say leaves its unknown at zero.
+// Solves a x = b in place; the unknown of an empty row becomes zero.
 std::vector<double> solve(std::vector<std::vector<double>> a, std::vector<double> b) {
     std::size_t const n = b.size();
     for (std::size_t column = 0; column < n; ++column) {
@@ -77,7 +77,7 @@ std::vector<double> potentials(Wiring const& wiring) {
 
 namespace {
 
-// f(cable's ends, A through it)
+// Calls f(the cable's ends, current through it in A) for every cable.
 template <class F>
 void forCables(Wiring const& wiring, std::vector<double> const& volts, F&& f) {
     for (auto const& [a, b] : wiring.cables) {
@@ -117,7 +117,7 @@ std::vector<Wiring> schoolbook(int count) {
         std::uint32_t const minus = w.add(Part::earth, wireOhms);
         auto const lamp = [&] { return w.add(Part::lamp, lampOhms); };
         switch (i % 6) {
-        case 0: // a bridge: four arms, one lamp across; every other one in balance
+        case 0: // a bridge: four arms, a lamp across; every other bridge is balanced
         case 3: {
             std::uint32_t const a = lamp();
             std::uint32_t const b = lamp();
@@ -139,7 +139,7 @@ std::vector<Wiring> schoolbook(int count) {
             w.cable(last, minus);
             break;
         }
-        case 1: { // a wire across the middle one of three lamps in series
+        case 1: { // a wire across the middle lamp of three in series
             std::uint32_t const a = lamp();
             std::uint32_t const b = lamp();
             std::uint32_t const c = lamp();
@@ -154,7 +154,7 @@ std::vector<Wiring> schoolbook(int count) {
             w.cable(before, after);
             break;
         }
-        case 2: { // one after the other, from two to thirteen: the more, the darker
+        case 2: { // two to thirteen lamps in series: the more, the dimmer
             std::uint32_t before = plus;
             for (int k = 0; k < 2 + i % 12; ++k) {
                 std::uint32_t const next = lamp();
@@ -164,7 +164,7 @@ std::vector<Wiring> schoolbook(int count) {
             w.cable(before, minus);
             break;
         }
-        case 4: { // side by side, and one that leads nowhere
+        case 4: { // lamps in parallel, and a dead end
             for (int k = 0; k < 3; ++k) {
                 std::uint32_t const one = lamp();
                 w.cable(plus, one);
@@ -173,7 +173,7 @@ std::vector<Wiring> schoolbook(int count) {
             w.cable(plus, lamp());
             break;
         }
-        default: { // a loop of lamps that hangs on the source, and one lamp that works
+        default: { // a loop of lamps connected to the source only, and one lamp that glows
             std::uint32_t const a = lamp();
             std::uint32_t const b = lamp();
             std::uint32_t const works = lamp();

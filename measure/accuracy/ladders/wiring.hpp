@@ -1,4 +1,4 @@
-// Circuits made up for measuring, and what really happens in them: Kirchhoff's laws, solved by hand.
+// Circuits generated for measurements, with a reference solution of Kirchhoff's laws.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace trembler::accuracy {
 
-/// What an object is, with real values: none has no resistance at all, so nothing needs a special case.
+/// Kind of a part. All parts have a resistance above zero, so the solver needs no special case.
 enum class Part : std::uint8_t { source, earth, wire, lamp };
 
 /// One circuit with a source of 12 V and a return.
@@ -22,25 +22,27 @@ struct Wiring {
 };
 
 inline constexpr double sourceVolts = 12;
-inline constexpr double sourceOhms = 0.1; ///< inside
+inline constexpr double sourceOhms = 0.1; ///< internal resistance of the source
 inline constexpr double wireOhms = 0.01;
 inline constexpr double lampOhms = 12;
 inline constexpr double lampWatts = sourceVolts * sourceVolts / lampOhms;
-/// A lamp that takes less than this share of its rated power is dark.
+/// A lamp with less than this share of its rated power counts as dark.
 inline constexpr double leastGlow = 0.01;
 
-/// By part: V of its middle above the return. Half of a part's resistance lies between its middle and each of
-/// its cables; Kirchhoff's laws by Gaussian elimination with pivoting. What floats is at 0.
+/// The potentials by part: V of the part's middle above the return. Half of a part's resistance lies between
+/// its middle and each of its cables; solved by Gaussian elimination with pivoting. Floating parts are at 0.
 [[nodiscard]] std::vector<double> potentials(Wiring const& wiring);
-/// By part: A through it, half of what its cables carry in and out, from the potentials of all parts.
+/// The currents by part: A through it, half of the sum of the currents in its cables, from the potentials of
+/// all parts.
 [[nodiscard]] std::vector<double> currents(Wiring const& wiring, std::vector<double> const& volts);
-/// By part: whether it is a lamp that glows.
+/// By part: whether it is a lamp with at least leastGlow of its rated power.
 [[nodiscard]] std::vector<bool> glowing(Wiring const& wiring);
 
-/// What schoolbooks ask: bridges in balance and out of it, a lamp with a wire across it, lamps in series and
-/// in parallel, a dead end, a loop that leads nowhere. `count` circuits, one after the other.
+/// Textbook circuits: balanced and unbalanced bridges, a lamp with a wire across it, lamps in series and in
+/// parallel, a dead end, an isolated loop. Returns `count` circuits, cycling through these kinds.
 [[nodiscard]] std::vector<Wiring> schoolbook(int count);
-/// Parts joined at random, as if by a player: a tree and some cables more. The same for the same numbers.
+/// Parts connected at random, as a player might: a tree and a few more cables. Deterministic for equal
+/// arguments.
 [[nodiscard]] std::vector<Wiring> jumble(int count, int parts);
 
 } // namespace trembler::accuracy

@@ -201,7 +201,7 @@ void sumForces(std::vector<Immersions::Entry> const& entries, Vec2 gravity,
             }
         }
         Pose const where = pose(object);
-        // Without any force the centre is where the first liquid's share is.
+        // Without any force the centre is where the last liquid's share is.
         Vec2 centre = strengths > 0 ? moment / strengths : entries[i - 1].wet.centroid();
         if (double const square = lengthSquared(sum); square > 0) {
             // Forces that are not parallel meet elsewhere; for parallel ones this is nothing but rounding.

@@ -44,8 +44,8 @@ Vec2 middleOf(ShapePiece const& piece) {
 BodyCore coreOf(BodySpec const& spec) {
     BodyCore core;
     for (ShapePiece const& piece : spec.shape->pieces) {
-        double const size =
-            0.9 * sizeOf(piece); // a little less: a body that is hit must be found to be touched
+        // Slightly smaller, so that contact detection finds the body that the core was stopped at.
+        double const size = 0.9 * sizeOf(piece);
         if (size > core.radius) {
             core = {middleOf(piece) - spec.spread.centre, size};
         }
@@ -56,7 +56,7 @@ BodyCore coreOf(BodySpec const& spec) {
 double extentOf(BodySpec const& spec) {
     double most = 0;
     for (ShapePiece const& piece : spec.shape->pieces) {
-        double own = 0; // from the piece's origin
+        double own = 0; // m, from the piece's origin
         switch (piece.form) {
         case ShapeForm::circle:
             own = piece.radius;

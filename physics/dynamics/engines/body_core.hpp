@@ -1,4 +1,5 @@
-// A circle inside a body that stands for it where it is so fast that it could jump through others.
+// A circle inside a body, used in place of the body's shape when it is so fast that it could jump through
+// others.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -9,19 +10,19 @@ struct BodyCore {
     Vec2 at; ///< m, from the centre of mass, in the body's frame
     double radius = 0;
 
-    /// How far a body can move in a substep before it could jump through another, in m.
+    /// How far a body can move in a substep, in m, before it could jump through another.
     [[nodiscard]] double reach() const { return radius / 2; }
 };
 
-/// Of the piece that holds the largest circle.
+/// The core in the piece that contains the largest circle.
 [[nodiscard]] BodyCore coreOf(BodySpec const& spec);
 
 /// How far a body's points may move in the last substep of a step, in m, before contacts are detected at its
-/// end as well: a substep detects them at the positions at its beginning, and the world reads positions at
-/// its end.
+/// end as well: a substep detects contacts at the positions at its beginning, but the world reads positions
+/// at its end.
 inline constexpr double farInSubstep = 0.01;
 
-/// The distance of its farthest point from the centre of mass, in m, or a little more.
+/// An upper bound, in m, of the distance of the body's points from its centre of mass.
 [[nodiscard]] double extentOf(BodySpec const& spec);
 
 } // namespace trembler

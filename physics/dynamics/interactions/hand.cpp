@@ -1,5 +1,6 @@
 #include "physics/dynamics/interactions/hand.hpp"
 
+#include "physics/dynamics/core/point_pull.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"
 
 namespace trembler {
@@ -23,16 +24,9 @@ void DynamicsFromPlayer::apply(Access& access) {
     Vec2 const point = position->value + rotated(hand.localPoint, rotation->angle);
     Vec2 const arm = rotated(hand.localPoint - spread.centre, rotation->angle);
     Vec2 const pointVelocity = velocity->value + spin->value * perpendicular(arm);
-    Vec2 const wanted = frequency * frequency * (hand.target - point) -
-                        2 * frequency * pointVelocity; // acceleration of the point
-
-    // The force that gives a point off the centre that acceleration: solves (1 + A A^T / k²) f = m a, with A
-    // the arm turned by a quarter and k the radius of gyration. Along the arm the whole mass resists, across
-    // it less.
+    Vec2 const wanted = criticallyDamped(frequency, hand.target - point, pointVelocity);
     double const gyration = spread.inertiaPerMass;
-    Vec2 const across = perpendicular(arm);
-    double const share = dot(across, wanted) / (gyration + lengthSquared(arm));
-    Vec2 force = mass->value * (wanted - share * across);
+    Vec2 force = forceToAccelerate(wanted, arm, mass->value, gyration);
     double const limit = strongest * mass->value;
     if (double const size = length(force); size > limit) {
         force *= limit / size;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/dynamics/properties/joint.hpp"
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/news.hpp"
 #include "runtime/trace/event.hpp"
 

@@ -1,28 +1,13 @@
-// Which detail level of electricity a scene, or one circuit of it, calls for: the cheapest that finds
-// everything that the scene's properties ask for.
+// Which detail level of electricity one circuit of a scene calls for.
 #pragma once
 
 #include "physics/electricity/core/circuit.hpp"
 #include "physics/electricity/core/netlist.hpp"
-#include "physics/electricity/properties/quantities.hpp"
+#include "physics/electricity/properties/scene_level.hpp"
 
 #include <optional>
-#include <string>
 
 namespace trembler {
-
-class Store;
-
-/// A level, and the first object, by id, that calls for it.
-struct SufficientLevel {
-    ElectricalLevel level = ElectricalLevel::twoWire;
-    ElectricalReason reason = ElectricalReason::onOffOnly;
-    ObjectId because;
-};
-
-/// In a world that has never had a return, a connection stands for a whole cable, return included. One that
-/// lost its last return must not light up because of that.
-[[nodiscard]] bool neverHadReturns(Column<ElectricalReturn> const& returns);
 
 /// The property of an object that calls for nodal analysis, if it has any.
 [[nodiscard]] std::optional<ElectricalReason> callsForNodal(NodalColumns const& columns, ObjectId object);
@@ -31,16 +16,5 @@ struct SufficientLevel {
 /// nodal if anything in it has a resistance, an EMF, a rating or a fuse; else two-wire.
 [[nodiscard]] SufficientLevel sufficientLevel(Circuit const& circuit, NodalColumns const& columns,
                                               Column<ElectricalReturn> const& returns);
-
-/// Of the whole scene: the most expensive that any of its circuits may call for.
-[[nodiscard]] SufficientLevel sufficientLevel(Store const& store);
-
-/// Whether a level takes everything into account that the scene has ever stated about its circuits, so that
-/// another such level would turn the same things on: single-cable in a world that never had a return;
-/// two-wire in one that had returns but nothing that calls for nodal analysis; nodal always; flow never.
-[[nodiscard]] bool isFaithful(ElectricalLevel level, Store const& store);
-
-/// Why the scene calls for that level, as a sentence for people: "nodal, because 'lamp' has a rated power".
-[[nodiscard]] std::string whyElectricalLevel(Store const& store);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// What acts on objects: the causes of conditions on where objects are.
+// The contacts and magnetic forces that act on objects: the causes of conditions on where objects are.
 #pragma once
 
 #include "runtime/world/world.hpp"
@@ -7,8 +7,8 @@
 
 namespace trembler {
 
-/// Adds the events of what acts at present on `ids`, which are ascending: of what they touch, and of the
-/// magnets that pull them.
+/// Adds the events of all contacts and magnetic forces that act at present on the objects `ids`, which must
+/// be ascending.
 void collectActing(World const& world, std::vector<ObjectId> const& ids, std::vector<EventId>& events);
 
 } // namespace trembler

@@ -1,7 +1,7 @@
 // {"all": [conditions]}: all of them hold at the same time.
-#include "puzzle/goals/condition_state.hpp"
 #include "puzzle/goals/conditions/list.hpp"
-#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // {"any": [conditions]}: at least one of them holds.
-#include "puzzle/goals/condition_state.hpp"
 #include "puzzle/goals/conditions/list.hpp"
-#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
 #include <algorithm>
 

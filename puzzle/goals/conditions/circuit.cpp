@@ -1,10 +1,10 @@
 #include "puzzle/goals/conditions/circuit.hpp"
 
 #include "physics/electricity/properties/electrical.hpp"
-#include "puzzle/goals/condition_state.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
 #include <fmt/format.h>
 

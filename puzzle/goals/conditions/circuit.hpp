@@ -1,14 +1,14 @@
-// What "on" and "off" share.
+// The base of the kinds "on" and "off".
 #pragma once
 
-#include "puzzle/goals/condition_kind.hpp"
+#include "puzzle/goals/model/condition_kind.hpp"
 
 namespace trembler::conditions {
 
 /// A condition on whether an object is part of a working circuit: {KEY: O}.
 class CircuitCondition : public ConditionKind {
 public:
-    /// `on`: whether it has to be, or must not be.
+    /// `on`: whether the object has to be a part of one, or must not be.
     constexpr CircuitCondition(std::string_view key, bool on) : ConditionKind(key), on_(on) {}
 
     void read(JsonNode const& body, Condition& condition, GoalReader& reader) const final;

@@ -1,11 +1,11 @@
 // {"count": {"of": O, "at_least" | "at_most" | "exactly": n, "that": condition on "it"}}: the condition holds
-// for so many of the objects.
-#include "puzzle/goals/candidates.hpp"
-#include "puzzle/goals/condition_state.hpp"
-#include "puzzle/goals/english.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+// for at least, at most or exactly n of the objects.
+#include "puzzle/goals/checking/candidates.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/english.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ struct HowMany {
     int number = 1;
 };
 
-/// Those of a selector, so many of them: "at least two iron balls", "both the lamp and the bell".
+/// A number of the objects of a selector in words: "at least two iron balls", "both the lamp and the bell".
 Noun someOf(Selector const& selector, HowMany wanted) {
     auto const [quantity, number] = wanted;
     std::string const prefix = quantity == Quantity::atLeast  ? "at least "
@@ -115,11 +115,11 @@ public:
                              "no more than the level has and the player may place"};
     }
 
-    /// The child once for each object that is counted.
+    /// Adds a state of the child for each object that is counted.
     void begin(ConditionState& state, ObjectFinder const& finder, ObjectId /*it*/) const override {
         for (ObjectId const member : state.subjects()) {
             if (!finder.take(0, state.condition().path)) {
-                break; // there are too many, which has been told
+                break; // too many objects: take() has complained
             }
             state.addChildren(finder, member);
         }

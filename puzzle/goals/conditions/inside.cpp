@@ -1,11 +1,11 @@
 // {"inside": {"object": O, "area": [x, y, width, height] or [[x, y], ...], "called": "the basket"}}: the
 // centre of an object lies in the area.
-#include "puzzle/goals/candidates.hpp"
-#include "puzzle/goals/condition_state.hpp"
+#include "puzzle/goals/checking/candidates.hpp"
 #include "puzzle/goals/conditions/acting.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 #include "runtime/level/read/read_area.hpp"
 #include "runtime/placement.hpp"
 

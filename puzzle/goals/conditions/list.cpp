@@ -1,9 +1,9 @@
 #include "puzzle/goals/conditions/list.hpp"
 
-#include "puzzle/goals/english.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/english.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 #include "runtime/level/json/limits.hpp"
 
 namespace trembler::conditions {
@@ -29,7 +29,7 @@ std::string ListCondition::joined(Condition const& condition, GoalWords const& w
         nested = nested || child.kind->isCompound(child);
     }
     std::string text;
-    if (nested && phrases.size() > 1) { // with more than commas, as there are commas in the phrases
+    if (nested && phrases.size() > 1) { // with semicolons, as there may be commas in the phrases
         for (std::size_t i = 0; i < phrases.size(); ++i) {
             bool const last = i + 1 == phrases.size();
             text += i == 0 ? "" : last ? (conjunction ? ", and " : ", or ") : "; ";

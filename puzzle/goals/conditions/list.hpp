@@ -1,7 +1,7 @@
-// What "all", "any" and "sequence" share.
+// The base of the kinds "all", "any" and "sequence".
 #pragma once
 
-#include "puzzle/goals/condition_kind.hpp"
+#include "puzzle/goals/model/condition_kind.hpp"
 
 namespace trembler::conditions {
 
@@ -12,7 +12,7 @@ public:
 
     void read(JsonNode const& body, Condition& condition, GoalReader& reader) const final;
     [[nodiscard]] nlohmann::ordered_json schema() const final;
-    /// True unless the author has put it into words, or there is but one.
+    /// True if there are several children and the level's author states no text.
     [[nodiscard]] bool isCompound(Condition const& condition) const final;
 
 protected:

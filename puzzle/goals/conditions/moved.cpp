@@ -1,11 +1,11 @@
 // {"moved": {"object": O, "by": metres, "towards": "up" | "down" | "left" | "right"}}: an object is at least
 // that far from where it was at the start.
-#include "puzzle/goals/candidates.hpp"
-#include "puzzle/goals/condition_state.hpp"
+#include "puzzle/goals/checking/candidates.hpp"
 #include "puzzle/goals/conditions/acting.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>
@@ -19,9 +19,9 @@ namespace {
 constexpr double leastDistance = 1e-3;   // m
 constexpr double greatestDistance = 1e6; // m
 
-/// A direction: how something is moved there, and how it then lies to where it was.
+/// A direction, with words for moving an object in it and for where the object then is.
 struct Direction {
-    std::string_view key; // in a file; none: anywhere
+    std::string_view key; // in a file; empty: any direction
     Vec2 unit;
     std::string_view verb;
     std::string_view adverb;

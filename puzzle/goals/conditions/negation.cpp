@@ -1,8 +1,8 @@
 // {"not": condition}: the condition does not hold.
-#include "puzzle/goals/condition_state.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
 namespace trembler::conditions {
 namespace {
@@ -33,7 +33,7 @@ public:
         return words.phrase(condition.children.front(), opposite(mood), it);
     }
 
-    /// What it negates may be of several phrases.
+    /// The negated condition may have several phrases.
     [[nodiscard]] bool isCompound(Condition const& /*condition*/) const override { return true; }
 };
 

@@ -1,6 +1,7 @@
-// {"off": O}: an object is no part of a working circuit. What has gone from the world is neither on nor off.
-#include "puzzle/goals/condition_state.hpp"
+// {"off": O}: an object is no part of a working circuit. An object that has gone from the world is neither on
+// nor off.
 #include "puzzle/goals/conditions/circuit.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // {"on": O}: an object is part of a working circuit.
-#include "puzzle/goals/condition_state.hpp"
 #include "puzzle/goals/conditions/circuit.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // {"sequence": [conditions]}: they came true one after the other; then it holds for good.
 //
 // "First the bell, then the lamp" is not met by a lamp that was lit before: a step has to begin after the one
-// before it was done. If it already holds when its turn comes, it must cease first.
-#include "puzzle/goals/condition_state.hpp"
+// before it was done. If it already holds when its turn comes, it must cease to hold first.
 #include "puzzle/goals/conditions/list.hpp"
-#include "puzzle/goals/goal_text.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // All kinds of goal conditions.
 #pragma once
 
-#include "puzzle/goals/condition_kind.hpp"
+#include "puzzle/goals/model/condition_kind.hpp"
 
 #include <span>
 

@@ -1,12 +1,13 @@
-// {"touching": [O, O]}: an object of the one touches an object of the other, if only for a part of a frame.
+// {"touching": [O, O]}: an object of the first selector touches one of the second, if
+// only for a part of a frame.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/dynamics/properties/shape.hpp"
-#include "puzzle/goals/candidates.hpp"
-#include "puzzle/goals/condition_state.hpp"
-#include "puzzle/goals/goal_reader.hpp"
-#include "puzzle/goals/goal_text.hpp"
-#include "puzzle/goals/schema_pieces.hpp"
+#include "puzzle/goals/checking/candidates.hpp"
+#include "puzzle/goals/judging/condition_state.hpp"
+#include "puzzle/goals/reading/goal_reader.hpp"
+#include "puzzle/goals/reading/schema_pieces.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +33,7 @@ TouchingPair const* findPair(std::vector<TouchingPair> const& pairs, ObjectId a,
 }
 
 /// Calls f(a, b, pair) for every contact of one of the state's subjects with another one of its objects, both
-/// of which are ascending. Looks each two of them up, or each contact, whichever is less.
+/// of which are ascending. Looks up each pair of objects, or each contact, whichever are fewer.
 template <class F>
 void forContacts(std::vector<TouchingPair> const& pairs, ConditionState const& state, F&& f) {
     std::vector<ObjectId> const& as = state.subjects();
@@ -103,7 +104,7 @@ public:
         // A contact that is over within the frame is a touch, too.
         bool any = false;
         forContacts(contacts->current, state, [&](ObjectId, ObjectId, TouchingPair const&) { any = true; });
-        // What ended last, by the order of the objects.
+        // The contact that has ended; of several, that of the last pair in the order of the objects.
         std::pair<ObjectId, ObjectId> last;
         TouchingPair const* ended = nullptr;
         auto const note = [&](ObjectId a, ObjectId b, TouchingPair const& pair) {
@@ -149,7 +150,7 @@ public:
                                      Noun const* it) const override {
         Selector const* mover = &condition.subject;
         Selector const* target = &condition.object;
-        // Who is fixed cannot be brought anywhere.
+        // A fixed object cannot be brought anywhere: the other one is.
         World const& world = words.world();
         if (world.find<Fixed>(words.single(*mover)) != nullptr &&
             world.find<Fixed>(words.single(*target)) == nullptr) {
@@ -175,7 +176,8 @@ private:
         std::string_view verb;
         std::string_view preposition;
     };
-    /// What there is to do for the one to touch the other. Ids are invalid where there are several.
+    /// How to bring `mover` to `target`, in words. An id is invalid if its selector refers to several
+    /// objects.
     [[nodiscard]] static Bringing wayBetween(World const& world, ObjectId mover, ObjectId target) {
         Position const* const from = world.find<Position>(mover);
         Position const* const to = world.find<Position>(target);

@@ -7,6 +7,7 @@
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/electricity/properties/electrical.hpp"
+#include "physics/look_form.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "render/scene/facts/appearance.hpp"
 #include "runtime/placement.hpp"
@@ -36,6 +37,7 @@ struct Facts {
     Electromagnet const* coil = nullptr;
     MadeOf const* madeOf = nullptr;
     Look const* look = nullptr;
+    LookForm form = LookForm::own;            ///< as stated
     Substance substance = Substance::plastic; ///< as stated, else guessed
 
     /// It is shown by a symbol alone: it conducts but has no body.
@@ -73,7 +75,7 @@ private:
         std::tuple<Column<P> const*...> all;
     };
     ColumnsOf<Position, Rotation, Shape, Fixed, Liquid, Conductor, ElectricalSource, ElectricalReturn,
-              ElectricalDevice, MagneticPoles, Magnet, MagneticStrength, Electromagnet, MadeOf, Look>
+              ElectricalDevice, MagneticPoles, Magnet, MagneticStrength, Electromagnet, MadeOf, Look, DrawnAs>
         columns_;
     ElectricalState const* state_;
 };

@@ -1,5 +1,6 @@
 #include "render/scene/objects/body.hpp"
 
+#include "render/scene/facts/look_form.hpp"
 #include "render/scene/facts/poses.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
 #include "render/scene/marks/brick.hpp"
@@ -136,7 +137,8 @@ void drawObject(Canvas& canvas, Facts const& facts, Pose const& pose, Marks cons
     style.forbidden = marks.forbidden;
     if (facts.shape != nullptr) {
         style.glow = deviceGlow(facts);
-        if (isBulb(facts)) {
+        bool const bulb = formOf(facts) == LookForm::bulb;
+        if (bulb) {
             drawBulb(canvas, facts, pose, style);
         } else {
             drawShape(canvas, *facts.shape, pose, style);
@@ -144,7 +146,7 @@ void drawObject(Canvas& canvas, Facts const& facts, Pose const& pose, Marks cons
         float const strength = style.ghost ? 0.4F : 1.F;
         if (facts.substance == Substance::brick) {
             drawMortar(canvas, *facts.shape, pose, strength);
-        } else if (facts.fixed && !facts.liquid && !isMetal(facts.substance) && !facts.device) {
+        } else if (facts.fixed && !facts.liquid && !isMetal(facts.substance) && !facts.device && !bulb) {
             hatchShape(canvas, *facts.shape, pose, strength);
         }
     }

@@ -1,5 +1,6 @@
 #include "render/scene/objects/device.hpp"
 
+#include "render/scene/facts/look_form.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
 #include "render/scene/marks/signs.hpp"
 #include "render/scene/objects/body.hpp"
@@ -10,12 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
 namespace trembler::render {
 namespace {
 
-constexpr Colour brass = rgb(0xC9A860);
+constexpr Colour socketBrass = rgb(0xC9A860);
 
 bool hasPoles(Facts const& facts) {
     return facts.poles != nullptr && facts.poles->poles != PoleSet::none;
@@ -87,37 +87,35 @@ void drawBadges(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
         Pose const at{toWorld(pose, middle + offset), body ? pose.angle : 0.0};
         drawBadge(canvas, sign, at, radius, facts.on, style);
     };
-    if (facts.source && facts.earth) { // a battery: both of its ends on one body
+    switch (formOf(facts)) {
+    case LookForm::battery: { // both of its ends on one body
         Point const apart = half.x >= half.y ? Point{0.5 * half.x, 0} : Point{0, 0.5 * half.y};
         badge(Sign::plus, apart);
         badge(Sign::minus, -1.0 * apart);
-    } else if (auto const sign = signOf(facts); sign && facts.coil == nullptr && !isBulb(facts)) {
-        badge(*sign, {});
-    } else if (!body && facts.conductor) {
-        canvas.circle(pose, 0.4 * symbolRadius, style);
+        break;
+    }
+    case LookForm::plus:
+        badge(Sign::plus, {});
+        break;
+    case LookForm::minus:
+        badge(Sign::minus, {});
+        break;
+    case LookForm::earth:
+        badge(Sign::earth, {});
+        break;
+    case LookForm::flash:
+        badge(Sign::flash, {});
+        break;
+    case LookForm::own:
+    case LookForm::plain:
+    case LookForm::bulb:
+        if (!body && facts.conductor) {
+            canvas.circle(pose, 0.4 * symbolRadius, style);
+        }
     }
 }
 
 } // namespace
-
-std::optional<Sign> signOf(Facts const& facts) {
-    if (facts.source) {
-        return Sign::plus;
-    }
-    if (facts.earth) {
-        std::string_view const label = facts.look != nullptr ? facts.look->label : std::string_view{};
-        return label == "-" || label == "\u2212" ? Sign::minus : Sign::earth;
-    }
-    if (facts.device || facts.coil != nullptr) {
-        return Sign::flash;
-    }
-    return std::nullopt;
-}
-
-bool isBulb(Facts const& facts) {
-    return facts.device && facts.substance == Substance::glass && facts.shape != nullptr &&
-           !facts.shape->pieces.empty();
-}
 
 void drawBulb(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style) {
     ShapePiece const& glass = largestPiece(*facts.shape);
@@ -129,12 +127,16 @@ void drawBulb(Canvas& canvas, Facts const& facts, Pose const& pose, Style const&
     }
     Style metal = style;
     metal.pattern = Pattern::Metal;
-    metal.tint = brass;
+    metal.tint = socketBrass;
     metal.glow = {};
     if (!socket.pieces.empty()) {
         drawShape(canvas, socket, pose, metal);
     }
+    Facts ofGlass = facts;
+    ofGlass.substance = Substance::glass; // whatever the object is made of
     Style bulb = style;
+    bulb.pattern = styleOf(ofGlass).pattern;
+    bulb.tint = styleOf(ofGlass).tint;
     if (facts.on) {
         bulb.tint = Colour{palette::liveCore.red, palette::liveCore.green, palette::liveCore.blue, 215};
     }
@@ -151,7 +153,7 @@ Glow deviceGlow(Facts const& facts) {
     if (!facts.on) {
         return {};
     }
-    if (isBulb(facts)) {
+    if (formOf(facts) == LookForm::bulb) {
         return {palette::live, 0.3 + 2.5 * size, 0.75F};
     }
     return {palette::live, facts.device ? 0.1 + 0.6 * size : 0.09, facts.device ? 0.7F : 0.6F};
@@ -164,10 +166,8 @@ void drawDevice(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
     } else if (body && hasPoles(facts)) {
         drawMagnet(canvas, facts, pose, style);
     }
-    bool const badge =
-        facts.source || facts.earth || (facts.device && facts.coil == nullptr && !isBulb(facts));
     if (body && facts.fixed && isMetal(facts.substance) && facts.coil == nullptr && !hasPoles(facts) &&
-        !badge) {
+        formOf(facts) == LookForm::plain) {
         drawBolts(canvas, facts, pose, style);
     }
     drawBadges(canvas, facts, pose, style);

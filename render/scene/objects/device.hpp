@@ -4,22 +4,14 @@
 #include "render/draw/canvas.hpp"
 #include "render/scene/facts/facts.hpp"
 #include "render/scene/facts/poses.hpp"
-#include "render/scene/marks/signs.hpp"
-
-#include <optional>
 
 namespace trembler::render {
 
 /// The light around an object that is at work (a device with current, a magnet that pulls); none otherwise.
 [[nodiscard]] Glow deviceGlow(Facts const& facts);
 
-/// The object's part in electricity, as a sign; nothing for a plain conductor. The return is an earth, unless
-/// the object calls itself the negative pole by its label.
-[[nodiscard]] std::optional<Sign> signOf(Facts const& facts);
-
-/// A user of electricity that is made of glass.
-[[nodiscard]] bool isBulb(Facts const& facts);
-/// Its largest piece as glass with a filament, the others as its metal socket. In place of the plain shape.
+/// Of an object whose form is a bulb: its largest piece as glass with a filament, the others as its metal
+/// socket. In place of the plain shape.
 void drawBulb(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style);
 
 /// Draws over the object's shape. Of `style` it takes how the object stands to the player (ghost and so on).

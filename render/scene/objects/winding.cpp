@@ -10,7 +10,7 @@ namespace trembler::render {
 namespace {
 
 constexpr Colour flangeColour = rgb(0x4A4348);
-constexpr Colour brass = rgb(0xD8B25A);
+constexpr Colour boltBrass = rgb(0xD8B25A);
 
 Point axisOf(Facts const& facts, ShapePiece const& piece) {
     Point axis;
@@ -146,7 +146,7 @@ void drawWinding(Canvas& canvas, Facts const& facts, Pose const& pose, Style con
         canvas.box({toWorld(pose, end), turn}, {thickness, width}, 0.5 * thickness, flange);
     }
     Style bolt = wire;
-    bolt.tint = brass;
+    bolt.tint = boltBrass;
     double const size = std::min(0.16 * winding.halfWidth, 0.05);
     for (Point const terminal : winding.terminals) {
         canvas.circle({toWorld(pose, terminal), pose.angle}, size, bolt);

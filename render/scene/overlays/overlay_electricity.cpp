@@ -1,9 +1,10 @@
 #include "render/scene/overlays/overlay_electricity.hpp"
 
+#include "render/scene/facts/look_form.hpp"
+#include "render/scene/facts/poses.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
 #include "render/scene/marks/dashes.hpp"
 #include "render/scene/marks/signs.hpp"
-#include "render/scene/objects/device.hpp"
 
 #include <array>
 

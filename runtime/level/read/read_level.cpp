@@ -1,16 +1,14 @@
 #include "runtime/level/read/read_level.hpp"
 
-#include "runtime/level/build/placing.hpp"
-#include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/json/suggestion.hpp"
-#include "runtime/level/model/world_change.hpp"
 #include "runtime/level/property/property_reader.hpp"
-#include "runtime/level/read/check_inputs.hpp"
+#include "runtime/level/read/check_level.hpp"
 #include "runtime/level/read/migrations.hpp"
 #include "runtime/level/read/read_area.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/read_world.hpp"
 
 #include <fmt/format.h>
 
@@ -18,13 +16,12 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <set>
-#include <tuple>
 #include <utility>
 
 namespace trembler {
 namespace {
 
+/// Reads the sections of one level file into the level.
 class LevelReader {
 public:
     LevelReader(Registry const& registry, LevelFile& level) : registry_(registry), level_(level) {}
@@ -49,7 +46,7 @@ public:
             level_.mods = readExtensions(*mods, registry_);
         }
         if (auto const world = reader.optional("world")) {
-            readWorld(*world);
+            readWorld(registry_, *world, level_);
         }
         if (auto const objects = reader.optional("objects");
             objects && objects->isList("a list of objects", limits::objects)) {
@@ -97,69 +94,10 @@ public:
             level_.solutions = readSolutions(*solutions);
         }
         reader.finish();
-        checkConnections(node);
-        checkTwice(node);
-        checkSolutions(node);
-        checkChanges(node);
+        checkLevel(registry_, level_, namePaths_, node.problems());
     }
 
 private:
-    void readWorld(JsonNode const& node) {
-        if (!node.isObject("an object with the properties of the world, \"bounds\" and \"detail\"")) {
-            return;
-        }
-        auto known = keysOf(registry_, PropertyPlace::world);
-        known.insert(known.end(), {"bounds", "detail"});
-        for (auto const& [key, value] : node.value().items()) {
-            JsonNode const member = node.member(key);
-            PropertyInfo const* const info = registry_.objectProperty(key);
-            if (key == "bounds") {
-                level_.bounds = readBox(member);
-            } else if (key == "detail") {
-                readDetail(member);
-            } else if (info != nullptr && info->text.place == PropertyPlace::world) {
-                readPropertyInto(level_.world, *info, member, &level_.names);
-            } else {
-                node.complainAboutKey(key, fmt::format("unknown key '{}'{}", key, didYouMean(key, known)),
-                                      listed(known));
-            }
-        }
-    }
-
-    void readDetail(JsonNode const& node) {
-        if (!node.isObject("an object {effect: detail level}")) {
-            return;
-        }
-        std::map<std::string, std::vector<std::string>> levels;
-        for (Registration const& registration : registry_.components()) {
-            ComponentText const& text = registration.info->text;
-            auto& of = levels[std::string(text.effect)];
-            if (!text.level.empty() && std::find(of.begin(), of.end(), text.level) == of.end()) {
-                of.emplace_back(text.level);
-            }
-        }
-        std::erase_if(levels, [](auto const& effect) { return effect.second.empty(); });
-        std::vector<std::string> effects;
-        effects.reserve(levels.size());
-        for (auto const& [effect, of] : levels) {
-            effects.push_back(effect);
-        }
-        for (auto const& [effect, value] : node.value().items()) {
-            auto const known = levels.find(effect);
-            if (known == levels.end()) {
-                node.complainAboutKey(
-                    effect,
-                    fmt::format("no effect '{}' has detail levels{}", effect, didYouMean(effect, effects)),
-                    listed(effects));
-                continue;
-            }
-            std::vector<std::string_view> const names(known->second.begin(), known->second.end());
-            if (auto const index = node.member(effect).choice(names)) {
-                level_.detail[effect] = known->second[*index];
-            }
-        }
-    }
-
     /// Remembers a name; complains if it is taken.
     void takeName(JsonNode const& node, std::string const& name) {
         if (name == "world") {
@@ -284,81 +222,6 @@ private:
             node.complain(fmt::format("'{}' already stands in {}", *name, first->second), "every part once");
         }
         level_.toolbox.push_back({*name, static_cast<int>(*number), node.path()});
-    }
-
-    void complainAt(JsonNode const& root, std::string const& path, std::string message,
-                    std::string expected) {
-        addProblem(root.problems(), [&] {
-            return level_.document->diagnostic(path, std::move(message), std::move(expected));
-        });
-    }
-
-    /// Complains that no object has that name.
-    void complainAboutName(JsonNode const& root, std::string const& path, std::string const& name) {
-        addProblem(root.problems(), [&] { // looking for what was meant costs a walk through all names
-            std::vector<std::string> known;
-            for (auto const& [other, where] : namePaths_) {
-                known.push_back(other);
-            }
-            return level_.document->diagnostic(
-                path, fmt::format("there is no object '{}'{}", name, didYouMean(name, known)),
-                "the name of an object of this level");
-        });
-    }
-
-    void checkConnections(JsonNode const& root) {
-        for (LevelConnection const& connection : level_.connections) {
-            bool known = true;
-            std::size_t end = 0;
-            for (std::string const* name : {&connection.a, &connection.b}) {
-                if (!namePaths_.contains(*name)) {
-                    complainAboutName(
-                        root, pointerTo(connection.path + (connection.kind.empty() ? "" : "/between"), end),
-                        *name);
-                    known = false;
-                }
-                ++end;
-            }
-            if (known && connection.a == connection.b) {
-                complainAt(root, connection.path, fmt::format("connects '{}' with itself", connection.a),
-                           "two different objects");
-            }
-        }
-    }
-
-    void checkSolutions(JsonNode const& root) {
-        if (level_.solutions.empty()) {
-            return;
-        }
-        InputCheck const inputs(level_);
-        for (Solution const& solution : level_.solutions) {
-            inputs.check(solution, *level_.document, root.problems());
-        }
-    }
-
-    /// Complains about connections of one kind between the same two objects: they would look like one, but a
-    /// cut would take away only one of them.
-    void checkTwice(JsonNode const& root) {
-        std::map<std::tuple<std::string, std::string, std::string>, std::string> paths;
-        for (LevelConnection const& connection : level_.connections) {
-            auto const [first, last] = std::minmax(connection.a, connection.b);
-            auto const [at, isNew] = paths.try_emplace({first, last, connection.kind}, connection.path);
-            if (!isNew) {
-                complainAt(root, connection.path,
-                           fmt::format("connects '{}' and '{}', as {} does", first, last, at->second),
-                           "every pair once, in whichever order");
-            }
-        }
-    }
-
-    void checkChanges(JsonNode const& root) {
-        for (Solution const& solution : level_.solutions) {
-            for (RecordedChange const& change : solution.changes) {
-                if (auto const fault = faultIn(registry_, change)) {
-                    complainAt(root, change.path, fault->message, fault->expected);
-                }
-            }
-        }
     }
 
     Registry const& registry_;

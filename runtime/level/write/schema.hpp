@@ -15,7 +15,5 @@ namespace trembler {
                                                  nlohmann::ordered_json const& goals);
 /// JSON Schema of part definitions.
 [[nodiscard]] nlohmann::ordered_json partSchema(Registry const& registry);
-/// The schema of one property's value in files.
-[[nodiscard]] nlohmann::ordered_json propertySchema(PropertyInfo const& info);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// From a world to the samples at the ears.
+// Loudspeaker: from the Sounds of a world to the rendered samples.
 #include "audio/device/loudspeaker.hpp"
 #include "audio/device/openal_output.hpp"
 #include "tests/audio/effect/listening_room.hpp"

@@ -1,4 +1,4 @@
-// What comes out of OpenAL, rendered into memory.
+// OpenAL output, rendered into memory.
 #include "audio/device/openal_output.hpp"
 #include "tests/audio/synth/spectrum.hpp"
 

@@ -1,4 +1,4 @@
-// Recordings written with one interface and read with another.
+// Sound files written with one library interface and read with another.
 #include "audio/device/sample_files.hpp"
 #include "tests/audio/synth/spectrum.hpp"
 

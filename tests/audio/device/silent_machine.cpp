@@ -1,4 +1,4 @@
-// These tests must be heard by nobody, and must run the same on machines with and without sound.
+// Keeps the tests inaudible, and their results the same on machines with and without sound.
 #include <cstdlib>
 
 namespace {

@@ -1,4 +1,4 @@
-// Worlds written into sound files, read back by other code than wrote them.
+// Worlds written into sound files, read back with independent code.
 #include "audio/device/openal_output.hpp"
 #include "audio/device/sound_file.hpp"
 #include "tests/audio/device/wav.hpp"

@@ -1,4 +1,4 @@
-// Reads 16-bit .wav files without the library that wrote them.
+// Reads 16-bit .wav files without the library that writes them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace trembler::test {
 
 struct Wav {
-    std::string bytes; ///< all of the file
+    std::string bytes; ///< the whole file
     std::uint32_t rate = 0;
     std::uint16_t channels = 0;
     std::uint16_t bits = 0;
@@ -50,7 +50,7 @@ private:
     [[nodiscard]] T number(std::size_t at) const {
         T value{};
         if (at + sizeof value <= bytes.size()) {
-            std::memcpy(&value, bytes.data() + at, sizeof value); // x86 is little-endian, too
+            std::memcpy(&value, bytes.data() + at, sizeof value); // x86 is little-endian like the file
         }
         return value;
     }

@@ -1,4 +1,4 @@
-// Small worlds in which things fall, hit and sound, for tests.
+// Small worlds for tests in which objects fall, collide and sound.
 #pragma once
 
 #include "audio/effect/hearing/loudness.hpp"
@@ -36,13 +36,14 @@ public:
     void give(ObjectId id, P property) {
         world->store().column<P>().set(id, std::move(property));
     }
-    /// What differs between materials is how they sound: weight and surface are those that state nothing.
+    /// A body whose material determines only its sound: mass and surface are the defaults of objects without
+    /// a material.
     ObjectId body(std::string const& name, Material material, ShapePiece piece, Vec2 at, double angle = 0) {
         ObjectId const id = surface(name, material, std::move(piece), at, angle);
         give(id, Density{});
         return id;
     }
-    /// Damps by the density of its material.
+    /// A fixed body that damps sound by the density of its material.
     ObjectId fixed(std::string const& name, Material material, ShapePiece piece, Vec2 at, double angle = 0) {
         double const mass = Density{}.value * areaOf(piece) * worldDepth;
         ObjectId const id = surface(name, material, std::move(piece), at, angle);
@@ -56,7 +57,7 @@ public:
         give(id, Ear{});
         return id;
     }
-    /// Starts the world if that has not been done, and runs it.
+    /// Starts the world if needed and computes frames.
     void run(int frames) {
         start();
         for (int i = 0; i < frames; ++i) {
@@ -69,7 +70,7 @@ public:
             started_ = true;
         }
     }
-    /// Runs until an impact is heard, at most `frames`; returns whether one was.
+    /// Runs until an impact is heard, but at most `frames`; returns whether one was heard.
     bool runToImpact(int frames = 600) {
         for (int i = 0; i < frames; ++i) {
             run(1);

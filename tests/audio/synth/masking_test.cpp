@@ -1,4 +1,4 @@
-// What is left out must be inaudible.
+// Sounds that masking omits must be inaudible.
 #include "audio/effect/properties/decibel.hpp"
 #include "audio/synth/masking.hpp"
 

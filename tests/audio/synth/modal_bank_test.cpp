@@ -1,4 +1,4 @@
-// Oscillators against the closed form of a damped sine.
+// Oscillators compared with the closed form of a damped sine.
 #include "audio/effect/properties/decibel.hpp"
 #include "audio/synth/modal_bank.hpp"
 #include "tests/audio/synth/spectrum.hpp"

@@ -1,4 +1,4 @@
-// Rooms against Sabine's formula.
+// Reverberation compared with Sabine's formula.
 #include "audio/synth/room.hpp"
 #include "tests/audio/effect/listening_room.hpp"
 

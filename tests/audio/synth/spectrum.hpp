@@ -1,4 +1,4 @@
-// Looking into rendered samples: strength of single tones, power spectra, levels.
+// Analysis of rendered samples: amplitudes of single tones, power spectra, levels.
 #pragma once
 
 #include "runtime/math/vec2.hpp"
@@ -31,7 +31,7 @@ inline double peakNear(std::span<float const> samples, double rate, double guess
     double best = guess;
     double strongest = 0;
     constexpr int steps = 40;
-    for (int i = 0; i <= steps; ++i) { // a coarse look first, as there may be several
+    for (int i = 0; i <= steps; ++i) { // a coarse search first, because there may be several maxima
         double const f = from + (to - from) * i / steps;
         if (double const a = std::abs(toneIn(samples, rate, f)); a > strongest) {
             strongest = a;
@@ -102,7 +102,7 @@ inline std::vector<double> powerSpectrum(std::span<float const> samples) {
     return power;
 }
 
-/// The mean frequency of the power, in Hz: how bright it sounds.
+/// The power-weighted mean frequency, Hz: a measure of brightness.
 inline double centroid(std::span<float const> samples, double rate) {
     std::vector<double> const power = powerSpectrum(samples);
     double sum = 0;

@@ -1,4 +1,4 @@
-// A completion declares to add what belongs to a resolver.
+// A completion declares to add a property that belongs to a resolver.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

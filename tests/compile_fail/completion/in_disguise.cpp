@@ -1,4 +1,4 @@
-// A class that only looks like a completion, and runs with the whole store, is not taken for one.
+// A class that imitates a completion but receives the whole store is rejected.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A completion reads what belongs to a resolver, which has not run when objects are completed.
+// A completion reads a property of a resolver, which has not run when objects are completed.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

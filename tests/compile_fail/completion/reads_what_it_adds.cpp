@@ -1,4 +1,5 @@
-// A completion reads what it adds: of other objects that would depend on who is completed first.
+// A completion reads the property that it adds: for other objects the result would depend on the order of
+// completion.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

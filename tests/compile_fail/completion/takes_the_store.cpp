@@ -1,4 +1,4 @@
-// A completion is a plain function with the whole store in its hands.
+// A completion is a plain function that receives the whole store.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A derived property set takes a resolver property for one that it may fill in.
+// A derived property set tries to write a resolver property.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

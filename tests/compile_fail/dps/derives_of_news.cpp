@@ -1,4 +1,5 @@
-// A derived property follows from news and does not say what a frame makes of its parts.
+// A derived property depends on news (a property that reports events), and does not declare how the values of
+// a frame's parts are merged.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

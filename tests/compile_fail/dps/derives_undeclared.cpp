@@ -1,4 +1,4 @@
-// A derived property set fills in what another one derives.
+// A derived property set writes a property that another one derives.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A derived property set reaches round its declarations for the store itself.
+// A derived property set circumvents its declarations to access the store.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A derived property set declares to read another one.
+// A derived property set declares to read the property of another one.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,5 +1,5 @@
-// A derived property set names its reads in a list that is not Reads<>, to get past the check of the last
-// case.
+// A derived property set lists its reads in a type other than Reads<>, to circumvent the check in
+// reads_dps.cpp.
 #include "tests/compile_fail/kit.hpp"
 
 #include <tuple>

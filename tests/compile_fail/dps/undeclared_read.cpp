@@ -1,4 +1,4 @@
-// A derived property set reads what is not in its Reads<>.
+// A derived property set reads a property that is not in its Reads<>.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A derived property set changes an object property, even one that it reads.
+// A derived property set changes an object property that it may only read.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// An interaction makes a call of which the order counts: those come from outside the world alone.
+// An interaction makes a call whose order matters: such calls may only come from outside the world.
 #include "runtime/input/player_input.hpp"
 #include "tests/compile_fail/kit.hpp"
 

@@ -1,4 +1,4 @@
-// An interaction reads what is not in its Reads<>.
+// An interaction reads a property that is not in its Reads<>.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

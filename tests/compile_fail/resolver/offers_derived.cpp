@@ -1,4 +1,4 @@
-// A resolver passes off a derived property as one of its own.
+// A resolver offers a derived property as its own.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A resolver declares to read a derived property: data of others reaches it by calls only.
+// A resolver declares to read a derived property: data of other components must come by calls only.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,5 @@
-// A resolver declares to read the property of another resolver: data of others reaches it by calls only.
+// A resolver declares to read the property of another resolver: data of other components must come by calls
+// only.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A resolver fills in a resolver property that it does not offer.
+// A resolver writes a resolver property that it does not offer.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

@@ -1,4 +1,4 @@
-// A resolver reads what is in neither its Reads<> nor its Writes<>.
+// A resolver reads a property that is in neither its Reads<> nor its Writes<>.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

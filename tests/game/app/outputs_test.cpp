@@ -1,4 +1,5 @@
-// What the commands write: whole or not at all, never over an input, and always with a word when it fails.
+// Outputs of the commands: complete or not written at all, never over an input, and with a message on
+// failure.
 #include "tests/game/app/program.hpp"
 
 #include <nlohmann/json.hpp>

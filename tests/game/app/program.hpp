@@ -1,4 +1,4 @@
-// The program itself as a process: what its exit status, its files and its words are.
+// Runs the program as a process and returns its exit status, files and printed text.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct RunAs {
     std::string outputTo{};                     ///< a file for standard output instead of `out`
     std::optional<std::uint64_t> longestFile{}; ///< RLIMIT_FSIZE, bytes
     std::vector<std::pair<std::string, std::string>> environment{};
-    std::filesystem::path folder{}; ///< to run in; empty: this one
+    std::filesystem::path folder{}; ///< working directory; empty: the current one
     /// Called with the process's id while it runs, before its output is read.
     std::function<void(int)> meanwhile{};
 };
@@ -36,16 +36,16 @@ struct RunAs {
 [[nodiscard]] std::string contentsOf(std::filesystem::path const& file);
 void write(std::filesystem::path const& file, std::string const& text);
 
-/// A folder of its own for each test, gone afterwards.
+/// A temporary folder for each test, deleted afterwards.
 class InAFolder : public testing::Test {
 protected:
     void SetUp() override;
     void TearDown() override;
-    /// The names of all that lies in it, sorted.
+    /// The names of all files and folders in it, sorted.
     [[nodiscard]] std::vector<std::string> names() const;
-    /// A file in it.
+    /// The path of a file in it.
     [[nodiscard]] std::string at(std::string const& name) const { return (folder / name).string(); }
-    /// A copy in it of the shortest level.
+    /// Copies the shortest level into it and returns the path.
     [[nodiscard]] std::string level(std::string const& name = "level.json") const;
 
     std::filesystem::path folder;

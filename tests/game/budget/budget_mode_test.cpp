@@ -1,4 +1,4 @@
-// The mode with a clock that the test winds, and its recordings.
+// The budget mode with a clock that the test sets, and its recordings.
 #include "game/budget/budget_mode.hpp"
 #include "physics/dynamics/properties/settings.hpp"
 #include "runtime/level/read/read_solutions.hpp"

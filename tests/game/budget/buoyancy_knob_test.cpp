@@ -1,4 +1,5 @@
-// What buoyancy's choices are off by, against Archimedes for a box and the forces of two worlds.
+// Estimated errors of buoyancy's options, compared with Archimedes' law for a box and with the forces of two
+// worlds.
 #include "physics/buoyancy/properties/results.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "runtime/placement.hpp"

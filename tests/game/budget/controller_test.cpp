@@ -1,4 +1,4 @@
-// The controller's promises, in worlds that are nothing but their costs.
+// The guarantees of the controller, in models that consist of costs only.
 #include "game/budget/controller.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Steps: what they are off by, against a body that falls; and below which number none are offered.
+// Substeps: the estimated error compared with a falling body, and the least number that is allowed.
 #include "physics/dynamics/properties/settings.hpp"
 #include "tests/game/budget/knob_kit.hpp"
 

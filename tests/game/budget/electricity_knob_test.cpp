@@ -1,4 +1,4 @@
-// Which levels of electricity are offered: those that turn the same things on.
+// The levels of electricity that are allowed: those with the same objects on.
 #include "physics/electricity/properties/electrical.hpp"
 #include "tests/game/budget/knob_kit.hpp"
 

@@ -1,4 +1,5 @@
-// What gravity's choices are off by, against Newton's law for two and the sum over everything.
+// Estimated errors of gravity's options, compared with Newton's law for two bodies and the sum over all
+// pairs.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/placement.hpp"

@@ -1,4 +1,4 @@
-// What the tests of all knobs have in common: scenes as text, and whether options do what they say.
+// Common to the tests of all knobs: scenes as text, and checks that options have the effect that they state.
 #pragma once
 
 #include "game/budget/knobs.hpp"
@@ -10,18 +10,18 @@
 
 namespace trembler::budget {
 
-/// A disc of stars that turns, small enough for a test. `more` are further members of the file.
+/// A rotating disc of stars, small enough for a test. `more` are further members of the file.
 [[nodiscard]] LevelFile starDisc(GameData const& gameData, int count, std::string const& more = {});
 
 class KnobTest : public Experiment {
 protected:
     using Maker = std::function<std::optional<Knob>(World const&)>;
 
-    /// A level of these members: R"("world": {...}, "objects": [...])".
+    /// A level with these members: R"("world": {...}, "objects": [...])".
     [[nodiscard]] static LevelFile levelOf(std::string const& members);
     /// The option of that name; fails the test if there is none.
     [[nodiscard]] static Option const& named(Knob const& knob, std::string const& name);
-    /// Makes each option that may be made in the world that is open, and looks whether the world then has it.
+    /// Selects each allowed option in the open world, and checks that the world then has it.
     void expectOptionsAreMade(Maker const& of);
 };
 

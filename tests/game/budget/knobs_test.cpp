@@ -1,4 +1,4 @@
-// The one unit of all effects, against runs that are computed far more exactly.
+// The error unit of all effects, compared with much more exact runs.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/settings.hpp"
 #include "runtime/placement.hpp"

@@ -1,4 +1,4 @@
-// What magnetism's choices are off by, against the forces that the world itself finds pair by pair.
+// Estimated errors of magnetism's options, compared with the world's own forces pair by pair.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "tests/game/budget/knob_kit.hpp"

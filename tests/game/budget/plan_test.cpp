@@ -1,4 +1,4 @@
-// The knapsack against every combination.
+// The knapsack solution compared with all combinations.
 #include "game/budget/plan.hpp"
 
 #include <gtest/gtest.h>

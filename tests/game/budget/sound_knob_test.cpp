@@ -1,4 +1,4 @@
-// Modes of sound: what they are off by, against the page of measurements and what is heard.
+// Sound modes: estimated errors compared with the page of measurements and with rendered sound.
 #include "audio/effect/properties/sounds.hpp"
 #include "tests/game/budget/knob_kit.hpp"
 

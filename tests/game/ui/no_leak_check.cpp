@@ -1,6 +1,6 @@
-// The leak checker of clang 14's AddressSanitizer, which stops all threads at the end of the program, crashes
-// beside those of Mesa's software renderer. Leaks of the game are looked for in the tests without a window,
-// of drawing in test_render.
+// Disables the leak checker of clang 14's AddressSanitizer in this program: it stops all threads at the
+// program's end, and crashes with those of Mesa's software renderer. Leaks of the game are searched in the
+// tests without a window, leaks of drawing in test_render.
 
 extern "C" int __lsan_is_turned_off() { // NOLINT(bugprone-reserved-identifier): its name is the sanitizer's
     return 1;

@@ -1,4 +1,4 @@
-// A player made of events: moves the mouse, presses keys, looks at the screen.
+// A simulated player: moves the mouse, presses keys, reads the screen.
 #pragma once
 
 #include "game/ui/app/app.hpp"
@@ -54,14 +54,27 @@ inline std::filesystem::path pictureFolder() {
     return folder;
 }
 
-/// Plays the game with pushed events only, a sixtieth of a second per picture.
+/// A folder of the running test's own: tests run side by side, each in a process, and some remove what is
+/// there.
+inline std::filesystem::path testFolder() {
+    testing::TestInfo const& test = *testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(test.test_suite_name()) + "." + test.name();
+    std::replace(name.begin(), name.end(), '/', '-'); // of a suite with parameters
+    auto folder = pictureFolder() / name;
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+/// Plays the game with pushed events only, a sixtieth of a second per picture. Drawing takes a hundred times
+/// as long as everything else in a picture, so a picture is drawn only where look() or the game itself keeps
+/// it.
 class Player {
 public:
     explicit Player(render::Size size = {1280, 720}, std::filesystem::path profile = {},
                     std::filesystem::path levels = levelsFolder(), Loudspeaker* loudspeaker = nullptr) {
         SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
         window().resize(size);
-        films_ = pictureFolder() / "films";
+        films_ = testFolder() / "films";
         app_ = std::make_unique<GameApp>(window(), gameData().registry, gameData().parts,
                                          GameOptions{.levels = std::move(levels),
                                                      .pictures = films_,
@@ -79,11 +92,15 @@ public:
     Layout const& layout() { return app_->context().layout; }
     std::filesystem::path const& films() const { return films_; }
 
+    /// From now on draws every picture, as the window does: where drawing itself, or when it is done, is what
+    /// a test is about.
+    void drawEveryPicture() { drawsAll_ = true; }
+
     void open(std::filesystem::path const& level) {
         app_->open(level);
         frames(4);
     }
-    bool frame() { return going_ = app_->frame(1.0 / 60); }
+    bool frame() { return going_ = app_->frame(1.0 / 60, drawsAll_); }
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
             frame();
@@ -92,7 +109,7 @@ public:
     /// Lets so many frames of the running world pass in few pictures.
     void simulate(int count) {
         for (; count > 0; count -= 8) {
-            going_ = app_->frame(std::min(count, 8) / 60.0);
+            going_ = app_->frame(std::min(count, 8) / 60.0, drawsAll_);
         }
     }
     [[nodiscard]] bool going() const { return going_; }
@@ -156,14 +173,12 @@ public:
         frame();
     }
 
-    /// What is on the screen now, as a file for people and as an image.
+    /// What is on the screen now; with TREMBLER_PICTURES in the environment also as a file for people.
     render::Image look(std::string const& name) {
-        render::Image image;
-        frame();
-        window().bind();
-        image = window().readPixels();
-        // Packing a large picture takes seconds: only for who wants to look at it.
-        if (image.size().height <= 1440 || std::getenv("TREMBLER_PICTURES") != nullptr) {
+        going_ = app_->frame(1.0 / 60, true);
+        render::Image image = window().readPixels();
+        // Packing takes longer than drawing, and up to seconds: only for who wants to look at it.
+        if (std::getenv("TREMBLER_PICTURES") != nullptr) {
             writePng(image, pictureFolder() / (name + ".png"));
         }
         return image;
@@ -174,6 +189,7 @@ private:
     std::unique_ptr<GameApp> app_;
     Point mouse_;
     bool going_ = true;
+    bool drawsAll_ = false;
 };
 
 } // namespace trembler::ui::test

@@ -1,4 +1,4 @@
-// Numbers out of a run against what formulas say of it, and what is told of words that mean nothing.
+// Watched numbers compared with formulas, and the messages for unknown names.
 #include "game/watch/watch_table.hpp"
 #include "tests/support/experiment.hpp"
 

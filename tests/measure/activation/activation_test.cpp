@@ -1,5 +1,5 @@
-// Only what a scene calls for, over every level: what is absent is never constructed, what is finished
-// sleeps, and what is at rest costs next to nothing. Work is counted in turns: no clock is read.
+// Activation in every level: absent components are never constructed, components without changes sleep, and a
+// level at rest causes almost no work. Work is counted in turns: no clock is read.
 #include "measure/activation/activation.hpp"
 #include "measure/activation/report.hpp"
 #include "physics/buoyancy/properties/results.hpp"

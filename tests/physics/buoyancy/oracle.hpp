@@ -1,5 +1,5 @@
-// What a body displaces, by brute force: strips across both shapes, a few thousand of them. Shares nothing
-// with the code under test but the description of shapes.
+// The displaced area by brute force: a few thousand strips across both shapes. Shares nothing with the code
+// under test but the description of shapes.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler::test {
 
-/// One convex piece in the world, as something that horizontal lines cut.
+/// One convex piece in the world, as cut by horizontal lines.
 class Slab {
 public:
     /// `piece` of a shape whose frame is at `at`, turned by `angle` (rad).
@@ -18,7 +18,7 @@ public:
         double from = 0;
         double to = 0;
     };
-    /// What the line at height y has in common with the piece.
+    /// The intersection of the piece with the line at height y.
     [[nodiscard]] std::optional<Interval> at(double y) const;
     [[nodiscard]] Interval heights() const { return heights_; }
 
@@ -41,7 +41,7 @@ struct Strips {
     double yy = 0;
 };
 
-/// What two pieces have in common, by the midpoint rule over `count` strips.
+/// The intersection of two pieces, by the midpoint rule over `count` strips.
 [[nodiscard]] Strips common(Slab const& a, Slab const& b, int count = 4000);
 
 } // namespace trembler::test

@@ -24,7 +24,7 @@
 
 namespace trembler::test {
 
-/// Dynamics, gravity and buoyancy, and nothing else.
+/// A world with dynamics, gravity and buoyancy only.
 class Pool {
 public:
     struct Options {

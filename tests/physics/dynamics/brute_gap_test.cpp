@@ -1,4 +1,4 @@
-// The oracle of what touches, against shapes whose gap is known and against ways out tried one by one.
+// The reference for contacts, compared with shapes of known gap and with separations tried one by one.
 #include "tests/physics/dynamics/brute_gap.hpp"
 
 #include <gtest/gtest.h>

@@ -20,12 +20,12 @@
 
 namespace trembler::test {
 
-/// The detail levels of Dynamics that this program has.
+/// The detail levels of Dynamics in this program.
 [[nodiscard]] std::vector<std::string> engines();
-/// The one that scenes use unless told otherwise.
+/// The engine of scenes that do not state another one.
 [[nodiscard]] std::string& engineUnderTest();
 
-/// Tests that hold whichever engine computes.
+/// A fixture for tests that hold for every engine.
 class OnEveryEngine : public ::testing::TestWithParam<std::string> {
 protected:
     void SetUp() override { engineUnderTest() = GetParam(); }
@@ -33,12 +33,12 @@ protected:
     [[nodiscard]] static bool on(std::string_view engine) { return GetParam() == engine; }
 };
 
-/// Behind the tests of a suite derived from OnEveryEngine.
+/// Instantiates a suite derived from OnEveryEngine; placed after its tests.
 #define TREMBLER_ON_EVERY_ENGINE(suite)                                                                      \
     INSTANTIATE_TEST_SUITE_P(Engines, suite, ::testing::ValuesIn(engines()),                                 \
                              [](auto const& info) { return info.param; })
 
-/// Forces by the test's own hand: what an object has in this column pulls at it for as long as it stands.
+/// Forces that a test sets: they act on an object as long as it has this property.
 struct Pull {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Pull", "test_pull", "A force, for tests.", PropertyPlace::hidden};
@@ -49,7 +49,7 @@ struct Pull {
     Vec2 point{};        ///< m, in the world
 };
 
-/// Impulses that are carried out once, whenever `serial` changes.
+/// Impulses that are applied once whenever `serial` changes.
 struct Kick {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Kick", "test_kick", "An impulse, for tests.", PropertyPlace::hidden};
@@ -98,7 +98,7 @@ public:
     ObjectId body(std::string const& name, Shape shape, Vec2 at, double angle = 0);
     ObjectId fixed(std::string const& name, ShapePiece piece, Vec2 at, double angle = 0);
     ObjectId joint(std::string const& name, Joint joint);
-    /// What an object without any name of its own gets.
+    /// A ball with a generated name.
     ObjectId ball(Vec2 at, double radius = 0.1);
     template <class P>
     void give(ObjectId id, P property) {

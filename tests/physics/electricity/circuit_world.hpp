@@ -1,5 +1,4 @@
-// A world with electricity in it and nothing else, whose calls and contacts a test writes down frame by
-// frame.
+// A world with only electricity, whose calls and contacts a test scripts frame by frame.
 #pragma once
 
 #include "physics/dynamics/properties/contacts.hpp"
@@ -16,9 +15,9 @@
 
 namespace trembler::test {
 
-/// What a test wants interactions to call in a frame.
+/// The calls that a test scripts for the interactions of one frame.
 inline constexpr std::size_t scripts = 3;
-/// In place of a script: cuts a wire of the level, as scissors do.
+/// Instead of a script: cuts a wire of the level, as scissors do.
 inline constexpr std::size_t scissors = scripts;
 struct Script {
     static constexpr PropertyKind kind = PropertyKind::object;
@@ -27,7 +26,7 @@ struct Script {
     struct Line {
         ObjectId a;
         ObjectId b;
-        std::size_t script = 0; ///< which of the interactions of a CircuitWorld calls
+        std::size_t script = 0; ///< the interaction of a CircuitWorld that makes the calls
         bool add = true;
     };
     std::vector<Line> lines;
@@ -35,7 +34,7 @@ struct Script {
     std::vector<CreateObject> creates;
 };
 
-/// Who touches whom, as a test has it.
+/// The contacts that a test sets.
 struct Touching {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Touching", "test_touching", "Pairs that a test wants to touch.",
@@ -48,8 +47,7 @@ struct CollisionRole {
     using Calls = CallList<>;
 };
 
-/// Stands in for a rigid body engine: provides contacts, C_N and C_P included, as the test has written them
-/// down.
+/// Replaces a rigid-body engine: provides the contacts, including C_N and C_P, that the test has set.
 class ScriptedCollisions final
     : public Resolver<ScriptedCollisions, CollisionRole, Reads<Touching>, Writes<>, Provides<Contacts>> {
 public:
@@ -59,7 +57,7 @@ public:
     void advance(Access& access);
 };
 
-/// What an ElectricityFromScript is registered with.
+/// The value with which an ElectricityFromScript is registered.
 struct ScriptNumber {
     ComponentText text;
     std::size_t number = 0;
@@ -79,9 +77,9 @@ private:
 };
 /// Registers them under the names "Electricity <- Script 1" and so on.
 void registerScripts(Registry& registry);
-/// How often the caller of that name has added.
+/// The count of the caller of that name.
 [[nodiscard]] std::int32_t countBy(CallerCounts const& counts, std::string_view name);
-/// How often that script has.
+/// The count of that script.
 [[nodiscard]] std::int32_t countBy(CallerCounts const& counts, std::size_t script);
 
 class PopulationFromScript final : public Interaction<PopulationFromScript, PopulationRole, Reads<Script>> {
@@ -101,23 +99,24 @@ public:
     /// Conductors that are source and return of a network.
     ObjectId source(std::string const& name, std::string const& network = {});
     ObjectId returning(std::string const& name, std::string const& network = {});
-    /// Initial wires between consecutive objects of each list, by name; what is unknown becomes a conductor.
+    /// Initial wires between consecutive objects of each list, by name; unknown names become conductors.
     void wire(std::vector<std::vector<std::string>> const& paths);
     [[nodiscard]] ObjectId operator[](std::string const& name) { return world().store().find(name); }
 
     [[nodiscard]] World& world() { return *world_; }
     [[nodiscard]] Store& store() { return world_->store(); }
     void start() { world_->start(); }
-    /// Makes calls in the next frame; two frames pass, so that they have been carried out and all is derived.
+    /// Makes calls in the next frame; computes two frames, after which they are carried out and the state is
+    /// derived.
     void call(std::vector<Script::Line> lines, std::vector<ObjectId> destroys = {},
               std::vector<CreateObject> creates = {});
-    /// Writes down what the interactions are to call in the next frame.
+    /// Sets the calls that the interactions make in the next frame.
     void write(std::vector<Script::Line> lines, std::vector<ObjectId> destroys = {},
                std::vector<CreateObject> creates = {});
     void connect(std::string const& a, std::string const& b, std::size_t script = 0);
-    /// Takes back what connect() added, or cuts a wire of the level if there is no such thing.
+    /// Removes a connection of connect(), or, if there is none, cuts a wire of the level.
     void disconnect(std::string const& a, std::string const& b, std::size_t script = 0);
-    /// Who touches whom from the next frame on.
+    /// Sets the contacts from the next frame on.
     void touch(std::vector<std::pair<std::string, std::string>> const& pairs);
 
     [[nodiscard]] bool isOn(ObjectId id) const;

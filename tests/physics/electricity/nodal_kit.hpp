@@ -1,4 +1,4 @@
-// Circuits in volts and ohms for tests, and a reference that solves netlists in another way.
+// Circuits in volts and ohms for tests, and a reference that solves netlists by another method.
 #pragma once
 
 #include "physics/electricity/core/netlist.hpp"
@@ -21,7 +21,7 @@ public:
     ObjectId fuse(std::string const& name, double ampere);
     ObjectId battery(std::string const& name, double volt, double internalOhm = 0,
                      std::string const& network = {});
-    /// Starts, and one frame.
+    /// Starts the world and computes one frame.
     void begin();
 
     [[nodiscard]] ElectricalQuantities const& quantities();
@@ -30,9 +30,9 @@ public:
     [[nodiscard]] std::vector<std::string> events();
 };
 
-/// What is found of a netlist by the whole tableau of Kirchhoff's laws, every potential and every current an
-/// unknown, in long double with complete pivoting: no symmetry, no contraction, no sparsity. Ideal branches
-/// have `idealOhm`. What the laws leave open, such as the potential of an island, is 0.
+/// The solution of a netlist by the whole tableau of Kirchhoff's laws, with every potential and every current
+/// as an unknown, in long double with complete pivoting: no symmetry, no contraction, no sparsity. Ideal
+/// branches have `idealOhm`. Undetermined values, such as the potential of an island, are 0.
 struct Tableau {
     std::vector<long double> potentials; ///< by node
     std::vector<long double> currents;   ///< by branch

@@ -1,5 +1,5 @@
-// Who is on, found without blocks and without walking incrementally: what the detail levels are compared
-// with.
+// The objects that are on, found without blocks and without incremental updates: the reference for the detail
+// levels.
 #pragma once
 
 #include "tests/physics/electricity/circuit_world.hpp"
@@ -12,7 +12,7 @@
 
 namespace trembler::test {
 
-/// A test's own account of a world: conductors, their parts in networks, and counted connections.
+/// An independent model of a world: conductors, their roles in networks, and counted connections.
 struct Oracle {
     struct Part {
         std::string network;                  ///< of the conductor
@@ -23,7 +23,7 @@ struct Oracle {
     std::map<ObjectId, Part> parts;
     std::map<Pair, std::array<int, scripts>> counts;
 
-    /// What one frame's calls do: net change per pair and caller, then never below zero.
+    /// The effect of one frame's calls: net change per pair and caller, limited to at least zero.
     void carryOut(std::vector<Script::Line> const& lines);
     void destroy(ObjectId id);
     [[nodiscard]] bool connected(ObjectId a, ObjectId b) const;

@@ -1,4 +1,4 @@
-// The gravity level "tree" in a world, against the level "real", which sums over all pairs.
+// The gravity level "tree" in a world, compared with the level "real", which sums over all pairs.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/gravity/register.hpp"

@@ -1,4 +1,4 @@
-// Worlds of magnets for tests, without any dynamics: what is placed stays where it is.
+// Worlds of magnets for tests, without dynamics: objects stay in place.
 #pragma once
 
 #include "physics/dynamics/properties/standstill.hpp"
@@ -15,7 +15,7 @@
 
 namespace trembler::test {
 
-/// A hand on the switch of an electromagnet, in place of electricity.
+/// A switch of an electromagnet that the test operates, instead of electricity.
 struct Switch {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Switch", "test_switch",
@@ -67,7 +67,7 @@ public:
         world.store().column<MagneticPoles>().set(id, poles);
         return id;
     }
-    /// Something that magnets attract, without poles of its own.
+    /// An object that magnets attract, without poles of its own.
     ObjectId soft(Vec2 at, double susceptibility) { return thing(at, 0, 0, susceptibility); }
     ObjectId electromagnet(Vec2 at, int coolDown) {
         ObjectId const id = magnet(at, 0, 100, {PoleSet::both, {0, 0.1}, {0, -0.1}});

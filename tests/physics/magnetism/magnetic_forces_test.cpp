@@ -1,4 +1,4 @@
-// Forces between magnets against formulas worked out here independently: Coulomb's law for poles, the far
+// Forces between magnets compared with independently computed formulas: Coulomb's law for poles, the far
 // field of a dipole, Newton's third law.
 #include "tests/physics/magnetism/magnet_world.hpp"
 

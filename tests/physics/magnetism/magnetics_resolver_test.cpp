@@ -1,5 +1,5 @@
-// Switching: on one frame after the call, off over as many frames as the coil takes to cool down; permanent
-// magnets need nobody.
+// Switching: on one frame after the call, off over as many frames as the coil needs to cool down; permanent
+// magnets need no calls.
 #include "tests/physics/magnetism/magnet_world.hpp"
 
 #include <gtest/gtest.h>

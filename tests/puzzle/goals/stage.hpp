@@ -1,5 +1,5 @@
-// A stage for goals: a world whose positions, contacts and electrical states a test sets by hand, so that
-// what the judge should say follows from the test alone.
+// A world whose positions, contacts and electrical states a test sets directly, so that the expected
+// judgement follows from the test alone.
 #pragma once
 
 #include "physics/dynamics/properties/contacts.hpp"
@@ -19,10 +19,11 @@ namespace trembler {
 
 class GoalStage {
 public:
-    /// The objects: floor, electromagnet (fixed, above), metal object, crate, object 1, ball a, ball b (these
-    /// two made from the part "iron ball"), idea (is nowhere), and of conductors lamp and lantern, which are
-    /// users of electricity made of glass, and lamp 2 and toy lamp, which are not. In the toolbox are a
-    /// "night light", made as lamp is, and a "desk lamp", made as lamp 2 is. Throws what the judge throws.
+    /// The objects: floor, electromagnet (fixed, above), metal object, crate, object 1, ball a, ball b (both
+    /// made from the part "iron ball"), idea (without a position), and as conductors lamp and lantern, which
+    /// are electrical devices made of glass, and lamp 2 and toy lamp, which are not. In the toolbox are a
+    /// "night light", of the same kind as lamp, and a "desk lamp", of the same kind as lamp 2. Throws as the
+    /// judge does.
     explicit GoalStage(std::string const& goals, int crowd = 0);
 
     [[nodiscard]] GoalJudge const& judge() const { return *judge_; }
@@ -32,16 +33,16 @@ public:
     [[nodiscard]] std::string met() const;
 
     void put(std::string const& name, Vec2 at);
-    /// Each with an event id, which may be 0.
+    /// Contacts have an event id, which may be 0.
     void touch(std::string const& a, std::string const& b, std::uint64_t event = 0);
     void part(std::string const& a, std::string const& b, std::uint64_t event = 0);
     /// Touches for less than a frame: an impact that bounces.
     void hit(std::string const& a, std::string const& b, std::uint64_t event = 0);
     void turn(std::string const& name, bool on, std::uint64_t event = 0);
-    /// One frame of the world, what was set with it, and the judge's look at it.
+    /// Computes frames of the world with the values set, and lets the judge evaluate the goals.
     void step(int frames = 1);
-    /// One frame in four parts, of which the world runs the first and the last, as nothing happens in it:
-    /// `set` is called in each, and the judge looks.
+    /// Computes one frame in four parts, of which the world runs the first and the last, as there is no work
+    /// in the others: `set` is called, and the goals are evaluated, in each part.
     void stepInParts(std::function<void(std::uint32_t part)> const& set);
 
 private:
@@ -55,12 +56,12 @@ private:
     std::vector<std::pair<ObjectId, Vec2>> places_;
 };
 
-/// What the judge says against the goals, or "" if nothing.
+/// The judge's reason for rejecting the goals, or "" if it accepts them.
 [[nodiscard]] std::string refusalOf(std::string const& goals, int crowd = 0);
-/// Whether it says these words, among others.
+/// Whether the reason contains these words.
 [[nodiscard]] testing::AssertionResult isRefused(std::string const& goals, std::string const& words,
                                                  int crowd = 0);
-/// What the player reads of goals that are one goal.
+/// The text that the player sees for a single goal.
 [[nodiscard]] std::string wordsOf(std::string const& goals);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// The account of frames in the thesis's form (6.7), held against the thesis's own of Experiment I (6.8.3).
+// The account of frames in the thesis's form (6.7), compared with the thesis's own for Experiment I (6.8.3).
 #include "puzzle/run/frame_account.hpp"
 #include "tests/support/experiment.hpp"
 

@@ -1,4 +1,4 @@
-// Where a part has room: not where something stands, but in front of what nothing can hit.
+// Free places for parts: occupied by objects that can collide, not by objects that cannot.
 #include "physics/dynamics/properties/body.hpp"
 #include "tests/support/experiment.hpp"
 

@@ -1,4 +1,4 @@
-// The list of what is placed: edits, numbers, undo and redo, the toolbox, and what may stand where.
+// The list of placed parts: edits, numbers, undo and redo, the toolbox, and valid places.
 #include "puzzle/session/placements.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "tests/support/experiment.hpp"

@@ -1,4 +1,4 @@
-// What was recorded comes again in its frames, and a run that is repeated is the same to the bit.
+// Recorded inputs are repeated in their frames, and a repeated run is bit for bit the same.
 #include "puzzle/session/playback.hpp"
 #include "tests/support/experiment.hpp"
 

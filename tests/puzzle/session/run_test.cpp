@@ -1,4 +1,4 @@
-// One run: which object each placement became, and the log of what was done, which repeats it.
+// One run: the object made for each placement, and the log of inputs, which repeats the run.
 #include "puzzle/session/run.hpp"
 #include "runtime/level/model/world_change.hpp"
 #include "runtime/placement.hpp"

@@ -1,4 +1,4 @@
-// A player at a level: edits that cannot be built, parts in one place, and what is fed to which run.
+// A session: edits that cannot be built, overlapping parts, and the inputs of each run.
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/experiment.hpp"

@@ -1,4 +1,4 @@
-// The camera's sums, and the grid that follows from the zoom.
+// The camera's transformations, and the grid for each zoom.
 #include "render/draw/camera.hpp"
 #include "render/draw/paper.hpp"
 #include "render/draw/path.hpp"

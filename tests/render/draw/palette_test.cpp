@@ -1,4 +1,4 @@
-// Colours that mean something are told apart by colour-blind eyes too, and text can be read on its ground.
+// Colours with a meaning are distinguishable for colour-blind people, and text contrasts with its background.
 #include "render/draw/palette.hpp"
 
 #include <gtest/gtest.h>

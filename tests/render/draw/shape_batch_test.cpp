@@ -1,4 +1,4 @@
-// Shapes cover the pixels that geometry says, in the order in which they were drawn.
+// Shapes cover the pixels of their geometry, in the order in which they were drawn.
 #include "tests/render/stage.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// A world like the thesis's Experiment I (Figure 6-3), built by hand: what the scene tests draw.
+// A world like the thesis's Experiment I (Figure 6-3), built in code: drawn by the scene tests.
 #pragma once
 
 #include "audio/effect/register.hpp"
@@ -103,7 +103,7 @@ struct ExperimentStage {
         setConnection(graph, id[a], id[b], counts);
     }
 
-    /// As if the switch lay on both contacts and everything followed from that.
+    /// Sets the state in which the switch lies on both contacts, with all its consequences.
     void closeSwitch() {
         Store& store = world.store();
         store.column<Position>().set(id["switch"], {{-2.7, -0.58}});

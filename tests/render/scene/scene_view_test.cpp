@@ -1,4 +1,5 @@
-// What the pictures of a world must show, must not show, and must not do to it.
+// Pictures of a world: what they must show, what they must not show, and that drawing does not change the
+// world.
 #include "render/scene/areas.hpp"
 #include "render/scene/objects/body.hpp"
 #include "render/scene/scene_view.hpp"
@@ -48,19 +49,19 @@ Point cableMiddle(ExperimentStage& stage, std::string const& a, std::string cons
 
 TEST(ScenePicture, ExperimentForPeople) {
     ExperimentStage stage;
-    writePng(draw(stage.world), pictureFolder() / "scene-rest.png");
+    keepForPeople(draw(stage.world), "scene-rest");
     stage.closeSwitch();
-    writePng(draw(stage.world, {.time = 0.3}), pictureFolder() / "scene-on.png");
+    keepForPeople(draw(stage.world, {.time = 0.3}), "scene-on");
     Size const large{3840, 2160};
     window().resize(large);
-    writePng(picture(
-                 large, palette::paper,
-                 [&](Canvas& canvas) {
-                     canvas.paper();
-                     drawScene(canvas, stage.world, {.time = 0.3, .overlays = {.electricity = true}});
-                 },
-                 {.uiScale = window().uiScale()}, stageCamera(large)),
-             pictureFolder() / "scene-on-2160.png");
+    keepForPeople(picture(
+                      large, palette::paper,
+                      [&](Canvas& canvas) {
+                          canvas.paper();
+                          drawScene(canvas, stage.world, {.time = 0.3, .overlays = {.electricity = true}});
+                      },
+                      {.uiScale = window().uiScale()}, stageCamera(large)),
+                  "scene-on-2160");
 }
 
 TEST(ScenePicture, TheSameWorldGivesTheSamePicture) {

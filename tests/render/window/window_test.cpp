@@ -1,4 +1,4 @@
-// The window's failures are sentences, and its pictures can be kept.
+// The window reports failures as sentences, and its pictures can be saved.
 #include "tests/render/stage.hpp"
 
 #include <SDL.h>

@@ -1,4 +1,4 @@
-// What callers have added to a counted set, against a plain map, and who they are.
+// The counts of each caller in a counted set, compared with a plain map.
 #include "runtime/component/caller_counts.hpp"
 #include "runtime/property/state_hash.hpp"
 

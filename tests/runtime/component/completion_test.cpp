@@ -1,4 +1,4 @@
-// Completions: declared, ordered by what they declare, and never overwriting what is stated.
+// Completions: declared, ordered by their declarations, and never overwriting stated properties.
 #include "runtime/component/completion.hpp"
 #include "runtime/notation/notation.hpp"
 #include "runtime/population/population_resolver.hpp"

@@ -1,4 +1,4 @@
-// Interactions and resolvers in a running world: calls that stand while the caller sleeps, calls that are
+// Interactions and resolvers in a running world: calls that are held while the caller sleeps, calls that are
 // carried out exactly once, and calls from many chunks.
 #include "runtime/population/population_resolver.hpp"
 #include "tests/runtime/world/heat.hpp"

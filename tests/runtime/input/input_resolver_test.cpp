@@ -1,4 +1,4 @@
-// What the player does reaches the world through one resolver, in the frame after it was fed.
+// The player's inputs reach the world through one resolver, in the frame after they were fed.
 #include "runtime/input/input_resolver.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/world.hpp"

@@ -11,7 +11,7 @@
 
 namespace trembler::plumbing {
 
-/// What a pipe can be joined to, and where its pipes lead.
+/// An object that pipes can connect, and the vessels at the other ends of its pipes.
 struct Vessel {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Vessel", "test_vessel", "Holds a liquid, for tests."};
@@ -41,7 +41,7 @@ inline void fill(Registry& registry) {
     registry.connector({"pipe", "plumbing", "a pipe between two vessels", refusePipe, layPipe});
 }
 
-/// What is wrong with the input that `build` reads; empty if nothing is.
+/// The error in the input that `build` reads; empty if there is none.
 [[nodiscard]] inline std::string problemOf(std::function<void()> const& build) {
     try {
         build();

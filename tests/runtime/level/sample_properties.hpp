@@ -1,4 +1,4 @@
-// Made-up properties, one for every kind of field: the level reader must not care what they mean.
+// Test properties, one for every kind of field: the level reader must not depend on their meaning.
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"
@@ -101,7 +101,7 @@ struct Climate {
     }
 };
 
-/// Ties objects together: what has the key "joint" is stated in the list of joints.
+/// Joins objects: a property with the key "joint" is stated in the list of joints.
 struct Knot {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Knot", "joint", "Ties two objects together."};
@@ -117,7 +117,7 @@ struct Knot {
     }
 };
 
-/// What a connection leaves behind, in the order in which connections were laid.
+/// The connections of an object, in the order in which they were made.
 struct Links {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Links", "links", "Whom it is connected to.", PropertyPlace::hidden};

@@ -1,4 +1,4 @@
-// The notation against the thesis's own boxes (6.13): what is printed is what the types declare.
+// The notation compared with the thesis's own boxes (6.13): it prints the declarations of the types.
 #include "runtime/notation/notation.hpp"
 #include "tests/runtime/schedule/apportionment.hpp"
 #include "tests/runtime/world/heat.hpp"

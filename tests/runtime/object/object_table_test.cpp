@@ -1,4 +1,4 @@
-// Ids: the lowest free index first, a new generation for every reuse, against a model in plain sets.
+// Ids: the lowest free index first, a new generation for every reuse, compared with a model of plain sets.
 #include "runtime/object/object_table.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the store knows of where objects come from, against a plain map of what they were created with.
+// The store's origins of objects, compared with a plain map of their creation.
 #include "runtime/object/origin.hpp"
 #include "runtime/world/store.hpp"
 

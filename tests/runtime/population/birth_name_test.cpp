@@ -1,4 +1,4 @@
-// Names of objects that are created while a world runs: what is made is recognised, and nothing else.
+// Names of objects that are created while a world runs: only generated names are recognised.
 #include "runtime/population/birth_name.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Objects that come and go by calls: who is born, with which id and name, does not depend on who asked first.
+// Objects created and destroyed by calls: their ids and names do not depend on the order of the calls.
 #include "runtime/placement.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/world.hpp"

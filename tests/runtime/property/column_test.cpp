@@ -1,4 +1,4 @@
-// A column under random operations, against a std::map that does the same.
+// A column under random operations, compared with a std::map.
 #include "tests/runtime/property/sample_properties.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Joins against brute force over ids: columns with equal owners, with different ones, and ranges of rows.
+// Joins compared with brute force over ids: columns with equal owners, with different ones, and ranges of
+// rows.
 #include "runtime/property/for_each.hpp"
 #include "tests/runtime/property/sample_properties.hpp"
 

@@ -1,4 +1,4 @@
-// Values outside of columns, and the slots of what belongs to no object.
+// Values outside columns, and the slots of properties without objects.
 #include "runtime/property/property_value.hpp"
 #include "runtime/property/slot.hpp"
 #include "runtime/world/store.hpp"

@@ -96,7 +96,7 @@ struct Everything {
     }
 };
 
-/// Not of objects: it lives in a slot.
+/// A property without objects: it is stored in a slot.
 struct Kept {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Kept", "kept", "What a resolver keeps."};

@@ -1,4 +1,4 @@
-// The state hash: sees every field, and nothing that is not one.
+// The state hash covers every field, and no padding.
 #include "runtime/placement.hpp"
 #include "runtime/property/state_hash.hpp"
 #include "runtime/world/store.hpp"

@@ -1,5 +1,5 @@
-// The resolvers of 6.13 with exactly the sets that its boxes print, and nothing in them: for tests of the
-// schedule and the notation. Names are the thesis's.
+// The resolvers of 6.13 with exactly the sets of its boxes and without implementation: for tests of the
+// schedule and the notation. The names are the thesis's.
 #pragma once
 
 #include "runtime/component/dps.hpp"

@@ -1,4 +1,5 @@
-// The executor with more threads than cores: everything once, in the order of the graph, and errors come out.
+// The executor with more threads than cores: runs every task once, in the order of the graph, and passes
+// errors on.
 #include "runtime/schedule/executor.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The schedule against the three conditions of 5.7.1, worked out a second time with plain sets, and against
-// the apportionment of 6.13 as the thesis prints it.
+// The schedule compared with an independent implementation of the three conditions of 5.7.1 with plain sets,
+// and with the apportionment of 6.13 as printed in the thesis.
 #include "runtime/placement.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/schedule/schedule.hpp"

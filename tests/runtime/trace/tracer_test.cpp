@@ -1,4 +1,4 @@
-// The account: ids that sort as things happen, chains of causes, JSON lines, and refusals beyond its limits.
+// The trace: ids in order of events, chains of causes, JSON lines, and refusal above its limits.
 #include "runtime/trace/tracer.hpp"
 #include "runtime/world/store.hpp"
 

@@ -1,4 +1,4 @@
-// Components and scenes made up by hand, for tests of the selection: descriptions only, nothing that runs.
+// Made-up components and scenes for tests of the selection: descriptions only, without code.
 #pragma once
 
 #include "runtime/world/selection.hpp"
@@ -18,7 +18,7 @@ namespace trembler::descriptions {
 template <int>
 struct NumberedRole {};
 
-/// Describes components by hand. Properties are known by their names, roles by a number from 0 to 3.
+/// Describes components without C++ types. Properties are identified by name, roles by a number from 0 to 3.
 class Descriptions {
 public:
     using Names = std::vector<std::string>;
@@ -96,7 +96,7 @@ private:
         return infos_.size() - 1;
     }
 
-    std::deque<std::string> texts_; // deques: others hold on to their elements
+    std::deque<std::string> texts_; // deques, because other members refer to their elements
     std::deque<PropertyInfo> properties_;
     std::deque<ComponentInfo> infos_;
 };

@@ -1,5 +1,5 @@
-// A small made-up effect for tests of the world: things have heat and fuel, burn, glow, and are struck. No
-// physics worth the name, but all four kinds, every kind of call and two detail levels.
+// A small made-up effect for tests of the world: objects have heat and fuel, burn, glow, and are struck. Not
+// real physics, but all four kinds of components, every kind of call and two detail levels.
 #pragma once
 
 #include "runtime/component/dps.hpp"
@@ -35,7 +35,7 @@ struct Fuel {
     }
 };
 
-/// What the stove saw in its last advance.
+/// The stove's inputs in its last advance.
 struct StoveLog {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Stove log", "stove_log", "What was asked of the stove."};
@@ -49,7 +49,7 @@ struct StoveLog {
     int onceEver = 0;
 };
 
-/// The sum of all heat, as of the last update, and who worked it out.
+/// The sum of all heat at the last update, and the component that computed it.
 struct Glow {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Glow", "glow", "How brightly everything glows."};
@@ -89,8 +89,7 @@ struct HeatRole {
     using Calls = CallList<AddHeat, Strike>;
 };
 
-/// Carries out the calls. Not restless: it runs when calls, or the heat, changed; see Furnace for one that
-/// is.
+/// Carries out the calls. Not restless: it runs only when calls or heat have changed; Furnace is restless.
 struct Stove final : Resolver<Stove, HeatRole, Reads<>, Writes<Heat>, Provides<StoveLog>> {
     static constexpr ComponentText text{
         .name = "Stove", .effect = "heat", .level = "stove", .work = "Heats."};
@@ -165,7 +164,7 @@ struct RoughGlow final : Dps<RoughGlow, Reads<Heat>, Derives<Glow>> {
     }
 };
 
-/// Whatever has fuel heats itself: held calls from what hardly ever changes.
+/// Objects with fuel heat themselves: held calls from inputs that hardly ever change.
 struct HeatFromFuel final : Interaction<HeatFromFuel, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Heat <- Fuel", .effect = "heat", .level = "", .work = "Burns."};
@@ -182,7 +181,7 @@ struct HeatFromFuel final : Interaction<HeatFromFuel, HeatRole, Reads<Fuel>> {
         });
     }
 };
-/// Strikes everything hot once whenever the glow was worked out again.
+/// Strikes every hot object once whenever the glow was computed again.
 struct HeatFromGlow final : Interaction<HeatFromGlow, HeatRole, Reads<Glow, Heat>> {
     static constexpr ComponentText text{
         .name = "Heat <- Glow", .effect = "heat", .level = "", .work = "Strikes."};

@@ -1,4 +1,4 @@
-// The rules that types alone cannot see: refused at start, by name.
+// Rules that cannot be checked at compile time: violations are rejected at start, by name.
 #include "runtime/placement.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "tests/runtime/world/heat.hpp"

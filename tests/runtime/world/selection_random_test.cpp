@@ -1,5 +1,5 @@
-// Which components a scene calls for, and why: random components and scenes against the definition, carried
-// out word by word.
+// The components that a scene activates, and why: random components and scenes compared with a literal
+// implementation of the definition.
 #include "runtime/world/registry.hpp"
 #include "tests/runtime/world/descriptions.hpp"
 

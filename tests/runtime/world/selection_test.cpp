@@ -1,4 +1,4 @@
-// Which components a scene calls for, and why, without a world: cases by hand.
+// The components that a scene activates, and why, without a world: hand-written cases.
 #include "tests/runtime/world/descriptions.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Absent, asleep and active; periods; components that come and go with the objects that call for them.
+// Absent, asleep and active components; periods; components that are constructed and destroyed with the
+// objects that activate them.
 #include "runtime/population/population_resolver.hpp"
 #include "tests/runtime/world/heat.hpp"
 

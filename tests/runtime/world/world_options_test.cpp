@@ -1,4 +1,4 @@
-// Detail levels and periods by name: swaps in a running world, and errors that say what there is.
+// Detail levels and periods by name: swaps in a running world, and error messages that list the valid names.
 #include "tests/runtime/world/heat.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Contacts, their pressure and impacts, as Box2D reports them.
+// Contacts, their contact forces and impacts, as reported by Box2D.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ bool Box2dEngine::onTheWay(b2Contact* contact) const {
 
 void Box2dEngine::EndContact(b2Contact* contact) {
     if (watching_ && !contact->IsTouching() &&
-        onTheWay(contact)) { // a contact that goes away still touches here
+        onTheWay(contact)) { // a contact that is destroyed still counts as touching here
         noteOnTheWay(contact, true);
     }
     noteTouch(contact, -1);
@@ -60,8 +60,8 @@ float Box2dEngine::speedGain(b2Body const* body) const {
     return slot == noSlot || !(mass > 0) ? 0 : bodies_[slot].force.Length() * substep_ / mass;
 }
 
-// A body that a strong pull presses on another gains, in every substep, a speed that looks like an impact;
-// bouncing that back would never end. Only speed that the pull cannot explain bounces.
+// A body that is pressed against another by a strong force gains a speed in every substep that looks like an
+// impact; bouncing it back would never end. Only speed that the force does not explain bounces.
 void Box2dEngine::PreSolve(b2Contact* contact, b2Manifold const*) {
     if (contact->GetRestitution() > 0) {
         float const explained =
@@ -127,13 +127,13 @@ void Box2dEngine::noteTouch(b2Contact* contact, int delta) {
     }
     for (b2Body* const body : {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()}) {
         if (body->IsAwake()) {
-            wakeAll(body); // Box2D has just woken it: a touch has begun or ended
+            wakeAll(body); // Box2D has just woken it, because a contact has begun or ended
         }
     }
 }
 
 void Box2dEngine::addContactPatches(std::vector<ContactPatch>& patches) const {
-    // Box2D gives no other access to the contacts of a world that is const.
+    // Box2D has no other access to the contacts of a const world.
     for (b2Contact* contact = const_cast<b2World&>(world_).GetContactList(); contact != nullptr;
          contact = contact->GetNext()) {
         std::optional<b2Manifold> const touching = manifoldNow(contact);

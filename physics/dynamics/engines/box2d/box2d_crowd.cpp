@@ -3,27 +3,39 @@
 namespace trembler {
 namespace {
 
-bool crowded(b2Body* body) {
+// Up to the limit.
+int countMoving(b2Body* body) {
     int count = 0;
-    for (b2ContactEdge* edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
-        if (edge->other->GetType() == b2_dynamicBody && ++count >= CrowdFilter::mostContacts) {
-            return true;
-        }
+    for (b2ContactEdge* edge = body->GetContactList(); edge != nullptr && count < CrowdFilter::mostContacts;
+         edge = edge->next) {
+        count += edge->other->GetType() == b2_dynamicBody ? 1 : 0;
     }
-    return false;
+    return count;
 }
 
 } // namespace
 
-bool CrowdFilter::isCrowded(b2Body* body) {
+CrowdFilter::Crowd& CrowdFilter::crowdOf(b2Body* body) {
     std::uintptr_t const number = body->GetUserData().pointer;
-    if (crowdedAt_.size() <= number) {
-        crowdedAt_.resize(number + 1, 0);
+    if (crowds_.size() <= number) {
+        crowds_.resize(number + 1);
     }
-    if (crowdedAt_[number] != turn_ && crowded(body)) {
-        crowdedAt_[number] = turn_;
+    return crowds_[number];
+}
+
+bool CrowdFilter::isCrowded(b2Body* body) {
+    Crowd& crowd = crowdOf(body);
+    if (crowd.atMost < mostContacts) {
+        return false;
     }
-    return crowdedAt_[number] == turn_;
+    if (crowd.fullIn != turn_) {
+        crowd.atMost = countMoving(body);
+        if (crowd.atMost < mostContacts) {
+            return false;
+        }
+        crowd.fullIn = turn_;
+    }
+    return true;
 }
 
 bool CrowdFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {
@@ -32,14 +44,18 @@ bool CrowdFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {
     }
     b2Body* const a = fixtureA->GetBody();
     b2Body* const b = fixtureB->GetBody();
-    // No contact is made without asking here, so as long as there are as many as expected none has gone, and
-    // bodies that were crowded still are.
+    // No contact is created without calling this function, so as long as their number is as expected none has
+    // been destroyed, and crowded bodies are still crowded.
     int32 const contacts = a->GetWorld()->GetContactCount();
     if (contacts != expected_) {
         ++turn_;
     }
-    bool const may =
-        a->GetType() != b2_dynamicBody || b->GetType() != b2_dynamicBody || !isCrowded(a) || !isCrowded(b);
+    bool const bothMove = a->GetType() == b2_dynamicBody && b->GetType() == b2_dynamicBody;
+    bool const may = !bothMove || !isCrowded(a) || !isCrowded(b);
+    if (bothMove && may) {
+        ++crowdOf(a).atMost;
+        ++crowdOf(b).atMost;
+    }
     expected_ = contacts + (may ? 1 : 0);
     return may;
 }

@@ -1,4 +1,4 @@
-// Dynamics computed by Box2D.
+// The Dynamics role implemented with Box2D.
 #pragma once
 
 #include "physics/dynamics/core/dynamics_engine.hpp"

@@ -14,7 +14,7 @@ constexpr std::uintptr_t groundData = ~std::uintptr_t{0};
 } // namespace
 
 Box2dEngine::Box2dEngine(double scale) : scale_(scale), world_(b2Vec2_zero) {
-    world_.SetAutoClearForces(false); // loads stand for all substeps
+    world_.SetAutoClearForces(false); // loads act in all substeps
     world_.SetContactListener(this);
     world_.SetContactFilter(&crowds_);
     b2BodyDef def;
@@ -27,7 +27,7 @@ Box2dEngine::~Box2dEngine() {
 }
 
 SlotIndex Box2dEngine::slotOf(b2Body const* body) const {
-    // GetUserData() is const only from 2.4.2 on.
+    // GetUserData() is const only since Box2D 2.4.2.
     std::uintptr_t const data = const_cast<b2Body*>(body)->GetUserData().pointer;
     return data == groundData ? noSlot : static_cast<SlotIndex>(data);
 }
@@ -59,9 +59,9 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
                      .restlessJoints = 0,
                      .core = coreOf(spec),
                      .extent = extentOf(spec)};
-    b2FixtureDef fixture; // whose density stays 0: mass and moment are set for the body as a whole
+    b2FixtureDef fixture; // its density stays 0: mass and moment are set for the whole body
     if (stops(*body)) {
-        stopping_.push_back(slot);
+        stopping_.insert(slot);
     }
     fixture.friction = static_cast<float>(spec.friction);
     fixture.restitution = static_cast<float>(spec.restitution);
@@ -86,7 +86,7 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
 void Box2dEngine::removeBody(SlotIndex slot) {
     world_.DestroyBody(bodies_[slot].body);
     forgetReported(slot);
-    std::erase(stopping_, slot);
+    stopping_.erase(slot);
     bodies_[slot] = {};
     awake_[slot] = 0;
     disturbed_ = true; // Box2D has woken the bodies that touched it
@@ -124,7 +124,7 @@ void Box2dEngine::applyImpulse(SlotIndex slot, Vec2 impulse, Vec2 point) {
     if (size > limit) {
         impulse *= limit / size;
     }
-    // Far from the body's centre only its turning counts, and that is limited below.
+    // Far from the body's centre only the change of spin matters, and that is limited below.
     double const reach = maximumDistance;
     point = {std::clamp(point.x, -reach, reach), std::clamp(point.y, -reach, reach)};
     body.ApplyLinearImpulse(toEngine(impulse), toEngine(point), true);
@@ -156,7 +156,8 @@ void Box2dEngine::applyJoints(float substep) {
         BodyEntry const& entry = bodies_[slotOf(&body)];
         return JointsAtOnce::Pull{entry.force, entry.torque};
     });
-    // Box2D starts from the impulses of its last step, which would carry loads that are carried already.
+    // In the first step after JointsAtOnce was enabled, Box2D's impulses of the last step would carry the
+    // same loads a second time.
     world_.SetWarmStarting(!std::exchange(coldStart_, false));
 }
 
@@ -193,7 +194,7 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
             } else {
                 anyAwake_ = true;
                 if (last && settings.sleeping && drifts(entry)) {
-                    entry.body->SetAwake(true); // starts its time to fall asleep again
+                    entry.body->SetAwake(true); // resets its sleep timer
                 }
             }
         }

@@ -7,6 +7,8 @@
 #include "physics/dynamics/engines/body_core.hpp"
 #include "physics/dynamics/engines/box2d/box2d_crowd.hpp"
 #include "physics/dynamics/engines/box2d/joints_at_once.hpp"
+#include "physics/dynamics/engines/box2d/substep_motion.hpp"
+#include "physics/dynamics/engines/slot_set.hpp"
 
 #include <box2d/box2d.h>
 
@@ -95,22 +97,19 @@ private:
         SlotIndex slot = noSlot;
         SlotIndex other = noSlot;
     };
-    /// Whether it touches otherwise than Box2D takes it to.
+    /// Whether the contact touches at the present positions and did not when Box2D evaluated it, or the
+    /// reverse.
     [[nodiscard]] static bool isStale(b2Contact* contact);
-    /// How a body moved in the last substep, in engine units.
-    struct Way {
-        b2Vec2 from = b2Vec2_zero;
-        b2Vec2 by = b2Vec2_zero;
-        float turn = 0;
-        float extent = 0; // of its farthest point
-    };
-    [[nodiscard]] Way wayFrom(SlotIndex slot, Place const& start) const;
-    /// Whether any of its points may have moved farther than touches may be late.
-    [[nodiscard]] bool isFar(Way const& way) const;
-    /// Whether any point of the smaller body has, as seen from the larger one.
-    [[nodiscard]] bool isFarApart(Way const& a, Way const& b) const;
-    /// Reports the touches of bodies that have moved far, where they are not what Box2D takes them for.
+    /// The body's motion from `start`, in the last substep, to where it is.
+    [[nodiscard]] SubstepMotion motionFrom(SlotIndex slot, Place const& start) const;
+    /// Finds substepMotions_, movedFar_ and farSlots_.
+    void noteSubstepMotions();
+    /// Finds bodies of which each pair that moved far apart contains one; false if they are no fewer than
+    /// farSlots_, which are such bodies, too.
+    [[nodiscard]] bool findDeviating();
+    /// Reports the touches of pairs that moved far apart, where they differ from those that Box2D knows.
     void reportStaleTouches();
+    void reportIfStale(b2Contact* contact, SlotIndex slot, SlotIndex other);
     /// Whether the change has been reported already. It is then Box2D's, too, and no longer remembered.
     [[nodiscard]] bool takeReported(b2Contact const* contact, TouchChange const& change);
     /// Takes back what Box2D, when it looked, did not find.
@@ -155,7 +154,7 @@ private:
     b2World world_;
     b2Body* ground_ = nullptr; // what joints to the world hold on to
     std::vector<BodyEntry> bodies_;
-    std::vector<SlotIndex> stopping_; // fixed bodies and bullets
+    SlotSet stopping_; // fixed bodies and bullets
     std::vector<JointEntry> joints_;
     std::vector<DraggedBody> dragged_;     // by slot
     std::vector<SlotIndex> draggedSlots_;  // of those that any drag acts on
@@ -174,10 +173,18 @@ private:
     std::vector<Place> start_; // by slot: where what is awake began the substep
     bool watching_ = false;    // start_ is to be compared with
     std::vector<OnTheWay> changedOnTheWay_;
-    /// In the last substep: far enough for touches to be stale, or brought to a stop on its way.
+    /// In the last substep: far enough for touches to be stale, or stopped by Box2D on its way.
     enum class Moved : std::uint8_t { little, far, stopped };
-    std::vector<Moved> movedFar_;    // by slot
-    std::vector<Way> ways_;          // by slot
+    std::vector<Moved> movedFar_;               // by slot
+    std::vector<SubstepMotion> substepMotions_; // by slot
+    std::vector<std::uint8_t> deviates_;        // by slot
+    std::vector<SlotIndex> farSlots_;           // ascending: what moved far or was stopped
+    std::vector<SlotIndex> deviating_;          // ascending
+    struct BodyEdge {
+        b2ContactEdge* edge = nullptr;
+        SlotIndex slot = noSlot;
+    };
+    std::vector<BodyEdge> edges_;
     std::vector<Reported> reported_; // since the end of the last frame
     bool impactsWanted_ = false;
     ImpactBook pressures_;

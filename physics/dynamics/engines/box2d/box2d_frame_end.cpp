@@ -1,86 +1,142 @@
-// What touches at the end of a frame, where Box2D does not know it yet.
+// Touches at the end of a frame that Box2D does not know yet.
 //
-// Box2D looks at a contact where a substep begins, and at some where bodies are on their way through it. What
-// is jammed is thrown about by its correction of overlaps, by some hundredths of a metre in a substep; what
-// is fast goes as far by itself. So contacts of two bodies of which one has moved far, as seen by the other,
-// are looked at again where they are, and what differs is reported as begun or ended. Box2D itself comes to
-// the same result when it next looks, at the beginning of the next substep, and its word for it is then no
-// news. Its own state is left as it is: a step without time would find the same, but it changes what Box2D
-// starts the next step from, and looks at all contacts instead of a few.
+// Box2D evaluates a contact at the beginning of a substep, and some contacts again where it stops a fast body
+// on its way. Bodies that are wedged are then moved by the correction of overlaps, by some hundredths of a
+// metre in a substep, and fast ones move as far by their speed. Contacts of two bodies that moved far
+// relative to each other are therefore evaluated again at the end of the frame, and differences are reported
+// as touches that began or ended. Box2D finds the same at the beginning of the next substep; that second
+// report is dropped. Box2D's own state is not changed: a step of zero duration would find the same touches,
+// but it changes what Box2D starts its next step from, and evaluates all contacts instead of a few.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace trembler {
 
-// As Box2D itself decides whether it looks at a contact, and whether that touches.
+// As Box2D itself decides whether it evaluates a contact, and whether that touches.
 bool Box2dEngine::isStale(b2Contact* contact) {
     b2Body const* const a = contact->GetFixtureA()->GetBody();
     b2Body const* const b = contact->GetFixtureB()->GetBody();
     if (!isActive(*a) && !isActive(*b)) {
         return false;
     }
+    Overlap const overlap = overlapOf(*contact->GetFixtureA()->GetShape(), a->GetTransform(),
+                                      *contact->GetFixtureB()->GetShape(), b->GetTransform());
+    if (overlap != Overlap::unknown) {
+        return (overlap == Overlap::certain) != contact->IsTouching();
+    }
     b2Manifold now;
     contact->Evaluate(&now, a->GetTransform(), b->GetTransform());
     return (now.pointCount > 0) != contact->IsTouching();
 }
 
-Box2dEngine::Way Box2dEngine::wayFrom(SlotIndex slot, Place const& start) const {
+SubstepMotion Box2dEngine::motionFrom(SlotIndex slot, Place const& start) const {
     b2Body const& body = *bodies_[slot].body;
-    return {start.centre, body.GetPosition() - start.centre, body.GetAngle() - start.angle,
+    return {start.centre, body.GetPosition(), body.GetAngle() - start.angle,
             static_cast<float>(bodies_[slot].extent * scale_)};
 }
 
-bool Box2dEngine::isFar(Way const& way) const {
-    return way.by.Length() + std::abs(way.turn) * way.extent > static_cast<float>(farInSubstep * scale_);
-}
-
-bool Box2dEngine::isFarApart(Way const& a, Way const& b) const {
-    if (a.extent < b.extent) {
-        return isFarApart(b, a); // the points of the smaller one have moved less
-    }
-    bool const little = std::abs(a.turn) < 0.1F; // nearly all are: the series are exact to 2e-4 of a distance
-    b2Rot turned;
-    turned.s = little ? a.turn : std::sin(a.turn);
-    turned.c = little ? 1 - a.turn * a.turn / 2 : std::cos(a.turn);
-    b2Vec2 const before = b.from - a.from;
-    b2Vec2 const now = before + b.by - a.by;
-    return isFar({{}, now - b2Mul(turned, before), b.turn - a.turn, b.extent});
-}
-
-// By their places, not by their speeds: what is jammed moves without a speed, and may even be thrown back to
-// where it began the substep.
-void Box2dEngine::reportStaleTouches() {
-    ways_.resize(bodies_.size());
+// By positions, not by velocities: the correction of overlaps moves bodies that have no velocity, and may
+// even move one back to where it was at the beginning of the substep.
+void Box2dEngine::noteSubstepMotions() {
+    float const limit = static_cast<float>(farInSubstep * scale_);
+    substepMotions_.resize(bodies_.size());
     movedFar_.assign(bodies_.size(), Moved::little);
+    farSlots_.clear();
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (bodies_[slot].body != nullptr) {
-            ways_[slot] = wayFrom(slot, start_[slot]);
-            if (awake_[slot] != 0 && isFar(ways_[slot])) {
+            substepMotions_[slot] = motionFrom(slot, start_[slot]);
+            if (awake_[slot] != 0 && movedFar(substepMotions_[slot], limit)) {
                 movedFar_[slot] = Moved::far;
+                farSlots_.push_back(slot);
             }
         }
     }
     for (OnTheWay const& change : changedOnTheWay_) {
-        if (change.ended || isFar(wayFrom(change.slot, change.place))) {
-            movedFar_[change.slot] = Moved::stopped;
+        Moved& moved = movedFar_[change.slot];
+        if (moved != Moved::stopped &&
+            (change.ended || movedFar(motionFrom(change.slot, change.place), limit))) {
+            if (moved == Moved::little) {
+                farSlots_.insert(std::lower_bound(farSlots_.begin(), farSlots_.end(), change.slot),
+                                 change.slot);
+            }
+            moved = Moved::stopped;
         }
     }
-    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
-        if (movedFar_[slot] == Moved::little) {
-            continue;
+}
+
+// Where much moves together, as in a drum or on a vehicle, few bodies deviate from the motion of the largest
+// one, and pairs of the others have not moved relative to each other.
+bool Box2dEngine::findDeviating() {
+    deviating_.clear();
+    SlotIndex largest = noSlot;
+    for (SlotIndex const slot : farSlots_) {
+        if (movedFar_[slot] == Moved::stopped) {
+            return false;
         }
-        for (b2ContactEdge* edge = bodies_[slot].body->GetContactList(); edge != nullptr; edge = edge->next) {
-            SlotIndex const other = slotOf(edge->other);
-            bool const seen = other < slot && movedFar_[other] != Moved::little; // from its other end
-            bool const stopped = movedFar_[slot] == Moved::stopped || movedFar_[other] == Moved::stopped;
-            if (!seen && (stopped || isFarApart(ways_[slot], ways_[other])) && isStale(edge->contact)) {
-                TouchChange const change = changeOf(edge->contact, edge->contact->IsTouching() ? -1 : 1);
-                reported_.push_back({edge->contact, change, slot, other});
-                touches_.push_back(change);
+        if (largest == noSlot || substepMotions_[slot].extent > substepMotions_[largest].extent) {
+            largest = slot;
+        }
+    }
+    if (farSlots_.size() < 2) {
+        return false;
+    }
+    float const limit = static_cast<float>(farInSubstep * scale_);
+    deviates_.assign(bodies_.size(), 0);
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        if (bodies_[slot].body != nullptr &&
+            deviatesFrom(substepMotions_[largest], substepMotions_[slot], limit)) {
+            deviates_[slot] = 1;
+            deviating_.push_back(slot);
+            if (deviating_.size() == farSlots_.size()) {
+                return false;
             }
         }
+    }
+    return true;
+}
+
+void Box2dEngine::reportIfStale(b2Contact* contact, SlotIndex slot, SlotIndex other) {
+    bool const stopped = movedFar_[slot] == Moved::stopped || movedFar_[other] == Moved::stopped;
+    if (!stopped && outOfReach(substepMotions_[slot], substepMotions_[other])) {
+        return;
+    }
+    float const limit = static_cast<float>(farInSubstep * scale_);
+    if ((stopped || movedFarApart(substepMotions_[slot], substepMotions_[other], limit)) &&
+        isStale(contact)) {
+        TouchChange const change = changeOf(contact, contact->IsTouching() ? -1 : 1);
+        reported_.push_back({contact, change, slot, other});
+        touches_.push_back(change);
+    }
+}
+
+void Box2dEngine::reportStaleTouches() {
+    noteSubstepMotions();
+    bool const few = findDeviating();
+    // The bodies' lists of contacts side by side, not one after the other: memory then fetches the next
+    // contacts of many lists at once.
+    edges_.clear();
+    for (SlotIndex const slot : few ? deviating_ : farSlots_) {
+        if (b2ContactEdge* const edge = bodies_[slot].body->GetContactList(); edge != nullptr) {
+            edges_.push_back({edge, slot});
+        }
+    }
+    while (!edges_.empty()) {
+        std::size_t kept = 0;
+        for (auto const& [edge, slot] : edges_) {
+            SlotIndex const other = slotOf(edge->other);
+            bool const moved = movedFar_[slot] != Moved::little || movedFar_[other] != Moved::little;
+            bool const fromOther = few ? deviates_[other] != 0 : movedFar_[other] != Moved::little;
+            if (moved && !(fromOther && other < slot)) { // each pair once
+                reportIfStale(edge->contact, slot, other);
+            }
+            if (b2ContactEdge* const next = edge->next; next != nullptr) {
+                __builtin_prefetch(next);
+                edges_[kept++] = {next, slot};
+            }
+        }
+        edges_.resize(kept);
     }
 }
 

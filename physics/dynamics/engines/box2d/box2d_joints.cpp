@@ -1,6 +1,6 @@
-// Our joints in Box2D's terms. Its body A is our b (or the ground) and its body B our a wherever an angle or
-// a shift is measured, so that it is that of a as seen from b; forces scale with length, torques with its
-// square.
+// Converts our joints to Box2D's. Where an angle or a displacement is measured, Box2D's body A is our b (or
+// the ground) and its body B our a, so that the value is that of a relative to b; forces scale with length,
+// torques with its square.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 
 #include <algorithm>
@@ -23,9 +23,9 @@ b2Joint* Box2dEngine::makeJoint(JointSpec const& spec) {
     b2Vec2 const onB = toEngine(spec.anchors.onB);
     b2Vec2 const axis{asFloat(spec.anchors.axis.x), asFloat(spec.anchors.axis.y)};
     float const reference = asFloat(spec.anchors.referenceAngle);
-    float const strength = asFloat(joint.motorStrength * scale_); // of a force
+    float const strength = asFloat(joint.motorStrength * scale_); // as a force
     float const torque = asFloat(joint.motorStrength * scale_ * scale_);
-    // Box2D aborts where limits are the wrong way round, even those that are not in force.
+    // Box2D aborts if the lower limit exceeds the upper one, even if the limits are disabled.
     double const limitUnit = joint.form == JointForm::hinge ? 1 : scale_;
     float const lower = joint.limited ? asFloat(joint.lower * limitUnit) : 0;
     float const upper = joint.limited ? asFloat(joint.upper * limitUnit) : 0;

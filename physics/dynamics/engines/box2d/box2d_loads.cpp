@@ -1,4 +1,4 @@
-// The forces that act on bodies from outside while Box2D moves them, and those that resist motion.
+// Applies external forces, drag and damping to the bodies in each substep.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 
 namespace trembler {

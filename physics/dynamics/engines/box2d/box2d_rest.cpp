@@ -1,20 +1,11 @@
-// Which bodies sleep and which wake: Box2D's own bookkeeping, and the loads of sleeping bodies.
+// Sleeping and waking: Box2D's own state, and the loads of sleeping bodies.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
+#include "physics/dynamics/engines/drift.hpp"
 
 #include <cmath>
 #include <utility>
 
 namespace trembler {
-namespace {
-
-// A body that drifts freely, however slowly, does not come to rest by itself: above these it must not fall
-// asleep.
-constexpr double driftAcceleration = 1e-3; // m/s²
-constexpr double driftSpeed = 1e-4;        // m/s
-constexpr double driftSpin = 1e-3;         // rad/s
-
-} // namespace
-
 void Box2dEngine::wake(SlotIndex slot) {
     wakeAll(bodies_[slot].body);
 }
@@ -44,8 +35,8 @@ void Box2dEngine::wakeAll(b2Body* body) {
     }
 }
 
-// Box2D wakes bodies by itself too: when the body that they rested on is destroyed, or when sleep is
-// forbidden.
+// Box2D also wakes bodies by itself: when a body that they rested on is destroyed, or when sleeping is
+// disabled.
 void Box2dEngine::loadWoken() {
     if (!std::exchange(disturbed_, false)) {
         return;
@@ -72,7 +63,7 @@ bool Box2dEngine::drifts(BodyEntry const& entry) const {
     b2Body& body = *entry.body;
     float const tolerance = b2_linearSleepTolerance;
     if (body.GetLinearVelocity().LengthSquared() > tolerance * tolerance) {
-        return false; // too fast to fall asleep anyway
+        return false; // too fast to fall asleep
     }
     if (body.GetJointList() != nullptr) {
         return false;

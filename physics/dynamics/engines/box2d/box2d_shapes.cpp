@@ -3,7 +3,7 @@
 namespace trembler {
 namespace {
 
-// The pieces of one object in Box2D's terms.
+// Converts the pieces of one object to Box2D shapes.
 class ShapeMaker {
 public:
     ShapeMaker(BodySpec const& spec, double scale, std::function<void(b2Shape const&)> const& take)
@@ -34,7 +34,8 @@ public:
     }
 
 private:
-    static constexpr double shortest = 0.005; // m of a capsule's straight part that is worth a shape
+    // The shortest straight part of a capsule that gets a shape of its own, m.
+    static constexpr double shortest = 0.005;
 
     [[nodiscard]] b2Vec2 inBody(Vec2 point) const {
         Vec2 const v = point - spec_.spread.centre;
@@ -56,7 +57,7 @@ private:
         }
         take_(box);
     }
-    // Set() would look for the convex hull once more, and abort where single precision disagrees; these
+    // Set() would compute the convex hull again, and abort where single precision gives another result; these
     // corners are known to be convex and anticlockwise.
     void addPolygon(ShapePiece const& piece, std::vector<Vec2> const& corners) {
         b2PolygonShape polygon;

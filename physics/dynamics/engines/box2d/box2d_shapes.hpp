@@ -1,4 +1,4 @@
-// Our shapes in Box2D's terms.
+// Converts our shapes to Box2D's.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// Gives `take` the Box2D shapes that make up a body, in a fixed order, in units of 1/`scale` m around its
+/// Calls `take` with the Box2D shapes of a body, in a fixed order, in units of 1/`scale` m relative to its
 /// centre of mass: at most three for each piece.
 void makeShapes(BodySpec const& spec, double scale, std::function<void(b2Shape const&)> const& take);
 

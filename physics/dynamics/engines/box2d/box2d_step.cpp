@@ -1,9 +1,9 @@
-// One substep of Box2D, and what Box2D does about things that are so fast that they could jump through
-// others.
+// One substep of Box2D, and continuous collision detection for bodies that are so fast that they could jump
+// through others.
 //
-// Box2D finds the first impact within a substep, goes back to it, and looks through all contacts for the
-// next: impacts times contacts, which is too much where thousands of things land at once. There each fast
-// body's path is tested by itself instead, as the other engines do.
+// Box2D finds the first impact within a substep, goes back to it, and searches all contacts for the next:
+// this costs impacts times contacts, too much where thousands of bodies land at once. In that case the path
+// of each fast body is tested on its own, as in the other engines.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 
 #include <box2d/b2_distance.h>
@@ -15,7 +15,7 @@
 namespace trembler {
 namespace {
 
-// Impacts times contacts that a substep may look at: some hundredths of a second.
+// Limit of impacts times contacts in a substep: some hundredths of a second.
 constexpr double mostLooks = 4e6;
 
 bool tiedApart(b2Body* a, b2Body const* b) {
@@ -48,9 +48,9 @@ bool Box2dEngine::tooManyImpacts() const {
     if (contacts * contacts <= mostLooks) {
         return false;
     }
-    // Box2D looks for impacts on what is fixed, and on and of bullets: each such contact once.
-    double impacts = 0; // that there may be
-    for (SlotIndex const slot : stopping_) {
+    // Box2D's continuous collision detection covers static bodies and bullets: counts each such contact once.
+    double impacts = 0; // upper bound of the number of impacts, equal in any order of slots
+    for (SlotIndex const slot : stopping_.members()) {
         bool const moves = isActive(*bodies_[slot].body);
         for (b2ContactEdge const* edge = bodies_[slot].body->GetContactList(); edge != nullptr;
              edge = edge->next) {
@@ -64,7 +64,7 @@ bool Box2dEngine::tooManyImpacts() const {
 void Box2dEngine::noteStart() {
     start_.resize(bodies_.size());
     for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
-        if (bodies_[slot].body != nullptr) { // one that sleeps may be woken within the substep
+        if (bodies_[slot].body != nullptr) { // a sleeping body may be woken within the substep
             start_[slot] = {bodies_[slot].body->GetPosition(), bodies_[slot].body->GetAngle()};
         }
     }
@@ -72,7 +72,7 @@ void Box2dEngine::noteStart() {
 
 void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last) {
     if (double const added = std::exchange(added_, 0); added * added > mostLooks) {
-        // Box2D finds the contacts of new bodies only in a step. A step of no time does nothing else.
+        // Box2D finds the contacts of new bodies only in a step. A step of zero length does nothing else.
         guardBox2d([&] { world_.Step(0, settings.velocityIterations, settings.positionIterations); });
     }
     bool const many = tooManyImpacts();
@@ -131,6 +131,9 @@ float Box2dEngine::freeShare(BodyEntry const& entry, Place const& start, b2Vec2 
         if (other == entry.body || !stops || !b2ContactFilter{}.ShouldCollide(own, &fixture) ||
             tiedApart(entry.body, other)) {
             return;
+        }
+        if (fixture.TestPoint(at.p)) {
+            return; // b2ShapeCast may report a hit at the beginning of the path
         }
         b2ShapeCastInput input;
         input.proxyA.Set(fixture.GetShape(), 0);

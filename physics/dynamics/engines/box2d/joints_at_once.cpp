@@ -1,7 +1,7 @@
 #include "physics/dynamics/engines/box2d/joints_at_once.hpp"
 
-// Only the parts under the Mozilla Public License; and plain arithmetic in a stated order, whatever the
-// compiler.
+// Only the parts of Eigen under the Mozilla Public License; and no vectorisation, so that the order of
+// arithmetic is the same with every compiler.
 #define EIGEN_MPL2_ONLY
 #define EIGEN_DONT_VECTORIZE
 #include <Eigen/SparseCholesky>
@@ -16,7 +16,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
 constexpr double regularisation = 1e-12;
-// Entries of the factor per equation: a chain or a tree has about four, a net ever more.
+// Entries of the factor per equation: a chain or a tree has about four, a net many more.
 constexpr Eigen::Index densest = 40;
 
 std::size_t rowsOf(b2Joint& joint) {
@@ -40,9 +40,9 @@ double cross(b2Vec2 arm, double nx, double ny) {
 
 using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
-// Whether the factor of a matrix, of which the lower triangle is given, would have more than `most` entries
-// beside its diagonal. Walks the elimination tree (Liu 1990) as the factorisation would, and stops as soon as
-// that is certain; needs memory for the matrix only.
+// Whether the factor of a matrix, given by its lower triangle, would have more than `most` entries outside
+// its diagonal. Walks the elimination tree (Liu 1990) as the factorisation would, and stops as soon as the
+// answer is known; needs memory for the matrix only.
 bool factorExceeds(Matrix const& lower, Order const& order, Eigen::Index most) {
     Matrix upper(lower.rows(), lower.cols());
     upper.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(order);
@@ -73,8 +73,9 @@ bool factorExceeds(Matrix const& lower, Order const& order, Eigen::Index most) {
 struct JointsAtOnce::Factor {
     Matrix matrix; // the lower triangle
     Eigen::SimplicialLDLT<Matrix, Eigen::Lower> ldlt;
-    std::vector<std::size_t> entries;  // where each pair of rows of each mover adds to, in turn
-    std::vector<std::size_t> diagonal; // by row
+    // Index of the matrix entry for each pair of rows of each mover, in order.
+    std::vector<std::size_t> entries;
+    std::vector<std::size_t> diagonal; // index of the diagonal entry, by row
     Vector right;
     Vector found;
 };
@@ -87,7 +88,7 @@ void JointsAtOnce::setJoints(std::span<b2Joint* const> joints) {
     ties_.clear();
     rows_.clear();
     impulses_.assign(joints.size(), b2Vec2_zero);
-    std::map<std::uintptr_t, std::size_t> known; // by the slot of a body, which is its user data
+    std::map<std::uintptr_t, std::size_t> known; // movers by the slot of their body, which is its user data
     auto const moverOf = [&](b2Body* body) {
         if (body->GetType() != b2_dynamicBody) {
             return none;
@@ -128,7 +129,7 @@ void JointsAtOnce::findStructure() {
     Factor& factor = *factor_;
     auto const size = static_cast<Eigen::Index>(rows_.size());
     tooDense_ = size == 0 || pairsExceed(2 * static_cast<std::size_t>(densest + 1) * rows_.size());
-    if (tooDense_) { // such a matrix must not even be made
+    if (tooDense_) { // even the matrix would need too much memory
         return;
     }
     std::vector<Eigen::Triplet<double>> all;
@@ -173,7 +174,7 @@ void JointsAtOnce::findStructure() {
 }
 
 // Every pair of rows that share a body is an entry of the matrix. As no two rows share more than two bodies,
-// more than twice as many pairs as the factor may have entries leave it too dense whatever the order.
+// more than twice as many pairs as the factor may have entries make it too dense in any order.
 bool JointsAtOnce::pairsExceed(std::size_t most) const {
     std::size_t pairs = 0;
     for (Mover const& mover : movers_) {

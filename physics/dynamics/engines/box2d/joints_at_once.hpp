@@ -1,4 +1,4 @@
-// The joints of a Box2D world solved all at once, as one system of equations, before each of its steps.
+// Solves the joints of a Box2D world simultaneously, as one system of equations, before each step.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -12,16 +12,16 @@
 
 namespace trembler {
 
-/// Box2D solves one joint after the other, again and again. A pull needs about as many rounds to get through
-/// a chain as the square of its links, and more the heavier the load at its end: the missing part of the pull
-/// makes the chain swing. Here the impulses that keep all hinges, welds and rigid distances together in the
-/// coming step are found exactly, from J M⁻¹ Jᵀ λ = -J (v + h M⁻¹ f) (Baraff 1996), by a sparse LDLᵀ
-/// factorisation whose symbolic part is kept. They are given to the bodies before the step; Box2D's own
-/// joints then have nothing to do but to share with contacts, limits and motors, and to keep positions
-/// together.
+/// Box2D solves one joint after the other, repeatedly. The number of iterations until a tension has
+/// propagated through a chain is about the square of its links, and more the heavier the load at its end: the
+/// missing part of the tension makes the chain oscillate. Here the impulses that keep all hinges, welds and
+/// rigid distances together in the coming step are computed exactly, from J M⁻¹ Jᵀ λ = -J (v + h M⁻¹ f)
+/// (Baraff 1996), by a sparse LDLᵀ factorisation whose symbolic part is kept. They are applied to the bodies
+/// before the step; Box2D's own joints then only handle contacts, limits and motors, and correct positions.
 ///
-/// Redundant joints share their load by a regularisation of 1e-12. Deterministic. Where joints form a net
-/// rather than chains, trees and rings, factorising would cost more than it gains, and nothing is done.
+/// Redundant joints share their load through a regularisation of 1e-12. Deterministic. Where joints form a
+/// net rather than chains, trees and rings, the factorisation would cost more than it gains, and solve() does
+/// nothing.
 class JointsAtOnce {
 public:
     struct Pull {
@@ -34,12 +34,13 @@ public:
     JointsAtOnce(JointsAtOnce const&) = delete;
     JointsAtOnce& operator=(JointsAtOnce const&) = delete;
 
-    /// The joints of the world, by slot; nullptr where there is none. To be called before the next solve()
-    /// whenever any has come or gone.
+    /// Sets the joints of the world, by slot; nullptr for a free slot. Call before the next solve() whenever
+    /// joints have been added or removed.
     void setJoints(std::span<b2Joint* const> joints);
-    /// Gives the bodies the impulses for a step of `h` (s); `pullOn` gives the pull on a body in it.
+    /// Applies the impulses for a step of `h` (s) to the bodies; `pullOn` returns the external force and
+    /// torque on a body in that step.
     void solve(float h, std::function<Pull(b2Body const&)> const& pullOn);
-    /// The impulse of a joint in the last solve(), in units of the engine, on its Box2D body B.
+    /// The impulse of a joint in the last solve(), in the engine's units, on its Box2D body B.
     [[nodiscard]] b2Vec2 impulse(SlotIndex slot) const {
         return slot < impulses_.size() ? impulses_[slot] : b2Vec2_zero;
     }
@@ -48,15 +49,15 @@ private:
     struct Factor;
     struct Mover {
         b2Body* body = nullptr;
-        double inverseMass = 0; // of the part of an impulse that damping leaves
+        double inverseMass = 0; // multiplied by the share of an impulse that damping leaves
         double inverseInertia = 0;
-        double vx = 0; // velocity that it would have after the step without any joint
+        double vx = 0; // velocity after the step without any joint
         double vy = 0;
         double spin = 0;
-        double px = 0; // impulses
+        double px = 0; // sum of the impulses
         double py = 0;
         double turn = 0;
-        std::vector<std::pair<std::size_t, double>> rows; // that it takes part in, and with which sign
+        std::vector<std::pair<std::size_t, double>> rows; // the rows that involve it, with their signs
     };
     // n (v_B - v_A) + tb ω_B - ta ω_A = 0
     struct Row {
@@ -68,7 +69,7 @@ private:
     struct Tie {
         b2Joint* joint = nullptr;
         SlotIndex slot = noSlot;
-        std::size_t a = 0; // movers; none: fixed
+        std::size_t a = 0; // index of a mover; none: fixed
         std::size_t b = 0;
         std::size_t firstRow = 0;
         std::size_t rows = 0;

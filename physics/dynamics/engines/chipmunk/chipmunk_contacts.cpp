@@ -1,4 +1,4 @@
-// Contacts, as Chipmunk reports them while it steps.
+// Contacts, as reported by Chipmunk during its step.
 #ifdef TREMBLER_HAS_CHIPMUNK
 #include "physics/dynamics/engines/chipmunk/chipmunk_engine.hpp"
 
@@ -69,7 +69,7 @@ void ChipmunkEngine::noteContact(cpArbiter const& arbiter) {
             cpvlerp(cpvadd(arbiter.body_a->p, point.r1), cpvadd(arbiter.body_b->p, point.r2), 0.5);
         patch.points[i] = {middle.x, middle.y};
         patch.normalImpulse[i] = point.jnAcc;
-        patch.tangentImpulse[i] = -point.jtAcc; // along the normal turned clockwise, as Box2D has it
+        patch.tangentImpulse[i] = -point.jtAcc; // along the normal turned clockwise, as in Box2D
     }
     if (patch.b < patch.a) {
         std::swap(patch.a, patch.b);

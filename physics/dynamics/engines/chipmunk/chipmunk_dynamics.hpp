@@ -1,4 +1,4 @@
-// Dynamics computed by Chipmunk.
+// The Dynamics role implemented with Chipmunk.
 #pragma once
 
 #include "physics/dynamics/core/dynamics_engine.hpp"
@@ -6,7 +6,7 @@
 namespace trembler {
 
 #ifdef TREMBLER_HAS_CHIPMUNK
-/// Makes a Chipmunk space, in metres whatever the scale.
+/// Makes a Chipmunk space, which uses metres; `scale` is ignored.
 [[nodiscard]] std::unique_ptr<Engine> makeChipmunkEngine(double scale);
 #endif
 

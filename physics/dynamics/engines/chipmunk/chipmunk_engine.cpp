@@ -11,9 +11,9 @@
 namespace trembler {
 
 ChipmunkEngine::ChipmunkEngine() : space_(newSpaceQuietly()) {
-    cpSpaceSetGravity(space_.get(), cpvzero); // gravity is a force like any other
+    cpSpaceSetGravity(space_.get(), cpvzero); // gravity is a force like others
     cpSpaceSetCollisionSlop(space_.get(), skinDepth);
-    // Bodies sleep only when this engine says so, but Chipmunk must know that they may.
+    // Bodies sleep only when this engine puts them to sleep, but Chipmunk needs sleeping to be enabled.
     cpSpaceSetSleepTimeThreshold(space_.get(), 1e30);
     cpCollisionHandler* const handler = cpSpaceAddDefaultCollisionHandler(space_.get());
     handler->userData = this;
@@ -98,7 +98,7 @@ void ChipmunkEngine::layToRest(std::span<SlotIndex const> island) {
 }
 
 void ChipmunkEngine::move(double h, DynamicsSettings const& settings, std::vector<PieceContact>& found) {
-    // Each substep corrects a fifth of the overlap of skins, whatever its length.
+    // Each substep corrects a fifth of the overlap of skins, whatever the substep's length.
     cpSpaceSetCollisionBias(space_.get(), std::pow(0.8, 1 / h));
     cpSpaceSetIterations(space_.get(), settings.velocityIterations);
     h_ = h;
@@ -117,7 +117,7 @@ void ChipmunkEngine::move(double h, DynamicsSettings const& settings, std::vecto
     }
 }
 
-// Joints and contacts may have asked for any speed.
+// Joints and contacts may have caused any speed.
 void ChipmunkEngine::limitSpeed(cpBody& body) {
     double const speed = cpvlength(body.v);
     if (speed > maximumSpeed) {

@@ -1,8 +1,8 @@
-// Chipmunk 7 behind the engine interface.
+// The engine interface implemented with Chipmunk 7.
 //
-// Chipmunk counts in double precision, so it works in metres. Its contacts, solver, broad phase and sleeping
-// bodies are used; its joints are not, as they know neither each other (gears, pulleys) nor softness: joints
-// are rows of our own that its solver iterates like any other constraint.
+// Chipmunk computes in double precision, so metres can be used as its unit. Its contacts, solver, broad phase
+// and sleeping are used. Its joints are not, because it has no joints that couple other joints (gears,
+// pulleys) and no softness: joints are our own rows, which its solver iterates like any other constraint.
 #pragma once
 
 #include "physics/dynamics/engines/substepped/joint_rows.hpp"
@@ -44,13 +44,13 @@ private:
 
     static void limitSpeed(cpBody& body);
 
-    // Chipmunk calls these from within its step.
+    // Callbacks that Chipmunk calls during its step.
     static void updateVelocity(cpBody* body, cpVect gravity, cpFloat damping, cpFloat h);
     static void updatePosition(cpBody* body, cpFloat h);
     static cpBool beginTouch(cpArbiter* arbiter, cpSpace* space, cpDataPointer self);
     static cpBool beforeSolving(cpArbiter* arbiter, cpSpace* space, cpDataPointer self);
     static void afterSolving(cpArbiter* arbiter, cpSpace* space, cpDataPointer self);
-    /// The share of its way that a body can go before its core hits something.
+    /// The share of its path in `h` (s) that a body can move before its core hits something.
     [[nodiscard]] double freeShare(cpBody const* body, SlotIndex slot, double h) const;
     void noteContact(cpArbiter const& arbiter);
 
@@ -58,16 +58,17 @@ private:
     std::vector<cpBody*> bodies_;                // by slot
     std::vector<std::unique_ptr<Place>> places_; // by slot
     std::vector<std::unique_ptr<ChipmunkJoint, JointFree>> joints_;
-    std::vector<PieceContact>* found_ = nullptr; // while it steps
+    std::vector<PieceContact>* found_ = nullptr; // output of the current step; nullptr outside it
     double h_ = 0;
 };
 
-/// Adds the pieces of a shape to a body whose origin is the shape's centre of mass; names them.
+/// Adds the pieces of a shape to a body whose origin is the shape's centre of mass, and stores their
+/// pieceName().
 void addShapes(cpSpace& space, cpBody& body, SlotIndex slot, BodySpec const& spec);
-/// The name that addShapes() gave.
+/// The name that addShapes() stored.
 [[nodiscard]] std::uint32_t pieceOf(cpShape const* shape);
 
-/// Makes a space. The library greets on the standard output the first time; that goes nowhere.
+/// Makes a space without the message that the library prints on standard output the first time.
 [[nodiscard]] cpSpace* newSpaceQuietly();
 
 } // namespace trembler

@@ -1,4 +1,5 @@
-// Chipmunk's messages are kept off the terminal, and its failed checks do not end the program.
+// Keeps Chipmunk's messages off the terminal, and reports its failed assertions to the caller instead of
+// aborting; see failIfGuarded().
 #ifdef TREMBLER_HAS_CHIPMUNK
 #include "physics/dynamics/engines/chipmunk/chipmunk_engine.hpp"
 
@@ -12,8 +13,9 @@
 namespace trembler {
 
 cpSpace* newSpaceQuietly() {
-    // Debian's library says on the standard output that it has its checks on, at the first space of a
-    // process: into a stream that leads nowhere. Needs no file descriptor, of which there may be none left.
+    // Debian's library prints on standard output that assertions are enabled, at the first space of a
+    // process: this output is redirected to a stream that discards it. Needs no file descriptor, as there may
+    // be none left.
     static std::once_flag greeted;
     std::call_once(greeted, [] {
         cookie_io_functions_t nowhere{};
@@ -32,12 +34,12 @@ cpSpace* newSpaceQuietly() {
 
 } // namespace trembler
 
-// Chipmunk calls this before it aborts; defined here it stands in for the library's, which prints.
+// Chipmunk calls this before it aborts; this definition replaces the library's, which prints.
 extern "C" __attribute__((visibility("default"))) void cpMessage(char const* condition, char const* file,
                                                                  int line, int isError, int /*isHardError*/,
                                                                  char const* message, ...) {
     if (isError == 0) {
-        return; // a warning, at most of use to its authors
+        return; // a warning, for developers at most
     }
     std::array<char, 200> said{};
     va_list arguments;

@@ -39,7 +39,7 @@ void prepare(cpConstraint* constraint, cpFloat h) {
 void applyKept(cpConstraint* constraint, cpFloat stretch) {
     ChipmunkJoint& joint = jointOf(constraint);
     for (JointRow& row : joint.rows.rows()) {
-        row.impulse *= stretch; // of this step's length over the last one's
+        row.impulse *= stretch; // the length of this step relative to the last one
         push(joint, row, row.impulse);
     }
 }
@@ -89,7 +89,7 @@ ChipmunkJoint::ChipmunkJoint(cpBody* first, cpBody* second, JointRows joint, std
     b = second;
     maxForce = INFINITY;
     maxBias = INFINITY;
-    errorBias = 0.5; // of no use here, but Chipmunk looks at it
+    errorBias = 0.5; // has no effect here, but Chipmunk checks it
     collideBodies = collide ? cpTrue : cpFalse;
 }
 

@@ -9,7 +9,8 @@
 namespace trembler {
 
 struct ChipmunkJoint : cpConstraint {
-    /// Between the two bodies that Chipmunk is to know of.
+    /// `first` and `second` are the two bodies that Chipmunk connects by the constraint; `all` also includes
+    /// those of coupled joints.
     ChipmunkJoint(cpBody* first, cpBody* second, JointRows joint, std::vector<cpBody*> all, bool collide);
 
     JointRows rows;

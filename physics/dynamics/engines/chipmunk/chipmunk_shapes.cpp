@@ -1,4 +1,4 @@
-// Our shapes in Chipmunk's terms.
+// Converts our shapes to Chipmunk's.
 #ifdef TREMBLER_HAS_CHIPMUNK
 #include "physics/dynamics/engines/chipmunk/chipmunk_engine.hpp"
 
@@ -41,7 +41,7 @@ void addShapes(cpSpace& space, cpBody& body, SlotIndex slot, BodySpec const& spe
     std::size_t count = 0;
     for (ShapePiece const& piece : spec.shape->pieces) {
         cpShape* const shape = newShape(body, piece, spec.spread.centre);
-        // Names fit where Chipmunk has room for a pointer.
+        // The name is an integer that fits into Chipmunk's user data pointer.
         cpShapeSetUserData(shape, reinterpret_cast<void*>(std::uintptr_t{pieceName(slot, count++)}));
         cpSpaceAddShape(&space, shape);
     }

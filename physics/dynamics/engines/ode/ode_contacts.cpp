@@ -1,4 +1,4 @@
-// Contacts in ODE's world, found by Box2D's collision routines, and their pressure.
+// Contacts in ODE's world, found by Box2D's collision routines, and their contact forces.
 #ifdef TREMBLER_HAS_ODE
 #include "physics/dynamics/engines/ode/ode_engine.hpp"
 
@@ -8,10 +8,10 @@
 namespace trembler {
 namespace {
 
-constexpr double contactCorrection = 0.2; // of an overlap, in one substep
+constexpr double contactCorrection = 0.2; // share of an overlap that is corrected in one substep
 constexpr int mostPressing = 12;
 
-// As a patch names its objects.
+// The contact with its objects in the order that ContactPatch requires.
 PieceContact inOrderOfObjects(PieceContact contact) {
     if (contact.patch.b < contact.patch.a) {
         std::swap(contact.patch.a, contact.patch.b);
@@ -33,7 +33,7 @@ void OdeEngine::findTouches() {
     std::vector<SlotIndex> asked;
     std::vector<std::uint8_t> done(motions_.size(), 0);
     for (;;) {
-        // A body that a touch wakes may touch, and wake, others.
+        // A body that is woken by a contact may touch, and wake, others.
         asked.clear();
         for (SlotIndex slot = 0; slot < motions_.size(); ++slot) {
             if (done[slot] == 0 && moves(slot) && isAwake(slot)) {
@@ -65,10 +65,10 @@ void OdeEngine::findTouches() {
     }
 }
 
-// Of n bodies in one place each touches all others; ODE takes as long as it has rows. Between two that have
-// this many others to lean on, each, nothing presses: at most so many for each body, all in all.
+// Each of n bodies in one place touches all others, and ODE's time grows with its rows. Contacts between two
+// bodies that each have this many others are not given to ODE, so their total is at most this many per body.
 void OdeEngine::choosePressing() {
-    std::vector<int> others(motions_.size(), 0); // that move, by slot
+    std::vector<int> others(motions_.size(), 0); // number of movable bodies touched, by slot
     pressing_.assign(touches_.size(), 1);
     for (std::size_t i = 0; i < touches_.size(); ++i) {
         SlotIndex const a = touches_[i].a;
@@ -89,19 +89,19 @@ void OdeEngine::addContacts(double h) {
         if (pressing_[i] == 0) {
             continue;
         }
-        bool const flipped = idOf(touch.a) == nullptr; // ODE's first body must move
+        bool const flipped = idOf(touch.a) == nullptr; // ODE's first body must be movable
         dContact contact{};
         contact.surface.mode = dContactMu2 | dContactFDir1 | dContactApprox1 | dContactSoftERP;
         contact.surface.soft_erp = contactCorrection;
         contact.surface.mu = frictionOf(touch.a, touch.b);
-        contact.surface.mu2 = 0; // nothing moves out of the plane
+        contact.surface.mu2 = 0; // no friction perpendicular to the plane
         double const bounce = restitutionOf(touch.a, touch.b);
         if (bounce > 0) {
             contact.surface.mode |= dContactBounce;
             contact.surface.bounce = bounce;
             contact.surface.bounce_vel = bounceThreshold(touch.a, touch.b, h);
         }
-        Vec2 const inward = flipped ? touch.normal : -touch.normal; // into ODE's first body
+        Vec2 const inward = flipped ? touch.normal : -touch.normal; // towards ODE's first body
         contact.geom.normal[0] = inward.x;
         contact.geom.normal[1] = inward.y;
         contact.fdir1[0] = -inward.y;
@@ -140,7 +140,8 @@ void OdeEngine::reportContacts(double h, std::vector<PieceContact>& found) const
             dReal const* const onFirst = feedback_[i][n].f1;
             Vec2 const onB = (flipped ? h : -h) * Vec2{onFirst[0], onFirst[1]};
             patch.normalImpulse[n] = std::max(dot(onB, touch.normal), 0.0);
-            patch.tangentImpulse[n] = dot(onB, -perpendicular(touch.normal)); // the normal turned clockwise
+            // Along the normal turned clockwise.
+            patch.tangentImpulse[n] = dot(onB, -perpendicular(touch.normal));
         }
         found.push_back(inOrderOfObjects(contact));
     }

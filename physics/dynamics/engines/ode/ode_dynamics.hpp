@@ -1,4 +1,4 @@
-// Dynamics computed by ODE.
+// The Dynamics role implemented with ODE.
 #pragma once
 
 #include "physics/dynamics/core/dynamics_engine.hpp"
@@ -6,7 +6,7 @@
 namespace trembler {
 
 #ifdef TREMBLER_HAS_ODE
-/// Makes an ODE world, in metres; `scale` is that of the collision routines.
+/// Makes an ODE world, which uses metres; `scale` is that of the collision routines.
 [[nodiscard]] std::unique_ptr<Engine> makeOdeEngine(double scale);
 #endif
 

@@ -10,12 +10,13 @@
 namespace trembler {
 namespace {
 
-constexpr double jointCorrection = 0.4;       // of an error of place, in one substep
-constexpr double fastestOdeCorrection = 0.25; // m/s, of bodies that overlap: ODE's stays with them as speed
+constexpr double jointCorrection = 0.4; // share of a position error that is corrected in one substep
+// For overlapping bodies, m/s: small, because ODE keeps the correction as velocity.
+constexpr double fastestOdeCorrection = 0.25;
 constexpr std::size_t mostRowsSolvedExactly = 150;
-constexpr int sweepsPerIteration = 12; // ODE's relaxation has nothing to start from
-// Rows times sweeps in a substep, about 5 ms, and in all substeps of a frame, about 50 ms. Beyond, there are
-// fewer sweeps, but so many all the same.
+constexpr int sweepsPerIteration = 12; // many, because ODE's relaxation has no warm start
+// Limits of rows times sweeps in a substep, about 5 ms, and in all substeps of a frame, about 50 ms. Above
+// them there are fewer sweeps, but at least fewestSweeps.
 constexpr double mostWork = 300000;
 constexpr double mostWorkInFrame = 3000000;
 constexpr double fewestSweeps = 16;
@@ -24,7 +25,7 @@ constexpr double fewestSweeps = 16;
 
 OdeEngine::OdeEngine(double scale) : contacts_(dJointGroupCreate(0)), finder_(scale) {
     dWorldID const world = world_.get();
-    dWorldSetGravity(world, 0, 0, 0); // gravity is a force like any other
+    dWorldSetGravity(world, 0, 0, 0); // gravity is a force like others
     dWorldSetERP(world, jointCorrection);
     dWorldSetContactMaxCorrectingVel(world, fastestOdeCorrection);
     dWorldSetContactSurfaceLayer(world, skinDepth);
@@ -120,7 +121,7 @@ void OdeEngine::readBack(SlotIndex slot, double h) {
     dReal const* const spin = dBodyGetAngularVel(ids_[slot].get());
     motion.velocity = {velocity[0], velocity[1]};
     motion.spin = spin[2];
-    if (!isFinite(motion.velocity) || !std::isfinite(motion.spin)) { // a singular case has come to nothing
+    if (!isFinite(motion.velocity) || !std::isfinite(motion.spin)) { // a singular system has no solution
         motion = before;
         motion.velocity = {};
         motion.spin = 0;

@@ -1,9 +1,9 @@
-// The Open Dynamics Engine behind the engine interface.
+// The engine interface implemented with the Open Dynamics Engine.
 //
-// ODE knows three dimensions; no force here acts out of the plane, and bodies that rounding moves out of it
-// are put back in every substep. It computes in double precision, so it works in metres. Its solvers and
-// joints are used; contacts are found by Box2D's collision routines, as ODE's are made for boxes and balls in
-// space.
+// ODE is three-dimensional; no force here acts out of the plane, and bodies that rounding errors move out of
+// it are put back in every substep. It computes in double precision, so metres can be used as its unit. Its
+// solvers and joints are used; contacts are found by Box2D's collision routines, because ODE's are made for
+// three-dimensional shapes.
 #pragma once
 
 #include "physics/dynamics/engines/ode/ode_handles.hpp"
@@ -27,9 +27,9 @@ private:
         JointAnchors anchors;
         SlotIndex a = noSlot;
         SlotIndex b = noSlot;
-        OdeJoint main;        // holds
+        OdeJoint main;        // the joint's constraint
         OdeJoint drive;       // a hinge's motor and limits
-        bool flipped = false; // ODE's first body is our b, as our a does not move
+        bool flipped = false; // ODE's first body is our b, because our a is fixed
         std::unique_ptr<dJointFeedback> feedback;
         std::optional<JointRows> rows;
         Vec2 impulse; // N s on a in the last substep
@@ -55,7 +55,7 @@ private:
     }
     void tell(SlotIndex slot);
     void readBack(SlotIndex slot, double h);
-    /// The share of its way that a body can go before its core hits something.
+    /// The share of the path `way` that a body can move before its core hits something.
     [[nodiscard]] double freeShare(SlotIndex slot, Motion const& from, Vec2 way) const;
 
     // Joints.
@@ -63,7 +63,7 @@ private:
     void attachHinge(Joined& joined);
     void prepareJoints(double h);
     void pullTaut(Joined& joined);
-    /// Joints that ODE lacks: as rows, solved ahead of ODE, for where bodies would go without contacts.
+    /// Solves joints that ODE lacks as rows, before ODE's step, for the motion without contacts.
     void solveRows(double h, int iterations);
     void noteJointImpulses(double h);
 
@@ -74,22 +74,21 @@ private:
     void addContacts(double h);
     [[nodiscard]] PieceContact contactOf(FoundTouch const& touch) const;
     void reportContacts(double h, std::vector<PieceContact>& found) const;
-    /// Rows of the largest island, from which the cost of an exact solution follows.
+    /// Rows of the largest island, which determine the cost of an exact solution.
     [[nodiscard]] std::size_t largestIsland();
-    /// Sweeps of the approximate solution, after largestIsland().
-    /// Of ODE's relaxation, in a substep of `h` seconds.
+    /// Number of sweeps of ODE's relaxation, in a substep of `h` seconds; call after largestIsland().
     [[nodiscard]] int sweepsFor(int iterations, double h) const;
 
     OdeWorld world_;
     OdeJointGroup contacts_; // of one substep
     TouchFinder finder_;
-    std::vector<OdeBody> ids_;    // by slot; nothing where fixed
+    std::vector<OdeBody> ids_;    // by slot; empty where fixed
     std::vector<Motion> motions_; // by slot
     std::vector<std::unique_ptr<Joined>> joined_;
-    std::map<Pair, int> apart_; // joined bodies that must not hit each other
+    std::map<Pair, int> apart_; // number of joints of each joined pair that must not collide
     std::vector<FoundTouch> touches_;
-    std::vector<std::array<dJointFeedback, 2>> feedback_; // of touches_
-    std::vector<std::uint8_t> pressing_;                  // of touches_: ODE has received it
+    std::vector<std::array<dJointFeedback, 2>> feedback_; // by index of touches_
+    std::vector<std::uint8_t> pressing_; // by index of touches_: whether ODE receives the contact
     std::vector<SlotIndex> awakeSlots_;
     std::vector<std::size_t> parents_;
     std::vector<std::size_t> rowsOf_;

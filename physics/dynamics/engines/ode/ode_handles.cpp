@@ -13,7 +13,7 @@
 namespace trembler {
 namespace {
 
-// ODE calls it when a check of its own has failed. It may not return.
+// ODE calls this when an assertion has failed. It must not return.
 void failed(int /*number*/, char const* message, va_list arguments) {
     std::array<char, 256> words{};
     std::vsnprintf(words.data(), words.size(), message, arguments);
@@ -33,7 +33,7 @@ OdeWorld::OdeWorld() {
         }
         dSetErrorHandler(failed);
         dSetDebugHandler(failed);
-        // Where its solver meets a singular case ODE says so and goes on; its messages help no player.
+        // ODE reports singular systems and continues; its messages do not help players.
         dSetMessageHandler([](int, char const*, va_list) {});
     });
     world_ = dWorldCreate();
@@ -52,7 +52,7 @@ void OdeWorld::stepExactly(double h) {
 }
 
 void OdeWorld::stepQuickly(double h, int iterations) {
-    // It shuffles rows with a generator that all worlds of a process share.
+    // It shuffles rows with a random generator that all worlds of a process share.
     static std::mutex shuffling;
     std::lock_guard const lock(shuffling);
     dRandSetSeed(1);

@@ -1,4 +1,4 @@
-// ODE's objects, freed by themselves.
+// RAII owners of ODE's objects.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ using OdeBody = std::unique_ptr<std::remove_pointer_t<dBodyID>, OdeFree<dBodyDes
 using OdeJoint = std::unique_ptr<std::remove_pointer_t<dJointID>, OdeFree<dJointDestroy>>;
 using OdeJointGroup = std::unique_ptr<std::remove_pointer_t<dJointGroupID>, OdeFree<dJointGroupDestroy>>;
 
-/// A world that computes on the thread that steps it, and shares nothing with other worlds.
+/// A world that computes on the thread that steps it, and shares no state with other worlds.
 class OdeWorld {
 public:
     OdeWorld();
@@ -28,7 +28,7 @@ public:
     OdeWorld& operator=(OdeWorld const&) = delete;
 
     [[nodiscard]] dWorldID get() const { return world_; }
-    /// Solves all rows exactly (O(rows³) for each island).
+    /// Solves all rows exactly (O(rows³) for each island), in a step of `h` (s).
     void stepExactly(double h);
     /// Solves them by successive over-relaxation, in an order that is the same in every run.
     void stepQuickly(double h, int iterations);

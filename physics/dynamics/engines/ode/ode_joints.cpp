@@ -1,5 +1,5 @@
-// Our joints in ODE's terms. ODE takes a joint's anchors, axis and zero from where its bodies are when it is
-// set: they are put into the joint's own zero for that moment.
+// Converts our joints to ODE's. ODE takes a joint's anchors, axis and zero position from the poses of its
+// bodies at the time it is attached: so the bodies are temporarily moved to the joint's own zero.
 #ifdef TREMBLER_HAS_ODE
 #include "physics/dynamics/engines/ode/ode_engine.hpp"
 
@@ -9,7 +9,7 @@
 namespace trembler {
 namespace {
 
-constexpr double shortestRope = 1e-9; // m: below it a distance has no direction
+constexpr double shortestRope = 1e-9; // m: a shorter distance has no direction
 
 void putAt(dBodyID body, Vec2 centre, double angle) {
     if (body != nullptr) {
@@ -19,7 +19,7 @@ void putAt(dBodyID body, Vec2 centre, double angle) {
     }
 }
 
-// Whether ODE has no joint of the kind.
+// Whether ODE has no joint of this form.
 bool asRows(JointForm form) {
     return form == JointForm::gear || form == JointForm::pulley || form == JointForm::wheel;
 }
@@ -40,7 +40,7 @@ void OdeEngine::makeJoint(SlotIndex slot, JointSpec const& spec) {
     if (joined.joint.form == JointForm::gear) {
         joined.rows.emplace(spec, &*joined_[spec.gearA]->rows, &*joined_[spec.gearB]->rows);
     } else {
-        joined.rows.emplace(spec); // a gear may want to know of any
+        joined.rows.emplace(spec); // a gear may couple any joint
     }
     if (!joined.joint.collide && spec.b != noSlot) {
         ++apart_[std::minmax(spec.a, spec.b)];
@@ -70,7 +70,7 @@ void OdeEngine::attach(Joined& joined) {
     dBodyID const b = idOf(joined.b);
     dBodyID const first = joined.flipped ? b : a;
     dBodyID const second = joined.flipped ? a : b;
-    // Into the joint's zero: the body that moves is put to the one that may not, or a to b.
+    // Move to the joint's zero: the movable body relative to the fixed one, or a relative to b.
     Motion const atA = motionOrOrigin(joined.a);
     Motion const atB = motionOrOrigin(joined.b);
     Motion zeroA = atA;
@@ -105,7 +105,7 @@ void OdeEngine::attach(Joined& joined) {
     case JointForm::slider:
         joined.main.reset(dJointCreateSlider(world, nullptr));
         dJointAttach(joined.main.get(), first, second);
-        // Seen from the other side the same axis points the other way.
+        // Relative to the other body the same axis has the opposite direction.
         dJointSetSliderAxis(joined.main.get(), joined.flipped ? -axis.x : axis.x,
                             joined.flipped ? -axis.y : axis.y, 0);
         if (joined.joint.limited) {
@@ -132,7 +132,7 @@ void OdeEngine::attach(Joined& joined) {
         dJointSetDBallDistance(joined.main.get(), joined.anchors.length);
         break;
     }
-    case JointForm::rope: // a contact whenever it is taut: see pullTaut()
+    case JointForm::rope: // a contact while it is taut: see pullTaut()
     case JointForm::pulley:
     case JointForm::gear:
     case JointForm::wheel:
@@ -145,7 +145,7 @@ void OdeEngine::attach(Joined& joined) {
     }
 }
 
-// ODE's hinges count no whole turns; an angular motor receives its angle.
+// ODE's hinges do not count whole turns; so an angular motor receives the angle.
 void OdeEngine::attachHinge(Joined& joined) {
     Joint const& joint = joined.joint;
     if (!joint.limited && !joint.motor) {
@@ -249,7 +249,7 @@ void OdeEngine::solveRows(double h, int iterations) {
     if (all.empty()) {
         return;
     }
-    std::vector<Motion> shove(motions_.size()); // corrects errors of place, and adds no energy
+    std::vector<Motion> shove(motions_.size()); // corrects position errors without adding energy
     auto const push = [&](Solved const& solved, JointRow const& row, double impulse,
                           std::vector<Motion>& on) {
         for (int i = 0; i < row.count; ++i) {

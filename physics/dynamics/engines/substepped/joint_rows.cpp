@@ -7,9 +7,9 @@ namespace trembler {
 namespace {
 
 constexpr double unbounded = 1e300;
-constexpr double correctionShare = 0.6;  // of an error of place, in one substep
+constexpr double correctionShare = 0.6;  // share of a position error that is corrected in one substep
 constexpr double fastestCorrection = 10; // m/s or rad/s
-constexpr double shortest = 1e-9;        // m: below it a distance has no direction
+constexpr double shortest = 1e-9;        // m: a shorter distance has no direction
 
 } // namespace
 
@@ -30,7 +30,7 @@ struct JointRows::Ends {
     JointPose b;
     Vec2 armA;
     Vec2 armB;
-    Vec2 apart; // from b's end to a's
+    Vec2 apart; // from b's anchor to a's
     Vec2 axis;
 };
 
@@ -79,7 +79,8 @@ JointRows::Coordinate JointRows::turn(Ends const& ends) const {
     return {ends.a.angle - ends.b.angle - anchors_.referenceAngle, {{{a_, {}, 1}, {b_, {}, -1}}}};
 }
 
-// Along a direction that turns with b: a point further away from b's centre moves with its turning, too.
+// Displacement along a direction that rotates with b: b's rotation moves points that are farther from its
+// centre.
 JointRows::Coordinate JointRows::shift(Ends const& ends, Vec2 direction) const {
     return {dot(direction, ends.apart),
             {{{a_, direction, cross(ends.armA, direction)},
@@ -122,7 +123,8 @@ void JointRows::rigid(Coordinate const& along, double error) {
 void JointRows::pin(Ends const& ends) {
     for (Vec2 const direction : {Vec2{1, 0}, Vec2{0, 1}}) {
         Coordinate along = shift(ends, direction);
-        along.terms[1].angular = -cross(ends.armB, direction); // the world's directions turn with no body
+        // A direction fixed in the world rotates with no body.
+        along.terms[1].angular = -cross(ends.armB, direction);
         rigid(along, along.value);
     }
 }
@@ -140,7 +142,8 @@ void JointRows::limit(Coordinate const& along) {
     if (!joint_.limited) {
         return;
     }
-    // Still inside: it may go as far as it can within this substep. Outside: back, and not further.
+    // Inside the limit: the body may move at most to the limit within this substep. Outside: back to it, not
+    // farther.
     auto const side = [&](double inside, double sign) {
         JointRow& stop = row(along, sign);
         stop.low = 0;

@@ -1,5 +1,5 @@
-// Joints as rows: each says how fast some point or angle may change, and with which impulse at most. For
-// engines whose own joints are others than ours.
+// Joints as constraint rows: each row prescribes the rate of a point or angle, and limits its impulse. For
+// engines whose own joints differ from ours.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -8,7 +8,7 @@
 
 namespace trembler {
 
-/// A body as a joint sees it. The world, and a fixed body, has no inverse mass.
+/// The state of a body in a joint. The world and fixed bodies have inverse masses of 0.
 struct JointPose {
     Vec2 centre;               ///< m, of mass
     double angle = 0;          ///< rad
@@ -16,59 +16,60 @@ struct JointPose {
     double inverseInertia = 0; ///< 1/(kg m²)
 };
 
-/// The part of a row for one body: the Jacobian's.
+/// The Jacobian of a row for one body.
 struct RowTerm {
     int body = 0; ///< index into JointRows::slots()
     Vec2 linear;
     double angular = 0;
 };
 
-/// Wants J v = speed - softness * impulse, with an impulse between low and high; and that errors of place
-/// vanish with J v' = correction, v' a velocity that moves bodies for one step and is then forgotten (split
-/// impulses, which add no energy).
+/// Solves J v = speed - softness * impulse, with an impulse between low and high; and corrects position
+/// errors with J v' = correction, where v' is a velocity that moves bodies for one step and is then discarded
+/// (split impulses, which add no energy).
 struct JointRow {
     std::array<RowTerm, 4> terms;
     int count = 0;
-    bool corrects = false; ///< whether errors of place are its business
+    bool corrects = false; ///< whether the row corrects position errors
     double speed = 0;      ///< m/s or rad/s
     double softness = 0;   ///< of a spring, 1/kg or 1/(kg m²)
     double correction = 0; ///< m/s or rad/s
     double low = 0;        ///< N s or N m s
     double high = 0;
-    double mass = 0;    ///< 1 / (J M⁻¹ Jᵀ + softness); 0: the row rests
+    double mass = 0;    ///< 1 / (J M⁻¹ Jᵀ + softness); 0: the row is inactive
     double stiff = 0;   ///< 1 / (J M⁻¹ Jᵀ)
-    double impulse = 0; ///< so far in this step; kept to start the next with
+    double impulse = 0; ///< sum in this step; kept to warm-start the next one
     double push = 0;    ///< the same for the correction
 
-    /// The change of the impulse that brings the row to its target, given J v.
+    /// Returns the change of the impulse that brings the row to its target, given `relative` = J v.
     [[nodiscard]] double solve(double relative);
-    /// The same for the correction, given J v'.
+    /// The same for the correction, given `relative` = J v'.
     [[nodiscard]] double solveCorrection(double relative);
 };
 
 /// One joint of any form. Formulas: Jacobians by differentiating the constraint; springs by implicit Euler
-/// (E. Catto, Soft Constraints, GDC 2011); limits speculatively, so that a body may just reach them.
+/// (E. Catto, Soft Constraints, GDC 2011); limits are speculative, so that a body may just reach them.
 class JointRows {
 public:
-    /// A gear needs the joints that it couples; others none.
+    /// A gear needs the two joints that it couples; other forms none.
     explicit JointRows(JointSpec const& spec, JointRows const* first = nullptr,
                        JointRows const* second = nullptr);
 
-    /// The bodies that rows refer to; noSlot stands for the world. The first is the joint's a.
+    /// The bodies that rows refer to; noSlot means the world. The first is the joint's a.
     [[nodiscard]] std::span<SlotIndex const> slots() const {
         return {slots_.data(), static_cast<std::size_t>(bodies_)};
     }
-    /// Works out the rows for a substep of `h` (s) from where the bodies (as in slots()) are. Impulses stay.
+    /// Computes the rows for a substep of `h` (s) from the bodies' poses (in the order of slots()). Impulses
+    /// are kept.
     void prepare(std::span<JointPose const> poses, double h);
     [[nodiscard]] std::span<JointRow> rows() { return {rows_.data(), static_cast<std::size_t>(count_)}; }
     /// The impulse (N s) on a within this step.
     [[nodiscard]] Vec2 impulseOnA() const;
-    /// Its motor must not fall asleep.
+    /// Whether the joint has a motor that must not fall asleep.
     [[nodiscard]] bool restless() const;
     [[nodiscard]] JointForm form() const { return joint_.form; }
 
 private:
-    /// A quantity that a gear couples: an angle or a shift of a as seen from b, and how it changes.
+    /// A quantity that a gear couples: an angle or a displacement of a relative to b, and its rate.
     struct Coordinate {
         double value = 0;
         std::array<RowTerm, 2> terms;
@@ -91,7 +92,7 @@ private:
     void prepareGear(std::span<JointPose const> poses);
 
     Joint joint_;
-    JointAnchors anchors_; // relative to centres of mass
+    JointAnchors anchors_; // relative to the centres of mass
     std::array<SlotIndex, 4> slots_{};
     int bodies_ = 0;
     int a_ = 0;
@@ -100,7 +101,7 @@ private:
     std::array<JointRow, 5> rows_;
     int count_ = 0;
     std::vector<JointRows> coupled_;   // of a gear
-    std::optional<double> constant_{}; // of a gear: its sum when it came into being
+    std::optional<double> constant_{}; // of a gear: the weighted sum of its coordinates when it was created
 };
 
 } // namespace trembler

@@ -1,4 +1,5 @@
-// Islands of bodies that touch or are tied fall asleep, and wake, together.
+// Islands of touching or joined bodies fall asleep, and wake, together.
+#include "physics/dynamics/engines/drift.hpp"
 #include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 
 #include <algorithm>
@@ -9,15 +10,10 @@
 namespace trembler {
 namespace {
 
-// Slower than this for that long is at rest, as in Box2D at its usual scale.
+// A body slower than this for that long is at rest, as in Box2D at its usual scale.
 constexpr double slowSpeed = 0.0025;        // m/s
 constexpr double slowSpin = 2.0 / 180 * pi; // rad/s
 constexpr double timeToSleep = 0.5 - 1e-9;  // s
-// A body that drifts freely, however slowly, does not come to rest by itself: above these it must not fall
-// asleep.
-constexpr double driftAcceleration = 1e-3; // m/s²
-constexpr double driftSpeed = 1e-4;        // m/s
-constexpr double driftSpin = 1e-3;         // rad/s
 
 } // namespace
 
@@ -110,7 +106,8 @@ void SubsteppedEngine::findRest(double duration) {
             least[roots[slot]] = std::min(least[roots[slot]], bodies_[slot].idle);
         }
     }
-    std::vector<std::pair<SlotIndex, SlotIndex>> resting; // root and body, of each body that falls asleep
+    // Root of the island and body, for each body that falls asleep.
+    std::vector<std::pair<SlotIndex, SlotIndex>> resting;
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (awake_[slot] != 0 && least[roots[slot]] >= timeToSleep) {
             resting.emplace_back(roots[slot], slot);

@@ -7,7 +7,8 @@ namespace trembler {
 namespace {
 
 bool near(double x, double y) {
-    return std::abs(x - y) <= 1e-11 * (1 + std::abs(y)); // rounding by turning about a centre
+    // Tolerance for rounding errors from rotation about a centre.
+    return std::abs(x - y) <= 1e-11 * (1 + std::abs(y));
 }
 
 bool near(Vec2 x, Vec2 y) {
@@ -161,7 +162,7 @@ void SubsteppedEngine::accelerate(SlotIndex slot, Motion& motion, double h) {
 }
 
 double SubsteppedEngine::bounceThreshold(SlotIndex a, SlotIndex b, double h) const {
-    constexpr double slowest = 0.25; // m/s, Box2D's at its usual scale
+    constexpr double slowest = 0.25; // m/s, as in Box2D at its usual scale
     double gain = 0;
     for (SlotIndex const slot : {a, b}) {
         if (moves(slot)) {

@@ -1,5 +1,5 @@
-// The features that rigid-body libraries other than Box2D lack, or have in ways of their own: loads that
-// stand, drag, rest in islands, contacts that begin and end, impacts, a limit of speed.
+// Features that rigid-body libraries other than Box2D lack or define differently: constant loads, drag,
+// sleeping islands, beginning and ending contacts, impacts, a speed limit.
 #pragma once
 
 #include "physics/dynamics/engines/body_core.hpp"
@@ -7,7 +7,7 @@
 
 namespace trembler {
 
-/// An engine around a library that can move bodies on by one substep.
+/// An engine that uses a library to move bodies by one substep.
 class SubsteppedEngine : public Engine {
 public:
     void addBody(SlotIndex slot, BodySpec const& spec) final;
@@ -35,7 +35,7 @@ protected:
         ObjectId object; ///< invalid: the slot is free
         bool fixed = false;
         bool bullet = false;
-        double mass = 0;    ///< kg; of one that moves
+        double mass = 0;    ///< kg; of a movable body
         double inertia = 0; ///< kg m²
         double friction = 0;
         double restitution = 0;
@@ -43,10 +43,10 @@ protected:
         Damping damping;
         Load load;
         BodyCore core;
-        double extent = 0;      ///< m, of its farthest point from the centre of mass
-        int restlessJoints = 0; ///< motors that must not fall asleep
+        double extent = 0;      ///< m, distance of its farthest point from the centre of mass
+        int restlessJoints = 0; ///< number of motors that must not fall asleep
         int joints = 0;
-        double idle = 0; ///< s
+        double idle = 0; ///< s, for which the body has been slow
     };
     struct JointEntry {
         bool used = false;
@@ -56,50 +56,49 @@ protected:
         Vec2 force; ///< N, mean over the last step()
     };
 
-    // To be implemented by the library's engine.
+    // To be implemented by the engine of each library.
     virtual void makeBody(SlotIndex slot, BodySpec const& spec) = 0;
     virtual void dropBody(SlotIndex slot) = 0;
     virtual void makeJoint(SlotIndex slot, JointSpec const& spec) = 0;
     virtual void dropJoint(SlotIndex slot) = 0;
     [[nodiscard]] virtual Motion motionOf(SlotIndex slot) const = 0;
     virtual void setMotion(SlotIndex slot, Motion const& motion) = 0;
-    /// From now on the library moves the body again.
+    /// The library moves the body again from now on.
     virtual void rouse(SlotIndex slot) = 0;
-    /// From now on the library leaves these alone, which rest on each other.
+    /// The library leaves these bodies, which rest on each other, in place from now on.
     virtual void layToRest(std::span<SlotIndex const> island) = 0;
-    /// Moves all bodies that are awake on by `h` (s) and reports contacts, at least one body of each pair
-    /// being awake.
+    /// Moves all awake bodies by a substep of `h` (s) and reports contacts in which at least one body is
+    /// awake.
     virtual void move(double h, DynamicsSettings const& settings, std::vector<PieceContact>& found) = 0;
-    /// Reports the contacts of the bodies in `fast`, with impulses of 0, where all bodies are now. A library
-    /// that only knows the contacts at the substep's beginning returns false.
+    /// Reports the contacts of the bodies in `fast` at the current positions, with impulses of 0. Returns
+    /// false if the library only finds contacts at the substep's beginning.
     virtual bool lookAgain(std::span<SlotIndex const> /*fast*/, std::vector<PieceContact>& /*found*/) {
         return false;
     }
-    /// The impulse (N s) on a joint's a in the last substep.
+    /// The impulse (N s) on the joint's body a in the last substep.
     [[nodiscard]] virtual Vec2 jointImpulse(SlotIndex slot) const = 0;
 
-    // For the library's engine to use.
+    // For the engines of the libraries.
     [[nodiscard]] std::span<BodyEntry const> bodies() const { return bodies_; }
     [[nodiscard]] std::span<JointEntry const> joints() const { return joints_; }
     [[nodiscard]] bool moves(SlotIndex slot) const {
         return slot != noSlot && bodies_[slot].object.valid() && !bodies_[slot].fixed;
     }
     [[nodiscard]] bool isAwake(SlotIndex slot) const { return awake_[slot] != 0; }
-    /// Wakes a body that something touches; one that is awake may go on growing tired.
+    /// Wakes a body because of a contact; if it is awake, its sleep timer is not reset.
     void rouseSleeper(SlotIndex slot) {
         if (!isAwake(slot)) {
             wake(slot);
         }
     }
-    /// To be called where a library has woken a body by itself.
+    /// Call when the library has woken a body by itself.
     void noteAwake(SlotIndex slot);
-    /// The effect of load, drag and damping on a body's velocity within `h` (s), for every body once a
-    /// substep.
+    /// Applies load, drag and damping to a body's velocity for `h` (s); for every body once per substep.
     void accelerate(SlotIndex slot, Motion& motion, double h);
-    /// The speed of approach (m/s) up to which two bodies do not bounce: a body that a strong pull presses on
-    /// another gains speed in every substep; bouncing that back would never end.
+    /// The approach speed (m/s) up to which two bodies do not bounce: a body that is pressed against another
+    /// by a strong force gains speed in every substep; bouncing that back would never end.
     [[nodiscard]] double bounceThreshold(SlotIndex a, SlotIndex b, double h) const;
-    /// Coulomb's coefficient of a pair, and Newton's.
+    /// Coulomb's friction coefficient and Newton's coefficient of restitution of a pair.
     [[nodiscard]] double frictionOf(SlotIndex a, SlotIndex b) const;
     [[nodiscard]] double restitutionOf(SlotIndex a, SlotIndex b) const;
 
@@ -109,16 +108,16 @@ private:
     void lookAtFast(double h);
     void findRest(double duration);
     [[nodiscard]] bool idles(SlotIndex slot, Motion const& motion) const;
-    /// By slot: the lowest slot of its island.
+    /// By slot: the lowest slot of the body's island.
     [[nodiscard]] std::vector<SlotIndex> const& islands();
     void noteMoved();
     [[nodiscard]] Twist momentumOf(SlotIndex slot) const;
 
     std::vector<BodyEntry> bodies_;
     std::vector<JointEntry> joints_;
-    std::vector<DraggedBody> dragged_; // by slot; empty while nothing is dragged
+    std::vector<DraggedBody> dragged_; // by slot; empty if no body has drag
     std::vector<std::uint8_t> awake_;
-    std::vector<std::uint8_t> touching_; // by slot, as of findRest()
+    std::vector<std::uint8_t> touching_; // by slot, updated by findRest()
     bool anyAwake_ = false;
     TouchRecord touches_;
     std::vector<PieceContact> found_;
@@ -127,10 +126,10 @@ private:
     std::vector<SlotIndex> roots_;
 };
 
-/// The width by which a polygon is larger than drawn, all around, as in Box2D: things rest on this skin, so
-/// that levels are as tight on every engine.
+/// The width, in m, by which a polygon is larger than drawn, on all sides, as in Box2D: bodies rest on this
+/// skin, so that gaps in levels are equally tight with every engine.
 inline constexpr double skin = 0.0025; // m
-/// How deep skins sink into each other where they rest.
+/// How deep skins overlap at rest, in m.
 inline constexpr double skinDepth = 0.00125; // m
 
 } // namespace trembler

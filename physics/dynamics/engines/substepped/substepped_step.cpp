@@ -1,4 +1,4 @@
-// A frame of an engine around a library: its substeps and their results.
+// A step of an engine around a library: its substeps and their results.
 #include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void SubsteppedEngine::step(double duration, DynamicsSettings const& settings) {
 void SubsteppedEngine::substep(double h, DynamicsSettings const& settings) {
     move(h, settings, found_);
     checkMotion();
-    // A touch wakes; the remaining contacts have both bodies asleep.
+    // A contact wakes both bodies; the contacts that were not found again have both bodies asleep.
     for (PieceContact const& contact : found_) {
         rouseSleeper(contact.slotA);
         rouseSleeper(contact.slotB);
@@ -56,8 +56,9 @@ void SubsteppedEngine::substep(double h, DynamicsSettings const& settings) {
     }
 }
 
-// A substep finds the contacts at the places at its beginning. Fast bodies are elsewhere by now: a pair that
-// has met may have parted, and a body may lie deep in another one, and the world sees the frame's end.
+// A substep finds the contacts at the positions at its beginning. Fast bodies have moved since: a touching
+// pair may have separated, and a body may have penetrated another one, but the world reads the state at the
+// frame's end.
 void SubsteppedEngine::lookAtFast(double h) {
     std::vector<SlotIndex> fast;
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
@@ -72,7 +73,8 @@ void SubsteppedEngine::lookAtFast(double h) {
         return;
     }
     std::span<PieceContact const> const known = touches_.contacts();
-    for (PieceContact& contact : found_) { // a contact that presses has pressed where it was found before
+    // Known contacts keep the impulses from the positions at which they were solved.
+    for (PieceContact& contact : found_) {
         auto const at =
             std::lower_bound(known.begin(), known.end(), contact.key,
                              [](PieceContact const& x, std::uint64_t key) { return x.key < key; });
@@ -87,7 +89,7 @@ void SubsteppedEngine::lookAtFast(double h) {
     });
 }
 
-// The library has not checked its results yet.
+// The library does not check its results.
 void SubsteppedEngine::checkMotion() const {
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (awake_[slot] != 0) {

@@ -17,7 +17,7 @@ std::unique_ptr<b2Shape> copyOf(b2Shape const& shape) {
     return std::make_unique<b2PolygonShape>(static_cast<b2PolygonShape const&>(shape));
 }
 
-// Makes b2DynamicTree::Query() go on.
+// Adapter that makes b2DynamicTree::Query() visit all proxies.
 template <class Visitor>
 struct TreeQuery {
     Visitor visit;
@@ -67,7 +67,7 @@ void TouchFinder::follow(Entry& entry) {
 }
 
 bool TouchFinder::meet(Piece const& a, Piece const& b, FoundTouch& touch) const {
-    // Box2D's routines want the polygon first.
+    // Box2D's routines expect the polygon first.
     bool const swapped = a.shape->GetType() == b2Shape::e_circle && b.shape->GetType() != b2Shape::e_circle;
     Piece const& first = swapped ? b : a;
     Piece const& second = swapped ? a : b;
@@ -124,7 +124,7 @@ void TouchFinder::find(std::span<SlotIndex const> slots, Filter const& mayTouch,
     }
     auto const keyOf = [](auto const& pair) { return pieceKey(pair.first->name, pair.second->name); };
     std::sort(near_.begin(), near_.end(), [&](auto const& x, auto const& y) { return keyOf(x) < keyOf(y); });
-    near_.erase(std::unique(near_.begin(), near_.end()), near_.end()); // found from both sides
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end()); // pairs are found from both sides
     for (auto const& [a, b] : near_) {
         FoundTouch touch;
         if (meet(*a, *b, touch)) {
@@ -153,6 +153,9 @@ double TouchFinder::freeShare(Vec2 start, double radius, Vec2 way,
         SlotIndex const slot = slotOfPiece(piece->name);
         if (!b2TestOverlap(box, piece->box) || !stops(slot)) {
             return;
+        }
+        if (piece->shape->TestPoint(entries_[slot].at, at.p)) {
+            return; // b2ShapeCast may report a hit at the beginning of the path
         }
         b2ShapeCastInput input;
         input.proxyA.Set(piece->shape.get(), 0);

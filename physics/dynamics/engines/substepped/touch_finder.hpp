@@ -1,5 +1,5 @@
-// Contacts, found by Box2D's tree of boxes and its collision routines: for engines that move bodies, but find
-// out too little about polygons that meet.
+// Finds contacts with Box2D's dynamic tree and collision routines: for engines whose own contacts of polygons
+// are incomplete.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -10,14 +10,14 @@
 
 namespace trembler {
 
-/// Two pieces that touch, skins included.
+/// Two pieces that touch, including their skins.
 struct FoundTouch {
     std::uint64_t key = 0; ///< see pieceKey()
     SlotIndex a = noSlot;
     SlotIndex b = noSlot;
     Vec2 normal;                 ///< unit, from a to b
     std::array<Vec2, 2> points;  ///< m, in the world
-    std::array<double, 2> depth; ///< m, by which skins overlap
+    std::array<double, 2> depth; ///< m, overlap of the skins
     int count = 0;
 };
 
@@ -25,7 +25,7 @@ class TouchFinder {
 public:
     using Filter = std::function<bool(SlotIndex, SlotIndex)>;
 
-    /// Box2D's unit of length is 1/`scale` m, which makes polygons' skins 0.01/`scale` m thick.
+    /// Box2D's unit of length is 1/`scale` m, which makes the skins of polygons 0.01/`scale` m thick.
     explicit TouchFinder(double scale) : scale_(scale) {}
 
     void add(SlotIndex slot, BodySpec const& spec);
@@ -33,10 +33,10 @@ public:
     void place(SlotIndex slot, Vec2 centre, double angle);
 
     /// Appends the contacts of the pieces of the bodies in `slots`, each pair of pieces once, ascending by
-    /// key. `mayTouch` is asked with the smaller slot first.
+    /// key. `mayTouch` is called with the smaller slot first.
     void find(std::span<SlotIndex const> slots, Filter const& mayTouch, std::vector<FoundTouch>& found);
-    /// The share of its `way` (m) that a disc can go from `start` before it meets a body that `stops` it; 1
-    /// where it meets none or is in one already.
+    /// The share of the path `way` (m) that a disc can move from `start` before it hits a body for which
+    /// `stops` returns true; 1 if it hits none or overlaps one already.
     [[nodiscard]] double freeShare(Vec2 start, double radius, Vec2 way,
                                    std::function<bool(SlotIndex)> const& stops) const;
 
@@ -61,7 +61,7 @@ private:
     double scale_;
     b2DynamicTree tree_;
     std::vector<Entry> entries_;                              // by slot
-    std::vector<std::pair<Piece const*, Piece const*>> near_; // kept for its memory
+    std::vector<std::pair<Piece const*, Piece const*>> near_; // a member to reuse its memory
 };
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// Contacts, piece by piece: for engines that only report the contacts of a step.
+// Keeps contacts between substeps: for engines that only report the contacts of the current step.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -9,13 +9,13 @@ namespace trembler {
 
 /// Two pieces that touch.
 struct PieceContact {
-    std::uint64_t key = 0; ///< names the pair for as long as it touches; see pieceKey()
+    std::uint64_t key = 0; ///< identifies the pair while it touches; see pieceKey()
     SlotIndex slotA = noSlot;
     SlotIndex slotB = noSlot;
-    ContactPatch patch; ///< whose a < b
+    ContactPatch patch; ///< with a < b
 };
 
-/// One piece of the body in a slot; an engine may make up to three out of one of ours.
+/// Name of one piece of the body in a slot; an engine may make up to three shapes from one piece of a level.
 [[nodiscard]] constexpr std::uint32_t pieceName(SlotIndex slot, std::size_t piece) {
     return slot << 10 | static_cast<std::uint32_t>(piece); // maximumPieces is 256
 }
@@ -26,23 +26,22 @@ struct PieceContact {
     return a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
 }
 
-/// Keeps the contacts of a world from substep to substep and notes which begin and which end.
+/// Keeps the contacts of a world from substep to substep and records which begin and which end.
 class TouchRecord {
 public:
-    /// Takes in the contacts that a substep found, in any order; empties `found`. A contact that was there
-    /// and was not found has ended, unless `rests` says that it was not looked for, as both its bodies are
-    /// asleep or fixed.
+    /// Records the contacts that a substep found, in any order; empties `found`. A known contact that was not
+    /// found has ended, unless `rests` returns true for it, which means that it was not searched for.
     void take(std::vector<PieceContact>& found, std::function<bool(PieceContact const&)> const& rests);
-    /// Ends all contacts of a body that is going away.
+    /// Ends all contacts of a body that is removed.
     void remove(SlotIndex slot);
-    /// Ascending by key.
+    /// The current contacts, ascending by key.
     [[nodiscard]] std::span<PieceContact const> contacts() const { return contacts_; }
     [[nodiscard]] std::vector<TouchChange>& changes() { return changes_; }
 
     void noteImpacts(bool wanted);
     void startStep() { impacts_.clear(); }
-    /// Finds the impacts of a substep that began `since` (s) after the frame did, after take(). `inverseMass`
-    /// is by slot.
+    /// Finds the impacts of a substep that began `since` (s) after the step's beginning; call after take().
+    /// `inverseMass` returns 1/kg by slot.
     void findImpacts(double since, std::function<double(SlotIndex)> const& inverseMass);
     [[nodiscard]] std::span<Impact const> impacts() const { return impacts_; }
 
@@ -50,7 +49,7 @@ private:
     void change(PieceContact const& contact, int delta);
 
     std::vector<PieceContact> contacts_;
-    std::vector<PieceContact> merged_; // kept for its memory
+    std::vector<PieceContact> merged_; // a member to reuse its memory
     std::vector<TouchChange> changes_;
     bool impactsWanted_ = false;
     ImpactBook pressures_;

@@ -1,4 +1,4 @@
-// Which modes bodies have, and how impacts excite them.
+// The modes of bodies, and their excitation by impacts.
 #include "audio/effect/core/contact_pulse.hpp"
 #include "audio/effect/core/mode_shapes.hpp"
 #include "audio/effect/core/sounding_body.hpp"

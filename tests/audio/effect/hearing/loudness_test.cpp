@@ -1,4 +1,4 @@
-// Who hears what, and the sensor that switches because of it.
+// Loudness at each listener, and the sound sensor that it switches.
 #include "tests/audio/effect/listening_room.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Rings for the eye.
+// The rings that are drawn around sounding objects.
 #include "audio/effect/hearing/rings.hpp"
 #include "audio/effect/properties/decibel.hpp"
 

@@ -1,4 +1,4 @@
-// What gets through walls and around them, against brute force and closed forms.
+// Sound transmitted through walls and diffracted around them, compared with brute force and closed forms.
 #include "audio/effect/hearing/sound_path.hpp"
 
 #include <gtest/gtest.h>
@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
 
 namespace trembler {
 namespace {
@@ -157,28 +161,26 @@ TEST(Obstacles, WaysNeverCrossWhatIsInTheWay) {
             }
         }
         reach[static_cast<std::size_t>(60 * n + 20)] = 0;
-        for (bool changed = true; changed;) { // Bellman and Ford: slow and plain
-            changed = false;
-            for (int y = 0; y < n; ++y) {
-                for (int x = 0; x < n; ++x) {
-                    auto const here = static_cast<std::size_t>(y * n + x);
-                    if (blocked[here] != 0) {
+        using Reached = std::pair<double, int>; // m, and the cell
+        std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+        for (open.emplace(0, 60 * n + 20); !open.empty();) {
+            auto const [far, cell] = open.top();
+            open.pop();
+            if (far > reach[static_cast<std::size_t>(cell)]) {
+                continue; // it has been reached by a shorter way since
+            }
+            for (int dy = -1; dy <= 1; ++dy) {
+                for (int dx = -1; dx <= 1; ++dx) {
+                    int const x = cell % n + dx;
+                    int const y = cell / n + dy;
+                    if (x < 0 || y < 0 || x >= n || y >= n) {
                         continue;
                     }
-                    for (int dy = -1; dy <= 1; ++dy) {
-                        for (int dx = -1; dx <= 1; ++dx) {
-                            int const nx = x + dx;
-                            int const ny = y + dy;
-                            if (nx < 0 || ny < 0 || nx >= n || ny >= n) {
-                                continue;
-                            }
-                            auto const there = static_cast<std::size_t>(ny * n + nx);
-                            double const step = 0.05 * std::hypot(dx, dy);
-                            if (reach[there] + step < reach[here] - 1e-12) {
-                                reach[here] = reach[there] + step;
-                                changed = true;
-                            }
-                        }
+                    auto const next = static_cast<std::size_t>(y * n + x);
+                    double const way = far + 0.05 * std::hypot(dx, dy);
+                    if (blocked[next] == 0 && way < reach[next]) {
+                        reach[next] = way;
+                        open.emplace(way, y * n + x);
                     }
                 }
             }

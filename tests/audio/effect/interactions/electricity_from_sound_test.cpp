@@ -1,4 +1,4 @@
-// A sound sensor beside the other interactions on electricity: none takes away what it has connected.
+// A sound sensor beside other interactions on electricity: none removes the connections of another.
 #include "physics/motor/properties.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "tests/audio/effect/listening_room.hpp"

@@ -1,4 +1,5 @@
-// What a frame in several parts sounds like: the impacts of all parts at their times, and as much noise.
+// The sound of a frame in several parts: the impacts of all parts at their times, and the same amount of
+// noise.
 #include "audio/effect/properties/sounds.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Title screen, levels, menu, what is remembered; and what the program does where there is no screen.
+// Title screen, levels, menu, profile; and the program without a display.
 #include "game/ui/app/play.hpp"
 #include "game/ui/headless/screenshot.hpp"
 #include "game/ui/shared/words.hpp"
@@ -16,7 +16,7 @@ namespace {
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
 
 std::filesystem::path freshFolder(char const* name) {
-    auto folder = pictureFolder() / name;
+    auto folder = testFolder() / name;
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     return folder;
@@ -33,8 +33,9 @@ std::size_t colours(render::Image const& image) {
     return seen.size();
 }
 
-TEST(Program, aLevelIsChosenOnTheTitleScreen) {
+TEST(Program, ALevelIsChosenOnTheTitleScreen) {
     Player player;
+    player.drawEveryPicture(); // title, level and menus one after the other, as on a player's screen
     EXPECT_EQ(player.app().play(), nullptr);
     player.clickItem("level first/1-first-contact.json");
     ASSERT_NE(player.app().play(), nullptr);
@@ -56,13 +57,13 @@ TEST(Program, aLevelIsChosenOnTheTitleScreen) {
     EXPECT_FALSE(player.frame());
 }
 
-TEST(Program, theWindowsCloseButtonEndsIt) {
+TEST(Program, TheWindowsCloseButtonEndsIt) {
     Player player;
     render::pushQuit();
     EXPECT_FALSE(player.frame());
 }
 
-TEST(Program, everyLevelIsInTheCatalog) {
+TEST(Program, EveryLevelIsInTheCatalog) {
     LevelCatalog const catalog(gameData().registry, levelsFolder());
     EXPECT_EQ(catalog.size(), gameData().levels().size());
     ASSERT_FALSE(catalog.groups().empty());
@@ -75,7 +76,7 @@ TEST(Program, everyLevelIsInTheCatalog) {
     }
 }
 
-TEST(Program, aBrokenLevelIsShownAndNothingIsLost) {
+TEST(Program, ABrokenLevelIsShownAndNothingIsLost) {
     auto const folder = freshFolder("levels");
     std::ofstream(folder / "1-broken.json") << "{\"version\": 1, \"title\": ";
     std::ofstream(folder / "10-nonsense.json") << "[]";
@@ -97,7 +98,7 @@ TEST(Program, aBrokenLevelIsShownAndNothingIsLost) {
     EXPECT_TRUE(player.frame());
 }
 
-TEST(Program, settingsAndProgressAreKept) {
+TEST(Program, SettingsAndProgressAreKept) {
     auto const file = freshFolder("profile") / "deep" / "profile.json";
     {
         Player player({1280, 720}, file);
@@ -124,7 +125,7 @@ TEST(Program, settingsAndProgressAreKept) {
     window().setUiScaleRequest(1.F);
 }
 
-TEST(Program, restartPutsAllPartsBack) {
+TEST(Program, RestartPutsAllPartsBack) {
     Player player;
     player.open(firstContact);
     player.drag(player.item("part steel bar"), player.at({-1.8, 1.5}));
@@ -137,7 +138,7 @@ TEST(Program, restartPutsAllPartsBack) {
     EXPECT_TRUE(player.session().placed().empty());
 }
 
-TEST(Program, theClockKeepsPaceAndDoesNotRunAway) {
+TEST(Program, TheClockKeepsPaceAndDoesNotRunAway) {
     FrameClock clock;
     int frames = 0;
     for (int i = 0; i < 6000; ++i) {
@@ -159,7 +160,7 @@ TEST(Program, theClockKeepsPaceAndDoesNotRunAway) {
     EXPECT_NEAR(clock.due(1.0 / 60, 4), 4, 1);
 }
 
-TEST(Program, numbersAreReadable) {
+TEST(Program, NumbersAreReadable) {
     EXPECT_EQ(readable(0), "0");
     EXPECT_EQ(readable(-0.0), "0");
     EXPECT_EQ(readable(1.0 / 3), "0.333");
@@ -171,7 +172,7 @@ TEST(Program, numbersAreReadable) {
 }
 
 // These open windows of their own.
-TEST(Program, aScreenshotIsWrittenAndNotBlank) {
+TEST(Program, AScreenshotIsWrittenAndNotBlank) {
     closeWindow();
     auto const folder = freshFolder("screenshots");
     ScreenshotOptions options;
@@ -194,7 +195,7 @@ TEST(Program, aScreenshotIsWrittenAndNotBlank) {
     EXPECT_THROW(static_cast<void>(screenshot(gameData(), options)), InputError);
 }
 
-TEST(Program, withoutADisplayTheRecordedSolutionIsPlayed) {
+TEST(Program, WithoutADisplayTheRecordedSolutionIsPlayed) {
     closeWindow();
     auto const folder = freshFolder("no-display");
     PlayOptions options;

@@ -1,4 +1,4 @@
-// Keys given to commands by the player: with the keyboard alone, and with the mouse but for the key itself.
+// Assigning keys to commands: with the keyboard alone, and with the mouse except for the key itself.
 #include "tests/game/ui/player.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ protected:
     }
     [[nodiscard]] KeysPage const& keysPage() const { return player->app().menu().keysPage(); }
 
-    std::filesystem::path const folder = pictureFolder() / "keys-page-test";
+    std::filesystem::path const folder = testFolder() / "profile";
     std::unique_ptr<Player> player;
 };
 

@@ -1,4 +1,4 @@
-// From key events to commands, with the modifiers that tools use as well.
+// Key events run commands, also with the modifiers that tools use.
 #include "game/ui/commands/carry_out_keys.hpp"
 #include "tests/game/ui/commands/counting_screen.hpp"
 

@@ -1,4 +1,4 @@
-// Keys with modifiers: how they are spelt.
+// Names of keys with modifiers.
 #include "game/ui/commands/chord.hpp"
 
 #include <gtest/gtest.h>

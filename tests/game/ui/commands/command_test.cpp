@@ -1,4 +1,4 @@
-// A table of commands, and the screen that it works on.
+// A table of commands, and the screen that they act on.
 #include "tests/game/ui/commands/counting_screen.hpp"
 
 #include <gtest/gtest.h>

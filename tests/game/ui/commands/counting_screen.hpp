@@ -1,4 +1,4 @@
-// A screen of a few commands that count how often they are carried out.
+// A screen with a few commands that count how often they run.
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
@@ -62,7 +62,7 @@ inline constexpr std::array countingTable{
         .run = count<'d'>},
 };
 
-/// Another screen, which shares "walk" and has a key of the first one for something else.
+/// Another screen, which shares "walk" and uses a key of the first screen for another command.
 inline constexpr std::array otherTable{
     Command<Counting>{.info = countingTable[0].info, .run = count<'w'>},
     Command<Counting>{

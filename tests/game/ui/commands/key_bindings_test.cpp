@@ -1,4 +1,4 @@
-// Which key stands for which command: what the player may choose, and what a profile may say.
+// Key bindings: the player's choices, and valid and invalid profiles.
 #include "tests/game/ui/commands/counting_screen.hpp"
 
 #include <gtest/gtest.h>

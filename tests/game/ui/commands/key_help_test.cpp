@@ -1,4 +1,4 @@
-// The page of keys, from the tables.
+// The page of keys, made from the command tables.
 #include "game/ui/commands/key_help.hpp"
 #include "tests/game/ui/commands/counting_screen.hpp"
 

@@ -1,4 +1,4 @@
-// trembler run --sound: what the levels sound like, as files.
+// trembler run --sound: the sound of the levels as files.
 #include "game/ui/headless/run_sound.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/json_document.hpp"
@@ -82,7 +82,7 @@ double powerAround(std::span<float const> samples, double frequency, double shar
     return sum;
 }
 
-TEST_F(RunSoundTest, theDoorbellRingsWithThePartialsOfABell) {
+TEST_F(RunSoundTest, TheDoorbellRingsWithThePartialsOfABell) {
     Wav const heard = hear(doorbell(), "", 600);
     ASSERT_EQ(heard.left.size(), 600 * 800U);
     std::span<float const> const ringing = std::span(heard.left).last(5 * 48000);
@@ -95,7 +95,7 @@ TEST_F(RunSoundTest, theDoorbellRingsWithThePartialsOfABell) {
     }
 }
 
-TEST_F(RunSoundTest, aWoodenClipOnTheContactLeavesTheBellSilent) {
+TEST_F(RunSoundTest, AWoodenClipOnTheContactLeavesTheBellSilent) {
     auto const prime = [](Wav const& wav) {
         return powerAround(std::span(wav.left).last(5 * 48000), 880, 0.02);
     };
@@ -105,7 +105,7 @@ TEST_F(RunSoundTest, aWoodenClipOnTheContactLeavesTheBellSilent) {
 }
 
 // The same bell, struck by the same ball.
-TEST_F(RunSoundTest, aBellStruckHarderIsLouderAndBrighter) {
+TEST_F(RunSoundTest, ABellStruckHarderIsLouderAndBrighter) {
     double power = 0;
     double brightness = 0;
     for (double const speed : {0.5, 2.0, 8.0}) {
@@ -132,7 +132,7 @@ TEST_F(RunSoundTest, aBellStruckHarderIsLouderAndBrighter) {
 }
 
 // A recording beside the level: a tone that no mode of a rubber ball has.
-TEST_F(RunSoundTest, aLevelsOwnRecordingIsHeard) {
+TEST_F(RunSoundTest, ALevelsOwnRecordingIsHeard) {
     constexpr int length = 24000;
     std::ofstream wav(folder / "tone.wav", std::ios::binary);
     auto const number = [&](auto value) { wav.write(reinterpret_cast<char const*>(&value), sizeof value); };
@@ -173,7 +173,7 @@ TEST_F(RunSoundTest, aLevelsOwnRecordingIsHeard) {
     EXPECT_GT(played, 10 * missing);
 }
 
-TEST_F(RunSoundTest, listeningIsTheSameEveryTimeAndChangesNothing) {
+TEST_F(RunSoundTest, ListeningIsTheSameEveryTimeAndChangesNothing) {
     std::uint64_t hash = 0;
     Wav const once = hear(doorbell(), "", 120, &hash);
     Wav const again = hear(doorbell(), "", 120);
@@ -184,7 +184,7 @@ TEST_F(RunSoundTest, listeningIsTheSameEveryTimeAndChangesNothing) {
     EXPECT_EQ(run(deaf, "a level", options).stateHash, hash);
 }
 
-TEST_F(RunSoundTest, aLevelInWhichNothingMovesIsSilent) {
+TEST_F(RunSoundTest, ALevelInWhichNothingMovesIsSilent) {
     LevelFile const level = readLevel(gameData().registry, JsonDocument::parse(R"({
         "version": 2, "title": "Still", "text": "Nothing happens.",
         "world": {"gravity": [0, -9.81]},

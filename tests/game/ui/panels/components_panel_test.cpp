@@ -1,4 +1,4 @@
-// What accuracy costs, on the screen: the panel's rows, its knobs and the time budget.
+// The components panel: rows, knobs and the time budget.
 #include "game/ui/panels/cost_rows.hpp"
 #include "game/ui/shared/words.hpp"
 #include "runtime/level/model/world_change.hpp"
@@ -16,7 +16,7 @@ auto const raft = levelsFolder() / "experiments/4-raft.json";
 
 /// A cloud of stars in orbit: costly enough to be worth a budget.
 std::filesystem::path starsLevel() {
-    auto const path = pictureFolder() / "stars.json";
+    auto const path = testFolder() / "stars.json";
     std::ofstream file(path);
     file
         << R"({"version": 2, "title": "Stars", "text": "They attract each other.", "world": {"gravity_law": )"
@@ -102,9 +102,12 @@ TEST_P(BudgetPanel, ABudgetIsKeptAndSaysWhatItDid) {
                 MouseButton::Left, 2);
     EXPECT_NEAR(*player.play().budget().budget(), 1000 * static_cast<double>(leastBudget), 0.1);
     player.key(SDLK_SPACE);
-    player.simulate(80);
-    player.frames(3);
     auto const& mode = player.play().budget();
+    // A round in which the computer did something else for long says nothing about where the time goes.
+    for (int rounds = 0; rounds < 5 && mode.decisions().empty(); ++rounds) {
+        player.simulate(80);
+    }
+    player.frames(3);
     ASSERT_FALSE(mode.decisions().empty());
     EXPECT_FALSE(player.session().changes().empty());
     EXPECT_TRUE(allOnScreen(player));

@@ -1,6 +1,8 @@
-// What the inspector says of sound. (What it says of the rest is in play_screen_test.)
-#include "audio/effect/hearing/loudness.hpp"
+// The inspector's rows about sound. (Other rows are tested in play_screen_test.)
+#include "audio/effect/properties/acoustics.hpp"
 #include "audio/effect/properties/decibel.hpp"
+#include "audio/effect/properties/loudness.hpp"
+#include "audio/effect/properties/sounds.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "puzzle/session/session.hpp"
 #include "puzzle/solutions/solution_file.hpp"
@@ -36,7 +38,7 @@ struct Workshop {
     }
 };
 
-TEST(Inspect, saysHowLoudAnObjectIs) {
+TEST(Inspect, SaysHowLoudAnObjectIs) {
     Workshop w;
     EXPECT_EQ(rowOf(w.world, w.bell, "sounds"), std::nullopt);
     Sounds& sounds = w.world.store().slot<Sounds>().value();
@@ -53,7 +55,7 @@ TEST(Inspect, saysHowLoudAnObjectIs) {
     EXPECT_EQ(rowOf(w.world, w.ear, "sounds"), std::nullopt);
 }
 
-TEST(Inspect, saysHowLoudItIsForWhatListens) {
+TEST(Inspect, SaysHowLoudItIsForWhatListens) {
     Workshop w;
     EXPECT_EQ(rowOf(w.world, w.ear, "hears"), std::nullopt) << "not known before the run";
     w.world.store().slot<Loudness>().value().entries = {{w.ear, 61.4, w.bell, {}},
@@ -63,7 +65,7 @@ TEST(Inspect, saysHowLoudItIsForWhatListens) {
     EXPECT_EQ(rowOf(w.world, w.bell, "hears"), std::nullopt) << "it does not listen";
 }
 
-TEST(Inspect, theSensorHearsWhatClosesItsCircuit) {
+TEST(Inspect, TheSensorHearsWhatClosesItsCircuit) {
     Session session(gameData().registry, gameData().parts,
                     loadLevel(gameData().registry, levelsFolder() / "sound/1-loud-enough.json"), {});
     session.load(findOrLoadSolution(gameData().registry, session.level(), "ring the bell"));
@@ -80,7 +82,7 @@ TEST(Inspect, theSensorHearsWhatClosesItsCircuit) {
     EXPECT_LT(loud, 240) << "it dies away";
 }
 
-TEST(Inspect, inTheWindowTheBellIsHeardWithoutALoudspeaker) {
+TEST(Inspect, InTheWindowTheBellIsHeardWithoutALoudspeaker) {
     Player player({960, 540});
     player.open(levelsFolder() / "experiments/2-doorbell.json");
     player.clickItem("run");

@@ -1,4 +1,4 @@
-// Keys in the profile file: kept, read, and damaged.
+// Keys in the profile file: saved, read, and damaged.
 #include "game/ui/shared/profile.hpp"
 #include "tests/game/ui/player.hpp"
 
@@ -18,7 +18,7 @@ protected:
         return file;
     }
 
-    std::filesystem::path const folder = pictureFolder() / "profile-test";
+    std::filesystem::path const folder = testFolder() / "profile";
 };
 
 TEST_F(ProfileFile, KeysAreKeptBesideTheRest) {

@@ -31,7 +31,7 @@ protected:
     static constexpr Vec2 free{-1.8, 1.5};
 };
 
-TEST_F(Building, aPartIsDraggedOutOfTheToolbox) {
+TEST_F(Building, APartIsDraggedOutOfTheToolbox) {
     EXPECT_EQ(left("steel bar"), 1);
     dragFromToolbox("steel bar", free);
     expectPlaced(0, free, 0);
@@ -43,7 +43,7 @@ TEST_F(Building, aPartIsDraggedOutOfTheToolbox) {
     EXPECT_EQ(placed().size(), 1U);
 }
 
-TEST_F(Building, aPartIsTakenWithOneClickAndPlacedWithAnother) {
+TEST_F(Building, APartIsTakenWithOneClickAndPlacedWithAnother) {
     player.clickItem("part spanner");
     EXPECT_TRUE(player.play().placing().carried());
     player.click(player.at(free));
@@ -52,7 +52,7 @@ TEST_F(Building, aPartIsTakenWithOneClickAndPlacedWithAnother) {
     EXPECT_EQ(placed()[0].placement.part, "spanner");
 }
 
-TEST_F(Building, partsSnapToTheGridUnlessAsked) {
+TEST_F(Building, PartsSnapToTheGridUnlessAsked) {
     Vec2 const between{-1.812, 1.518};
     dragFromToolbox("steel bar", between);
     expectPlaced(0, {-1.8, 1.5}, 0);
@@ -71,7 +71,7 @@ TEST_F(Building, partsSnapToTheGridUnlessAsked) {
     EXPECT_GT(std::abs(placed()[0].placement.at.y - 1.5), 1e-6);
 }
 
-TEST_F(Building, theWheelAndTheKeysTurnWhatIsInTheHand) {
+TEST_F(Building, TheWheelAndTheKeysTurnWhatIsInTheHand) {
     player.moveTo(player.item("part steel bar"));
     player.press();
     player.moveTo(player.at(free));
@@ -83,7 +83,7 @@ TEST_F(Building, theWheelAndTheKeysTurnWhatIsInTheHand) {
     expectPlaced(0, free, 16);
 }
 
-TEST_F(Building, keysTurnAndNudgeWhatIsSelected) {
+TEST_F(Building, KeysTurnAndNudgeWhatIsSelected) {
     dragFromToolbox("steel bar", free);
     ASSERT_TRUE(player.play().placing().selected());
     player.key(SDLK_q);
@@ -98,7 +98,7 @@ TEST_F(Building, keysTurnAndNudgeWhatIsSelected) {
     expectPlaced(0, {free.x + 0.05, free.y + 0.01}, 30);
 }
 
-TEST_F(Building, theHandleTurnsOnTheSpot) {
+TEST_F(Building, TheHandleTurnsOnTheSpot) {
     dragFromToolbox("steel bar", free);
     auto const knob = player.play().handle();
     ASSERT_TRUE(knob);
@@ -108,7 +108,7 @@ TEST_F(Building, theHandleTurnsOnTheSpot) {
     expectPlaced(0, free, 0);
 }
 
-TEST_F(Building, aPlacedPartIsMovedByDragging) {
+TEST_F(Building, APlacedPartIsMovedByDragging) {
     dragFromToolbox("steel bar", free);
     int const number = placed()[0].number;
     // Held off its middle, it moves by what the mouse moves.
@@ -117,7 +117,7 @@ TEST_F(Building, aPlacedPartIsMovedByDragging) {
     EXPECT_EQ(placed()[0].number, number);
 }
 
-TEST_F(Building, everyWayBackIntoTheToolbox) {
+TEST_F(Building, EveryWayBackIntoTheToolbox) {
     dragFromToolbox("steel bar", free);
     player.drag(player.at(free), player.item("part wooden bar"));
     EXPECT_TRUE(placed().empty()) << "dragged back";
@@ -143,7 +143,7 @@ TEST_F(Building, everyWayBackIntoTheToolbox) {
     EXPECT_TRUE(placed().empty());
 }
 
-TEST_F(Building, undoAndRedoWithoutEnd) {
+TEST_F(Building, UndoAndRedoWithoutEnd) {
     dragFromToolbox("steel bar", free);
     dragFromToolbox("spanner", {-1.8, 2.0});
     player.key(SDLK_q);
@@ -163,7 +163,7 @@ TEST_F(Building, undoAndRedoWithoutEnd) {
     expectPlaced(1, {-1.8, 2.0}, 15);
 }
 
-TEST_F(Building, whatMayNotBeStaysInTheHandAndSaysWhy) {
+TEST_F(Building, WhatMayNotBeStaysInTheHandAndSaysWhy) {
     Vec2 const forbidden{1.7, 1.7}; // far outside the area for placing, in the electromagnet
     player.moveTo(player.item("part steel bar"));
     player.press();
@@ -178,7 +178,7 @@ TEST_F(Building, whatMayNotBeStaysInTheHandAndSaysWhy) {
     expectPlaced(0, free, 0);
 }
 
-TEST_F(Building, aLittleBesideIsForgiven) {
+TEST_F(Building, ALittleBesideIsForgiven) {
     dragFromToolbox("steel bar", {-1.8, 1.2});
     dragFromToolbox("spanner", {-1.8, 1.35}); // partly inside the bar
     ASSERT_EQ(placed().size(), 2U);
@@ -188,7 +188,7 @@ TEST_F(Building, aLittleBesideIsForgiven) {
     EXPECT_TRUE(player.session().check(placed()[1].placement, placed()[1].number).ok);
 }
 
-TEST_F(Building, puttingAllBackAsksOnce) {
+TEST_F(Building, PuttingAllBackAsksOnce) {
     dragFromToolbox("steel bar", free);
     dragFromToolbox("spanner", {-1.8, 2.0});
     player.key(SDLK_BACKSPACE);
@@ -204,7 +204,7 @@ TEST_F(Building, puttingAllBackAsksOnce) {
     EXPECT_TRUE(placed().empty());
 }
 
-TEST_F(Building, theViewIsZoomedAndDragged) {
+TEST_F(Building, TheViewIsZoomedAndDragged) {
     auto const before = player.play().camera();
     Point const at = player.at({0, 2.0});
     player.moveTo(at);

@@ -1,4 +1,4 @@
-// What a frame of lag between simulations does to energy, against the theory of forces that come too late.
+// The energy added by a frame of lag between simulations, compared with the theory of delayed forces.
 #include "measure/accuracy/ladders/co_simulation.hpp"
 #include "puzzle/data/game_data.hpp"
 

@@ -1,4 +1,4 @@
-// Motion in a liquid dies away as the formulas say, and never the wrong way round.
+// Motion in a liquid decays according to the formulas, and never reverses.
 #include "physics/dynamics/core/drag.hpp"
 #include "tests/physics/buoyancy/generators.hpp"
 #include "tests/physics/buoyancy/pool.hpp"

@@ -1,4 +1,4 @@
-// Area, centroid and moments of what is displaced, against strips, and the invariants that they must keep.
+// Area, centroid and moments of the displaced area, compared with a strip integration, and their invariants.
 #include "physics/buoyancy/hulls/disc.hpp"
 #include "physics/buoyancy/hulls/exact_hull.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"

@@ -1,4 +1,4 @@
-// Particles stand for the body that they are made of, the better the more there are.
+// Particles approximate the body that they are made from, better with their number.
 #include "physics/buoyancy/hulls/exact_hull.hpp"
 #include "physics/buoyancy/hulls/particle_hull.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"

@@ -1,4 +1,4 @@
-// Why did it move?
+// The recorded causes of motion.
 #include "physics/dynamics/properties/motion_causes.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 

@@ -1,4 +1,4 @@
-// An engine that cannot go on ends no program: the world goes on with another, in the same way every time.
+// After the failure of an engine the world continues with another, deterministically.
 #include "physics/dynamics/properties/engine_state.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 

@@ -1,4 +1,4 @@
-// Every kind of joint holds what it is there to hold.
+// Every kind of joint keeps its constraint.
 #include "physics/dynamics/properties/motion_causes.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 

@@ -1,4 +1,4 @@
-// Joints that break, and joints whose objects go.
+// Joints that break, and joints whose objects are destroyed.
 #include "physics/dynamics/properties/motion_causes.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 

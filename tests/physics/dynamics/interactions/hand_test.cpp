@@ -1,4 +1,4 @@
-// The player's hand.
+// The player's hand: grabbing, dragging and releasing objects.
 #include "physics/dynamics/interactions/hand.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 

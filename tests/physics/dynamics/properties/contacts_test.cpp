@@ -1,4 +1,4 @@
-// Who touches whom, against brute force.
+// Contacts compared with brute force.
 #include "physics/dynamics/core/dynamics_resolver.hpp"
 #include "physics/dynamics/engines/body_core.hpp"
 #include "physics/dynamics/engines/box2d/box2d_dynamics.hpp"

@@ -1,4 +1,4 @@
-// How fast forces vary and by how much they lag: what is told, what Dynamics makes of it, what it offers.
+// Rates and lags of forces: as stated by interactions, as combined by Dynamics, as offered to readers.
 #include "physics/dynamics/properties/force_lag.hpp"
 #include "physics/dynamics/properties/force_rates.hpp"
 #include "physics/dynamics/properties/solver_choice.hpp"

@@ -1,4 +1,4 @@
-// Impacts against the conservation of momentum.
+// Impacts compared with the conservation of momentum.
 #include "physics/dynamics/properties/impacts.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 

@@ -1,4 +1,4 @@
-// Against sums over a fine grid of points.
+// Mass properties compared with sums over a fine grid of points.
 #include "physics/dynamics/properties/mass_properties.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,7 @@
-// Flows and bottlenecks, against minimum cuts found by trying every set of objects.
-#include "physics/electricity/analyses/max_flow.hpp"
+// Flows and bottlenecks in a world.
 #include "tests/physics/electricity/nodal_kit.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,120 +90,6 @@ TEST(ElectricityFlow, AFuseIsACapacityAndABalancedBridgesLampIsOn) {
     circuit.world().setDetail("electricity", "nodal");
     circuit.world().step();
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
-}
-
-/// A random circuit of at most 9 objects, and the answers by brute force.
-struct Sample {
-    Circuit circuit;
-    std::vector<Microamperes> capacities;
-
-    [[nodiscard]] std::uint32_t subsets() const { return 1U << circuit.size(); }
-    /// The objects that current reaches from the sources, those in `removed` left out.
-    [[nodiscard]] std::uint32_t reachable(std::uint32_t removed) const {
-        std::uint32_t reached = 0;
-        for (auto const& source : circuit.sources) {
-            reached |= (1U << source.vertex) & ~removed;
-        }
-        for (std::uint32_t before = ~reached; before != reached;) {
-            before = reached;
-            for (std::uint32_t v = 0; v < circuit.size(); ++v) {
-                for (std::uint32_t const w : circuit.neighboursOf(v)) {
-                    reached |= ((reached >> v) & 1U) << w & ~removed;
-                }
-            }
-        }
-        return reached;
-    }
-    [[nodiscard]] bool separates(std::uint32_t removed) const {
-        std::uint32_t const reached = reachable(removed);
-        return std::none_of(circuit.returns.begin(), circuit.returns.end(),
-                            [&](auto const& t) { return ((reached >> t.vertex) & 1U) != 0; });
-    }
-    [[nodiscard]] Microamperes capacity(std::uint32_t set) const {
-        Microamperes sum = 0;
-        for (std::uint32_t v = 0; v < circuit.size(); ++v) {
-            sum += ((set >> v) & 1U) != 0 ? capacities[v] : 0;
-        }
-        return std::min(sum, unlimited);
-    }
-};
-
-int below(int bound) {
-    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, bound));
-}
-
-Sample randomSample() {
-    Sample sample;
-    auto const count = static_cast<std::uint32_t>(2 + below(8));
-    std::vector<std::vector<std::uint32_t>> neighbours(count);
-    for (int i = below(3 * static_cast<int>(count)); i > 0; --i) {
-        auto const a = static_cast<std::uint32_t>(below(static_cast<int>(count)));
-        auto const b = static_cast<std::uint32_t>(below(static_cast<int>(count)));
-        if (a != b && std::find(neighbours[a].begin(), neighbours[a].end(), b) == neighbours[a].end()) {
-            neighbours[a].push_back(b);
-            neighbours[b].push_back(a);
-        }
-    }
-    sample.circuit.offsets.push_back(0);
-    for (std::uint32_t v = 0; v < count; ++v) {
-        sample.circuit.objects.push_back({(v * 7) % 11, 0}); // ids in another order than vertices
-        sample.circuit.networks.emplace_back();
-        sample.circuit.neighbours.insert(sample.circuit.neighbours.end(), neighbours[v].begin(),
-                                         neighbours[v].end());
-        sample.circuit.offsets.push_back(static_cast<std::uint32_t>(sample.circuit.neighbours.size()));
-        sample.capacities.push_back(below(4) == 0 ? unlimited : below(6));
-        if (below(4) == 0) {
-            sample.circuit.sources.push_back({"", v});
-        }
-        if (below(4) == 0) {
-            sample.circuit.returns.push_back({"", v});
-        }
-    }
-    return sample;
-}
-
-TEST(ElectricityFlow, IsTheMinimumCutOverAllSetsOfObjects) {
-    EXPECT_TRUE(rc::check("maximum flow is minimum cut", [] {
-        Sample const sample = randomSample();
-        MaxFlow const found = maxFlow(sample.circuit, "", sample.capacities);
-        Microamperes least = unlimited;
-        for (std::uint32_t set = 0; set < sample.subsets(); ++set) {
-            if (sample.separates(set)) {
-                least = std::min(least, sample.capacity(set));
-            }
-        }
-        RC_ASSERT(found.total == least);
-        RC_CLASSIFY(least > 0 && least < unlimited, "limited");
-        if (least >= unlimited) {
-            RC_ASSERT(found.bottleneck.empty());
-            return;
-        }
-        // The bottleneck is a cut of that capacity, every object of it carries all it can, and nothing
-        // carries more than it can.
-        std::uint32_t cut = 0;
-        for (std::uint32_t const v : found.bottleneck) {
-            cut |= 1U << v;
-            RC_ASSERT(found.through[v] == sample.capacities[v]);
-            RC_ASSERT(found.through[v] > 0);
-        }
-        for (std::uint32_t v = 0; v < sample.circuit.size(); ++v) {
-            RC_ASSERT(found.through[v] >= 0);
-            RC_ASSERT(found.through[v] <= sample.capacities[v]);
-        }
-        std::uint32_t barred = 0; // what carries nothing belongs to no bottleneck, but lets nothing through
-        for (std::uint32_t v = 0; v < sample.circuit.size(); ++v) {
-            barred |= sample.capacities[v] == 0 ? 1U << v : 0;
-        }
-        RC_ASSERT(sample.capacity(cut) == least);
-        RC_ASSERT(sample.separates(cut | barred));
-        // And of all minimum cuts it leaves the least on the source's side.
-        std::uint32_t const side = sample.reachable(cut | barred);
-        for (std::uint32_t set = 0; set < sample.subsets(); ++set) {
-            if (sample.separates(set | barred) && sample.capacity(set) == least) {
-                RC_ASSERT((side & ~(sample.reachable(set | barred) | set)) == 0U);
-            }
-        }
-    }));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
-// Random circuits against the dense tableau, Tellegen's theorem, and themselves in another order.
+// Random circuits compared with the dense tableau, Tellegen's theorem, and the same circuits in another
+// order.
 #include "physics/electricity/analyses/nodal_analysis.hpp"
 #include "tests/physics/electricity/nodal_kit.hpp"
 

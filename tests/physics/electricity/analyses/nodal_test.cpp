@@ -1,4 +1,4 @@
-// Nodal electricity against closed forms.
+// Nodal analysis compared with closed forms.
 #include "physics/electricity/analyses/nodal.hpp"
 #include "tests/physics/electricity/nodal_kit.hpp"
 

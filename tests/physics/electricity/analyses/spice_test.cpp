@@ -1,4 +1,4 @@
-// Circuits computed by ngspice, which shares no line with this project. Left out where it is not installed.
+// Circuits compared with ngspice, which shares no code with this project. Skipped where it is not installed.
 #include "physics/electricity/analyses/spice.hpp"
 #include "tests/physics/electricity/nodal_kit.hpp"
 

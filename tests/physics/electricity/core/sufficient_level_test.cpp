@@ -1,5 +1,5 @@
-// Which detail level a scene gets if nobody asks for one, and each circuit of it; and what the cheaper ones
-// cannot tell.
+// The detail level that a scene, and each of its circuits, gets by default; and what cheaper levels cannot
+// represent.
 #include "physics/electricity/core/sufficient_level.hpp"
 #include "tests/physics/electricity/nodal_kit.hpp"
 

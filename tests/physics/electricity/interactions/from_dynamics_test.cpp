@@ -1,5 +1,5 @@
-// (Electricity <- Dynamics): contacts become connections, once each, whenever and however often it is
-// applied.
+// (Electricity <- Dynamics): each contact becomes one connection, whenever and however often the interaction
+// is applied.
 #include "tests/physics/electricity/circuit_world.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// How connections are counted, who may have them, and what their history looks like in a trace.
+// Counting of connections, the objects that may have them, and their history in a trace.
 #include "physics/electricity/rules/initial_connections.hpp"
 #include "tests/physics/electricity/circuit_world.hpp"
 

@@ -1,5 +1,5 @@
-// What holds of every kind of condition, whatever kinds there are. A body for each is drawn from its own
-// schema, so a kind that is added is tried without another line here.
+// Properties of every kind of condition. A body for each is generated from its own schema, so new kinds are
+// tested automatically.
 #include "puzzle/data/effects.hpp"
 #include "puzzle/goals/conditions/table.hpp"
 #include "puzzle/goals/goal_judge.hpp"

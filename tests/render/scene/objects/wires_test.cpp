@@ -1,4 +1,4 @@
-// Cables, joints and contacts: where they run and how they are found.
+// Cables, joints and contacts: their course and picking.
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/gravity/properties.hpp"
 #include "render/draw/path.hpp"

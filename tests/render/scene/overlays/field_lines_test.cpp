@@ -1,4 +1,4 @@
-// Magnetic field lines against what is known of them.
+// Magnetic field lines compared with their known properties.
 #include "physics/magnetism/magnetic_forces.hpp"
 #include "render/scene/overlays/field_lines.hpp"
 #include "render/scene/overlays/overlay_magnetism.hpp"

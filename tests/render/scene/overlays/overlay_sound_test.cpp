@@ -1,4 +1,4 @@
-// Rings around what sounds.
+// Rings around sounding objects.
 #include "render/scene/overlays/overlay_sound.hpp"
 #include "tests/render/stage.hpp"
 
@@ -31,7 +31,7 @@ int darkness(Image const& image, double away) {
     return most;
 }
 
-TEST(Ripples, standAtTheirRadiusAndNowhereElse) {
+TEST(Ripples, StandAtTheirRadiusAndNowhereElse) {
     Image const image = drawn({{{0, 0}, 1, 1}});
     EXPECT_GT(darkness(image, 1), 20);
     for (double const away : {0.0, 0.5, 0.9, 1.1, 1.5}) {
@@ -39,7 +39,7 @@ TEST(Ripples, standAtTheirRadiusAndNowhereElse) {
     }
 }
 
-TEST(Ripples, areTheFainterTheWeaker) {
+TEST(Ripples, AreTheFainterTheWeaker) {
     int const strong = darkness(drawn({{{0, 0}, 1, 1}}), 1);
     int const weak = darkness(drawn({{{0, 0}, 1, 0.1}}), 1);
     EXPECT_GT(strong, weak);
@@ -47,7 +47,7 @@ TEST(Ripples, areTheFainterTheWeaker) {
     EXPECT_LT(strong, 128) << "faint: what lies below is still seen";
 }
 
-TEST(Ripples, ofNoStrengthOrNoRadiusAreNotDrawn) {
+TEST(Ripples, OfNoStrengthOrNoRadiusAreNotDrawn) {
     Image const empty = drawn({});
     double const nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(drawn({{{0, 0}, 1, 0}, {{0, 0}, 0, 1}, {{0, 0}, 1, -1}, {{0, 0}, 1, nan}, {{0, 0}, nan, 1}}),

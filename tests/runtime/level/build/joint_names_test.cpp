@@ -1,4 +1,4 @@
-// Joints without names get numbers that are nobody else's and that no order of the file decides.
+// Joints without names get unique numbers that do not depend on the order of the file.
 #include "runtime/level/build/joint_names.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 

@@ -1,4 +1,4 @@
-// Several effects own "connections" of a level: by what is connected, or by the kind that is stated.
+// Several effects own "connections" of a level: chosen by the connected objects, or by the stated kind.
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/write/write_level.hpp"
 #include "runtime/population/population_resolver.hpp"

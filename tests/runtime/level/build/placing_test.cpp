@@ -1,4 +1,4 @@
-// What a player may place, against the rules counted out by hand; names and order against every order of
+// Placements of a player compared with an independent count of the rules; names and order for every order of
 // placing.
 #include "runtime/level/build/placing.hpp"
 #include "tests/runtime/level/sample_properties.hpp"

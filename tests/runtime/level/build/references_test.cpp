@@ -1,5 +1,4 @@
-// Names become the objects of a store, wherever in a value they stand; what is not there is told with its
-// path.
+// Names become the objects of a store, anywhere in a value; unknown names are reported with their path.
 #include "runtime/level/build/references.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 

@@ -1,6 +1,5 @@
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/json/limits.hpp"
-#include "runtime/level/json/suggestion.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -176,17 +175,6 @@ TEST(JsonDocument, ReadsAndFindsAnyValue) {
         RC_ASSERT(document->root() == value);
         checkPlaces(text, value, "");
     }));
-}
-
-TEST(Suggestion, FindsSlipsOfThePenAndNothingElse) {
-    std::vector<std::string> const known{"friction", "fixed", "density", "mass"};
-    EXPECT_EQ(suggestion("fricton", known), "friction");
-    EXPECT_EQ(suggestion("desnity", known), "density");
-    EXPECT_EQ(suggestion("fixd", known), "fixed");
-    EXPECT_EQ(suggestion("colour", known), std::nullopt);
-    EXPECT_EQ(suggestion("", known), std::nullopt);
-    EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
-    EXPECT_EQ(editDistance("ab", "ba"), 1U);
 }
 
 } // namespace

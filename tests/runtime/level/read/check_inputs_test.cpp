@@ -1,4 +1,4 @@
-// What a solution may have recorded, and what cannot have happened in its level.
+// Recorded inputs of a solution: those that are accepted, and those that are impossible in their level.
 #include "runtime/level/read/check_inputs.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 

@@ -1,5 +1,4 @@
 #include "runtime/level/build/build_world.hpp"
-#include "runtime/level/read/migrations.hpp"
 #include "runtime/placement.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 
@@ -215,27 +214,6 @@ TEST_F(ReadLevel, ReadsOlderVersionsAndRefusesNewerOnes) {
     EXPECT_SAYS(sample::only(
                     sample::problemsOf(registry, R"({"version": 0, "title": "d", "toolbox": {"thing": 0}})")),
                 "test.json:1:");
-    nlohmann::json old{{"version", 0}, {"gravity", {0, -3.7}}};
-    migrate(old, 0);
-    EXPECT_EQ(old["world"]["gravity"][1], -3.7);
-    EXPECT_FALSE(old.contains("gravity"));
-    // What things were made of stood in their look, and only their sound followed from it.
-    nlohmann::json looks = nlohmann::json::parse(R"({"version": 1, "objects": [
-        {"name": "own", "properties": {"look": {"material": "steel", "label": "x"}, "friction": 0.2}},
-        {"name": "wall", "properties": {"look": {"material": "brick"}, "fixed": true}},
-        {"name": "part", "part": "crate", "properties": {"look": {"material": "glass"}}}, 7]})");
-    migrate(looks, 1);
-    EXPECT_EQ(looks["objects"][0]["properties"], nlohmann::json::parse(R"({"material": "steel",
-        "look": {"label": "x"}, "friction": 0.2, "restitution": 0, "density": 1000, "conductor": false,
-        "magnetic_strength": false})"));
-    EXPECT_EQ(looks["objects"][1]["properties"], nlohmann::json::parse(R"({"material": "brick",
-        "fixed": true, "friction": 0.5, "restitution": 0, "conductor": false, "magnetic_strength": false})"));
-    EXPECT_EQ(looks["objects"][2]["properties"], nlohmann::json::parse(R"({"look": {"pattern": "glass"}})"));
-    int next = 0; // the chain has no gap and ends at the present version
-    for (LevelMigration const& migration : levelMigrations()) {
-        EXPECT_EQ(migration.from, next++);
-    }
-    EXPECT_EQ(next, levelVersion);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// What joints carry: closed forms for chains and bridges, and any graph against taking each joint out in
-// turn.
+// Loads of joints: closed forms for chains and bridges, and arbitrary graphs compared with removing each
+// joint in turn.
 #include "physics/dynamics/core/demand/joint_graph.hpp"
 #include "tests/physics/dynamics/core/demand/tied_bodies.hpp"
 

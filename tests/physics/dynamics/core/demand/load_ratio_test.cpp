@@ -1,4 +1,5 @@
-// What rests on what: piles whose loads are known, and any heap against shares handed down one by one.
+// Loads of resting bodies: piles with known loads, and arbitrary heaps compared with a step-by-step
+// distribution.
 #include "physics/dynamics/core/demand/load_ratio.hpp"
 #include "tests/physics/dynamics/core/demand/tied_bodies.hpp"
 

@@ -1,5 +1,5 @@
-// How finely a scene asks to be computed, against the modes of a hanging chain, the beam that a weld holds,
-// searches over graphs, and widths measured from all sides.
+// The substeps that a scene needs, compared with the modes of a hanging chain, the beam that a weld holds,
+// searches over graphs, and widths measured in all directions.
 #include "physics/dynamics/core/demand/solver_demand.hpp"
 #include "tests/physics/dynamics/core/demand/tied_bodies.hpp"
 

@@ -1,4 +1,4 @@
-// Bodies and joints as Dynamics holds them, and forces on them, without anything that moves.
+// Bodies and joints in the representation of Dynamics, with forces, but without an engine.
 #pragma once
 
 #include "physics/dynamics/core/joints.hpp"
@@ -8,21 +8,21 @@
 
 namespace trembler::test {
 
-/// What is stated is put into the tables by settle(); what has been removed is taken out of them again.
+/// settle() updates the tables with the bodies and joints that have been added or removed.
 class TiedBodies {
 public:
-    /// A body of that mass (kg), turned by `angle` (rad).
+    /// A body of that mass (kg), rotated by `angle` (rad).
     ObjectId body(Shape shape, Vec2 at, double mass, double angle = 0);
     /// A square of 0.2 m.
     ObjectId body(Vec2 at, double mass) { return body(Shape{{boxPiece(0.2, 0.2)}}, at, mass); }
     ObjectId fixed(Vec2 at);
     ObjectId joint(Joint joint);
-    /// A joint of that form between two places in the world, which are one for all but ropes and the like.
+    /// A joint between two places in the world, which coincide except for ropes and similar forms.
     ObjectId joint(JointForm form, ObjectId a, ObjectId b, Vec2 at);
     void remove(ObjectId joint);
-    /// N, at the centre of mass, in addition to what pulls at it already.
+    /// A force in N at the centre of mass, added to earlier ones.
     void pull(ObjectId body, Vec2 force);
-    /// Lets every body that moves have its weight, along `acceleration` (m/s²).
+    /// Applies its weight to every movable body, along `acceleration` (m/s²).
     void weigh(Vec2 acceleration);
     void settle();
 
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] SlotIndex slotOf(ObjectId joint) const;
 
 private:
-    /// Nobody asks it for anything: what is tested looks at tables only.
+    /// An engine that is never called: the tests read the tables only.
     class Engine;
 
     ObjectId create() { return {count_++, 0}; }

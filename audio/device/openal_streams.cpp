@@ -1,0 +1,148 @@
+#include "audio/device/openal_streams.hpp"
+
+#include <algorithm>
+
+namespace trembler {
+namespace {
+
+constexpr int longestQueue = 6; // blocks; beyond that the world runs too fast
+
+} // namespace
+
+OpenAlStreams::OpenAlStreams(int block, int rate, double fullScale)
+    : rate_(rate), fullScale_(fullScale), scaled_(static_cast<std::size_t>(block)) {}
+
+ALuint OpenAlStreams::freeBuffer() {
+    if (idleBuffers_.empty()) {
+        ALuint buffer = 0;
+        alGenBuffers(1, &buffer);
+        allBuffers_.push_back(buffer);
+        return buffer;
+    }
+    ALuint const buffer = idleBuffers_.back();
+    idleBuffers_.pop_back();
+    return buffer;
+}
+
+OpenAlStreams::Source* OpenAlStreams::sourceFor(std::uint64_t stream) {
+    auto const known = sources_.find(stream);
+    if (known != sources_.end()) {
+        return &known->second;
+    }
+    if (idleSources_.empty()) {
+        ALuint id = 0;
+        alGetError();
+        alGenSources(1, &id);
+        if (alGetError() != AL_NO_ERROR) {
+            return nullptr;
+        }
+        allSources_.push_back(id);
+        idleSources_.push_back(id);
+    }
+    Source source;
+    source.id = idleSources_.back();
+    idleSources_.pop_back();
+    alSourcei(source.id, AL_SOURCE_RELATIVE, AL_FALSE);
+    alSourcef(source.id, AL_REFERENCE_DISTANCE, 1);
+    alSourcef(source.id, AL_ROLLOFF_FACTOR, 1);
+    if (slot_ != 0) {
+        alSource3i(source.id, AL_AUXILIARY_SEND_FILTER, static_cast<ALint>(slot_), 0, AL_FILTER_NULL);
+    }
+    return &sources_.emplace(stream, source).first->second;
+}
+
+void OpenAlStreams::reclaim(Source& source) {
+    ALint done = 0;
+    alGetSourcei(source.id, AL_BUFFERS_PROCESSED, &done);
+    for (; done > 0; --done) {
+        ALuint buffer = 0;
+        alSourceUnqueueBuffers(source.id, 1, &buffer);
+        idleBuffers_.push_back(buffer);
+    }
+}
+
+bool OpenAlStreams::ahead() {
+    int longest = 0;
+    for (auto& [stream, source] : sources_) {
+        reclaim(source);
+        ALint waiting = 0;
+        alGetSourcei(source.id, AL_BUFFERS_QUEUED, &waiting);
+        longest = std::max(longest, static_cast<int>(waiting));
+    }
+    return longest >= longestQueue;
+}
+
+void OpenAlStreams::queue(Source& source, std::span<float const> samples) {
+    ALint state = 0;
+    alGetSourcei(source.id, AL_SOURCE_STATE, &state);
+    auto const add = [&](std::span<float const> block) {
+        ALuint const buffer = freeBuffer();
+        alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, block.data(), static_cast<ALsizei>(block.size_bytes()),
+                     rate_);
+        alSourceQueueBuffers(source.id, 1, &buffer);
+    };
+    if (state != AL_PLAYING) { // it begins, or has run dry
+        slips_ += state == AL_STOPPED ? 1 : 0;
+        reclaim(source);
+        std::vector<float> const silence(samples.size(), 0);
+        for (int i = 0; i < cushion_; ++i) {
+            add(silence);
+        }
+    }
+    std::transform(samples.begin(), samples.end(), scaled_.begin(),
+                   [this](float s) { return s * static_cast<float>(1 / fullScale_); });
+    add(scaled_);
+    if (state != AL_PLAYING) {
+        alSourcePlay(source.id);
+    }
+    source.used = true;
+}
+
+void OpenAlStreams::queue(std::uint64_t stream, SourcePlace const& place, std::span<float const> samples) {
+    Source* const source = sourceFor(stream);
+    if (source == nullptr) {
+        return;
+    }
+    if (place.relative) {
+        alSourcei(source->id, AL_SOURCE_RELATIVE, AL_TRUE);
+    }
+    alSource3f(source->id, AL_POSITION, static_cast<float>(place.x), static_cast<float>(place.y),
+               static_cast<float>(place.z));
+    queue(*source, samples);
+}
+
+void OpenAlStreams::retire() {
+    for (auto at = sources_.begin(); at != sources_.end();) {
+        Source& source = at->second;
+        ALint state = 0;
+        alGetSourcei(source.id, AL_SOURCE_STATE, &state);
+        if (!source.used && state != AL_PLAYING) {
+            reclaim(source);
+            alSourceRewind(source.id);
+            alSourcei(source.id, AL_BUFFER, 0);
+            idleSources_.push_back(source.id);
+            at = sources_.erase(at);
+        } else {
+            source.used = false;
+            ++at;
+        }
+    }
+}
+
+void OpenAlStreams::stop() {
+    for (auto& [stream, source] : sources_) {
+        alSourceRewind(source.id);
+        alSourcei(source.id, AL_BUFFER, 0);
+        idleSources_.push_back(source.id);
+    }
+    sources_.clear();
+    idleBuffers_ = allBuffers_;
+}
+
+void OpenAlStreams::destroy() {
+    stop();
+    alDeleteSources(static_cast<ALsizei>(allSources_.size()), allSources_.data());
+    alDeleteBuffers(static_cast<ALsizei>(allBuffers_.size()), allBuffers_.data());
+}
+
+} // namespace trembler

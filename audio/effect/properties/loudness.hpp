@@ -1,0 +1,42 @@
+// How loud it is at listening objects: what the Loudness sets derive.
+#pragma once
+
+#include "runtime/object/object_id.hpp"
+#include "runtime/property/description.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace trembler {
+
+/// Derived by whichever detail level of loudness is at work.
+struct Loudness {
+    static constexpr PropertyKind kind = PropertyKind::derived;
+    static constexpr PropertyText text{"Loudness", "loudness",
+                                       "How loud it is for each object that listens."};
+    static constexpr std::string_view standing = "the level of the sounds at their end, smoothed over 125 ms";
+    struct Entry {
+        ObjectId ear;
+        double level = 0; ///< dB(A), "fast"; silentLevel where nothing is heard
+        ObjectId loudest; ///< the object that contributes most; invalid in silence
+        EventId event;    ///< that made the loudest one sound; none without tracing
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "that listens"}, self.ear);
+            visit(FieldInfo{.key = "level", .unit = "dB(A)", .meaning = "how loud it is"}, self.level);
+            visit(FieldInfo{.key = "loudest", .unit = "", .meaning = "that contributes most"}, self.loudest);
+        }
+    };
+    std::vector<Entry> entries; ///< ascending by ear
+
+    /// The level at an object that listens; silentLevel for others.
+    [[nodiscard]] double at(ObjectId ear) const;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by object"}, self.entries);
+    }
+};
+
+} // namespace trembler

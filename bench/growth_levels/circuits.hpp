@@ -1,0 +1,81 @@
+// Levels with n connections, conductors or motors.
+#pragma once
+
+#include "bench/growth_levels/pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace bench {
+
+inline Json repeatedConnections(int n) {
+    Json made = cable(1);
+    for (int i = 0; i < n; ++i) {
+        made["connections"].push_back({"source", "wire 0"});
+    }
+    return made;
+}
+
+inline Json refusedConnections(int n) {
+    Json made = cable(n);
+    for (Json& connection : made["connections"]) {
+        connection[1] = "nothing " + connection[1].get<std::string>();
+    }
+    return made;
+}
+
+inline Json lamps(int n) {
+    Json made = level("lamps");
+    add(made, "source", 0, 0, {{"conductor", true}, {"electrical_source", true}, {"emf", {{"voltage", 10}}}});
+    add(made, "return", 2, 0, {{"conductor", true}, {"electrical_return", true}});
+    for (int i = 0; i < n; ++i) {
+        add(made, numbered("lamp", i), i, 5,
+            {{"conductor", true}, {"electrical_device", true}, {"resistance", 100}});
+        made["connections"].push_back({"source", numbered("lamp", i)});
+        made["connections"].push_back({numbered("lamp", i), "return"});
+    }
+    return made;
+}
+
+/// A square net of resistors between a source and a return.
+inline Json net(int n) {
+    Json made = level("net");
+    int const side = std::max(2, static_cast<int>(std::sqrt(n)));
+    add(made, "source", -1, 0,
+        {{"conductor", true}, {"electrical_source", true}, {"emf", {{"voltage", 10}}}});
+    add(made, "return", side, 0, {{"conductor", true}, {"electrical_return", true}});
+    for (int i = 0; i < side * side; ++i) {
+        add(made, numbered("node", i), i % side, i / side, {{"conductor", true}, {"resistance", 10}});
+        if (i % side > 0) {
+            made["connections"].push_back({numbered("node", i - 1), numbered("node", i)});
+        }
+        if (i >= side) {
+            made["connections"].push_back({numbered("node", i - side), numbered("node", i)});
+        }
+    }
+    made["world"]["detail"] = {{"electricity", "nodal"}};
+    made["connections"].push_back({"source", "node 0"});
+    made["connections"].push_back({numbered("node", side * side - 1), "return"});
+    return made;
+}
+
+/// Running motors, all on one source.
+inline Json motors(int n) {
+    Json made = level("motors");
+    add(made, "source", 0, 0, {{"conductor", true}, {"electrical_source", true}});
+    add(made, "return", 2, 0, {{"conductor", true}, {"electrical_return", true}});
+    for (int i = 0; i < n; ++i) {
+        add(made, numbered("rotor", i), 2 * i, 5,
+            {{"shape", box(0.5, 0.1)},
+             {"conductor", true},
+             {"electrical_device", true},
+             {"electric_motor", {{"torque", 10}, {"idle_speed_deg", 300}}}});
+        made["connections"].push_back({"source", numbered("rotor", i)});
+        made["connections"].push_back({numbered("rotor", i), "return"});
+        made["joints"].push_back({{"form", "hinge"}, {"a", numbered("rotor", i)}, {"at", {2 * i, 5}}});
+    }
+    return made;
+}
+
+} // namespace bench

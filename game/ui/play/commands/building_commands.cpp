@@ -1,0 +1,163 @@
+#include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/shared/words.hpp"
+
+namespace trembler::ui {
+namespace {
+
+using render::Icon;
+
+/// Whether a part is in the hand or selected, so that keys can turn it, move it and put it back.
+bool partAtHand(PlayParts const& parts) {
+    return parts.run.building() && (parts.placing.carried() || parts.placing.selected());
+}
+
+/// Calls doing(tool) with the placing tool, which may give the session another world.
+template <class Doing>
+void place(PlayParts& parts, Doing&& doing) {
+    World const* const world = &parts.session.world();
+    doing(parts.placing);
+    if (world != &parts.session.world()) {
+        parts.newWorld();
+    }
+}
+
+template <int steps>
+void turn(PlayParts& parts) {
+    place(parts, [&](PlacingTool& placing) { placing.turn(steps, parts.context.shiftHeld()); });
+}
+
+template <int x, int y>
+void nudge(PlayParts& parts) {
+    place(parts, [&](PlacingTool& placing) { placing.nudge({x, y}, parts.context.shiftHeld()); });
+}
+
+void undo(PlayParts& parts) {
+    parts.placing.cancel();
+    if (parts.session.undo()) {
+        parts.newWorld();
+    }
+}
+
+void redo(PlayParts& parts) {
+    parts.placing.cancel();
+    if (parts.session.redo()) {
+        parts.newWorld();
+    }
+}
+
+void allBack(PlayParts& parts) {
+    if (!parts.allBack.ask()) {
+        parts.context.toasts.add(words::allBackAgain, render::ToastKind::News, AskedTwice::patience);
+        return;
+    }
+    parts.placing.reset();
+    parts.session.putAllBack();
+    parts.newWorld();
+    parts.context.toasts.add(words::allBackDone);
+}
+
+constexpr Command<PlayParts> buildingTable[] = {
+    {.info = {.id = "turn-left",
+              .keys = {{{SDLK_q}}},
+              .use = KeyUse::repeats,
+              .icon = Icon::TurnLeft,
+              .group = CommandGroup::building,
+              .name = "Turn left",
+              .tip = "Turn the part in hand to the left by 15°, with Shift by 1°",
+              .help = "turn the part in hand (Shift: 1°)"},
+     .run = turn<1>,
+     .available = partAtHand},
+    {.info = {.id = "turn-right",
+              .keys = {{{SDLK_e}}},
+              .use = KeyUse::repeats,
+              .icon = Icon::TurnRight,
+              .group = CommandGroup::building,
+              .name = "Turn right",
+              .tip = "Turn the part in hand to the right by 15°, with Shift by 1°",
+              .help = "turn the part in hand (Shift: 1°)"},
+     .run = turn<-1>,
+     .available = partAtHand},
+    {.info = {.id = "move-left",
+              .keys = {{{SDLK_LEFT}}},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::building,
+              .name = "Move left",
+              .tip = "Move the selected part to the left, with Shift by less",
+              .help = "move the selected part (Shift: finer)"},
+     .run = nudge<-1, 0>,
+     .available = partAtHand},
+    {.info = {.id = "move-right",
+              .keys = {{{SDLK_RIGHT}}},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::building,
+              .name = "Move right",
+              .tip = "Move the selected part to the right, with Shift by less",
+              .help = "move the selected part (Shift: finer)"},
+     .run = nudge<1, 0>,
+     .available = partAtHand},
+    {.info = {.id = "move-up",
+              .keys = {{{SDLK_UP}}},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::building,
+              .name = "Move up",
+              .tip = "Move the selected part up, with Shift by less",
+              .help = "move the selected part (Shift: finer)"},
+     .run = nudge<0, 1>,
+     .available = partAtHand},
+    {.info = {.id = "move-down",
+              .keys = {{{SDLK_DOWN}}},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::building,
+              .name = "Move down",
+              .tip = "Move the selected part down, with Shift by less",
+              .help = "move the selected part (Shift: finer)"},
+     .run = nudge<0, -1>,
+     .available = partAtHand},
+    {.info = {.id = "put-back",
+              .keys = {{{SDLK_DELETE}}},
+              .icon = Icon::Remove,
+              .group = CommandGroup::building,
+              .name = "Put back",
+              .tip = "Put the part in hand back into the toolbox",
+              .help = "put the part back"},
+     .run = [](PlayParts& parts) { place(parts, [](PlacingTool& placing) { placing.putBack(); }); },
+     .available = partAtHand},
+    {.info = {.id = "undo",
+              .keys = {{withCtrl(SDLK_z)}},
+              .use = KeyUse::repeats,
+              .icon = Icon::Undo,
+              .group = CommandGroup::building,
+              .name = "Undo",
+              .tip = "Undo",
+              .help = "undo, redo"},
+     .run = undo,
+     .available = [](PlayParts const& parts) { return parts.session.canUndo() || parts.placing.carried(); }},
+    {.info = {.id = "redo",
+              .keys = {{withCtrlShift(SDLK_z), withCtrl(SDLK_y)}},
+              .use = KeyUse::repeats,
+              .icon = Icon::Redo,
+              .group = CommandGroup::building,
+              .name = "Redo",
+              .tip = "Redo",
+              .help = "undo, redo"},
+     .run = redo,
+     .available = [](PlayParts const& parts) { return parts.session.canRedo(); }},
+    {.info = {.id = "all-back",
+              .keys = {{{SDLK_BACKSPACE}}},
+              .icon = Icon::Reset,
+              .group = CommandGroup::building,
+              .name = "Put all back",
+              .tip = "Put all parts back into the toolbox",
+              .help = "put all parts back"},
+     .run = allBack,
+     .available =
+         [](PlayParts const& parts) { return parts.run.building() && !parts.session.placed().empty(); }},
+};
+
+} // namespace
+
+std::span<Command<PlayParts> const> buildingCommands() {
+    return buildingTable;
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,29 @@
+// The sections of the level's table of commands: a file with rows for each.
+#pragma once
+
+#include "game/ui/commands/command.hpp"
+#include "game/ui/play/play_parts.hpp"
+
+#include <span>
+
+namespace trembler::ui {
+
+/// Running, pausing, and how fast.
+[[nodiscard]] std::span<Command<PlayParts> const> runCommands();
+/// Turning and moving parts, putting them back, undo and redo.
+[[nodiscard]] std::span<Command<PlayParts> const> buildingCommands();
+/// The camera, the inspector, and the overlays.
+[[nodiscard]] std::span<Command<PlayParts> const> lookingCommands();
+/// Scissors, hints, the components panel and its time budget.
+[[nodiscard]] std::span<Command<PlayParts> const> toolCommands();
+/// Films, pictures and solution files; menus and the window.
+[[nodiscard]] std::span<Command<PlayParts> const> programCommands();
+/// The level as a whole: starting it again, watching a run again, going on to the next one.
+[[nodiscard]] std::span<Command<PlayParts> const> levelCommands();
+
+/// For `available` and `on` of several commands: the level runs or is paused.
+[[nodiscard]] inline bool inARun(PlayParts const& parts) {
+    return !parts.run.building();
+}
+
+} // namespace trembler::ui

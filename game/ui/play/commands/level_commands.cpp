@@ -1,0 +1,52 @@
+#include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/shared/words.hpp"
+
+namespace trembler::ui {
+namespace {
+
+using render::Icon;
+
+CatalogEntry const* nextLevel(PlayParts const& parts) {
+    return parts.context.levels.after(parts.file);
+}
+
+constexpr Command<PlayParts> levelTable[] = {
+    {.info = {.id = "restart",
+              .icon = Icon::Reset,
+              .group = CommandGroup::building,
+              .name = words::restart,
+              .tip = "Put all parts back and forget the hints: the level as it was opened",
+              .help = "start the level again"},
+     .run = [](PlayParts& parts) { parts.restart(); }},
+    {.info = {.id = "next-level",
+              .icon = Icon::Next,
+              .group = CommandGroup::program,
+              .name = words::nextLevel,
+              .tip = "Open the next level",
+              .help = "next level"},
+     .run = [](PlayParts& parts) { parts.request = request::OpenLevel{nextLevel(parts)->file}; },
+     .available = [](PlayParts const& parts) { return nextLevel(parts) != nullptr; }},
+    {.info = {.id = "watch-again",
+              .icon = Icon::Play,
+              .group = CommandGroup::running,
+              .name = words::watchAgain,
+              .tip = "Watch this run again from its beginning",
+              .help = "watch again"},
+     .run = [](PlayParts& parts) { parts.run.watchAgain(); },
+     .available = inARun},
+    {.info = {.id = "keep-playing",
+              .group = CommandGroup::running,
+              .name = words::keepPlaying,
+              .tip = "Close the card that says that it works",
+              .help = "keep playing"},
+     .run = [](PlayParts& parts) { parts.celebration.dismiss(); },
+     .available = [](PlayParts const& parts) { return parts.celebration.showing(); }},
+};
+
+} // namespace
+
+std::span<Command<PlayParts> const> levelCommands() {
+    return levelTable;
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,104 @@
+#include "game/ui/commands/common_commands.hpp"
+#include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/play/keeping/saving.hpp"
+#include "game/ui/shared/words.hpp"
+
+namespace trembler::ui {
+namespace {
+
+using render::Icon;
+
+template <MenuPage page>
+void openMenu(PlayParts& parts) {
+    parts.request = request::OpenMenu{page};
+}
+
+/// Ends one thing: the use of the scissors, the carrying of a part, the inspector. If none of these goes on,
+/// opens the menu.
+void back(PlayParts& parts) {
+    if (parts.hand.cutting()) {
+        parts.hand.setCutting(false);
+    } else if (parts.placing.cancel()) {
+        return;
+    } else if (parts.inspector.open()) {
+        parts.inspector.close();
+    } else {
+        parts.request = request::OpenMenu{MenuPage::main};
+    }
+}
+
+constexpr Command<PlayParts> programTable[] = {
+    {.info = {.id = "record",
+              .keys = {{{SDLK_r}}},
+              .icon = Icon::Record,
+              .group = CommandGroup::program,
+              .name = "Record",
+              .tip = "Record frames as pictures",
+              .help = "record frames",
+              .whenOn = {Icon::None, "End the recording", "End the recording"}},
+     .run = [](PlayParts& parts) { parts.film.toggle(); },
+     .on = [](PlayParts const& parts) { return parts.film.recording(); }},
+    {.info = {.id = "picture",
+              .keys = {{{SDLK_F12}}},
+              .icon = Icon::Camera,
+              .group = CommandGroup::program,
+              .name = "Picture",
+              .tip = "Take a picture",
+              .help = "take a picture"},
+     .run = [](PlayParts& parts) { parts.film.wantPicture(); }},
+    {.info = {.id = "save",
+              .keys = {{withCtrl(SDLK_s)}},
+              .icon = Icon::Save,
+              .group = CommandGroup::program,
+              .name = "Save",
+              .tip = "Save what you placed and did as a solution",
+              .help = "save what you did"},
+     .run =
+         [](PlayParts& parts) {
+             saveSolution(parts.session, parts.file.stem().string(), parts.context.recorder,
+                          parts.context.toasts);
+         }},
+    {.info = {.id = "levels",
+              .keys = {{{SDLK_l}}},
+              .icon = Icon::List,
+              .group = CommandGroup::program,
+              .name = words::levels,
+              .tip = "Levels",
+              .help = "levels, menu"},
+     .run = openMenu<MenuPage::levels>},
+    {.info = {.id = "back",
+              .keys = {{{SDLK_ESCAPE}}},
+              .fixed = true,
+              .icon = Icon::Back,
+              .group = CommandGroup::program,
+              .name = words::back,
+              .tip = "Let go of what is in the hand, close what is open, or else open the menu",
+              .help = "levels, menu"},
+     .run = back},
+    {.info = {.id = "menu",
+              .icon = Icon::Menu,
+              .group = CommandGroup::program,
+              .name = "Menu",
+              .tip = "Menu",
+              .help = "menu",
+              .alsoBy = "back"},
+     .run = openMenu<MenuPage::main>},
+    {.info = {.id = "help",
+              .keys = {{{SDLK_F1}}},
+              .icon = Icon::Why,
+              .group = CommandGroup::program,
+              .name = words::keys,
+              .tip = "Keys",
+              .help = "this page"},
+     .run = openMenu<MenuPage::help>},
+    {.info = common::fullscreen,
+     .run = [](PlayParts& parts) { parts.request = request::SwitchFullscreen{}; }},
+};
+
+} // namespace
+
+std::span<Command<PlayParts> const> programCommands() {
+    return programTable;
+}
+
+} // namespace trembler::ui

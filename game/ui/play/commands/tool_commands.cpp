@@ -1,0 +1,79 @@
+#include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/shared/words.hpp"
+
+#include <algorithm>
+
+namespace trembler::ui {
+namespace {
+
+using render::Icon;
+
+constexpr double budgetStep = 1.25; // the factor by which a key changes the time budget
+
+void hint(PlayParts& parts) {
+    auto const& hints = parts.session.level().hints;
+    if (hints.empty()) {
+        parts.context.toasts.add(words::noHints);
+    }
+    parts.hintsShown = std::min(parts.hintsShown + 1, hints.size());
+}
+
+constexpr Command<PlayParts> toolTable[] = {
+    {.info = {.id = "cut",
+              .keys = {{{SDLK_x}}},
+              .icon = Icon::Scissors,
+              .group = CommandGroup::running,
+              .name = "Cut",
+              .tip = "Cut a wire",
+              .help = "cut a wire"},
+     .run = [](PlayParts& parts) { parts.hand.setCutting(!parts.hand.cutting()); },
+     .available = inARun,
+     .on = [](PlayParts const& parts) { return parts.hand.cutting(); }},
+    {.info = {.id = "hint",
+              .keys = {{{SDLK_h}}},
+              .icon = Icon::Hint,
+              .group = CommandGroup::building,
+              .name = words::hint,
+              .tip = "Show a hint",
+              .help = "hint"},
+     .run = hint},
+    {.info = {.id = "components",
+              .keys = {{{SDLK_c}, {SDLK_F3}}},
+              .icon = Icon::Gauge,
+              .group = CommandGroup::looking,
+              .name = words::components,
+              .tip = "Components of the simulation",
+              .help = "components, what they cost"},
+     .run = [](PlayParts& parts) { parts.components.toggle(); },
+     .on = [](PlayParts const& parts) { return parts.components.open(); }},
+    {.info = {.id = "budget",
+              .keys = {{{SDLK_b}}},
+              .group = CommandGroup::looking,
+              .name = "Time budget",
+              .tip = "Keep to a time budget, or no longer",
+              .help = "keep to a time budget"},
+     .run = [](PlayParts& parts) { parts.context.toasts.add(switchBudget(parts.budget)); },
+     .on = [](PlayParts const& parts) { return parts.budget.budget().has_value(); }},
+    {.info = {.id = "less-budget",
+              .keys = {{{SDLK_COMMA}}},
+              .group = CommandGroup::looking,
+              .name = "Less time",
+              .tip = "A smaller time budget",
+              .help = "less and more of it"},
+     .run = [](PlayParts& parts) { parts.context.toasts.add(changeBudget(parts.budget, 1 / budgetStep)); }},
+    {.info = {.id = "more-budget",
+              .keys = {{{SDLK_PERIOD}}},
+              .group = CommandGroup::looking,
+              .name = "More time",
+              .tip = "A larger time budget",
+              .help = "less and more of it"},
+     .run = [](PlayParts& parts) { parts.context.toasts.add(changeBudget(parts.budget, budgetStep)); }},
+};
+
+} // namespace
+
+std::span<Command<PlayParts> const> toolCommands() {
+    return toolTable;
+}
+
+} // namespace trembler::ui

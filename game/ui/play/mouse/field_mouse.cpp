@@ -1,0 +1,92 @@
+#include "game/ui/play/mouse/field_mouse.hpp"
+
+#include "physics/dynamics/properties/body.hpp"
+
+namespace trembler::ui {
+
+void FieldMouse::tookPart() {
+    tookPart_ = true;
+    leftOnPaper_ = false;
+}
+
+bool FieldMouse::update(Pointer const& pointer, Surroundings const& around, double seconds) {
+    picking_.pointAt(pointer);
+    if (pointer.pressed) {
+        pressedAt_ = pointer.screen;
+    }
+    bool rebuilt = false;
+    if (session_.mode() == SessionMode::building) {
+        rebuilt = usePlacing(pointer, around.handle);
+    } else {
+        useHand(pointer, around.watching, seconds);
+    }
+    tookPart_ = false;
+    lookAround(pointer);
+    return rebuilt;
+}
+
+bool FieldMouse::usePlacing(Pointer const& pointer, std::optional<Vec2> const& handle) {
+    ObjectId const hovered = picking_.hovered();
+    std::optional<int> const number = hovered.valid() ? session_.numberOf(hovered) : std::nullopt;
+    bool const onHandle = handle && length(pointer.world - *handle) < handleReach * pointer.pixel;
+    bool const wasCarrying = placing_.carried().has_value();
+    auto const before = session_.placed().size();
+    World const* const world = &session_.world();
+    if (!tookPart_) {
+        placing_.update(pointer, number, onHandle);
+    }
+    if (world != &session_.world() || before != session_.placed().size()) {
+        return true;
+    }
+    if (number && pointer.twice && !pointer.overCard) {
+        picking_.inspect(hovered);
+    }
+    bool const paper = !wasCarrying && !number && !onHandle;
+    if (pointer.pressed) {
+        leftOnPaper_ = paper && !pointer.overCard;
+    }
+    if (pointer.released && leftOnPaper_) {
+        leftOnPaper_ = false;
+        if (pointer.strayed(pressedAt_) <= dragThreshold) {
+            picking_.inspect(hovered);
+        }
+    }
+    return false;
+}
+
+void FieldMouse::useHand(Pointer const& pointer, bool watching, double seconds) {
+    ObjectId const hovered = picking_.hovered();
+    bool const free = hovered.valid() && session_.world().find<Fixed>(hovered) == nullptr;
+    if (pointer.pressed) {
+        leftOnPaper_ = !pointer.overCard && !hand_.cutting() && (!free || watching);
+    }
+    if (auto const clicked = hand_.update(pointer, hovered, seconds)) {
+        picking_.inspect(*clicked);
+    }
+    if (!pointer.held) {
+        leftOnPaper_ = false;
+    }
+    if (pointer.rightClicked && hand_.cutting()) {
+        hand_.setCutting(false);
+    }
+}
+
+void FieldMouse::lookAround(Pointer const& pointer) {
+    bool const carrying = placing_.carried().has_value();
+    if (pointer.wheel != 0 && !pointer.overCard && !carrying) {
+        view_.zoom(pointer.screen, pointer.wheel);
+    }
+    if (pointer.rightPressed) {
+        rightOnPaper_ = !pointer.overCard;
+    }
+    bool const right = pointer.rightHeld && rightOnPaper_;
+    bool const left = pointer.held && leftOnPaper_ && !carrying;
+    if ((pointer.middleHeld && !pointer.overCard) || right || left) {
+        view_.startPan();
+    } else if (!pointer.middleHeld) {
+        view_.stopPan();
+    }
+    view_.drag(pointer.moved);
+}
+
+} // namespace trembler::ui

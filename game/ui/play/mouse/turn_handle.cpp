@@ -1,0 +1,28 @@
+#include "game/ui/play/mouse/turn_handle.hpp"
+
+namespace trembler::ui {
+namespace {
+
+/// How far from a part's own edge its handle stands, pixels at UI scale 1.
+constexpr double handleGap = 26;
+
+} // namespace
+
+std::optional<TurnHandle> turnHandle(Session const& session, PlacingTool const& placing, PartCatalog& catalog,
+                                     double pixel) {
+    if (session.mode() != SessionMode::building || !placing.selected()) {
+        return {};
+    }
+    auto const& carried = placing.carried();
+    if (carried && !carried->turning) {
+        return {};
+    }
+    Placement const* const placement = carried ? &carried->landing : placing.placementOf(*placing.selected());
+    if (placement == nullptr) {
+        return {};
+    }
+    double const arm = catalog.radius(placement->part) + handleGap * pixel;
+    return TurnHandle{placement->at + rotated({0, arm}, placement->angle), *placement};
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,113 @@
+#include "game/ui/play/run/run_control.hpp"
+
+#include "physics/dynamics/properties/contacts.hpp"
+
+namespace trembler::ui {
+namespace {
+
+constexpr int fastFactor = 4;
+
+} // namespace
+
+RunControl::RunControl(Session& session, PlacingTool& placing, HandTool& hand, budget::BudgetMode& budget,
+                       LevelAudio& audio, CameraControl const& view, RunEvents events)
+    : session_(session), placing_(placing), hand_(hand), budget_(budget), audio_(audio), view_(view),
+      events_(std::move(events)) {}
+
+void RunControl::beginPicture(bool fastHeld) {
+    fastHeld_ = fastHeld;
+    stepped_ = false;
+}
+
+void RunControl::advance(double seconds, bool oneFrame) {
+    oneFrame_ = oneFrame;
+    if (!running()) {
+        audio_.pause(seconds, view_.camera());
+        return;
+    }
+    int const due = oneFrame ? 1 : clock_.due(seconds, quick() ? fastFactor : 1);
+    for (int i = 0; i < due; ++i) {
+        stepOnce();
+    }
+}
+
+void RunControl::stepOnce() {
+    if (building()) {
+        placing_.reset();
+        session_.start();
+        audio_.enter(session_.world());
+        session_.pause();
+        events_.newWorld();
+    }
+    if (session_.world().frame() == 0) {
+        // During the whole run, not only while contacts are shown: so the overlay is right as soon as it is
+        // switched on, in a paused world too.
+        patches_ = session_.world().want<ContactPatches>();
+    }
+    hand_.beforeStep();
+    budget_.beforeStep(session_, !watching()); // a run that is watched again repeats its decisions
+    events_.beforeStep();
+    session_.step();
+    // In fast motion only every fourth frame is heard, so that pitches stay as they are.
+    if (!quick() || session_.world().frame() % fastFactor == 0) {
+        audio_.frame(session_.world(), view_.camera());
+    }
+    stepped_ = true;
+    events_.afterStep();
+}
+
+void RunControl::runOrStop() {
+    if (building()) {
+        begin(false);
+    } else {
+        stop();
+    }
+}
+
+void RunControl::pauseOrGo() {
+    if (running()) {
+        session_.pause();
+    } else if (paused()) {
+        clock_.reset();
+        session_.resume();
+    }
+}
+
+void RunControl::step() {
+    if (running()) {
+        session_.pause();
+    }
+    clock_.reset();
+    stepOnce();
+}
+
+void RunControl::begin(bool asBefore) {
+    placing_.reset();
+    clock_.reset();
+    if (asBefore) {
+        session_.startAgain();
+    } else {
+        session_.start();
+    }
+    audio_.enter(session_.world());
+    events_.newWorld();
+}
+
+void RunControl::stop() {
+    audio_.leave();
+    session_.stop();
+    hand_.reset();
+    clock_.reset();
+    fast_ = false;
+    events_.stopped();
+    events_.newWorld();
+}
+
+void RunControl::watchAgain() {
+    Playback done = session_.done();
+    stop();
+    begin(true);
+    session_.play(std::move(done));
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,81 @@
+// Controls a level's run: when it begins and ends, how fast it goes, and what is called around each frame.
+#pragma once
+
+#include "game/budget/budget_mode.hpp"
+#include "game/ui/play/run/level_audio.hpp"
+#include "game/ui/shared/frame_clock.hpp"
+#include "game/ui/tools/camera_control.hpp"
+#include "game/ui/tools/hand_tool.hpp"
+#include "game/ui/tools/placing_tool.hpp"
+
+#include <functional>
+
+namespace trembler::ui {
+
+/// Functions that are called when the run changes; none may be empty.
+struct RunEvents {
+    std::function<void()> newWorld;   ///< the session has another world
+    std::function<void()> beforeStep; ///< directly before each Session::step
+    std::function<void()> afterStep;
+    std::function<void()> stopped; ///< the run has ended; directly before newWorld
+};
+
+/// Needs no window. Window thread only.
+class RunControl {
+public:
+    /// All must outlive this. The listener is where `view` looks.
+    RunControl(Session& session, PlacingTool& placing, HandTool& hand, budget::BudgetMode& budget,
+               LevelAudio& audio, CameraControl const& view, RunEvents events);
+
+    /// To be called when a picture begins. `fastHeld`: the key for fast motion is down.
+    void beginPicture(bool fastHeld);
+    /// Lets the world move on, if it runs: by `seconds` of the player's time, or by a single frame with
+    /// `oneFrame` (a film has every frame once, however long a picture takes).
+    void advance(double seconds, bool oneFrame);
+
+    /// Begins a run, or ends it.
+    void runOrStop();
+    /// Pauses, or goes on; does nothing while building.
+    void pauseOrGo();
+    /// Computes one frame and pauses; begins a run if none goes on.
+    void step();
+    /// Ends the run: the world is again as it was placed.
+    void stop();
+    void switchFast() { fast_ = !fast_; }
+    /// Begins the last run again and repeats what the player did in it, with the detail levels and periods
+    /// that it had.
+    void watchAgain();
+
+    [[nodiscard]] bool building() const { return session_.mode() == SessionMode::building; }
+    [[nodiscard]] bool running() const { return session_.mode() == SessionMode::running; }
+    [[nodiscard]] bool paused() const { return session_.mode() == SessionMode::paused; }
+    /// Whether a run is being watched again.
+    [[nodiscard]] bool watching() const { return session_.playing(); }
+    /// Whether fast motion is switched on; the held key does not count.
+    [[nodiscard]] bool fast() const { return fast_; }
+    /// Whether the world moved on in this picture.
+    [[nodiscard]] bool stepped() const { return stepped_; }
+    /// How far the display is between the last two frames, 0 to 1.
+    [[nodiscard]] double alpha() const { return running() && !oneFrame_ ? clock_.alpha() : 1; }
+
+private:
+    void begin(bool asBefore);
+    void stepOnce();
+    [[nodiscard]] bool quick() const { return fast_ || fastHeld_; }
+
+    Session& session_;
+    PlacingTool& placing_;
+    HandTool& hand_;
+    budget::BudgetMode& budget_;
+    LevelAudio& audio_;
+    CameraControl const& view_;
+    RunEvents events_;
+    Subscription patches_; // of the running world
+    FrameClock clock_;
+    bool fast_ = false;
+    bool fastHeld_ = false;
+    bool oneFrame_ = false;
+    bool stepped_ = false;
+};
+
+} // namespace trembler::ui

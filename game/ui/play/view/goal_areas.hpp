@@ -1,0 +1,35 @@
+// The areas that a level's goals name, for drawing them into the world.
+#pragma once
+
+#include "puzzle/goals/goal_judge.hpp"
+#include "render/draw/camera.hpp"
+#include "render/scene/areas.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace trembler::ui {
+
+/// Plain data of one level.
+class GoalAreas {
+public:
+    explicit GoalAreas(LevelFile const& level);
+
+    /// The areas, marked as reached where their goal is met. Valid until the next call.
+    [[nodiscard]] std::span<render::GoalRegion const> regions(std::span<GoalStatus const> status);
+    /// The smallest rectangle around all of them; empty if there are none.
+    [[nodiscard]] render::Extent extent() const;
+    /// Writes the name of each area above it; between Gui::beginFrame and Gui::endFrame.
+    void drawWords(render::Camera const& camera) const;
+
+private:
+    void gather(Condition const& condition, std::size_t goal);
+    [[nodiscard]] bool isKnown(Area const& area, std::size_t goal) const;
+
+    std::vector<render::GoalRegion> regions_;
+    std::vector<std::size_t> goals_; // for each region, the number of its goal
+    std::vector<std::string> names_; // for each region; empty: none is written
+};
+
+} // namespace trembler::ui

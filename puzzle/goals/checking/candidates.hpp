@@ -1,0 +1,43 @@
+// The objects that a selector can refer to, parts that the player may place included: for finding goals that
+// can never be reached.
+#pragma once
+
+#include "puzzle/goals/model/condition.hpp"
+#include "runtime/world/world.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// The objects that one or more selectors can refer to.
+struct Candidates {
+    std::set<std::string> names;     ///< of objects of the level
+    std::set<std::string> fromTools; ///< parts that the player may place
+    std::size_t placed = 0;          ///< how many objects the player may place of them
+    bool it = false;                 ///< the object that a count looks at, too
+
+    [[nodiscard]] std::size_t size() const { return names.size() + placed + (it ? 1 : 0); }
+};
+
+/// Finds candidates in a level and its world before the first frame; both must outlive it.
+class CandidateFinder {
+public:
+    CandidateFinder(LevelFile const& level, World const& world);
+    /// Adds those of a selector; what is among them already counts once.
+    void add(Candidates& candidates, Selector const& selector) const;
+    [[nodiscard]] Candidates of(Selector const& selector) const;
+    /// Whether all objects that the selector can refer to are fixed. False if there are none, if the player
+    /// may place some of them, and for "it".
+    [[nodiscard]] bool areFixed(Selector const& selector) const;
+    [[nodiscard]] World const& world() const { return world_; }
+
+private:
+    World const& world_;
+    std::map<std::string, std::vector<std::string const*>> byPart_; // names of objects
+    std::map<std::string, std::size_t> tools_;                      // by part, how many
+};
+
+} // namespace trembler

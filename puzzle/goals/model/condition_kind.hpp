@@ -1,0 +1,96 @@
+// What a kind of goal condition ("inside", "touching", "all" ...) states about itself. Each kind is one file
+// in conditions/ and one line in the table there; everything else asks the kind.
+#pragma once
+
+#include "runtime/object/object_id.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler {
+
+class CandidateFinder;
+class ConditionState;
+class GoalReader;
+class GoalWords;
+class JsonNode;
+class ObjectFinder;
+class World;
+enum class Mood;
+struct Condition;
+struct Noun;
+
+/// How a condition stands at present.
+struct Standing {
+    bool holds = false;  ///< at present, for however long
+    double progress = 0; ///< 0 to 1: how much of it is done; of no account while it holds
+};
+
+/// Why a condition can never hold, in the words of a message.
+struct Impossibility {
+    std::string message;
+    std::string expected; ///< what could stand there instead
+};
+
+/// A kind of condition. Has no data of its own but its key: what a file states is in the Condition, what a
+/// running condition remembers in its ConditionState.
+class ConditionKind {
+public:
+    explicit constexpr ConditionKind(std::string_view key) : key_(key) {}
+    virtual ~ConditionKind() = default;
+    ConditionKind(ConditionKind const&) = delete;
+    ConditionKind& operator=(ConditionKind const&) = delete;
+
+    /// The key under which a condition of this kind stands in a level file.
+    [[nodiscard]] std::string_view key() const { return key_; }
+
+    // Reading it from a file.
+
+    /// Reads what stands under the key. Complains through `body`, with its place, about whatever is wrong.
+    virtual void read(JsonNode const& body, Condition& condition, GoalReader& reader) const = 0;
+    /// The JSON Schema of what stands under the key.
+    [[nodiscard]] virtual nlohmann::ordered_json schema() const = 0;
+    /// Why such a condition can never hold in its level; nothing if it may hold. Its children are checked
+    /// separately.
+    [[nodiscard]] virtual std::optional<Impossibility> whyNever(Condition const& condition,
+                                                                CandidateFinder const& candidates) const;
+
+    // Judging a world by it.
+
+    /// Sets up the state of a condition whose subjects and objects have been found, before the first frame:
+    /// complains if they lack what the condition needs, and makes the state's memory. By default adds a state
+    /// for each child. `it` is the object that "it" refers to in the children.
+    virtual void begin(ConditionState& state, ObjectFinder const& finder, ObjectId it) const;
+    /// Looks at the world after a part of a frame; the children have been updated already.
+    [[nodiscard]] virtual Standing judge(ConditionState& state, World const& world) const = 0;
+    /// Adds the events that make it hold, or not hold if `truth` is false; empty event ids may be among them.
+    /// By default these are the causes of the children that are met or, if `truth` is false, not met.
+    virtual void collectCauses(ConditionState const& state, World const& world, bool truth,
+                               std::vector<EventId>& events) const;
+
+    // Describing it to the player.
+
+    /// Whether its children are goals of their own to the player.
+    [[nodiscard]] virtual bool listsGoals() const { return false; }
+    /// How the child with that index stands as a goal of its own.
+    [[nodiscard]] virtual Standing standingOf(ConditionState const& state, std::size_t child) const;
+    /// The condition in words, without the time for which it must hold: "keep the lamp lit". `it` is what
+    /// "it" is called, null outside a count.
+    [[nodiscard]] virtual std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,
+                                             Noun const* it) const = 0;
+    /// The same with `duration`, the time for which it must hold, such as " for 3 seconds".
+    [[nodiscard]] virtual std::string lastingPhrase(Condition const& condition, GoalWords const& words,
+                                                    Noun const* it, std::string const& duration) const;
+    /// Whether the phrase is made of several phrases, so that in a list commas do not suffice to separate it.
+    [[nodiscard]] virtual bool isCompound(Condition const& condition) const;
+
+private:
+    std::string_view key_;
+};
+
+} // namespace trembler

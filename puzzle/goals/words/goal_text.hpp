@@ -1,0 +1,52 @@
+// Goals in words: "Lift the metal object to the electromagnet", "Keep the lamp lit for 3 seconds".
+#pragma once
+
+#include "puzzle/goals/model/condition.hpp"
+#include "runtime/world/world.hpp"
+
+#include <string>
+
+namespace trembler {
+
+/// What a phrase asks the player to do about a condition.
+enum class Mood {
+    reach, ///< make it hold: "switch on the lamp"
+    keep,  ///< let it go on holding: "keep the lamp lit"
+    avoid, ///< never let it hold: "keep the lamp off"
+};
+/// The mood in which the opposite condition has to be phrased.
+[[nodiscard]] Mood opposite(Mood mood);
+
+/// The objects that a phrase is about, in words.
+struct Noun {
+    std::string words;
+    bool plural = false;
+};
+
+/// Makes sentences from conditions, with what the kinds need for their phrases. Looks up in the world where
+/// objects are, so that a sentence can say "lift", and what they are.
+class GoalWords {
+public:
+    explicit GoalWords(World const& world) : world_(world) {}
+
+    /// One sentence for the player, with a capital and without a full stop: the text of the level's author if
+    /// there is one, else one made from the condition.
+    [[nodiscard]] std::string sentence(Condition const& condition) const;
+    /// The condition as a part of a sentence, with the time for which it must hold. `it` is what "it" is
+    /// called, null outside a count.
+    [[nodiscard]] std::string phrase(Condition const& condition, Mood mood, Noun const* it) const;
+
+    /// What the objects of a selector are called.
+    [[nodiscard]] Noun noun(Selector const& selector, Noun const* it) const;
+    /// Whether all objects and parts of a selector are lamps (isLamp()), so that a sentence says "light" and
+    /// not "switch on". False for "it".
+    [[nodiscard]] bool areLamps(Selector const& selector) const;
+    /// The one object of a selector, or an invalid id.
+    [[nodiscard]] ObjectId single(Selector const& selector) const;
+    [[nodiscard]] World const& world() const { return world_; }
+
+private:
+    World const& world_;
+};
+
+} // namespace trembler

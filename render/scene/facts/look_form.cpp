@@ -1,0 +1,62 @@
+#include "render/scene/facts/look_form.hpp"
+
+#include <string_view>
+
+namespace trembler::render {
+namespace {
+
+bool hasBody(Facts const& facts) {
+    return facts.shape != nullptr && !facts.shape->pieces.empty();
+}
+
+LookForm ownForm(Facts const& facts) {
+    if (facts.source && facts.earth) {
+        return LookForm::battery;
+    }
+    if (facts.device && facts.substance == Substance::glass && hasBody(facts)) {
+        return LookForm::bulb;
+    }
+    std::optional<Sign> const sign = facts.coil == nullptr ? signOf(facts) : std::nullopt;
+    if (!sign) {
+        return LookForm::plain;
+    }
+    switch (*sign) {
+    case Sign::plus:
+        return LookForm::plus;
+    case Sign::minus:
+        return LookForm::minus;
+    case Sign::earth:
+        return LookForm::earth;
+    case Sign::flash:
+    case Sign::north: // these two are no signs of electricity
+    case Sign::south:
+        break;
+    }
+    return LookForm::flash;
+}
+
+} // namespace
+
+LookForm formOf(Facts const& facts) {
+    bool const possible = facts.form != LookForm::bulb || hasBody(facts);
+    return facts.form != LookForm::own && possible ? facts.form : ownForm(facts);
+}
+
+std::optional<Sign> signOf(Facts const& facts) {
+    if (facts.source) {
+        return Sign::plus;
+    }
+    if (facts.earth) {
+        if (facts.form == LookForm::minus || facts.form == LookForm::earth) {
+            return facts.form == LookForm::minus ? Sign::minus : Sign::earth;
+        }
+        std::string_view const label = facts.look != nullptr ? facts.look->label : std::string_view{};
+        return label == "-" || label == "\u2212" ? Sign::minus : Sign::earth;
+    }
+    if (facts.device || facts.coil != nullptr) {
+        return Sign::flash;
+    }
+    return std::nullopt;
+}
+
+} // namespace trembler::render

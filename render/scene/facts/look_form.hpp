@@ -1,0 +1,21 @@
+// As what an object is drawn besides its body: as stated, else by what it is.
+#pragma once
+
+#include "physics/look_form.hpp"
+#include "render/scene/facts/facts.hpp"
+#include "render/scene/marks/signs.hpp"
+
+#include <optional>
+
+namespace trembler::render {
+
+/// Never LookForm::own. What the object states (DrawnAs), but for a bulb without a body, which cannot be
+/// drawn. Else a bulb if the object uses electricity and is made of glass; else the sign of its part in
+/// electricity, see signOf(); else plain, as is a coil, whose winding says what it is.
+[[nodiscard]] LookForm formOf(Facts const& facts);
+
+/// The object's part in electricity, as a sign; nothing for a plain conductor. The return is an earth, unless
+/// the object states another form, or calls itself the negative pole by its label.
+[[nodiscard]] std::optional<Sign> signOf(Facts const& facts);
+
+} // namespace trembler::render

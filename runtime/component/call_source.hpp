@@ -1,0 +1,103 @@
+// Where an interaction records its calls: a buffer for each type of call and each chunk of its work.
+#pragma once
+
+#include "runtime/component/call.hpp"
+#include "runtime/component/caller_id.hpp"
+#include "runtime/property/state_hash.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace trembler {
+
+/// Records the calls of one type that one chunk of an interaction's work makes. Written by one thread at a
+/// time; no locks.
+template <InteractionCall C>
+class CallBuffer {
+public:
+    void push(C const& call) { calls_.push_back(call); }
+    /// Sets the cause of the call that was recorded last. There must be one.
+    void setCauseOfLast(EventId cause) {
+        causes_.resize(calls_.size());
+        causes_.back() = cause;
+    }
+    void clear() {
+        calls_.clear();
+        causes_.clear();
+    }
+    [[nodiscard]] std::span<C const> calls() const { return calls_; }
+    [[nodiscard]] EventId cause(std::size_t i) const { return i < causes_.size() ? causes_[i] : EventId{}; }
+
+private:
+    std::vector<C> calls_;
+    std::vector<EventId> causes_; // shorter than calls_ without a trace
+};
+
+namespace detail {
+template <class List>
+struct BuffersOf;
+template <class... C>
+struct BuffersOf<CallList<C...>> {
+    using Type = std::tuple<CallBuffer<C>...>;
+};
+template <class C, class List>
+inline constexpr bool callListed = false;
+template <class C, class... D>
+inline constexpr bool callListed<C, CallList<D...>> = (std::is_same_v<C, D> || ...);
+} // namespace detail
+
+/// The records of all calls of one interaction (or of the caller outside), in one CallBuffer per call type
+/// for each chunk of its work.
+template <ResolverRole Role>
+struct CallSource {
+    using Buffers = typename detail::BuffersOf<typename Role::Calls>::Type;
+
+    CallerId caller; ///< the interaction that makes the calls
+    /// Chunks never depend on the number of threads. A deque, as references to chunks must stay valid while
+    /// more are added.
+    std::deque<Buffers> chunks = std::deque<Buffers>(1);
+    /// Counts up with every apply that makes calls or withdraws held ones.
+    std::uint64_t version = 1;
+
+    void clearHeld() { clearWhere(true); }
+    void clearOnce() { clearWhere(false); }
+    /// Whether it records no call, neither a held one nor one that waits to be carried out.
+    [[nodiscard]] bool empty() const {
+        return std::all_of(chunks.begin(), chunks.end(), [](Buffers const& chunk) {
+            return std::apply([](auto const&... buffer) { return (buffer.calls().empty() && ...); }, chunk);
+        });
+    }
+
+    void hash(StateHash& hash) const {
+        for (Buffers const& chunk : chunks) {
+            std::apply([&](auto const&... buffer) { (hash.members(buffer.calls()), ...); }, chunk);
+        }
+    }
+
+private:
+    void clearWhere(bool held) {
+        for (Buffers& chunk : chunks) {
+            std::apply([&](auto&... buffer) { (clearIf(buffer, held), ...); }, chunk);
+        }
+    }
+    template <class C>
+    static void clearIf(CallBuffer<C>& buffer, bool held) {
+        if (isHeld(C::algebra) == held) {
+            buffer.clear();
+        }
+    }
+};
+
+/// The caller and the cause of a call, which the resolver gets beside it.
+struct CallOrigin {
+    CallerId caller;
+    EventId cause; ///< the event that led to the call; none without a trace
+};
+
+} // namespace trembler

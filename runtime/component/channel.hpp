@@ -1,0 +1,120 @@
+// The way of calls from the interactions of a role, and from outside the world, to the role's resolver.
+#pragma once
+
+#include "runtime/component/call_source.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+class ChannelBase {
+public:
+    virtual ~ChannelBase() = default;
+    [[nodiscard]] virtual std::uint64_t version() const = 0;
+    virtual void clearOnce() = 0;
+    virtual void clearSources() = 0;
+};
+
+/// Connects the interactions of one role to its resolver: holds their sources in registration order, the
+/// order in which calls are drained. Calls from outside come before those of interactions.
+template <ResolverRole Role>
+class Channel final : public ChannelBase {
+public:
+    void add(CallSource<Role>* source) {
+        sources_.push_back(source);
+        callers_.push_back(source->caller);
+        ++changes_;
+    }
+    /// To be called when a resolver is bound: from then on, calls from outside are recorded.
+    void attachResolver() { resolverThere_ = true; }
+    void clearSources() override {
+        sources_.clear();
+        callers_.clear();
+        resolverThere_ = false;
+        ++changes_;
+        if (outside_) {
+            add(outside_.get());
+        }
+    }
+    [[nodiscard]] std::span<CallSource<Role>* const> sources() const { return sources_; }
+    /// The callers of the sources: ascending if the sources were added in registration order.
+    [[nodiscard]] std::span<CallerId const> callers() const { return callers_; }
+
+    /// Accepts calls from outside, under that identity. Once, before any source is added.
+    void openToOutside(CallerId caller) requires FedFromOutside<Role> {
+        outside_ = std::make_unique<CallSource<Role>>();
+        outside_->caller = caller;
+        add(outside_.get());
+    }
+    /// Records a call from outside for the next advance. Between frames only. Without a resolver, or before
+    /// openToOutside(), it is lost.
+    template <InteractionCall C>
+    void feed(C const& call) requires FedFromOutside<Role> {
+        static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this role");
+        if (resolverThere_ && outside_) {
+            std::get<CallBuffer<C>>(outside_->chunks.front()).push(call);
+            ++outside_->version;
+        }
+    }
+    /// Whether no source records a call.
+    [[nodiscard]] bool empty() const {
+        return std::all_of(sources_.begin(), sources_.end(),
+                           [](CallSource<Role> const* source) { return source->empty(); });
+    }
+
+    /// Differs whenever a source has made or withdrawn calls or the set of sources has changed. The count of
+    /// such changes has bits of its own: a source that is removed takes its count out of the sum, which could
+    /// come out as before.
+    [[nodiscard]] std::uint64_t version() const override {
+        std::uint64_t sum = changes_ << 40U;
+        for (CallSource<Role> const* source : sources_) {
+            sum += source->version;
+        }
+        return sum;
+    }
+    void clearOnce() override {
+        for (CallSource<Role>* source : sources_) {
+            source->clearOnce();
+        }
+    }
+    /// Hashes every recorded call with its caller's name, independently of the order of registration.
+    void hash(StateHash& hash) const {
+        std::vector<CallSource<Role> const*> sorted(sources_.begin(), sources_.end());
+        std::sort(sorted.begin(), sorted.end(),
+                  [](auto const* a, auto const* b) { return a->caller.name() < b->caller.name(); });
+        for (CallSource<Role> const* source : sorted) {
+            if (!source->empty()) {
+                hash.value(std::string(source->caller.name()));
+                source->hash(hash);
+            }
+        }
+    }
+    /// Calls f(call, origin) for every call of kind C, in drain order.
+    template <InteractionCall C, class F>
+    void forCalls(F&& f) const {
+        for (CallSource<Role> const* source : sources_) {
+            CallerId const caller = source->caller;
+            for (auto const& chunk : source->chunks) {
+                auto const& buffer = std::get<CallBuffer<C>>(chunk);
+                std::span<C const> const calls = buffer.calls();
+                for (std::size_t i = 0; i < calls.size(); ++i) {
+                    f(calls[i], CallOrigin{caller, buffer.cause(i)});
+                }
+            }
+        }
+    }
+
+private:
+    std::vector<CallSource<Role>*> sources_;
+    std::vector<CallerId> callers_; // of sources_
+    std::unique_ptr<CallSource<Role>> outside_;
+    bool resolverThere_ = false;
+    std::uint64_t changes_ = 1;
+};
+
+} // namespace trembler

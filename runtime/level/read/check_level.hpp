@@ -1,0 +1,19 @@
+// What a level file states in one place about another place: connections, recorded inputs and changes.
+#pragma once
+
+#include "runtime/level/model/level.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <map>
+#include <string>
+
+namespace trembler {
+
+/// Complains about connections to objects that the level does not have, of an object with itself, and stated
+/// twice; about inputs of solutions that cannot happen (InputCheck); and about changes that no world of the
+/// registry allows (faultIn()). To be called once all of the level has been read from its document. `paths`
+/// holds the place in the file of every name of an object or a joint.
+void checkLevel(Registry const& registry, LevelFile const& level,
+                std::map<std::string, std::string> const& paths, Problems& problems);
+
+} // namespace trembler

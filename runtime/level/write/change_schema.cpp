@@ -1,0 +1,109 @@
+#include "runtime/level/write/change_schema.hpp"
+
+#include "runtime/level/model/recorded_change.hpp"
+#include "runtime/level/property/field_outline.hpp"
+#include "runtime/level/write/property_schema.hpp"
+#include "runtime/level/write/schema_pieces.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace trembler {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Of the components that may miss frames.
+Json periodsSchema(Registry const& registry) {
+    Json periods = Json::object();
+    for (Registration const& registration : registry.components()) {
+        if (registration.longestPeriod > registration.period) {
+            periods[title(*registration.info)] =
+                Json{{"type", "integer"}, {"minimum", 1}, {"maximum", registration.longestPeriod}};
+        }
+    }
+    return json_schema::strictObject(std::move(periods));
+}
+
+/// Of one number of the world, as far as it is a matter of accuracy.
+Json settingSchema(FieldOutline const& field) {
+    Json schema{{"type", field.type == FieldType::integer ? "integer" : "number"},
+                {"minimum", field.info.accuracy.from},
+                {"maximum", field.info.accuracy.to}};
+    if (field.type == FieldType::integer) {
+        schema["minimum"] = static_cast<std::int64_t>(field.info.accuracy.from);
+        schema["maximum"] = static_cast<std::int64_t>(field.info.accuracy.to);
+    }
+    if (field.info.accuracy.orAutomatic) {
+        schema = Json{{"anyOf", Json::array({Json{{"const", 0}}, std::move(schema)})}};
+    }
+    schema["description"] = describedField(field.info);
+    return schema;
+}
+
+Json settingsSchema(Registry const& registry) {
+    Json settings = Json::object();
+    for (PropertyInfo const* info : registry.objectProperties()) {
+        if (info->text.place != PropertyPlace::world) {
+            continue;
+        }
+        Json numbers = Json::object();
+        for (FieldOutline const& field : outlineOf(*info->makeValue())) {
+            bool const number = field.type == FieldType::integer || field.type == FieldType::number;
+            if (number && field.info.accuracy.any()) {
+                numbers[std::string(field.info.key)] = settingSchema(field);
+            }
+        }
+        if (!numbers.empty()) {
+            settings[std::string(info->text.key)] = json_schema::strictObject(std::move(numbers));
+        }
+    }
+    return json_schema::strictObject(std::move(settings));
+}
+
+} // namespace
+
+Json detailSchema(Registry const& registry, bool orNothing) {
+    std::map<std::string, std::vector<std::string>> levels;
+    for (Registration const& registration : registry.components()) {
+        ComponentText const& text = registration.info->text;
+        auto& of = levels[std::string(text.effect)];
+        if (!text.level.empty() && std::find(of.begin(), of.end(), text.level) == of.end()) {
+            of.emplace_back(text.level);
+        }
+    }
+    Json detail = Json::object();
+    for (auto& [effect, of] : levels) {
+        if (!of.empty()) {
+            if (orNothing) {
+                of.emplace_back("");
+            }
+            detail[effect] = Json{{"enum", of}};
+        }
+    }
+    return json_schema::strictObject(std::move(detail));
+}
+
+Json changeSchema(Registry const& registry) {
+    Json const frame{
+        {"type", "integer"}, {"minimum", 1}, {"description", "the first that it counts for, from 1"}};
+    std::map<std::string_view, Json> bodies{{"detail", detailSchema(registry, true)},
+                                            {"period", periodsSchema(registry)},
+                                            {"setting", settingsSchema(registry)}};
+    Json kinds = Json::array();
+    for (std::string_view const kind : recordedChangeNames) {
+        Json body = std::move(bodies.at(kind));
+        body["minProperties"] = 1;
+        Json members{{"frame", frame}};
+        members[std::string(kind)] = std::move(body);
+        kinds.push_back(json_schema::strictObject(std::move(members), {"frame", std::string(kind)}));
+    }
+    return Json{{"description",
+                 "How exactly the level is computed from a frame on, never its physics. A detail "
+                 "level must compute what the level states; see docs/budget.md."},
+                {"oneOf", std::move(kinds)}};
+}
+
+} // namespace trembler

@@ -1,0 +1,186 @@
+#include "runtime/level/write/property_schema.hpp"
+
+#include "runtime/level/json/limits.hpp"
+#include "runtime/level/property/field_outline.hpp"
+#include "runtime/level/property/property_reader.hpp"
+#include "runtime/level/write/schema_pieces.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace trembler {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "minimum" and "maximum" of a field, in the unit of the file.
+void addRange(Json& schema, FieldInfo const& info) {
+    constexpr double all = std::numeric_limits<double>::max();
+    auto const limit = [&](double value) { return isAngle(info.unit) ? degrees(value) : value; };
+    if (info.minimum > -all) {
+        schema[info.minimumExcluded ? "exclusiveMinimum" : "minimum"] = limit(info.minimum);
+    }
+    if (info.maximum < all) {
+        schema["maximum"] = limit(info.maximum);
+    }
+}
+
+/// Gathers the schema of every field. Where fields depend on a choice it is run once for each of them.
+class SchemaVisitor final : public FieldVisitor {
+public:
+    Json properties = Json::object();
+    std::set<std::string> required;
+    /// How many values the first choice has, and which of them to pretend.
+    std::size_t choices = 0;
+    int pretended = -1;
+
+    void boolean(FieldInfo const& info, bool&) override { put(info, {{"type", "boolean"}}); }
+    void integer(FieldInfo const& info, std::int32_t&) override {
+        Json schema{{"type", "integer"}};
+        addRange(schema, limits(info));
+        put(info, std::move(schema));
+    }
+    void number(FieldInfo const& info, double&) override {
+        Json schema{{"type", "number"}};
+        addRange(schema, limits(info));
+        put(info, std::move(schema));
+    }
+    void vector(FieldInfo const& info, Vec2&) override {
+        Json item{{"type", "number"}};
+        addRange(item, limits(info));
+        put(info, {{"type", "array"}, {"items", std::move(item)}, {"minItems", 2}, {"maxItems", 2}});
+    }
+    void text(FieldInfo const& info, std::string&) override { put(info, {{"type", "string"}}); }
+    void object(FieldInfo const& info, ObjectId&) override { put(info, json_schema::reference("name")); }
+    void choice(FieldInfo const& info, ChoiceField field) override {
+        if (choices == 0) {
+            choices = field.names.size();
+            if (pretended >= 0) {
+                field.index = pretended;
+            }
+        }
+        Json names = Json::array();
+        for (std::string_view const name : field.names) {
+            names.push_back(name);
+        }
+        put(info, {{"enum", std::move(names)}});
+    }
+    void list(FieldInfo const& info, ListField& field) override {
+        bool const hasFields = field.elementsHaveFields();
+        SchemaVisitor const element = ofAllVariants([&](SchemaVisitor& visitor) {
+            visitor.listInfo_ = hasFields ? nullptr : &info;
+            field.resize(0);
+            field.resize(1);
+            field.visitElement(0, visitor);
+        });
+        field.resize(0);
+        put(info, json_schema::listOf(hasFields ? element.objectSchema() : element.properties["value"],
+                                      limits::listInProperty));
+    }
+    /// All fields that there can be, whatever the first choice; required are those that always are. visit(v)
+    /// shows an initial value to v.
+    template <class Visit>
+    [[nodiscard]] static SchemaVisitor ofAllVariants(Visit&& visit) {
+        SchemaVisitor all;
+        visit(all);
+        for (int i = 0; i < static_cast<int>(all.choices); ++i) {
+            SchemaVisitor variant;
+            variant.pretended = i;
+            visit(variant);
+            for (auto const& [key, schema] : variant.properties.items()) {
+                if (!all.properties.contains(key)) {
+                    all.properties[key] = schema;
+                }
+            }
+            std::erase_if(all.required,
+                          [&](std::string const& key) { return !variant.required.contains(key); });
+        }
+        return all;
+    }
+    [[nodiscard]] Json objectSchema() const {
+        Json schema{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+        if (!required.empty()) {
+            schema["required"] = required;
+        }
+        return schema;
+    }
+
+private:
+    [[nodiscard]] FieldInfo const& limits(FieldInfo const& info) const {
+        return listInfo_ == nullptr ? info : *listInfo_;
+    }
+    void put(FieldInfo const& info, Json schema) {
+        std::string const key(info.key);
+        if (listInfo_ == nullptr) {
+            schema["description"] = describedField(info);
+        }
+        properties[key] = std::move(schema);
+        if (info.required) {
+            required.insert(key);
+        }
+    }
+
+    FieldInfo const* listInfo_ = nullptr;
+};
+
+/// All fields that a property can have.
+SchemaVisitor fieldsOf(PropertyInfo const& info) {
+    return SchemaVisitor::ofAllVariants([&](SchemaVisitor& visitor) { info.makeValue()->visit(visitor); });
+}
+
+Json withoutDescription(Json schema) {
+    schema.erase("description");
+    return schema;
+}
+
+} // namespace
+
+std::string describedField(FieldInfo const& info) {
+    std::string_view const unit = info.unit == "rad"     ? "degrees"
+                                  : info.unit == "rad/s" ? "degrees/s"
+                                                         : info.unit;
+    return unit.empty() ? std::string(info.meaning) : fmt::format("{} ({})", info.meaning, unit);
+}
+
+Json propertySchema(PropertyInfo const& info) {
+    auto const value = info.makeValue();
+    auto const outline = outlineOf(*value);
+    SchemaVisitor const fields = fieldsOf(info);
+    Json schema;
+    if (outline.empty()) {
+        schema = Json{{"type", "boolean"}};
+    } else if (isBare(outline)) {
+        schema = withoutDescription(fields.properties["value"]);
+        if (outline.front().type != FieldType::boolean) {
+            schema = Json{{"anyOf", Json::array({std::move(schema), Json{{"const", false}}})}};
+        }
+    } else {
+        Json shortForm = fields.required.empty() ? Json{{"type", "boolean"}} : Json{{"const", false}};
+        schema = Json{{"anyOf", Json::array({fields.objectSchema(), std::move(shortForm)})}};
+    }
+    std::string text(info.text.meaning);
+    if (!outline.empty() && isBare(outline)) {
+        text += " " + describedField(outline.front().info) + ".";
+    }
+    schema["description"] = text;
+    return schema;
+}
+
+Json fieldsSchema(PropertyInfo const& info) {
+    return fieldsOf(info).objectSchema();
+}
+
+Json propertiesSchema(Registry const& registry, PropertyPlace place) {
+    Json members = Json::object();
+    for (PropertyInfo const* info : registry.objectProperties()) {
+        if (info->text.place == place && info->text.key != "name") {
+            members[std::string(info->text.key)] = propertySchema(*info);
+        }
+    }
+    return Json{{"type", "object"}, {"properties", std::move(members)}, {"additionalProperties", false}};
+}
+
+} // namespace trembler

@@ -1,0 +1,27 @@
+// trembler keys: lists every command of the window, as docs/players.md does.
+#include "tests/game/app/program.hpp"
+
+namespace trembler::test {
+namespace {
+
+class ProgramKeys : public InAFolder {};
+
+TEST_F(ProgramKeys, ArePrintedForPeopleAndForThePage) {
+    Ran const text = runProgram({"keys"});
+    if (text.err.find("without the window") != std::string::npos) {
+        EXPECT_EQ(text.status, 2);
+        GTEST_SKIP() << "this build has no window";
+    }
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_NE(text.out.find("redo"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("Ctrl+Shift+Z, Ctrl+Y"), std::string::npos) << text.out;
+    Ran const page = runProgram({"keys", "--markdown"});
+    EXPECT_EQ(page.status, 0) << page.err;
+    EXPECT_NE(page.out.find("| Redo | `Ctrl+Shift+Z`, `Ctrl+Y` | `redo` |"), std::string::npos) << page.out;
+    EXPECT_EQ(runProgram({"keys", "--markdown", at("keys.md")}).status, 0);
+    EXPECT_EQ(contentsOf(at("keys.md")), page.out);
+    EXPECT_EQ(runProgram({"keys", "--jsno"}).status, 2);
+}
+
+} // namespace
+} // namespace trembler::test

@@ -1,0 +1,161 @@
+// The table of the level's screen and those of all others: nothing twice, nothing without words.
+#include "game/ui/app/command_lists.hpp"
+#include "game/ui/play/commands/play_commands.hpp"
+#include "tests/game/ui/player.hpp"
+
+#include <cstring>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace trembler::ui::test {
+namespace {
+
+TEST(Commands, EachIsThereOnceAndHasWords) {
+    for (CommandList const& list : commandLists()) {
+        std::set<std::string_view> ids;
+        for (CommandInfo const* command : list.commands) {
+            EXPECT_TRUE(ids.insert(command->id).second) << command->id << " is there twice";
+            EXPECT_TRUE(std::regex_match(std::string(command->id), std::regex("[a-z]+(-[a-z]+)*")))
+                << command->id << " will be in profiles";
+            for (char const* text : {command->name, command->tip, command->help}) {
+                EXPECT_GT(std::strlen(text), 0U) << command->id;
+            }
+            EXPECT_EQ(std::string(command->tip).find('('), std::string::npos)
+                << command->id << ": keys are added to its tip, they do not stand in it";
+        }
+    }
+}
+
+TEST(Commands, NoTwoOfAScreenHaveAKeyInCommon) {
+    for (CommandList const& list : commandLists()) {
+        std::map<std::string, std::string_view> owners;
+        for (CommandInfo const* command : list.commands) {
+            for (Chord const& chord : command->keys) {
+                if (chord.any()) {
+                    auto const [owner, fresh] = owners.emplace(nameOf(chord), command->id);
+                    EXPECT_TRUE(fresh) << nameOf(chord) << ": " << owner->second << " and " << command->id;
+                    EXPECT_EQ(chordFrom(nameOf(chord)), chord) << "a profile can name it";
+                }
+            }
+        }
+    }
+}
+
+TEST(Commands, AnIdMeansTheSameOnEveryScreen) {
+    std::map<std::string_view, CommandInfo const*> known;
+    for (CommandList const& list : commandLists()) {
+        for (CommandInfo const* command : list.commands) {
+            auto const [first, fresh] = known.emplace(command->id, command);
+            EXPECT_EQ(first->second->keys, command->keys) << command->id;
+            EXPECT_STREQ(first->second->tip, command->tip) << command->id;
+        }
+    }
+}
+
+TEST(Commands, OthersThatAreNamedAreThere) {
+    std::set<std::string_view> ids;
+    for (Command<PlayParts> const& command : playCommands()) {
+        EXPECT_NE(command.run, nullptr) << command.info.id;
+        ids.insert(command.info.id);
+    }
+    for (Command<PlayParts> const& command : playCommands()) {
+        EXPECT_TRUE(command.info.alsoBy.empty() || ids.contains(command.info.alsoBy)) << command.info.id;
+    }
+    for (Gesture const& gesture : playGestures()) {
+        EXPECT_TRUE(ids.contains(gesture.beside)) << gesture.with;
+    }
+}
+
+/// What players and their profiles have learned: a key or an id that changes here changes under their hands.
+TEST(Commands, UsualKeysStayAsTheyAre) {
+    KeyBindings const bindings(commandLists());
+    std::map<std::string, std::string> const usual{{"run", "Space"},
+                                                   {"pause", "P"},
+                                                   {"step", "F"},
+                                                   {"fast", "Tab"},
+                                                   {"turn-left", "Q"},
+                                                   {"turn-right", "E"},
+                                                   {"move-left", "Left"},
+                                                   {"move-right", "Right"},
+                                                   {"move-up", "Up"},
+                                                   {"move-down", "Down"},
+                                                   {"put-back", "Delete"},
+                                                   {"undo", "Ctrl+Z"},
+                                                   {"redo", "Ctrl+Shift+Z Ctrl+Y"},
+                                                   {"all-back", "Backspace"},
+                                                   {"fit", "Home"},
+                                                   {"inspect", "I"},
+                                                   {"electricity", "1"},
+                                                   {"magnetism", "2"},
+                                                   {"contacts", "3"},
+                                                   {"names", "N"},
+                                                   {"cut", "X"},
+                                                   {"hint", "H"},
+                                                   {"components", "C F3"},
+                                                   {"budget", "B"},
+                                                   {"less-budget", ","},
+                                                   {"more-budget", "."},
+                                                   {"record", "R"},
+                                                   {"picture", "F12"},
+                                                   {"save", "Ctrl+S"},
+                                                   {"levels", "L"},
+                                                   {"back", "Escape"},
+                                                   {"menu", ""},
+                                                   {"help", "F1"},
+                                                   {"fullscreen", "F11"},
+                                                   {"restart", ""},
+                                                   {"next-level", ""},
+                                                   {"watch-again", ""},
+                                                   {"keep-playing", ""}};
+    std::map<std::string, std::string> now;
+    for (CommandInfo const* command : bindings.commands()) {
+        std::string& keys = now[std::string(command->id)];
+        for (Chord const& chord : bindings.keysOf(command->id)) {
+            keys += (keys.empty() ? "" : " ") + nameOf(chord);
+        }
+    }
+    EXPECT_EQ(now, usual);
+}
+
+TEST(Commands, KeysDoWhatTheyAreBoundTo) {
+    Player player;
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    KeyBindings& keys = player.app().context().keys;
+    CommandInfo const* electricity = nullptr;
+    for (CommandInfo const* command : keys.commands()) {
+        electricity = command->id == "electricity" ? command : electricity;
+    }
+    ASSERT_NE(electricity, nullptr);
+    EXPECT_FALSE(keys.bind(*electricity, withCtrl(SDLK_k)));
+    player.key(SDLK_1);
+    EXPECT_FALSE(player.play().shown().electricity);
+    player.key(SDLK_k);
+    EXPECT_FALSE(player.play().shown().electricity);
+    player.key(SDLK_k, KMOD_RCTRL);
+    EXPECT_TRUE(player.play().shown().electricity);
+}
+
+TEST(Commands, WhatIsNotAvailableDoesNothing) {
+    Player player;
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    player.key(SDLK_x); // nothing runs
+    EXPECT_FALSE(player.play().hand().cutting());
+    player.key(SDLK_p);
+    EXPECT_EQ(player.session().mode(), SessionMode::building);
+    player.key(SDLK_BACKSPACE); // nothing is placed
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.5}));
+    player.key(SDLK_BACKSPACE);
+    EXPECT_EQ(player.session().placed().size(), 1U) << "the first time it only asks";
+    player.key(SDLK_BACKSPACE);
+    EXPECT_TRUE(player.session().placed().empty());
+    // Escape lets go of what is in the hand even while Ctrl is held, which means: without the grid.
+    player.clickItem("part steel bar");
+    ASSERT_TRUE(player.play().placing().carried());
+    player.key(SDLK_ESCAPE, KMOD_LCTRL);
+    EXPECT_FALSE(player.play().placing().carried());
+    EXPECT_FALSE(player.app().menu().isOpen());
+}
+
+} // namespace
+} // namespace trembler::ui::test

@@ -1,0 +1,42 @@
+// A level that is run without a window.
+#pragma once
+
+#include "game/ui/play/run/run_control.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "tests/game/ui/player.hpp"
+
+namespace trembler::ui::test {
+
+/// The electromagnet, which is solved by itself within two seconds.
+struct Controlled {
+    Session session{
+        gameData().registry, gameData().parts,
+        loadLevel(gameData().registry, levelsFolder() / "experiments/1-switched-electromagnet.json")};
+    render::Toasts toasts;
+    PlacingTool placing{session, toasts};
+    HandTool hand{session};
+    budget::BudgetMode budget{gameData().registry};
+    LevelAudio audio{nullptr};
+    CameraControl view;
+    std::string told;
+    RunControl run{session,
+                   placing,
+                   hand,
+                   budget,
+                   audio,
+                   view,
+                   {.newWorld = [this] { told += "n"; },
+                    .beforeStep = [this] { told += "b"; },
+                    .afterStep = [this] { told += "a"; },
+                    .stopped = [this] { told += "s"; }}};
+
+    void pictures(int count, double seconds = 1.0 / 60, bool oneFrame = false, bool fastHeld = false) {
+        for (int i = 0; i < count; ++i) {
+            run.beginPicture(fastHeld);
+            run.advance(seconds, oneFrame);
+        }
+    }
+    [[nodiscard]] std::uint64_t frame() const { return session.world().frame(); }
+};
+
+} // namespace trembler::ui::test

@@ -1,0 +1,116 @@
+// What reaches the loudspeakers, with real input events.
+#include "audio/device/loudspeaker.hpp"
+#include "tests/game/ui/player.hpp"
+
+#include <algorithm>
+
+namespace trembler::ui::test {
+namespace {
+
+constexpr render::Size small{960, 540}; // there is nothing to look at
+auto const doorbell = levelsFolder() / "experiments/2-doorbell.json";
+
+/// What a loudspeaker has been told to do.
+struct Heard {
+    int blocks = 0;
+    double loudest = 0; ///< Pa at 1 m, of the last block
+    double height = 0;  ///< m, of the listener above the drawing
+    OutputSettings settings;
+    bool silenced = false; ///< by the last thing it was told
+};
+
+class Ear final : public Output {
+public:
+    explicit Ear(Heard& heard) : heard_(heard) {}
+    void play(std::span<Voice const> voices, Listener const& listener) override {
+        ++heard_.blocks;
+        heard_.loudest = 0;
+        heard_.silenced = false;
+        heard_.height = listener.height;
+        for (Voice const& voice : voices) {
+            for (float const sample : voice.samples) {
+                heard_.loudest = std::max(heard_.loudest, std::abs(static_cast<double>(sample)));
+            }
+        }
+    }
+    void set(OutputSettings const& settings) override { heard_.settings = settings; }
+    void set(RoomAcoustics const& /*room*/) override {}
+    void stop() override { heard_.silenced = true; }
+    [[nodiscard]] std::string name() const override { return "test"; }
+    [[nodiscard]] bool audible() const override { return true; }
+
+private:
+    Heard& heard_;
+};
+
+TEST(SoundInTheWindow, TheDoorbellRingsUntilItIsStopped) {
+    Heard heard;
+    Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
+    Player player(small, {}, levelsFolder(), &loudspeaker);
+    player.open(doorbell);
+    player.frames(10);
+    EXPECT_EQ(heard.blocks, 0) << "nothing runs yet";
+    player.clickItem("run");
+    double loudest = 0;
+    for (int i = 0; i < 300; ++i) {
+        player.frame();
+        loudest = std::max(loudest, heard.loudest);
+    }
+    EXPECT_GT(loudest, 0.02) << "the bell should be as loud as speech";
+    EXPECT_GT(heard.blocks, 290);
+    EXPECT_GT(heard.height, 0.5);
+    player.clickItem("stop");
+    EXPECT_TRUE(heard.silenced);
+    int const blocks = heard.blocks;
+    player.frames(10);
+    EXPECT_EQ(heard.blocks, blocks);
+}
+
+TEST(SoundInTheWindow, WhatRingsDiesAwayInAPause) {
+    Heard heard;
+    Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
+    Player player(small, {}, levelsFolder(), &loudspeaker);
+    player.open(doorbell);
+    player.clickItem("run");
+    double loudest = 0;
+    for (int i = 0; i < 300; ++i) {
+        player.frame();
+        loudest = std::max(loudest, heard.loudest);
+    }
+    player.session().pause();
+    player.frames(600);
+    EXPECT_LT(heard.loudest, loudest / 100);
+}
+
+TEST(SoundInTheWindow, VolumeAndHrtfComeFromThePlayersSettings) {
+    auto const file = testFolder() / "profile.json";
+    std::filesystem::remove(file);
+    Profile profile(file);
+    Settings settings;
+    settings.volume = 25;
+    settings.hrtf = true;
+    profile.setSettings(settings);
+    Heard heard;
+    Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
+    Player player(small, file, levelsFolder(), &loudspeaker);
+    EXPECT_NEAR(heard.settings.volume, 0.25, 1e-9);
+    EXPECT_TRUE(heard.settings.hrtf);
+}
+
+TEST(SoundInTheWindow, ListeningChangesNothing) {
+    Heard heard;
+    Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
+    auto const hashAfter = [](Loudspeaker* listening) {
+        Player player(small, {}, levelsFolder(), listening);
+        player.open(doorbell);
+        player.clickItem("run");
+        while (player.session().world().frame() < 200) {
+            player.frame();
+        }
+        return player.session().world().stateHash();
+    };
+    EXPECT_EQ(hashAfter(&loudspeaker), hashAfter(nullptr));
+}
+
+} // namespace
+} // namespace trembler::ui::test

@@ -1,0 +1,104 @@
+// A level's run without a window: what the buttons do to the session, and what is told of it.
+#include "tests/game/ui/play/run/controlled_run.hpp"
+
+namespace trembler::ui::test {
+namespace {
+
+TEST(RunControl, RunsPausesAndStops) {
+    Controlled level;
+    EXPECT_TRUE(level.run.building());
+    level.pictures(3);
+    EXPECT_EQ(level.frame(), 0U);
+    EXPECT_FALSE(level.run.stepped());
+    level.run.pauseOrGo();
+    EXPECT_TRUE(level.run.building()) << "nothing to pause";
+    level.run.runOrStop();
+    EXPECT_TRUE(level.run.running());
+    level.pictures(2);
+    EXPECT_EQ(level.frame(), 2U);
+    EXPECT_TRUE(level.run.stepped());
+    EXPECT_EQ(level.told, "nbaba");
+    level.run.pauseOrGo();
+    EXPECT_TRUE(level.run.paused());
+    level.pictures(5);
+    EXPECT_EQ(level.frame(), 2U);
+    level.run.pauseOrGo();
+    level.pictures(1);
+    EXPECT_EQ(level.frame(), 3U);
+    level.told.clear();
+    level.run.runOrStop();
+    EXPECT_TRUE(level.run.building());
+    EXPECT_EQ(level.frame(), 0U);
+    EXPECT_EQ(level.told, "sn");
+}
+
+TEST(RunControl, SingleFramesBeginTheRunAndStandStill) {
+    Controlled level;
+    level.run.step();
+    EXPECT_TRUE(level.run.paused());
+    EXPECT_EQ(level.frame(), 1U);
+    level.run.step();
+    EXPECT_EQ(level.frame(), 2U);
+    level.run.pauseOrGo();
+    level.run.step();
+    EXPECT_TRUE(level.run.paused());
+    EXPECT_EQ(level.frame(), 3U);
+    EXPECT_EQ(level.run.alpha(), 1) << "what stands still is drawn where it is";
+}
+
+TEST(RunControl, FastIsFourTimesAsFastByKeyAndBySwitch) {
+    Controlled level;
+    level.run.runOrStop();
+    level.pictures(4, 1.0 / 60, false, true);
+    EXPECT_NEAR(static_cast<double>(level.frame()), 16, 1);
+    auto const before = level.frame();
+    level.run.switchFast();
+    level.pictures(4);
+    EXPECT_NEAR(static_cast<double>(level.frame() - before), 16, 1);
+    level.run.stop();
+    EXPECT_FALSE(level.run.fast()) << "the next run begins as usual";
+}
+
+TEST(RunControl, AFilmHasEveryFrameOnce) {
+    Controlled level;
+    level.run.runOrStop();
+    level.pictures(5, 0.5, true, true);
+    EXPECT_EQ(level.frame(), 5U) << "however long a picture takes";
+    EXPECT_EQ(level.run.alpha(), 1);
+}
+
+TEST(RunControl, ComputesWhatTheSessionComputesByItself) {
+    Controlled level;
+    level.run.runOrStop();
+    level.pictures(90);
+    Session alone(gameData().registry, gameData().parts, level.session.level());
+    for (int i = 0; i < 90; ++i) {
+        alone.step();
+    }
+    EXPECT_EQ(level.session.world().stateHash(), alone.world().stateHash());
+}
+
+TEST(RunControl, ARunIsWatchedAgainToTheBit) {
+    Controlled level;
+    level.run.runOrStop();
+    level.pictures(120);
+    ObjectId const lever = level.session.world().store().find("switch");
+    ASSERT_TRUE(lever.valid());
+    level.session.feed({PlayerInput::Kind::grab, lever, {}, {0, 1}});
+    level.pictures(20);
+    level.session.feed({PlayerInput::Kind::release, lever, {}, {0, 1}});
+    level.pictures(20);
+    auto const hash = level.session.world().stateHash();
+    auto const frame = level.frame();
+    EXPECT_FALSE(level.run.watching());
+    level.run.watchAgain();
+    EXPECT_TRUE(level.run.watching());
+    EXPECT_EQ(level.frame(), 0U);
+    level.pictures(static_cast<int>(frame));
+    EXPECT_EQ(level.session.world().stateHash(), hash);
+    level.run.stop();
+    EXPECT_FALSE(level.run.watching());
+}
+
+} // namespace
+} // namespace trembler::ui::test

@@ -1,0 +1,172 @@
+// Saving, changing the simulation while it runs, and starting again, with real input events.
+#include "physics/dynamics/properties/contacts.hpp"
+#include "puzzle/solutions/solution_file.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "tests/game/ui/player.hpp"
+
+namespace trembler::ui::test {
+namespace keeping_test {
+namespace {
+
+auto const firstContact = levelsFolder() / "first/1-first-contact.json";
+auto const experiment = levelsFolder() / "experiments/1-switched-electromagnet.json";
+
+ComponentStatus statusOf(World const& world, std::string const& name) {
+    for (ComponentStatus const& status : world.status()) {
+        if (title(*status.info) == name) {
+            return status;
+        }
+    }
+    ADD_FAILURE() << "no component " << name;
+    return {};
+}
+
+TEST(Keeping, WhatWasPlayedIsSavedAndPlaysHeadless) {
+    Player player;
+    std::filesystem::remove_all(player.films());
+    player.open(firstContact);
+    player.key(SDLK_s, KMOD_LCTRL); // nothing has run yet: it says so and writes nothing
+    EXPECT_FALSE(std::filesystem::exists(player.films() / "1-first-contact-solution-1.json"));
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
+    player.key(SDLK_SPACE);
+    player.simulate(160);
+    // Something done by hand too: the bar is taken off its contacts and let go again.
+    auto const& bar = player.session().world().find<Position>(
+        player.session().objectOf(player.session().placed()[0].number));
+    player.moveTo(player.at(bar->value));
+    player.press();
+    player.moveTo(player.at(bar->value + Vec2{0, 0.4}));
+    player.frames(20);
+    player.release();
+    player.frames(3);
+    player.key(SDLK_p);
+    ASSERT_TRUE(player.session().solved());
+    ASSERT_FALSE(player.session().inputs().empty());
+    player.clickItem("save");
+    auto const file = player.films() / "1-first-contact-solution-1.json";
+    ASSERT_TRUE(std::filesystem::exists(file));
+
+    LevelFile const level = loadLevel(gameData().registry, firstContact);
+    Solution const solution = findOrLoadSolution(gameData().registry, level, file.string());
+    EXPECT_TRUE(solution.solves);
+    Session headless(gameData().registry, gameData().parts, level);
+    headless.load(solution);
+    while (headless.world().frame() < player.session().world().frame()) {
+        headless.step();
+    }
+    EXPECT_TRUE(headless.solved());
+    EXPECT_EQ(headless.world().stateHash(), player.session().world().stateHash());
+    player.key(SDLK_s, KMOD_LCTRL);
+    EXPECT_TRUE(std::filesystem::exists(player.films() / "1-first-contact-solution-2.json"));
+}
+
+TEST(Keeping, ContactsHaveNormalsAndImpulsesAsSoonAsTheyAreShown) {
+    Player player;
+    player.open(experiment);
+    player.key(SDLK_SPACE);
+    player.simulate(120);
+    player.key(SDLK_p);
+    player.clickItem("keep playing");
+    player.look("contacts-off-720");
+    player.key(SDLK_3);
+    player.look("contacts-720");
+    auto const* patches = player.session().world().find<ContactPatches>();
+    ASSERT_NE(patches, nullptr);
+    double impulse = 0;
+    for (ContactPatch const& patch : patches->patches) {
+        EXPECT_NEAR(length(patch.normal), 1, 1e-6);
+        impulse = std::max(impulse, patch.normalImpulse[0]);
+    }
+    EXPECT_GT(impulse, 0);
+    // Looking changes nothing: the same run without an onlooker ends in the same bits.
+    Session blind(gameData().registry, gameData().parts, loadLevel(gameData().registry, experiment));
+    while (blind.world().frame() < player.session().world().frame()) {
+        blind.step();
+    }
+    EXPECT_EQ(blind.world().stateHash(), player.session().world().stateHash());
+}
+
+TEST(Keeping, DetailAndPeriodAreChangedWhileItRuns) {
+    Player player;
+    player.open(experiment);
+    player.key(SDLK_SPACE);
+    player.simulate(24);
+    player.key(SDLK_c);
+    player.frames(3);
+    EXPECT_EQ(statusOf(player.session().world(), "Two-wire Electricity DPS").activity == Activity::absent,
+              false);
+    player.clickItem("detail of electricity");
+    player.frames(3);
+    player.look("detail-720");
+    player.clickItem("level single-cable"); // other physics: the switch would need no way back
+    player.frames(3);
+    EXPECT_FALSE(player.session().world().options().detail.contains("electricity"));
+    player.clickItem("level nodal");
+    player.frames(3);
+    EXPECT_EQ(player.session().world().options().detail.at("electricity"), "nodal");
+    EXPECT_EQ(statusOf(player.session().world(), "Two-wire Electricity DPS").activity, Activity::absent);
+    Point const fixed = player.item("period of Electricity Resolver"); // it must not miss a frame
+    player.drag(fixed, fixed + Point{60, 0});
+    player.frames(2);
+    EXPECT_EQ(statusOf(player.session().world(), "Electricity Resolver").period, 1);
+    for (int notch = 0; notch < 30 && !player.shows("period of Magnetic Forces DPS"); ++notch) {
+        player.wheel(-1); // farther down in the list
+        player.frames(2);
+    }
+    Point const field = player.item("period of Magnetic Forces DPS");
+    player.drag(field, field + Point{60, 0});
+    player.frames(2);
+    int const period = statusOf(player.session().world(), "Magnetic Forces DPS").period;
+    EXPECT_GT(period, 1);
+    EXPECT_LE(period, 4);
+    EXPECT_EQ(player.session().mode(), SessionMode::running);
+    // It holds for later runs as well.
+    player.clickItem("stop");
+    player.key(SDLK_SPACE);
+    player.frames(3);
+    EXPECT_EQ(statusOf(player.session().world(), "Magnetic Forces DPS").period, period);
+}
+
+TEST(Keeping, AWindowThatLosesTheFocusLetsGo) {
+    Player player;
+    player.open(firstContact);
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
+    player.key(SDLK_SPACE);
+    player.simulate(160);
+    auto const bar = player.session().objectOf(player.session().placed()[0].number);
+    Vec2 const from = player.session().world().find<Position>(bar)->value;
+    player.moveTo(player.at(from));
+    player.press();
+    player.moveTo(player.at(from + Vec2{0, 0.3}));
+    player.frames(2);
+    ASSERT_EQ(player.play().hand().held(), bar);
+    SDL_Event event{};
+    event.type = SDL_WINDOWEVENT;
+    event.window.windowID = SDL_GetWindowID(window().handle());
+    event.window.event = SDL_WINDOWEVENT_FOCUS_LOST;
+    SDL_PushEvent(&event);
+    player.frames(2);
+    EXPECT_FALSE(player.play().hand().held().valid());
+    ASSERT_FALSE(player.session().inputs().empty());
+    EXPECT_EQ(player.session().inputs().back().kind, PlayerInput::Kind::release);
+}
+
+TEST(Keeping, TheMenuStartsTheLevelAgain) {
+    Player player;
+    player.open(firstContact);
+    auto const fresh = player.session().world().stateHash();
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
+    player.key(SDLK_SPACE);
+    player.simulate(64);
+    player.key(SDLK_ESCAPE);
+    player.frames(2);
+    player.clickItem("Start the level again");
+    player.frames(3);
+    EXPECT_EQ(player.session().mode(), SessionMode::building);
+    EXPECT_TRUE(player.session().placed().empty());
+    EXPECT_EQ(player.session().world().stateHash(), fresh);
+}
+
+} // namespace
+} // namespace keeping_test
+} // namespace trembler::ui::test

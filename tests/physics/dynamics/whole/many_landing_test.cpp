@@ -1,0 +1,29 @@
+// Thousands of bodies that land at once: none falls through. Their cost is measured in bench/growth.cpp.
+#include "tests/physics/dynamics/scene.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler::test {
+namespace {
+
+class ManyLanding : public OnEveryEngine {};
+TREMBLER_ON_EVERY_ENGINE(ManyLanding);
+
+TEST_P(ManyLanding, AreAllHeldByAThinFloorHoweverFast) {
+    constexpr int count = 2500;
+    Scene scene;
+    scene.fixed("floor", boxPiece(0.3 * count + 10, 0.02), {0.15 * count, 0});
+    std::vector<ObjectId> all;
+    for (int i = 0; i < count; ++i) {
+        all.push_back(
+            scene.body("box " + std::to_string(i), boxPiece(0.2, 0.2), {0.3 * i, 0.5 + 0.001 * (i % 100)}));
+        scene.give(all.back(), Velocity{{0, -60}});
+    }
+    scene.run(30);
+    for (ObjectId const id : all) {
+        ASSERT_GT(scene.at(id).y, 0.05);
+    }
+}
+
+} // namespace
+} // namespace trembler::test

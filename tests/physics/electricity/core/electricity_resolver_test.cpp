@@ -1,0 +1,138 @@
+// Connections are counted for each calling interaction: none removes the connections of another, also when
+// interactions are swapped. The scripts of a CircuitWorld are several interactions of one C++ type.
+#include "tests/physics/electricity/circuit_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace trembler::test {
+namespace callers_test {
+namespace {
+
+/// battery and lamp, with nothing between them.
+void drawLamp(CircuitWorld& circuit) {
+    circuit.source("battery");
+    circuit.conductor("lamp");
+    circuit.start();
+    circuit.world().step();
+}
+
+CallerCounts between(CircuitWorld& circuit, std::string const& a, std::string const& b) {
+    return connectionBetween(circuit.store(), circuit[a], circuit[b]);
+}
+
+TEST(ElectricityCallers, NoneTakesAwayWhatAnotherHasAdded) {
+    CircuitWorld circuit;
+    drawLamp(circuit);
+    circuit.connect("battery", "lamp", 0);
+    circuit.disconnect("battery", "lamp", 1);
+    circuit.disconnect("battery", "lamp", 2);
+    EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
+    circuit.connect("battery", "lamp", 1);
+    circuit.disconnect("battery", "lamp", 0);
+    EXPECT_TRUE(circuit.isOn(circuit["lamp"])) << "the second still stands by it";
+    circuit.disconnect("battery", "lamp", 1);
+    EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
+}
+
+TEST(ElectricityCallers, NoneTakesAwayWiresOfTheLevelAndScissorsNothingElse) {
+    CircuitWorld circuit;
+    circuit.source("battery");
+    circuit.wire({{"battery", "lamp"}});
+    circuit.start();
+    ObjectId const battery = circuit["battery"];
+    ObjectId const lamp = circuit["lamp"];
+    circuit.call({{battery, lamp, 0, false}});
+    EXPECT_TRUE(circuit.isOn(lamp));
+    circuit.touch({{"battery", "lamp"}});
+    circuit.call(
+        {{battery, lamp, 1, true}, {battery, lamp, scissors, false}, {battery, lamp, scissors, false}});
+    EXPECT_TRUE(circuit.isOn(lamp));
+    EXPECT_EQ(between(circuit, "battery", "lamp").names(),
+              "Electricity <- Dynamics, Electricity <- Script 2");
+    circuit.disconnect("battery", "lamp", 1);
+    EXPECT_TRUE(circuit.isOn(lamp)) << "they touch";
+    circuit.touch({});
+    circuit.call({});
+    EXPECT_FALSE(circuit.isOn(lamp));
+}
+
+TEST(ElectricityCallers, WhatOneHasAddedGoesWhenItGoes) {
+    CircuitWorld circuit({.threads = 1, .detail = {}, .periods = {}, .trace = true});
+    circuit.source("battery");
+    circuit.wire({{"battery", "near"}, {"lamp"}});
+    circuit.start();
+    circuit.touch({{"near", "battery"}});
+    circuit.connect("battery", "lamp", 0);
+    circuit.connect("battery", "near", 1);
+    ASSERT_TRUE(circuit.isOn(circuit["lamp"]));
+    circuit.world().step();
+    ASSERT_EQ(circuit.status("Electricity <- Script 1").activity, Activity::asleep);
+    ObjectId const director = circuit["director"];
+    circuit.store().column<Script>().remove(director); // nothing calls for the scripts any more
+    circuit.world().step();
+    ASSERT_EQ(circuit.status("Electricity <- Script 1").activity, Activity::absent);
+    circuit.world().step();
+    EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
+    EXPECT_EQ(between(circuit, "battery", "near").names(), "level, Electricity <- Dynamics")
+        << "the level and whoever is still there";
+    auto const& events = circuit.world().tracer()->events();
+    EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](Event const& event) {
+        return event.event == "disconnected" && event.objects == std::vector<std::string>{"battery", "lamp"};
+    }));
+    // It comes again, and begins with nothing.
+    circuit.store().column<Script>().set(director, {});
+    circuit.world().step();
+    circuit.disconnect("battery", "lamp", 0);
+    circuit.connect("battery", "lamp", 0);
+    EXPECT_EQ(countBy(between(circuit, "battery", "lamp"), 0), 1);
+    EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
+    circuit.disconnect("battery", "lamp", 0);
+    EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
+}
+
+TEST(ElectricityCallers, KeepTheirNamesWhileOthersComeAndGo) {
+    CircuitWorld circuit;
+    circuit.source("battery");
+    circuit.wire({{"battery", "near"}, {"lamp"}});
+    circuit.start();
+    circuit.touch({{"near", "lamp"}});
+    circuit.connect("battery", "lamp", 2);
+    ObjectId const director = circuit["director"];
+    // Before the scripts in the order of registration, so all of theirs move up in the list of those who
+    // call.
+    circuit.store().column<Touching>().remove(director);
+    circuit.world().step();
+    ASSERT_EQ(circuit.status("Electricity <- Dynamics").activity, Activity::absent);
+    circuit.call({});
+    EXPECT_FALSE(between(circuit, "near", "lamp").any()) << "nobody knows whether they still touch";
+    EXPECT_EQ(between(circuit, "battery", "lamp").names(), "Electricity <- Script 3");
+    circuit.disconnect("battery", "lamp", 1);
+    EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
+    circuit.store().column<Touching>().set(director, {});
+    circuit.touch({{"near", "lamp"}});
+    circuit.call({});
+    circuit.call({});
+    EXPECT_EQ(between(circuit, "near", "lamp").names(), "Electricity <- Dynamics");
+    circuit.disconnect("battery", "lamp", 2);
+    EXPECT_FALSE(between(circuit, "battery", "lamp").any()) << "its own it can take back";
+}
+
+TEST(ElectricityCallers, SwappingDetailLevelsChangesNoCount) {
+    CircuitWorld circuit;
+    circuit.source("battery");
+    circuit.wire({{"battery", "lamp"}});
+    circuit.start();
+    circuit.connect("battery", "lamp", 1);
+    std::string const before = between(circuit, "battery", "lamp").names();
+    for (char const* level : {"single-cable", "two-wire", "nodal", ""}) {
+        circuit.world().setDetail("electricity", level);
+        circuit.call({});
+        EXPECT_EQ(between(circuit, "battery", "lamp").names(), before) << level;
+    }
+}
+
+} // namespace
+} // namespace callers_test
+} // namespace trembler::test

@@ -1,0 +1,61 @@
+// A level in which noise closes a circuit.
+#include "audio/effect/properties/loudness.hpp"
+#include "tests/support/experiment.hpp"
+
+namespace trembler {
+namespace {
+
+class LoudEnough : public Experiment {
+protected:
+    void openWith(std::string const& solution) {
+        open(loadLevel(gameData().registry, gameData().home / "levels/sound/1-loud-enough.json"), solution,
+             true);
+    }
+};
+
+TEST_F(LoudEnough, TheBellLightsTheLampForAsLongAsItIsLoud) {
+    openWith("ring the bell");
+    int lit = 0;
+    std::vector<bool> loud; // by frame
+    while (world().frame() < 300) {
+        step();
+        loud.push_back(world().find<Loudness>()->at(id("sound sensor 1")) >= 85);
+        lit += on("lamp") ? 1 : 0;
+        if (loud.size() > 2) {
+            // What is heard in a frame is told in it, and done in the next.
+            EXPECT_EQ(on("lamp"), bool{loud[loud.size() - 2]} && touching("sound sensor 1", "left contact"))
+                << world().frame();
+        }
+    }
+    EXPECT_GT(lit, 120);
+    EXPECT_LT(lit, 240) << "it should die away";
+    EXPECT_TRUE(session().solved());
+    Event const& hit = first("contact begun", {"bell", "steel ball 1"});
+    EXPECT_GT(hit.frame, 30U);
+    // First it hears itself land.
+    EXPECT_TRUE(led(first("contact begun", {"right contact", "sound sensor 1"}), first("on", {"lamp"})));
+    // The noise of the bell outlasts that.
+    EXPECT_GT(first("off", {"lamp"}, hit.frame).frame, hit.frame + 60);
+}
+
+TEST_F(LoudEnough, ItsOwnThudIsHeardButNotForLong) {
+    openWith("nobody rings");
+    int lit = 0;
+    while (world().frame() < 300) {
+        step();
+        lit += on("lamp") ? 1 : 0;
+    }
+    EXPECT_GT(lit, 5);
+    EXPECT_LT(lit, 80);
+    EXPECT_FALSE(session().solved());
+}
+
+TEST_F(LoudEnough, NoiseThatNobodyHearsDoesNothing) {
+    openWith("a noise, and nothing that hears it");
+    runTo(300);
+    EXPECT_FALSE(on("lamp"));
+    EXPECT_EQ(world().find<Loudness>(), nullptr) << "nobody listens, so nothing is worked out";
+}
+
+} // namespace
+} // namespace trembler

@@ -1,0 +1,115 @@
+#include "runtime/level/json/suggestion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace trembler {
+namespace suggestion_test {
+namespace {
+
+std::set<std::string> neighboursOf(std::string const& word, bool swaps) {
+    std::set<std::string> found;
+    for (std::size_t i = 0; i <= word.size(); ++i) {
+        for (char const letter : {'a', 'b', 'c'}) {
+            found.insert(word.substr(0, i) + letter + word.substr(i));
+            if (i < word.size()) {
+                found.insert(word.substr(0, i) + letter + word.substr(i + 1));
+            }
+        }
+        if (i < word.size()) {
+            found.insert(word.substr(0, i) + word.substr(i + 1));
+        }
+        if (swaps && i + 1 < word.size()) {
+            std::string swapped = word;
+            std::swap(swapped[i], swapped[i + 1]);
+            found.insert(swapped);
+        }
+    }
+    return found;
+}
+
+/// The least number of steps from a word to each word that is at most that far away, tried one by one.
+std::map<std::string, std::size_t> stepsFrom(std::string const& word, std::size_t most, bool swaps) {
+    std::map<std::string, std::size_t> steps{{word, 0}};
+    std::set<std::string> front{word};
+    for (std::size_t step = 1; step <= most; ++step) {
+        std::set<std::string> next;
+        for (std::string const& from : front) {
+            for (std::string const& to : neighboursOf(from, swaps)) {
+                if (steps.try_emplace(to, step).second) {
+                    next.insert(to);
+                }
+            }
+        }
+        front = std::move(next);
+    }
+    return steps;
+}
+
+// Between the distance with swaps anywhere and the one without any: what was swapped is not edited again.
+TEST(EditDistance, IsBetweenTheNumbersOfStepsWithAndWithoutSwaps) {
+    int strictlyBelow = 0;
+    for (std::string const word : {"", "a", "ab", "abc", "cab", "aabb"}) {
+        auto const with = stepsFrom(word, 3, true);
+        auto const without = stepsFrom(word, 3, false);
+        for (auto const& [other, least] : with) {
+            std::size_t const distance = editDistance(word, other);
+            EXPECT_EQ(distance, editDistance(other, word));
+            EXPECT_GE(distance, least) << word << " " << other;
+            if (auto const most = without.find(other); most != without.end()) {
+                EXPECT_LE(distance, most->second) << word << " " << other;
+                strictlyBelow += distance < most->second ? 1 : 0;
+            }
+            if (least <= 1) { // one step, whichever it is, is one in both
+                EXPECT_EQ(distance, least) << word << " " << other;
+            }
+        }
+    }
+    EXPECT_GT(strictlyBelow, 10) << "swaps count";
+    EXPECT_EQ(editDistance("ca", "abc"), 3U) << "2 with an insertion into what was swapped";
+    EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
+    EXPECT_EQ(editDistance("ab", "ba"), 1U);
+}
+
+TEST(Suggestion, FindsSlipsOfThePenAndNothingElse) {
+    std::vector<std::string> const known{"friction", "fixed", "density", "mass"};
+    EXPECT_EQ(suggestion("fricton", known), "friction");
+    EXPECT_EQ(suggestion("desnity", known), "density");
+    EXPECT_EQ(suggestion("fixd", known), "fixed");
+    EXPECT_EQ(suggestion("colour", known), std::nullopt);
+    EXPECT_EQ(suggestion("", known), std::nullopt);
+    EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
+    EXPECT_EQ(editDistance("ab", "ba"), 1U);
+}
+
+TEST(Suggestion, IsTheNearestAndTheFirstOfEquals) {
+    std::vector<std::string> const known{"mask", "masc", "mast", "mass"};
+    EXPECT_EQ(suggestion("mas", known), "mask");
+    EXPECT_EQ(suggestion("mass", known), "mass");
+    EXPECT_EQ(suggestion("mass", {}), std::nullopt);
+    EXPECT_EQ(didYouMean("masz", known), ", did you mean 'mask'?");
+    EXPECT_EQ(didYouMean("velocity", known), "");
+    std::vector<std::string> const longWord{std::string(101, 'x')};
+    EXPECT_EQ(suggestion(std::string(100, 'x'), longWord), longWord[0]);
+    EXPECT_EQ(suggestion(longWord[0], longWord), std::nullopt) << "too long for a typing error";
+}
+
+TEST(Suggestion, ListsAreShortened) {
+    EXPECT_EQ(listed({}), "");
+    std::vector<std::string> words{"a"};
+    EXPECT_EQ(listed(words), "'a'");
+    words.emplace_back("b");
+    EXPECT_EQ(listed(words), "'a' or 'b'");
+    words.emplace_back("c");
+    EXPECT_EQ(listed(words), "'a', 'b' or 'c'");
+    words.resize(30, "z");
+    EXPECT_TRUE(listed(words).ends_with("'z' or 'z'"));
+    words.emplace_back("last");
+    EXPECT_TRUE(listed(words).ends_with("'z', 'z', ...")) << listed(words);
+}
+
+} // namespace
+} // namespace suggestion_test
+} // namespace trembler
