@@ -102,6 +102,8 @@ private:
     [[nodiscard]] static bool isStale(b2Contact* contact);
     /// The body's motion from `start`, in the last substep, to where it is.
     [[nodiscard]] SubstepMotion motionFrom(SlotIndex slot, Place const& start) const;
+    /// farInSubstep in engine units.
+    [[nodiscard]] float farLimit() const { return static_cast<float>(farInSubstep * scale_); }
     /// Finds substepMotions_, movedFar_ and farSlots_.
     void noteSubstepMotions();
     /// Finds bodies of which each pair that moved far apart contains one; false if they are no fewer than
