@@ -75,6 +75,13 @@ public:
         [[nodiscard]] bool wanted() const {
             return self_.provides_.template get<P>().readers() > 0;
         }
+        /// Whether a component that the scene calls for reads one of its resolver properties. Subscriptions,
+        /// and components that are there for subscriptions only, do not count: the world's state may depend
+        /// on this, but not on wanted().
+        template <class P>
+        [[nodiscard]] bool calledFor() const {
+            return self_.provides_.template get<P>().ownReaders() > 0;
+        }
         /// Calls f(call, origin) for every pending call of kind C, always in the same order. An object in a
         /// held call may have been destroyed: the interaction learns of that only after this advance.
         template <InteractionCall C, class F>

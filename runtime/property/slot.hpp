@@ -22,8 +22,14 @@ public:
     [[nodiscard]] std::uint64_t version() const { return version_; }
     void touch() { ++version_; }
     /// How many constructed components and subscriptions read it. At 0, its provider need not compute it.
-    [[nodiscard]] int readers() const { return readers_; }
-    void setReaders(int count) { readers_ = count; }
+    [[nodiscard]] int readers() const { return ownReaders_ + onlookers_; }
+    /// Of these, the components that the scene itself calls for. They follow from the world's state, unlike
+    /// subscriptions and the components that are there for subscriptions only, which must change nothing.
+    [[nodiscard]] int ownReaders() const { return ownReaders_; }
+    void setReaders(int own, int onlookers) {
+        ownReaders_ = own;
+        onlookers_ = onlookers;
+    }
     /// Back to the initial value: no component provides the property any more.
     virtual void reset() = 0;
     /// Whether it tells news (see TellsNews), which frames of several parts must gather.
@@ -44,7 +50,8 @@ public:
 private:
     PropertyInfo const& info_;
     std::uint64_t version_ = 1;
-    int readers_ = 0;
+    int ownReaders_ = 0;
+    int onlookers_ = 0;
 };
 
 template <Property P>

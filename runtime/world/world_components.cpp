@@ -29,7 +29,7 @@ void World::select() {
         Entry& entry = entries_[i];
         Choice const& choice = choices[i];
         entry.status.choice = choice;
-        entry.own = own[i].chosen();
+        changed = std::exchange(entry.own, own[i].chosen()) != entry.own || changed;
         if (choice.chosen() && !entry.component) {
             construct(entry);
             changed = true;
@@ -57,28 +57,38 @@ void World::construct(Entry& entry) {
     entry.status.activity = Activity::asleep; // until its first turn
 }
 
+namespace {
+
+int countOf(std::map<std::string_view, int> const& counts, std::string_view key) {
+    auto const at = counts.find(key);
+    return at == counts.end() ? 0 : at->second;
+}
+
+} // namespace
+
 void World::bindAll() {
     channels_.clearSources();
-    std::map<std::string_view, int> readers;
+    std::map<std::string_view, int> own; // readers by property: components that are there without onlookers
+    std::map<std::string_view, int> others; // and all others
     for (Entry& entry : entries_) {
         if (!entry.component) {
             continue;
         }
         entry.component->bind(store_, channels_);
         for (PropertyInfo const* read : entry.status.info->reads) {
-            ++readers[read->text.key];
+            ++(entry.own ? own : others)[read->text.key];
         }
     }
     for (auto const& [key, count] : wants_->counts()) {
-        readers[key] += count;
+        others[key] += count;
     }
     news_.clear();
     for (SlotBase* slot : store_.slots()) {
         if (slot->tellsNews()) {
             news_.push_back(slot);
         }
-        auto const at = readers.find(slot->info().text.key);
-        slot->setReaders(at == readers.end() ? 0 : at->second);
+        std::string_view const key = slot->info().text.key;
+        slot->setReaders(countOf(own, key), countOf(others, key));
     }
 }
 

@@ -87,6 +87,7 @@ bool DynamicsResolver::compute(Access& access, DynamicsColumns const& columns) {
             }
             drainImpulses(access);
             simulation_.engine().noteImpacts(access.wanted<Impacts>());
+            simulation_.engine().findTouchesAtEnd(simulation_.readsTouches() || access.calledFor<Contacts>());
             return simulation_.step(access.duration(), columns, access.provided<Contacts>().current);
         } catch (EngineFailure const& failure) {
             giveUp(access, failure);

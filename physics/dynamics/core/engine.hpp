@@ -111,6 +111,10 @@ public:
     /// Whether hinges, welds and rigid distances are to be solved exactly, all at once, in every substep to
     /// come. Off at first. Returns whether they will be: an engine that cannot goes on as it did.
     virtual bool solveJointsAtOnce(bool) { return false; }
+    /// Whether touches must be known as they are at the end of each step(). On at first. If not, it is enough
+    /// to report a touch as it was at the beginning of the last substep, which may be cheaper; no touch is
+    /// missed, but it may be reported a substep late. The motion is the same.
+    virtual void findTouchesAtEnd(bool) {}
     /// Moves everything on by `duration` (s), split into the settings' substeps.
     virtual void step(double duration, DynamicsSettings const& settings) = 0;
     /// The bodies that were awake in the last step, ascending by slot.

@@ -47,6 +47,8 @@ public:
     /// Moves everything on by `duration` (s), given the pairs that touch; returns false if all bodies are at
     /// rest and nothing was done.
     bool step(double duration, DynamicsColumns const& columns, std::span<TouchingPair const> touching);
+    /// Whether the next step depends on which pairs touch: the automatic choice of substeps does.
+    [[nodiscard]] bool readsTouches() const { return settings_.substeps == DynamicsSettings::automatic; }
     /// To be called whenever the pairs that touch have changed.
     void noteContacts() { contactsNew_ = true; }
     /// The settings with which the last step was computed.

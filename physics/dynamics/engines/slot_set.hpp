@@ -18,7 +18,7 @@ public:
             return;
         }
         if (places_.size() <= slot) {
-            places_.resize(slot + std::size_t{1}, none);
+            places_.resize(slot + std::size_t{1}, noSlot);
         }
         places_[slot] = static_cast<SlotIndex>(members_.size());
         members_.push_back(slot);
@@ -31,19 +31,17 @@ public:
         SlotIndex const last = members_.back();
         members_[places_[slot]] = last;
         places_[last] = places_[slot];
-        places_[slot] = none;
+        places_[slot] = noSlot;
         members_.pop_back();
     }
     [[nodiscard]] bool contains(SlotIndex slot) const {
-        return slot < places_.size() && places_[slot] != none;
+        return slot < places_.size() && places_[slot] != noSlot;
     }
     [[nodiscard]] std::vector<SlotIndex> const& members() const { return members_; }
 
 private:
-    static constexpr SlotIndex none = noSlot;
-
     std::vector<SlotIndex> members_;
-    std::vector<SlotIndex> places_; // by slot: its place among the members, or none
+    std::vector<SlotIndex> places_; // by slot: its place among the members, or noSlot
 };
 
 } // namespace trembler

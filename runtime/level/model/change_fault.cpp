@@ -12,14 +12,6 @@
 namespace trembler {
 namespace {
 
-bool isNumber(FieldOutline const& field) {
-    return field.type == FieldType::integer || field.type == FieldType::number;
-}
-
-bool isSetting(FieldOutline const& field) {
-    return isNumber(field) && field.info.accuracy.any();
-}
-
 /// "solver.substeps (0 to 64)" and so on: all that a recording may set, of one property or of all.
 std::vector<std::string> settings(Registry const& registry, PropertyInfo const* of = nullptr) {
     std::vector<std::string> all;
@@ -28,7 +20,7 @@ std::vector<std::string> settings(Registry const& registry, PropertyInfo const* 
             continue;
         }
         for (FieldOutline const& field : outlineOf(*info->makeValue())) {
-            if (isSetting(field)) {
+            if (isAccuracySetting(field)) {
                 AccuracyRange const& range = field.info.accuracy;
                 all.push_back(fmt::format("{}.{} ({}{} to {})", info->text.key, field.info.key,
                                           range.orAutomatic ? "0, or " : "", range.from, range.to));
@@ -56,7 +48,7 @@ std::optional<ChangeFault> faultInSetting(Registry const& registry, RecordedChan
     if (field == fields.end()) {
         return ChangeFault{fmt::format("'{}' has no number '{}'", change.subject, change.field), expected()};
     }
-    if (!isSetting(*field)) {
+    if (!isAccuracySetting(*field)) {
         return ChangeFault{
             fmt::format(
                 "'{}' of '{}' is physics, no accuracy setting, and cannot be changed while a level runs",

@@ -33,6 +33,14 @@ bool isBare(std::vector<FieldOutline> const& fields) {
     return fields.size() == 1 && fields.front().info.key == "value";
 }
 
+bool isNumber(FieldOutline const& field) {
+    return field.type == FieldType::integer || field.type == FieldType::number;
+}
+
+bool isAccuracySetting(FieldOutline const& field) {
+    return isNumber(field) && field.info.accuracy.any();
+}
+
 bool isAngle(std::string_view unit) {
     return unit == "rad" || unit == "rad/s";
 }

@@ -21,6 +21,13 @@ struct FieldOutline {
 /// True for a property that files write bare: its one field has the key "value".
 [[nodiscard]] bool isBare(std::vector<FieldOutline> const& fields);
 
+/// True for a number, whole or not.
+[[nodiscard]] bool isNumber(FieldOutline const& field);
+
+/// True for a number that a running level's recording, panel and budget may change: it states an
+/// AccuracyRange.
+[[nodiscard]] bool isAccuracySetting(FieldOutline const& field);
+
 /// True for a unit of angle or of angular speed: files state degrees.
 [[nodiscard]] bool isAngle(std::string_view unit);
 /// Radians to the degrees that files state, and back. Exactly inverse for every angle that a file can state.

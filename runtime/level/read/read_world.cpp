@@ -1,13 +1,12 @@
 #include "runtime/level/read/read_world.hpp"
 
 #include "runtime/level/json/suggestion.hpp"
+#include "runtime/level/model/detail_levels.hpp"
 #include "runtime/level/property/property_reader.hpp"
 #include "runtime/level/read/read_area.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -18,15 +17,7 @@ void readDetail(Registry const& registry, JsonNode const& node, LevelFile& level
     if (!node.isObject("an object {effect: detail level}")) {
         return;
     }
-    std::map<std::string, std::vector<std::string>> levels;
-    for (Registration const& registration : registry.components()) {
-        ComponentText const& text = registration.info->text;
-        auto& of = levels[std::string(text.effect)];
-        if (!text.level.empty() && std::find(of.begin(), of.end(), text.level) == of.end()) {
-            of.emplace_back(text.level);
-        }
-    }
-    std::erase_if(levels, [](auto const& effect) { return effect.second.empty(); });
+    auto const levels = detailLevels(registry);
     std::vector<std::string> effects;
     effects.reserve(levels.size());
     for (auto const& [effect, of] : levels) {

@@ -1,14 +1,13 @@
 #include "runtime/level/write/change_schema.hpp"
 
+#include "runtime/level/model/detail_levels.hpp"
 #include "runtime/level/model/recorded_change.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/write/property_schema.hpp"
 #include "runtime/level/write/schema_pieces.hpp"
 
-#include <algorithm>
 #include <map>
 #include <utility>
-#include <vector>
 
 namespace trembler {
 namespace {
@@ -51,8 +50,7 @@ Json settingsSchema(Registry const& registry) {
         }
         Json numbers = Json::object();
         for (FieldOutline const& field : outlineOf(*info->makeValue())) {
-            bool const number = field.type == FieldType::integer || field.type == FieldType::number;
-            if (number && field.info.accuracy.any()) {
+            if (isAccuracySetting(field)) {
                 numbers[std::string(field.info.key)] = settingSchema(field);
             }
         }
@@ -66,21 +64,11 @@ Json settingsSchema(Registry const& registry) {
 } // namespace
 
 Json detailSchema(Registry const& registry, bool orNothing) {
-    std::map<std::string, std::vector<std::string>> levels;
-    for (Registration const& registration : registry.components()) {
-        ComponentText const& text = registration.info->text;
-        auto& of = levels[std::string(text.effect)];
-        if (!text.level.empty() && std::find(of.begin(), of.end(), text.level) == of.end()) {
-            of.emplace_back(text.level);
-        }
-    }
     Json detail = Json::object();
-    for (auto& [effect, of] : levels) {
-        if (!of.empty()) {
-            if (orNothing) {
-                of.emplace_back("");
-            }
-            detail[effect] = Json{{"enum", of}};
+    for (auto const& [effect, levels] : detailLevels(registry)) {
+        detail[effect] = Json{{"enum", levels}};
+        if (orNothing) {
+            detail[effect]["enum"].push_back("");
         }
     }
     return json_schema::strictObject(std::move(detail));

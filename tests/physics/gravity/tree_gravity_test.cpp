@@ -1,11 +1,10 @@
 // The gravity level "tree" in a world, compared with the level "real", which sums over all pairs.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/gravity/properties.hpp"
-#include "physics/gravity/register.hpp"
 #include "physics/gravity/tree_gravity.hpp"
 #include "runtime/placement.hpp"
-#include "runtime/population/population_resolver.hpp"
 #include "runtime/world/world.hpp"
+#include "tests/physics/gravity/mass_world.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,16 +13,6 @@
 namespace trembler {
 namespace tree_gravity_test {
 namespace {
-
-Registry const& rules() {
-    static Registry const registry = [] {
-        Registry made;
-        registerRuntime(made);
-        registerGravity(made);
-        return made;
-    }();
-    return registry;
-}
 
 struct Body {
     double mass;
@@ -43,7 +32,7 @@ std::vector<Body> galaxy(int count) {
 
 std::vector<Vec2> forces(std::vector<Body> const& bodies, std::string const& level, double angle,
                          int threads = 1) {
-    World world(rules(), {.threads = threads, .detail = {{"gravity", level}}, .periods = {}});
+    World world(test::gravityOnly(), {.threads = threads, .detail = {{"gravity", level}}, .periods = {}});
     world.store().column<GravityLaw>().set(world.store().create("law"), {1, 0.1, angle});
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         ObjectId const id = world.store().create("body " + std::to_string(i));
@@ -102,7 +91,7 @@ TEST(TreeGravity, TakesOneMassAndManyInOnePlace) {
 
 TEST(TreeGravity, IsPickedWhereThereAreManyMassesAndStepsAsideOnRequest) {
     auto const levelAtWork = [](int count, std::string const& asked) {
-        World world(rules(), {.threads = 1, .detail = {}, .periods = {}});
+        World world(test::gravityOnly(), {.threads = 1, .detail = {}, .periods = {}});
         world.store().column<GravityLaw>().addDefault(world.store().create("law"));
         for (int i = 0; i < count; ++i) {
             ObjectId const id = world.store().create("body " + std::to_string(i));

@@ -180,6 +180,30 @@ TEST(OnDemand, AReaderInTheSceneBringsTheWholeChain) {
     EXPECT_EQ(s.of("Scribe"), Activity::absent) << "the only reader is gone";
 }
 
+TEST(OnDemand, OnlyReadersThatTheSceneCallsForAreItsOwn) {
+    Scriptorium s;
+    s.world->start();
+    SlotBase const& diary = s.world->store().slot(propertyInfo<Diary>());
+    Subscription const fame = s.world->want<Fame>(); // brings the component that reads the diary
+    s.world->step();
+    ASSERT_NE(s.of("Fame"), Activity::absent);
+    EXPECT_EQ(diary.readers(), 1);
+    EXPECT_EQ(diary.ownReaders(), 0);
+    Subscription direct = s.world->want<Diary>();
+    s.world->step();
+    EXPECT_EQ(diary.readers(), 2);
+    EXPECT_EQ(diary.ownReaders(), 0);
+    s.world->store().column<Fuel>().set(s.stone, {0}); // the scene itself now calls for Fame
+    s.world->step();
+    EXPECT_EQ(diary.readers(), 2);
+    EXPECT_EQ(diary.ownReaders(), 1);
+    s.world->store().column<Fuel>().remove(s.stone);
+    direct.end();
+    s.world->step();
+    EXPECT_EQ(diary.readers(), 1);
+    EXPECT_EQ(diary.ownReaders(), 0);
+}
+
 TEST(OnDemand, WantingChangesNoState) {
     Scriptorium wanted;
     Scriptorium unwanted;

@@ -34,6 +34,7 @@ public:
     [[nodiscard]] std::span<std::uint8_t const> awake() const override { return awake_; }
     [[nodiscard]] bool anyAwake() const override { return anyAwake_ || disturbed_; }
     bool solveJointsAtOnce(bool wanted) override;
+    void findTouchesAtEnd(bool wanted) override { touchesAtEnd_ = wanted; }
     void step(double duration, DynamicsSettings const& settings) override;
     [[nodiscard]] std::span<MovedBody const> moved() const override { return moved_; }
     [[nodiscard]] std::vector<TouchChange>& touchChanges() override { return touches_; }
@@ -102,6 +103,8 @@ private:
     [[nodiscard]] static bool isStale(b2Contact* contact);
     /// The body's motion from `start`, in the last substep, to where it is.
     [[nodiscard]] SubstepMotion motionFrom(SlotIndex slot, Place const& start) const;
+    /// farInSubstep in engine units.
+    [[nodiscard]] float farLimit() const { return static_cast<float>(farInSubstep * scale_); }
     /// Finds substepMotions_, movedFar_ and farSlots_.
     void noteSubstepMotions();
     /// Finds bodies of which each pair that moved far apart contains one; false if they are no fewer than
@@ -171,6 +174,7 @@ private:
     std::vector<b2Body*> wakeStack_;
     int added_ = 0;            // bodies since the last step
     std::vector<Place> start_; // by slot: where what is awake began the substep
+    bool touchesAtEnd_ = true;
     bool watching_ = false;    // start_ is to be compared with
     std::vector<OnTheWay> changedOnTheWay_;
     /// In the last substep: far enough for touches to be stale, or stopped by Box2D on its way.

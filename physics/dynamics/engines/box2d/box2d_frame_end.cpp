@@ -40,14 +40,13 @@ SubstepMotion Box2dEngine::motionFrom(SlotIndex slot, Place const& start) const 
 // By positions, not by velocities: the correction of overlaps moves bodies that have no velocity, and may
 // even move one back to where it was at the beginning of the substep.
 void Box2dEngine::noteSubstepMotions() {
-    float const limit = static_cast<float>(farInSubstep * scale_);
     substepMotions_.resize(bodies_.size());
     movedFar_.assign(bodies_.size(), Moved::little);
     farSlots_.clear();
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (bodies_[slot].body != nullptr) {
             substepMotions_[slot] = motionFrom(slot, start_[slot]);
-            if (awake_[slot] != 0 && movedFar(substepMotions_[slot], limit)) {
+            if (awake_[slot] != 0 && movedFar(substepMotions_[slot], farLimit())) {
                 movedFar_[slot] = Moved::far;
                 farSlots_.push_back(slot);
             }
@@ -56,7 +55,7 @@ void Box2dEngine::noteSubstepMotions() {
     for (OnTheWay const& change : changedOnTheWay_) {
         Moved& moved = movedFar_[change.slot];
         if (moved != Moved::stopped &&
-            (change.ended || movedFar(motionFrom(change.slot, change.place), limit))) {
+            (change.ended || movedFar(motionFrom(change.slot, change.place), farLimit()))) {
             if (moved == Moved::little) {
                 farSlots_.insert(std::lower_bound(farSlots_.begin(), farSlots_.end(), change.slot),
                                  change.slot);
@@ -82,11 +81,10 @@ bool Box2dEngine::findDeviating() {
     if (farSlots_.size() < 2) {
         return false;
     }
-    float const limit = static_cast<float>(farInSubstep * scale_);
     deviates_.assign(bodies_.size(), 0);
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         if (bodies_[slot].body != nullptr &&
-            deviatesFrom(substepMotions_[largest], substepMotions_[slot], limit)) {
+            deviatesFrom(substepMotions_[largest], substepMotions_[slot], farLimit())) {
             deviates_[slot] = 1;
             deviating_.push_back(slot);
             if (deviating_.size() == farSlots_.size()) {
@@ -102,8 +100,7 @@ void Box2dEngine::reportIfStale(b2Contact* contact, SlotIndex slot, SlotIndex ot
     if (!stopped && outOfReach(substepMotions_[slot], substepMotions_[other])) {
         return;
     }
-    float const limit = static_cast<float>(farInSubstep * scale_);
-    if ((stopped || movedFarApart(substepMotions_[slot], substepMotions_[other], limit)) &&
+    if ((stopped || movedFarApart(substepMotions_[slot], substepMotions_[other], farLimit())) &&
         isStale(contact)) {
         TouchChange const change = changeOf(contact, contact->IsTouching() ? -1 : 1);
         reported_.push_back({contact, change, slot, other});

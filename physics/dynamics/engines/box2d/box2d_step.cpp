@@ -76,11 +76,12 @@ void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last)
         guardBox2d([&] { world_.Step(0, settings.velocityIterations, settings.positionIterations); });
     }
     bool const many = tooManyImpacts();
-    if (many || last) {
+    bool const compares = last && touchesAtEnd_;
+    if (many || compares) {
         noteStart();
     }
     world_.SetContinuousPhysics(!many);
-    watching_ = last;
+    watching_ = compares;
     changedOnTheWay_.clear();
     guardBox2d([&] { world_.Step(h, settings.velocityIterations, settings.positionIterations); });
     watching_ = false;
@@ -88,7 +89,7 @@ void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last)
     if (many) {
         holdBack();
     }
-    if (last) {
+    if (compares) {
         reportStaleTouches();
     }
 }

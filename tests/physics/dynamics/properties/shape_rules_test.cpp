@@ -1,5 +1,6 @@
 // What no engine could compute is refused, and the message says which number is wrong.
 #include "physics/dynamics/properties/shape_rules.hpp"
+#include "tests/physics/dynamics/ngon.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,20 +8,12 @@
 #include <string_view>
 #include <vector>
 
-namespace trembler {
+namespace trembler::test {
 namespace shape_rules_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
-
-std::vector<Vec2> ngon(int corners, double radius, bool clockwise = false) {
-    std::vector<Vec2> made;
-    for (int i = 0; i < corners; ++i) {
-        made.push_back(rotated({radius, 0}, (clockwise ? -1 : 1) * 2 * pi * i / corners));
-    }
-    return made;
-}
 
 TEST(ShapeRules, SayWhatIsWrong) {
     struct Case {
@@ -63,4 +56,4 @@ TEST(ShapeRules, SayWhatIsWrong) {
 
 } // namespace
 } // namespace shape_rules_test
-} // namespace trembler
+} // namespace trembler::test

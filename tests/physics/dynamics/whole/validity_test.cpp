@@ -1,4 +1,5 @@
 // Values on which Box2D would abort never reach it.
+#include "tests/physics/dynamics/ngon.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -14,14 +15,6 @@ TREMBLER_ON_EVERY_ENGINE(Validity);
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
-
-std::vector<Vec2> ngon(int corners, double radius, bool clockwise = false) {
-    std::vector<Vec2> made;
-    for (int i = 0; i < corners; ++i) {
-        made.push_back(rotated({radius, 0}, (clockwise ? -1 : 1) * 2 * pi * i / corners));
-    }
-    return made;
-}
 
 // Numbers as a hostile script might hand them over.
 double wild() {
