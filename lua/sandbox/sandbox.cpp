@@ -1,6 +1,7 @@
 #include "lua/sandbox/sandbox.hpp"
 
 #include "lua/sandbox/exact_math.hpp"
+#include "lua/sandbox/number_text.hpp"
 #include "lua/sandbox/prelude.hpp"
 #include "lua/sandbox/source_check.hpp"
 #include "runtime/level/json/suggestion.hpp"
@@ -20,6 +21,9 @@ namespace {
 
 // The hook is called every so many instructions: rarely enough to cost little.
 constexpr int hookStep = 500;
+// Comparing a word with all known ones, and raising an error, take as long as so many instructions.
+constexpr double chargePerSuggestion = 3000;
+constexpr double chargePerError = 400;
 
 std::string textAt(lua_State* L, int index) {
     std::size_t size = 0;
@@ -97,11 +101,13 @@ struct Sandbox::Functions {
     }
     static int suggest(lua_State* L) {
         std::string const word = textAt(L, 1);
+        of(L).charge(L, chargePerSuggestion);
         std::vector<std::string> const known = stringKeys(L, 2);
         push(L, word.empty() || word.size() > 60 ? std::string() : didYouMean(word, known));
         return 1;
     }
     static int list(lua_State* L) {
+        of(L).charge(L, chargePerSuggestion);
         std::string all;
         for (std::string const& key : stringKeys(L, 1)) {
             all += ", " + key;
@@ -133,6 +139,32 @@ struct Sandbox::Functions {
         push(L, sandbox.stopped_.empty() ? std::string_view("not enough memory") : sandbox.stopped_);
         return 1;
     }
+    /// The text of a string or a number, at most as long as scripts may make one.
+    static std::string part(lua_State* L, int index) {
+        if (lua_type(L, index) != LUA_TSTRING && lua_type(L, index) != LUA_TNUMBER) {
+            of(L).raise(
+                L, fmt::format("a {} cannot be joined to a text; tostring() makes it one", kindOf(L, index)));
+        }
+        lua_pushvalue(L, index); // which a number is converted in
+        std::size_t size = 0;
+        char const* const text = lua_tolstring(L, -1, &size);
+        std::string copy(text, size);
+        lua_pop(L, 1);
+        return copy;
+    }
+    static int join(lua_State* L) {
+        of(L).pushText(L, part(L, 1) + part(L, 2));
+        return 1;
+    }
+    static int plain(lua_State* L) {
+        of(L).pushText(L, part(L, 1));
+        return 1;
+    }
+    static int keepGarbage(lua_State* L) {
+        of(L).collectorStopped_ = true;
+        lua_gc(L, LUA_GCSTOP, 0);
+        return 0;
+    }
     static int sin(lua_State* L) {
         lua_pushnumber(L, exactSin(angleAt(L)));
         return 1;
@@ -154,9 +186,11 @@ struct Sandbox::Functions {
         return 1;
     }
     static constexpr luaL_Reg all[] = {
-        {"charge", charge}, {"show", show},       {"suggest", suggest},     {"list", list},    {"kind", kind},
-        {"log", log},       {"limited", limited}, {"limitText", limitText}, {"sin", sin},      {"cos", cos},
-        {"atan2", atan2},   {"exp", exp},         {"log_e", logE},          {nullptr, nullptr}};
+        {"charge", charge}, {"show", show}, {"suggest", suggest}, {"list", list},
+        {"kind", kind},     {"log", log},   {"limited", limited}, {"limitText", limitText},
+        {"sin", sin},       {"cos", cos},   {"atan2", atan2},     {"exp", exp},
+        {"log_e", logE},    {"join", join}, {"plain", plain},     {"keepGarbage", keepGarbage},
+        {nullptr, nullptr}};
 
     static int body(lua_State* L) {
         auto const& body = *static_cast<Body const*>(lua_touserdata(L, 1));
@@ -215,6 +249,8 @@ void Sandbox::open() {
         lua_pushvalue(L, LUA_GLOBALSINDEX);
         lua_newtable(L);
         luaL_register(L, nullptr, Functions::all);
+        push(L, joinerName);
+        lua_setfield(L, -2, "joiner");
         lua_call(L, 2, 4);
         vectorMeta_ = luaL_ref(L, LUA_REGISTRYINDEX);
         reset_ = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -253,6 +289,13 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) 
     });
     lua_sethook(state_, nullptr, 0, 0);
     counting_ = false;
+    if (collectorStopped_) {
+        collectorStopped_ = false;
+        lua_gc(state_, LUA_GCRESTART, 0);
+        // What is left of the turn, so that the next one can have all of the memory. Nothing here has a
+        // finaliser.
+        lua_gc(state_, LUA_GCCOLLECT, 0);
+    }
     if (!failed && !stopped_.empty()) { // it ended before the next instruction was counted
         failed = ScriptError{stopped_, {}, true};
     }
@@ -301,8 +344,9 @@ std::optional<ScriptError> Sandbox::load(std::string_view text, std::string cons
         std::string const place = fault->line == 0 ? name : fmt::format("{}:{}", name, fault->line);
         return ScriptError{fmt::format("{}: {}", place, fault->message), {}, false};
     }
+    std::string const counted = withCountedJoins(text);
     return protect([&](lua_State* L) {
-        if (luaL_loadbuffer(L, text.data(), text.size(), ("@" + name).c_str()) != 0) {
+        if (luaL_loadbuffer(L, counted.data(), counted.size(), ("@" + name).c_str()) != 0) {
             lua_error(L);
         }
         lua_rawgeti(L, LUA_REGISTRYINDEX, globals_);
@@ -330,6 +374,18 @@ void Sandbox::pushVector(lua_State* L, double x, double y) const {
     lua_rawset(L, -3);
     pushVectorMeta(L);
     lua_setmetatable(L, -2);
+}
+
+void Sandbox::pushText(lua_State* L, std::string_view text) {
+    if (text.size() > longestString) {
+        raise(L, fmt::format("a text of {} bytes; expected at most {}", text.size(), longestString));
+    }
+    charge(L, 5 + static_cast<double>(text.size()) / 8);
+    if (readsAsLongNumber(text)) {
+        push(L, fmt::format("({})", text));
+    } else {
+        push(L, text);
+    }
 }
 
 std::optional<Vec2> Sandbox::vectorAt(lua_State* L, int index) const {
@@ -367,10 +423,12 @@ void Sandbox::charge(lua_State* L, double instructions) {
     if (!counting_) {
         return;
     }
-    spent_ += static_cast<std::uint64_t>(std::clamp(instructions, 0.0, 1e15));
-    if (spent_ > budget_) {
+    auto const cost = static_cast<std::uint64_t>(std::clamp(instructions, 0.0, 1e15));
+    if (cost > budget_ - spent_) { // what does not fit is not done
+        spent_ = budget_;
         stop(L, fmt::format("the script takes more than its {} instructions in a turn", budget_));
     }
+    spent_ += cost;
 }
 
 void Sandbox::chargeCall(lua_State* L) {
@@ -391,6 +449,7 @@ void Sandbox::stop(lua_State* L, std::string const& message) {
 }
 
 void Sandbox::raise(lua_State* L, std::string const& message) {
+    charge(L, chargePerError);
     std::string const whole = placeOf(L) + message;
     push(L, whole);
     lua_error(L);
