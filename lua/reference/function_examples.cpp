@@ -161,15 +161,18 @@ return interaction {
   end,
 }
 )lua"},
-    {"Electricity", "cutWire", R"lua(-- Wires between conductors that are more than two metres apart tear.
+    {"Electricity", "cutWire",
+     R"lua(-- Wires of more than two metres tear. Nothing happens to what interactions have connected.
 return interaction {
   name = "Electricity <- Distance",
   calls = "Electricity",
-  reads = { "Conductor", "Position" },
-  pairs = { first = { "Conductor" }, second = { "Conductor" }, within = 100 },
-  apply = function(a, b, params, out)
-    if (a.Position.value - b.Position.value):length() > 2 then
-      out.cutWire(a, b)
+  reads = { "G_E", "Position" },
+  each = { "G_E", "Position" },
+  apply = function(object, params, out)
+    for _, wire in ipairs(object.G_E.connections) do
+      if (wire.to.Position.value - object.Position.value):length() > 2 then
+        out.cutWire(object, wire.to)
+      end
     end
   end,
 }
