@@ -76,7 +76,7 @@ Played playScript(std::string const& source, int frames, int threads) {
     Registry registry;
     registerEffects(registry);
     auto const log = std::make_shared<ScriptLog>();
-    registerMods(registry, mods, log, problems);
+    (void)registerMods(registry, mods, log, problems);
     if (problems.count() > 0) {
         return played;
     }
