@@ -5,7 +5,7 @@
 namespace trembler::lua {
 namespace {
 
-constexpr std::array<FunctionExample, 20> examples{{
+constexpr std::array<FunctionExample, 22> examples{{
     {"Dynamics", "addForce", R"lua(-- Half of its weight is taken off every body.
 return interaction {
   name = "Dynamics <- Half weight",
@@ -158,6 +158,28 @@ return interaction {
         out.removeConnection(pair.a, pair.b)
       end
     end
+  end,
+}
+)lua"},
+    {"Electricity", "holdConnection", R"lua(-- Conductors that are nearer than a metre are connected, for as long as they are.
+return interaction {
+  name = "Electricity <- Nearness",
+  calls = "Electricity",
+  reads = { "Position", "Conductor" },
+  pairs = { first = { "Position", "Conductor" }, second = { "Position", "Conductor" }, within = 1 },
+  apply = function(a, b, params, out)
+    out.holdConnection(a, b)
+  end,
+}
+)lua"},
+    {"Electricity", "addVoltage", R"lua(-- Sources give more while they are turned: 1 V for each rad.
+return interaction {
+  name = "Electricity <- Angle",
+  calls = "Electricity",
+  reads = { "emf", "Rotation" },
+  each = { "emf", "Rotation" },
+  apply = function(object, params, out)
+    out.addVoltage(object, object.Rotation.value)
   end,
 }
 )lua"},
