@@ -17,10 +17,12 @@ fs::path hostileFolder() {
     return fs::path(TREMBLER_SOURCE_DIR) / "tests/lua/hostile";
 }
 
-/// Those that are run as a chunk of their own, and those that use what `apply` is given.
+/// Those that are run as a chunk of their own, those that use what `apply` is given, and those that are only
+/// read.
 std::vector<fs::path> allHostileScripts() {
     std::vector<fs::path> all;
-    for (fs::path const& folder : {hostileFolder(), hostileFolder() / "apply"}) {
+    for (fs::path const& folder :
+         {hostileFolder(), hostileFolder() / "apply", hostileFolder() / "manifest"}) {
         for (auto const& entry : fs::directory_iterator(folder)) {
             if (entry.path().extension() == ".lua") {
                 all.push_back(entry.path());
@@ -130,8 +132,8 @@ TEST_P(HostileInWorld, RuinsItsOwnInteractionAndNothingElse) {
 
 INSTANTIATE_TEST_SUITE_P(Scripts, HostileInWorld, testing::ValuesIn(allHostileScripts()),
                          [](auto const& info) {
-                             bool const inApply = info.param.parent_path().filename() == "apply";
-                             return (inApply ? "apply_" : "") + info.param.stem().string();
+                             std::string const folder = info.param.parent_path().filename().string();
+                             return folder + "_" + info.param.stem().string();
                          });
 
 } // namespace
