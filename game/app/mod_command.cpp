@@ -1,5 +1,6 @@
 // trembler mod new, check, list.
 #include "game/app/commands.hpp"
+#include "game/app/mod_reference_command.hpp"
 #include "game/app/mods.hpp"
 #include "puzzle/solutions/verify.hpp"
 #include "runtime/file/visible_text.hpp"
@@ -25,6 +26,7 @@ struct ModArguments {
 int newMod(ModArguments const& arguments) {
     fs::path const folder = fs::path(arguments.in) / arguments.name;
     lua::writeNewMod(folder, arguments.name);
+    writeEditorFiles(folder);
     std::cout << visible(folder.string()) << ": made. Next: trembler mod check " << visible(folder.string())
               << ", trembler run " << visible((folder / "levels/1-push.json").string()) << "\n";
     return exitSolved;
@@ -135,6 +137,7 @@ void addModCommand(CLI::App& program, int& result) {
     list->add_option("--mod", arguments->folders, "A folder of mods to look in, too")
         ->allow_extra_args(false);
     list->callback([arguments, &result] { result = guarded([&] { return listAll(*arguments); }); });
+    addModReferenceCommands(*command, result);
 }
 
 } // namespace trembler

@@ -177,7 +177,10 @@ void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescr
     bool const named = count == 1 && lua_type(L, 1) == LUA_TTABLE && call.arguments.size() > 1 &&
                        !objectAt(L, 1) && kindOf(L, 1) == "table";
     if (named) {
-        for (std::string const& key : stringKeys(L, 1)) {
+        std::vector<std::string> const keys = stringKeys(L, 1);
+        constexpr double chargePerKey = 50; // a table may have very many
+        sandbox.charge(L, chargePerKey * static_cast<double>(keys.size()));
+        for (std::string const& key : keys) {
             std::vector<std::string> known;
             for (FieldPlace const& place : call.arguments) {
                 known.emplace_back(place.info.key);

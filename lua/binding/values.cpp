@@ -69,7 +69,7 @@ bool isPlain(FieldPlace const& place) {
     return place.offset != FieldPlace::nowhere && place.kind != FieldKind::list;
 }
 
-void pushField(lua_State* L, Sandbox const& sandbox, FieldPlace const& place, void const* value,
+void pushField(lua_State* L, Sandbox& sandbox, FieldPlace const& place, void const* value,
                PushObject const& object) {
     switch (place.kind) {
     case FieldKind::boolean:
@@ -87,8 +87,7 @@ void pushField(lua_State* L, Sandbox const& sandbox, FieldPlace const& place, vo
         return;
     }
     case FieldKind::text: {
-        std::string const& text = at<std::string>(value, place);
-        lua_pushlstring(L, text.data(), text.size());
+        sandbox.pushText(L, at<std::string>(value, place));
         return;
     }
     case FieldKind::object:
@@ -136,7 +135,7 @@ void FieldPusher::vector(FieldInfo const& info, Vec2& value) {
 }
 void FieldPusher::text(FieldInfo const& info, std::string& value) {
     if (wants(info)) {
-        lua_pushlstring(L_, value.data(), value.size());
+        sandbox_.pushText(L_, value);
     }
 }
 void FieldPusher::object(FieldInfo const& info, ObjectId& value) {
@@ -172,7 +171,7 @@ void FieldPusher::list(FieldInfo const& info, ListField& value) {
     }
 }
 
-void pushValue(lua_State* L, Sandbox const& sandbox, Value const& value) {
+void pushValue(lua_State* L, Sandbox& sandbox, Value const& value) {
     if (bool const* const truth = std::get_if<bool>(&value)) {
         lua_pushboolean(L, *truth ? 1 : 0);
     } else if (double const* const number = std::get_if<double>(&value)) {
@@ -180,8 +179,7 @@ void pushValue(lua_State* L, Sandbox const& sandbox, Value const& value) {
     } else if (Vec2 const* const vector = std::get_if<Vec2>(&value)) {
         sandbox.pushVector(L, vector->x, vector->y);
     } else {
-        std::string const& text = std::get<std::string>(value);
-        lua_pushlstring(L, text.data(), text.size());
+        sandbox.pushText(L, std::get<std::string>(value));
     }
 }
 

@@ -19,7 +19,7 @@ using PushObject = std::function<void(lua_State*, ObjectId)>;
 
 /// Pushes a field of the value that begins at `value`, but for lists and fields that are computed: those need
 /// a visit.
-void pushField(lua_State* L, Sandbox const& sandbox, FieldPlace const& place, void const* value,
+void pushField(lua_State* L, Sandbox& sandbox, FieldPlace const& place, void const* value,
                PushObject const& object);
 /// Whether pushField() can push it.
 [[nodiscard]] bool isPlain(FieldPlace const& place);
@@ -52,7 +52,7 @@ private:
     bool found_ = false;
 };
 
-void pushValue(lua_State* L, Sandbox const& sandbox, Value const& value);
+void pushValue(lua_State* L, Sandbox& sandbox, Value const& value);
 /// A boolean, a number, a vector or a text; nothing for anything else.
 [[nodiscard]] std::optional<Value> valueAt(lua_State* L, Sandbox const& sandbox, int index);
 } // namespace trembler::lua

@@ -3,6 +3,8 @@
 #include "physics/dynamics/properties/contacts.hpp"
 #include "runtime/placement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -84,7 +86,10 @@ void ScriptedInteraction::run(FrameContext const& context) {
         findTargets(context);
     }
     std::optional<ScriptError> failed;
-    if (!targets_.empty() && !turns_) {
+    if (targets_.size() > mostPairs && script_->manifest.application == Application::pairs) {
+        failed = ScriptError{
+            fmt::format("the script is applied to more than {} pairs of objects", mostPairs), {}, true};
+    } else if (!targets_.empty() && !turns_) {
         turns_ = std::make_unique<Turns>(script_);
         failed = turns_->broken();
     }
@@ -282,6 +287,9 @@ void ScriptedInteraction::findNear() {
                                            [](Place const& place, double x) { return place.x < x; });
         for (auto near = from; near != places.end() && near->x <= at->value.x + reach; ++near) {
             Vec2 const apart{near->x - at->value.x, near->y - at->value.y};
+            if (targets_.size() > mostPairs) {
+                return;
+            }
             if (near->id != id && dot(apart, apart) <= reach * reach && !(alike && near->id < id)) {
                 targets_.push_back({.first = id, .second = near->id, .use = use, .cause = {}});
             }

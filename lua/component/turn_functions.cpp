@@ -83,6 +83,8 @@ void Turns::Binding::pushFieldOf(lua_State* L, DeclaredProperty const& property,
 }
 
 void Turns::Binding::pushTableOf(lua_State* L, DeclaredProperty const& property, ObjectId id) {
+    constexpr double chargePerField = 10;
+    sandbox_.charge(L, chargePerField * static_cast<double>(property.fields.size()));
     lua_newtable(L);
     for (FieldPlace const& place : property.fields) {
         lua_pushlstring(L, place.info.key.data(), place.info.key.size());

@@ -25,6 +25,9 @@ constexpr char const* functionKey = "$function";
 
 // A Lua value as JSON, which is easier to look through.
 json treeOf(lua_State* L, int index, int depth) {
+    // A table that is in several others is looked through several times: counted, or it could take for ever.
+    constexpr double chargePerValue = 5;
+    Sandbox::of(L).charge(L, chargePerValue);
     switch (lua_type(L, index)) {
     case LUA_TBOOLEAN:
         return lua_toboolean(L, index) != 0;

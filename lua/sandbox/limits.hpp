@@ -50,7 +50,12 @@ enum class Trust {
 /// Limits that no manifest can change.
 inline constexpr std::size_t longestSource = 65'536; ///< bytes of a script
 inline constexpr std::size_t longestLiteral = 1'000; ///< bytes of a string that a script states
-inline constexpr std::size_t longestLogLine = 300;   ///< bytes
+inline constexpr std::size_t longestString = 1'000;  ///< bytes of one that it makes
+inline constexpr std::size_t longestNumber = 24; ///< characters of a text that arithmetic takes for a number
+inline constexpr std::size_t longestLogLine = 300; ///< bytes
+/// Pairs of objects that a script is applied to in one turn: their number grows with the square of that of
+/// objects.
+inline constexpr std::size_t mostPairs = 100'000;
 /// Bytes of one new block: it bounds the length of strings, and so the work of one instruction on them.
 inline constexpr std::size_t largestNewBlock = 8'192;
 /// Bytes to which a block may grow: it bounds the length of arrays and the depth of the stack.

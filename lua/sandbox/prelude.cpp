@@ -14,7 +14,7 @@ local rawset, rawget = raw.rawset, raw.rawget
 local rawsetmetatable, rawgetmetatable = raw.setmetatable, raw.getmetatable
 local rawpcall, rawxpcall, rawunpack = raw.pcall, raw.xpcall, raw.unpack
 local floor, sqrt = raw.math.floor, raw.math.sqrt
-local charge, show = host.charge, host.show
+local charge, show, plain = host.charge, host.show, host.plain
 local str, tab, co = raw.string, raw.table, raw.coroutine
 local env = {}
 
@@ -52,7 +52,10 @@ end
 -- A limit ends the turn: whoever catches it gets it thrown again.
 local function leave(saved, ok, ...)
   depth = saved
-  if not ok and host.limited() then error(host.limitText(), 0) end
+  if not ok then
+    if host.limited() then error(host.limitText(), 0) end
+    charge(400) -- finding who catches an error takes as long
+  end
   return ok, ...
 end
 function env.pcall(f, ...)
@@ -72,7 +75,11 @@ env.error = error
 env.assert = raw.assert
 env.type = type
 env.select = select
-env.tonumber = raw.tonumber
+function env.tonumber(v, base)
+  if type(v) == "string" then charge(#v / 8) end
+  if base ~= nil then return raw.tonumber(v, base) end
+  return raw.tonumber(v)
+end
 env.ipairs = raw.ipairs
 env.getmetatable = rawgetmetatable
 
@@ -103,6 +110,8 @@ function env.setmetatable(t, meta)
     if rawget(meta, "__gc") ~= nil or rawget(meta, "__mode") ~= nil then
       error("there is no __gc and no __mode, as they depend on when memory is collected", 2)
     end
+    if rawget(meta, "__concat") ~= nil then error("there is no __concat; write a function", 2) end
+    host.keepGarbage() -- __mode can be set later, so nothing is collected in the rest of the turn
   end
   return rawsetmetatable(t, meta)
 end
@@ -156,40 +165,47 @@ end
 
 -- Text ----------------------------------------------------------------------------------------------------------
 
+local longest = 1000
 local function text(v)
   local kind = type(v)
   if kind == "string" then return v end
-  if kind == "number" or kind == "boolean" or kind == "nil" then return rawtostring(v) end
-  if isVec(v) then return "(" .. rawtostring(v.x) .. ", " .. rawtostring(v.y) .. ")" end
+  if kind == "number" then return plain(v) end
+  if kind == "boolean" or kind == "nil" then return rawtostring(v) end
+  if isVec(v) then
+    charge(20)
+    return "(" .. rawtostring(v.x) .. ", " .. rawtostring(v.y) .. ")"
+  end
   return host.kind(v) -- an address would be another one in every run
 end
 env.tostring = text
 local function joined(...)
   local line = ""
-  for i = 1, select("#", ...) do line = line .. (i > 1 and " " or "") .. text((select(i, ...))) end
+  for i = 1, select("#", ...) do
+    line = line .. (i > 1 and " " or "") .. text((select(i, ...)))
+    charge(#line / 8)
+    if #line > longest then break end -- as much as can be logged is in it
+  end
   return line
 end
 function env.log(...) host.log(joined(...)) end
 env.print = env.log
 
-local longest = 4000
 local string = { len = function(s) return #check("string", s, 1, "string.len") end }
 for _, name in raw.ipairs({ "lower", "upper", "reverse" }) do
   local f = str[name]
-  string[name] = function(s) charge(#check("string", s, 1, "string." .. name) / 4) return f(s) end
+  string[name] = function(s) return plain(f(check("string", s, 1, "string." .. name))) end
 end
-function string.sub(s, i, j) charge(#check("string", s, 1, "string.sub") / 16) return str.sub(s, i, j) end
+function string.sub(s, i, j) return plain(str.sub(check("string", s, 1, "string.sub"), i, j)) end
 function string.byte(s, i) return (str.byte(check("string", s, 1, "string.byte"), i or 1)) end
 function string.char(...)
   if select("#", ...) > 100 then error("string.char takes at most 100 numbers", 2) end
-  return str.char(...)
+  return plain(str.char(...))
 end
 function string.rep(s, n)
   check("string", s, 1, "string.rep")
   check("number", n, 2, "string.rep")
   if not (#s * n <= longest) or not (n <= longest) then error("string.rep makes at most " .. longest .. " bytes", 2) end
-  charge(#s * (n > 0 and n or 0) / 4)
-  return str.rep(s, n)
+  return plain(str.rep(s, n))
 end
 function string.find(s, needle, init)
   check("string", s, 1, "string.find")
@@ -222,11 +238,26 @@ function string.format(form, ...)
     end
     at = stop + 1
   end
-  return str.format(form, rawunpack(values, 1, count))
+  return plain(str.format(form, rawunpack(values, 1, count)))
 end
+
 local patterns = "there are no patterns, as they can run for ever; string.find(text, word) finds a word"
 env.string = readOnly("string.", string, { match = patterns, gmatch = patterns, gsub = patterns,
   dump = "there is no compiled code" })
+-- What stands between the operands of every .. in a script: see withCountedJoins().
+do
+  local right
+  local function none() error("an operator .. without a text", 2) end
+  local waiting = rawsetmetatable({}, { __metatable = false, __index = none, __newindex = none, __concat = function(left)
+    local operand = right
+    right = nil
+    return host.join(left, operand)
+  end })
+  env[host.joiner] = rawsetmetatable({}, { __metatable = false, __concat = function(_, operand)
+    right = operand
+    return waiting
+  end })
+end
 do
   local meta = rawgetmetatable("")
   meta.__index = env.string
@@ -357,17 +388,17 @@ function table.concat(t, between)
     long = long + #rawtostring(t[i]) + #between
     if long > longest then error("table.concat makes at most " .. longest .. " bytes", 2) end
   end
-  charge(long / 4)
-  return tab.concat(t, between)
+  return plain(tab.concat(t, between))
 end
 env.table = readOnly("table.", table)
 env.coroutine = readOnly("coroutine.", coroutine)
 
 -- Numbers -------------------------------------------------------------------------------------------------------
 
-local math = { abs = raw.math.abs, ceil = raw.math.ceil, floor = floor, sqrt = sqrt, fmod = raw.math.fmod,
+local math = { abs = raw.math.abs, ceil = raw.math.ceil, floor = floor, sqrt = sqrt,
   huge = raw.math.huge, pi = raw.math.pi, sin = host.sin, cos = host.cos, atan2 = host.atan2, exp = host.exp,
   log = host.log_e }
+function math.fmod(a, b) charge(200) return raw.math.fmod(a, b) end
 function math.tan(angle) return host.sin(angle) / host.cos(angle) end
 function math.atan(x) return host.atan2(x, 1) end
 function math.deg(angle) return angle * (180 / 3.141592653589793) end

@@ -1,6 +1,7 @@
 #include "lua/sandbox/sandbox.hpp"
 
 #include "lua/sandbox/exact_math.hpp"
+#include "lua/sandbox/number_text.hpp"
 #include "lua/sandbox/prelude.hpp"
 #include "lua/sandbox/source_check.hpp"
 #include "runtime/level/json/suggestion.hpp"
@@ -19,6 +20,9 @@
 namespace trembler::lua {
 namespace {
 
+// Comparing a word with all known ones, and raising an error, take as long as so many instructions.
+constexpr double chargePerSuggestion = 3000;
+constexpr double chargePerError = 400;
 constexpr double unlimited = 1e300;
 constexpr std::size_t trustedMemory = 4; // times as much
 
@@ -106,11 +110,13 @@ struct Sandbox::Functions {
     }
     static int suggest(lua_State* L) {
         std::string const word = textAt(L, 1);
+        of(L).charge(L, chargePerSuggestion);
         std::vector<std::string> const known = stringKeys(L, 2);
         push(L, word.empty() || word.size() > 60 ? std::string() : didYouMean(word, known));
         return 1;
     }
     static int list(lua_State* L) {
+        of(L).charge(L, chargePerSuggestion);
         std::string all;
         for (std::string const& key : stringKeys(L, 1)) {
             all += ", " + key;
@@ -142,6 +148,32 @@ struct Sandbox::Functions {
         push(L, sandbox.stopped_.empty() ? std::string_view("not enough memory") : sandbox.stopped_);
         return 1;
     }
+    /// The text of a string or a number, at most as long as scripts may make one.
+    static std::string part(lua_State* L, int index) {
+        if (lua_type(L, index) != LUA_TSTRING && lua_type(L, index) != LUA_TNUMBER) {
+            of(L).raise(
+                L, fmt::format("a {} cannot be joined to a text; tostring() makes it one", kindOf(L, index)));
+        }
+        lua_pushvalue(L, index); // which a number is converted in
+        std::size_t size = 0;
+        char const* const text = lua_tolstring(L, -1, &size);
+        std::string copy(text, size);
+        lua_pop(L, 1);
+        return copy;
+    }
+    static int join(lua_State* L) {
+        of(L).pushText(L, part(L, 1) + part(L, 2));
+        return 1;
+    }
+    static int plain(lua_State* L) {
+        of(L).pushText(L, part(L, 1));
+        return 1;
+    }
+    static int keepGarbage(lua_State* L) {
+        of(L).collectorStopped_ = true;
+        lua_gc(L, LUA_GCSTOP, 0);
+        return 0;
+    }
     static int sin(lua_State* L) {
         lua_pushnumber(L, exactSin(angleAt(L)));
         return 1;
@@ -163,9 +195,11 @@ struct Sandbox::Functions {
         return 1;
     }
     static constexpr luaL_Reg all[] = {
-        {"charge", charge}, {"show", show},       {"suggest", suggest},     {"list", list},    {"kind", kind},
-        {"log", log},       {"limited", limited}, {"limitText", limitText}, {"sin", sin},      {"cos", cos},
-        {"atan2", atan2},   {"exp", exp},         {"log_e", logE},          {nullptr, nullptr}};
+        {"charge", charge}, {"show", show}, {"suggest", suggest}, {"list", list},
+        {"kind", kind},     {"log", log},   {"limited", limited}, {"limitText", limitText},
+        {"sin", sin},       {"cos", cos},   {"atan2", atan2},     {"exp", exp},
+        {"log_e", logE},    {"join", join}, {"plain", plain},     {"keepGarbage", keepGarbage},
+        {nullptr, nullptr}};
 
     static int over(lua_State* L) {
         of(L).over(L);
@@ -252,6 +286,8 @@ void Sandbox::open() {
         lua_pushvalue(L, LUA_GLOBALSINDEX);
         lua_newtable(L);
         luaL_register(L, nullptr, Functions::all);
+        push(L, joinerName);
+        lua_setfield(L, -2, "joiner");
         lua_call(L, 2, 5);
         fill_ = luaL_ref(L, LUA_REGISTRYINDEX);
         vectorMeta_ = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -326,8 +362,15 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) 
 }
 
 void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
+    if (collectorStopped_) {
+        collectorStopped_ = false;
+        lua_gc(state_, LUA_GCRESTART, 0);
+        // What is left of the turn, so that the next one can have all of the memory. Nothing here has a
+        // finaliser.
+        lua_gc(state_, LUA_GCCOLLECT, 0);
+    }
     if (stopped_.empty()) {
-        spent_ = static_cast<std::uint64_t>(std::max(0.0, budget_ - left(state_)));
+        spent_ = static_cast<std::uint64_t>(std::clamp(budget_ - left(state_), 0.0, budget_));
     }
     setLeft(state_, unlimited);         // neither needs memory beyond the stack that every state has
     if (!failed && !stopped_.empty()) { // its error was dropped
@@ -378,7 +421,7 @@ std::optional<ScriptError> Sandbox::load(std::string_view text, std::string cons
         return ScriptError{fmt::format("{}: {}", place, fault->message), {}, false};
     }
     std::optional<BlockFault> fault;
-    source_ = countSource(text, fault);
+    source_ = countSource(withCountedJoins(text), fault);
     // LuaJIT says it better: its message has what stands there. If it finds nothing wrong, the blocks are.
     return protect([&](lua_State* L) {
         if (fault) {
@@ -465,6 +508,18 @@ void Sandbox::pushVector(lua_State* L, double x, double y) const {
     lua_setmetatable(L, -2);
 }
 
+void Sandbox::pushText(lua_State* L, std::string_view text) {
+    if (text.size() > longestString) {
+        raise(L, fmt::format("a text of {} bytes; expected at most {}", text.size(), longestString));
+    }
+    charge(L, 5 + static_cast<double>(text.size()) / 8);
+    if (readsAsLongNumber(text)) {
+        push(L, fmt::format("({})", text));
+    } else {
+        push(L, text);
+    }
+}
+
 std::optional<Vec2> Sandbox::vectorAt(lua_State* L, int index) const {
     if (lua_type(L, index) != LUA_TTABLE) {
         return std::nullopt;
@@ -489,11 +544,13 @@ void Sandbox::charge(lua_State* L, double instructions) {
     if (!counting_) {
         return;
     }
-    double const now = left(L) - std::clamp(instructions, 0.0, 1e15);
-    setLeft(L, now);
-    if (now < 0) {
+    double const cost = std::clamp(instructions, 0.0, 1e15);
+    double const now = left(L);
+    if (now < cost) { // what does not fit is not done
+        setLeft(L, 0);
         over(L);
     }
+    setLeft(L, now - cost);
 }
 
 void Sandbox::chargeCall(lua_State* L, bool creates) {
@@ -523,7 +580,7 @@ void Sandbox::over(lua_State* L) {
 // From here on every counter in the text raises the error again, so no pcall can hold it up.
 void Sandbox::stop(lua_State* L, std::string const& message) {
     if (&message != &stopped_) {
-        spent_ = static_cast<std::uint64_t>(std::max(0.0, budget_ - left(L)));
+        spent_ = static_cast<std::uint64_t>(std::clamp(budget_ - left(L), 0.0, budget_));
         stopped_ = placeOf(L) + message;
         setLeft(L, -1);
     }
@@ -533,6 +590,7 @@ void Sandbox::stop(lua_State* L, std::string const& message) {
 }
 
 void Sandbox::raise(lua_State* L, std::string const& message) {
+    charge(L, chargePerError);
     std::string const whole = placeOf(L) + message;
     push(L, whole);
     lua_error(L);

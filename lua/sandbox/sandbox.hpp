@@ -69,6 +69,9 @@ public:
     void pushVectorMeta(lua_State* L) const;
     /// Pushes a vector.
     void pushVector(lua_State* L, double x, double y) const;
+    /// Pushes a text for the script: one that reads as a long number in brackets (see readsAsLongNumber()).
+    /// Counts it, and raises a Lua error if it is longer than longestString.
+    void pushText(lua_State* L, std::string_view text);
     /// The coordinates of a table with numbers x and y.
     [[nodiscard]] std::optional<Vec2> vectorAt(lua_State* L, int index) const;
     /// Calls the function below `arguments` arguments, as the script's own code: blocks are bounded.
@@ -137,7 +140,8 @@ private:
     std::uint32_t logged_ = 0;
     std::string stopped_; // why a limit ended the turn; empty: none has
     bool counting_ = false;
-    ScriptError error_; // of the run under way: filled by its message handler
+    bool collectorStopped_ = false; // for the rest of the turn
+    ScriptError error_;             // of the run under way: filled by its message handler
 };
 
 /// Collects the keys of the table at `index` that are strings, ascending.

@@ -1,6 +1,7 @@
 #include "lua/sandbox/source_check.hpp"
 
 #include "lua/sandbox/limits.hpp"
+#include "lua/sandbox/number_text.hpp"
 #include "lua/sandbox/scanner.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +24,9 @@ std::optional<SourceFault> faultInSource(std::string_view text) {
         if (kind == SourceScanner::Kind::string && scanner.token().size() > longestLiteral) {
             return SourceFault{scanner.line(), fmt::format("a string of {} bytes; expected at most {}",
                                                            scanner.token().size(), longestLiteral)};
+        }
+        if (auto const fault = tokenFault(scanner, kind)) {
+            return fault;
         }
         if (kind == SourceScanner::Kind::other && scanner.token() == "^") {
             return SourceFault{scanner.line(),

@@ -15,7 +15,8 @@ struct SourceFault {
     std::string message;
 };
 
-/// Refuses text that is too long, compiled code, string literals that are too long and the operator ^, whose
+/// Refuses text that is too long, compiled code, string literals that are too long, what tokenFault()
+/// refuses, and the operator ^, whose
 /// results differ between compiled and interpreted code. Whether the text is Lua otherwise is not judged.
 [[nodiscard]] std::optional<SourceFault> faultInSource(std::string_view text);
 

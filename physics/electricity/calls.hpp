@@ -5,6 +5,7 @@
 #include "runtime/property/description.hpp"
 
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -49,6 +50,44 @@ struct RemoveConnection : ConnectionKey {
     [[nodiscard]] int delta() const { return -1; }
 };
 
+/// Connects two conductors for as long as the call is held: one more reason, whose end needs no call. An
+/// interaction that finds out anew in each turn who is connected, and keeps no account of what it has added,
+/// uses this in place of the two above. It counts as one of the caller's connections between the two, however
+/// often the caller holds it.
+struct HoldConnection : ConnectionKey {
+    using MembersOf = ConnectionKey;
+    static constexpr CallText text{
+        "holdConnection", "(object, object)",
+        "Connects two conductors for as long as the call is held, as one of the caller's connections."};
+    static constexpr Algebra algebra = Algebra::anyOf;
+};
+
+/// Raises the EMF of a source, as induction does; several calls add up. An object without an EMF takes no
+/// part, as nothing is known of its volts.
+struct AddVoltage {
+    static constexpr CallText text{
+        "addVoltage", "(object, voltage)",
+        "Adds a voltage (V) to the EMF of a source for as long as the call is held."};
+    static constexpr Algebra algebra = Algebra::sumOfRates;
+    static constexpr double negligible = 1e-9; ///< V
+    ObjectId object;
+    double voltage = 0; ///< V
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "a source with an EMF", .required = true},
+              self.object);
+        visit(FieldInfo{.key = "voltage",
+                        .unit = "V",
+                        .meaning = "added to its EMF",
+                        .minimum = -1e6,
+                        .maximum = 1e6,
+                        .required = true},
+              self.voltage);
+    }
+    [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
+    [[nodiscard]] double magnitude() const { return std::abs(voltage); }
+};
+
 /// Takes away one of the wires that the level has laid between two objects, in whichever order they are
 /// named, and nothing that an interaction has connected. Several cuts add up; one where no wire is left
 /// changes nothing.
@@ -84,7 +123,7 @@ struct BlowFuse {
 
 struct ElectricityRole {
     static constexpr std::string_view name = "Electricity";
-    using Calls = CallList<AddConnection, RemoveConnection, CutWire, BlowFuse>;
+    using Calls = CallList<AddConnection, RemoveConnection, HoldConnection, AddVoltage, CutWire, BlowFuse>;
 };
 
 } // namespace trembler

@@ -24,6 +24,7 @@ void ElectricityResolver::advance(Access& access) {
     followObjects(access);
     followCallers(access);
     blowFuses(access);
+    induceVoltages(access);
     carryOutCalls(access);
     publish(access);
     first_ = false;
@@ -198,15 +199,15 @@ void ElectricityResolver::blowFuses(Access& access) {
     }
 }
 
+bool ElectricityResolver::conducts(Access& access, ObjectId id) {
+    Fuse const* const fuse = access.read<Fuse>().find(id);
+    return access.read<ElectricityGraph>().has(id) && (fuse == nullptr || !fuse->blown);
+}
+
 void ElectricityResolver::carryOutCalls(Access& access) {
     changes_.clear();
-    auto const& graph = access.read<ElectricityGraph>();
-    auto const conducts = [&](ObjectId id) {
-        Fuse const* const fuse = access.read<Fuse>().find(id);
-        return graph.has(id) && (fuse == nullptr || !fuse->blown);
-    };
     auto const note = [&](auto const& call, CallerId caller, int delta, CallOrigin const& origin) {
-        if (call.a != call.b && conducts(call.a) && conducts(call.b)) { // non-conductors never enter
+        if (call.a != call.b && conducts(access, call.a) && conducts(access, call.b)) { // conductors only
             auto const [a, b] = std::minmax(call.a, call.b);
             changes_.push_back({a, b, caller, delta, origin.cause});
         }
@@ -219,6 +220,7 @@ void ElectricityResolver::carryOutCalls(Access& access) {
     });
     access.forCalls<CutWire>(
         [&](CutWire const& call, CallOrigin const& origin) { note(call, CallerId::level(), -1, origin); });
+    followHeld(access);
     std::sort(changes_.begin(), changes_.end(), [](Change const& x, Change const& y) {
         return std::tie(x.a, x.b, x.caller, x.event, x.delta) <
                std::tie(y.a, y.b, y.caller, y.event, y.delta);

@@ -3,6 +3,7 @@
 
 #include "physics/electricity/calls.hpp"
 #include "physics/electricity/core/graph_changes.hpp"
+#include "physics/electricity/core/held_connections.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/properties/graph.hpp"
 #include "physics/electricity/properties/ratings.hpp"
@@ -14,9 +15,10 @@ namespace trembler {
 
 /// Light-weight: a derived property set finds which objects a change switches on or off. Objects that and
 /// callers that come and go are all that changes the graph besides calls; a frame without either costs O(1).
-class ElectricityResolver final : public Resolver<ElectricityResolver, ElectricityRole,
-                                                  Reads<Conductor, ElectricalSource, ElectricalReturn>,
-                                                  Writes<ElectricityGraph, Fuse>, Provides<GraphChanges>> {
+class ElectricityResolver final
+    : public Resolver<ElectricityResolver, ElectricityRole,
+                      Reads<Conductor, ElectricalSource, ElectricalReturn>,
+                      Writes<ElectricityGraph, Fuse, Emf>, Provides<GraphChanges>> {
 public:
     static constexpr ComponentText text{
         .name = "Electricity",
@@ -25,10 +27,12 @@ public:
         .work = "Manipulates the electricity graph as instructed: counts, for each "
                 "pair of conductors, the connections of each caller and of the "
                 "level. Connections to objects, and of callers, that are gone go "
-                "with them. Blows fuses: what has blown has no connections."};
+                "with them. Blows fuses: what has blown has no connections. Adds what is "
+                "induced to the EMF of sources."};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
         leftOut("who was a conductor, and in which network, in the last advance, to see what changes");
+    void hashMemory(StateHash& hash) const { held_.hash(hash); }
     void advance(Access& access);
 
 private:
@@ -54,7 +58,11 @@ private:
     void followCallers(Access& access);
     void dropLooseEnds(Access& access);
     void blowFuses(Access& access);
+    void induceVoltages(Access& access);
     void carryOutCalls(Access& access);
+    void followHeld(Access& access);
+    /// Whether the object takes connections.
+    [[nodiscard]] static bool conducts(Access& access, ObjectId id);
     void changePair(Access& access, std::span<Change const> changes);
     void publish(Access& access);
     void touch(ObjectId object, EventId event = {}) { touched_.push_back({object, event, 0}); }
@@ -65,6 +73,7 @@ private:
     std::array<std::uint64_t, 3> seen_{}; // versions of the columns read
     std::vector<GraphChanges::Touched> touched_;
     std::vector<Change> changes_;
+    HeldConnections held_; // as of the last advance
     bool first_ = true;
 };
 

@@ -77,10 +77,10 @@ void makeNetlist(Circuit const& circuit, NodalColumns const& columns, std::strin
     };
     terminals(circuit.sources, [&](std::uint32_t n) {
         Emf const* const stated = columns.emfs.find(netlist.objects[n]);
-        Emf const emf = stated == nullptr ? Emf{unstatedEmf, 0} : *stated;
+        Emf const emf = stated == nullptr ? Emf{.voltage = unstatedEmf} : *stated;
         netlist.branches.push_back({earth, n, Netlist::Kind::source,
                                     withinLimits(emf.internalResistance) + 0.5 * netlist.resistances[n],
-                                    finite(emf.voltage)});
+                                    finite(emf.voltage + emf.induced)});
     });
     terminals(circuit.returns, [&](std::uint32_t n) {
         netlist.branches.push_back({n, earth, Netlist::Kind::returning, 0.5 * netlist.resistances[n], 0});

@@ -38,6 +38,7 @@ struct Emf {
                                        "What an electrical source drives a current with."};
     double voltage = 0;
     double internalResistance = 0;
+    double induced = 0; ///< V, what AddVoltage adds to it at present
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -54,6 +55,12 @@ struct Emf {
                         .minimum = 0,
                         .maximum = greatestResistance},
               self.internalResistance);
+        visit(FieldInfo{.key = "induced",
+                        .unit = "V",
+                        .meaning = "what interactions add to it at present",
+                        .minimum = -1e6,
+                        .maximum = 1e6},
+              self.induced);
     }
     friend bool operator==(Emf const&, Emf const&) = default;
 };

@@ -256,5 +256,20 @@ TEST(ScriptedInteraction, FindsEveryPairThatIsNearLikeAComparisonOfAll) {
     EXPECT_EQ(run.game.messages(), wanted);
 }
 
+TEST(ScriptedInteraction, IsSwitchedOffWhereItHasTooManyPairs) {
+    Play run(
+        "return interaction { name = \"Dynamics <- Test\", calls = \"Dynamics\", reads = { \"Position\" },\n"
+        "pairs = { first = { \"Position\" }, second = { \"Position\" }, within = 1000000 },\n"
+        "apply = function(a, b, params, out) end }");
+    Store& store = run.world->store();
+    for (int i = 0; i < 460; ++i) { // 105,570 pairs
+        store.column<Position>().set(store.create("point " + std::to_string(i)), {{0.1 * i, 0}});
+    }
+    addBox(store, "box", {0, 50});
+    run.world->start();
+    run.steps(2);
+    EXPECT_EQ(run.game.messages(), "error: the script is applied to more than 100000 pairs of objects\n");
+}
+
 } // namespace
 } // namespace trembler::lua

@@ -1,3 +1,3 @@
 -- tries to log a very long line
 -- expect: harmless
-log(('x'):rep(4000))
+log(('x'):rep(1000), ('y'):rep(1000))

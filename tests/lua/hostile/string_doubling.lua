@@ -1,4 +1,4 @@
 -- tries to double a string until memory is gone
--- expect: limit
+-- expect: error
 local s = 'a'
 while true do s = s .. s end

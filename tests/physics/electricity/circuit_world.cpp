@@ -54,6 +54,18 @@ void ElectricityFromScript::apply(Access& access) {
             }
         }
     }
+    for (Holding const& holding : access.read<Holding>().values()) {
+        for (Holding::Connection const& held : holding.connections) {
+            if (held.script == number_) {
+                access.call(HoldConnection{{held.a, held.b}});
+            }
+        }
+        for (Holding::Voltage const& held : holding.voltages) {
+            if (held.script == number_) {
+                access.call(AddVoltage{held.object, held.voltage});
+            }
+        }
+    }
 }
 
 void registerScripts(Registry& registry) {
@@ -102,6 +114,7 @@ CircuitWorld::CircuitWorld(WorldOptions options) {
     world_ = std::make_unique<World>(registry_, std::move(options));
     director_ = store().create("director");
     store().column<Script>().set(director_, {});
+    store().column<Holding>().set(director_, {});
     store().column<Touching>().set(director_, {});
 }
 
@@ -148,6 +161,12 @@ void CircuitWorld::call(std::vector<Script::Line> lines, std::vector<ObjectId> d
     write(std::move(lines), std::move(destroys), std::move(creates));
     world_->step();
     write({});
+    world_->step();
+}
+
+void CircuitWorld::hold(Holding holding) {
+    store().column<Holding>().set(director_, std::move(holding));
+    world_->step();
     world_->step();
 }
 

@@ -34,6 +34,25 @@ struct Script {
     std::vector<CreateObject> creates;
 };
 
+/// The calls that a test has the interactions hold.
+struct Holding {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{"Holding", "test_holding", "Calls that a test wants held.",
+                                       PropertyPlace::hidden};
+    struct Connection {
+        ObjectId a;
+        ObjectId b;
+        std::size_t script = 0;
+    };
+    struct Voltage {
+        ObjectId object;
+        double voltage = 0; ///< V
+        std::size_t script = 0;
+    };
+    std::vector<Connection> connections;
+    std::vector<Voltage> voltages;
+};
+
 /// The contacts that a test sets.
 struct Touching {
     static constexpr PropertyKind kind = PropertyKind::object;
@@ -64,7 +83,7 @@ struct ScriptNumber {
 };
 /// Several interactions of one C++ type: each makes the calls of its own number.
 class ElectricityFromScript final
-    : public Interaction<ElectricityFromScript, ElectricityRole, Reads<Script>> {
+    : public Interaction<ElectricityFromScript, ElectricityRole, Reads<Script, Holding>> {
 public:
     using Activation = NeedsAll<Script>;
     static constexpr Coverage memory = leftOut("its number is its name's, and for the world's life");
@@ -113,6 +132,8 @@ public:
     /// Sets the calls that the interactions make in the next frame.
     void write(std::vector<Script::Line> lines, std::vector<ObjectId> destroys = {},
                std::vector<CreateObject> creates = {});
+    /// Sets the calls that the interactions hold; computes two frames, after which they are carried out.
+    void hold(Holding holding);
     void connect(std::string const& a, std::string const& b, std::size_t script = 0);
     /// Removes a connection of connect(), or, if there is none, cuts a wire of the level.
     void disconnect(std::string const& a, std::string const& b, std::size_t script = 0);

@@ -1,10 +1,7 @@
 // The mods that come with the program: each against a formula, and every level of theirs.
 #include "physics/magnetism/properties.hpp"
-#include "puzzle/data/game_data.hpp"
 #include "puzzle/solutions/verify.hpp"
-#include "runtime/level/build/build_world.hpp"
-#include "runtime/level/read/read_level.hpp"
-#include "runtime/placement.hpp"
+#include "tests/lua/support/bundled_mods.hpp"
 #include "tests/lua/support/script_world.hpp"
 
 #include <fmt/format.h>
@@ -16,38 +13,6 @@ namespace trembler::lua {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path bundled() {
-    return fs::path(TREMBLER_SOURCE_DIR) / "mods";
-}
-
-std::unique_ptr<GameData const> gameWith(std::vector<std::string> const& names) {
-    Problems problems;
-    std::vector<Mod> mods = findMods(names, std::vector<fs::path>{bundled()}, "test", problems);
-    problems.throwIfAny();
-    return std::make_unique<GameData const>(std::move(mods));
-}
-
-std::unique_ptr<World> worldOf(GameData const& game, std::string const& objects,
-                               std::string const& gravity = "[0, 0]") {
-    std::string mods;
-    for (Mod const& mod : game.mods) {
-        mods += fmt::format("{}\"{}\"", mods.empty() ? "" : ", ", mod.name);
-    }
-    std::string const text = fmt::format(
-        R"({{"version": 2, "title": "test", "mods": [{}], "world": {{"gravity": {}}}, "objects": [{}]}})",
-        mods, gravity, objects);
-    LevelFile const level = readLevel(game.registry, JsonDocument::parse(text, "test.json"));
-    return buildWorld(game.registry, level, game.parts);
-}
-
-std::string errorsOf(GameData const& game) {
-    std::string all;
-    for (ScriptMessage const& message : game.scriptLog->take()) {
-        all += message.script + ": " + message.text + "\n";
-    }
-    return all;
-}
 
 TEST(BundledMods, WindSpeedsUpASailAsQuadraticDragDoes) {
     auto const game = gameWith({"wind"});
@@ -113,34 +78,18 @@ TEST(BundledMods, PressurePlateCountsWhatLandsOnIt) {
     EXPECT_TRUE(world->find<Magnet>(plate)->on);
 }
 
-TEST(BundledMods, EveryLevelIsValid) {
-    int levels = 0;
-    for (fs::path const& folder : listMods(std::vector<fs::path>{bundled()})) {
-        auto const game = gameWith({folder.filename().string()});
-        std::error_code error;
-        for (fs::directory_iterator at(folder / "levels", error), end; !error && at != end;
-             at.increment(error)) {
-            ++levels;
-            for (std::string const& failure : verifyLevel(*game, at->path())) {
-                ADD_FAILURE() << failure;
-            }
-            EXPECT_EQ(errorsOf(*game), "") << at->path();
-        }
-    }
-    EXPECT_GE(levels, 2);
-}
-
 TEST(BundledMods, ALevelWithoutItsModSaysWhichIsMissing) {
     GameData const plain;
     try {
-        (void)loadLevel(plain.registry, bundled() / "wind/levels/1-a-fair-wind.json");
+        (void)loadLevel(plain.registry, bundledModFolder() / "wind/levels/1-a-fair-wind.json");
         FAIL();
     } catch (InputError const& error) {
         EXPECT_NE(error.diagnostics().front().message.find("the mod 'wind' is not loaded"),
                   std::string::npos);
     }
     Problems problems;
-    (void)findMods(std::vector<std::string>{"wnd"}, std::vector<fs::path>{bundled()}, "level.json", problems);
+    (void)findMods(std::vector<std::string>{"wnd"}, std::vector<fs::path>{bundledModFolder()}, "level.json",
+                   problems);
     try {
         problems.throwIfAny();
         FAIL();

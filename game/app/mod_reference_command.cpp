@@ -1,0 +1,84 @@
+// trembler mod reference, trembler mod annotations.
+#include "game/app/mod_reference_command.hpp"
+
+#include "game/app/commands.hpp"
+#include "game/app/outputs.hpp"
+#include "lua/reference/annotations.hpp"
+#include "lua/reference/page.hpp"
+#include "puzzle/data/effects.hpp"
+#include "runtime/file/output_file.hpp"
+#include "runtime/file/visible_text.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace trembler {
+namespace {
+
+struct ReferenceArguments {
+    OutputTarget json;
+    OutputTarget markdown;
+    std::string folder;
+};
+
+int printReference(ReferenceArguments const& arguments) {
+    Outputs outputs;
+    OutputFile* const json = outputs.add("--json", arguments.json);
+    OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
+    Registry registry;
+    registerEffects(registry);
+    lua::Reference const reference = lua::makeReference(registry);
+    if (json != nullptr) {
+        json->stream() << escapedJson(lua::referenceJson(reference).dump(2)) << "\n";
+    }
+    if (markdown != nullptr) {
+        markdown->stream() << lua::referenceMarkdown(reference);
+    }
+    if (json == nullptr && markdown == nullptr) {
+        std::cout << lua::referenceText(reference);
+    }
+    outputs.finish();
+    return exitSolved;
+}
+
+void writeAnnotationsInto(std::filesystem::path const& folder) {
+    Registry registry;
+    registerEffects(registry);
+    lua::writeAnnotations(folder, lua::makeReference(registry));
+}
+
+} // namespace
+
+void writeEditorFiles(std::filesystem::path const& mod) {
+    writeAnnotationsInto(mod / "annotations");
+    writeFile(mod / ".luarc.json", lua::editorSettings());
+}
+
+void addModReferenceCommands(CLI::App& mod, int& result) {
+    auto const arguments = std::make_shared<ReferenceArguments>();
+    CLI::App* const reference = mod.add_subcommand(
+        "reference", "Print every property that scripts can read and every function that they can call");
+    addOptionalFile(*reference, "--json", arguments->json,
+                    "Write them as one JSON object instead, with examples");
+    addOptionalFile(*reference, "--markdown", arguments->markdown,
+                    "Write them as Markdown instead, with examples");
+    reference->footer(outputConvention);
+    reference->callback(
+        [arguments, &result] { result = guarded([&] { return printReference(*arguments); }); });
+    CLI::App* const annotations = mod.add_subcommand(
+        "annotations", "Write trembler.lua, by which editors with the Lua Language Server complete names");
+    annotations->add_option("DIR", arguments->folder, "The folder to write it into")->required();
+    annotations->callback([arguments, &result] {
+        result = guarded([&] {
+            writeAnnotationsInto(arguments->folder);
+            std::cout << visible((std::filesystem::path(arguments->folder) / "trembler.lua").string())
+                      << ": written\n";
+            return exitSolved;
+        });
+    });
+}
+
+} // namespace trembler

@@ -1,0 +1,140 @@
+// Hostile scripts in a world: each ruins its own interaction and nothing else. A level with another script in
+// it goes on, bit for bit, as if the hostile one were not there. No time is measured.
+#include "tests/lua/support/script_world.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace trembler::lua {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int frames = 30;
+
+fs::path hostileFolder() {
+    return fs::path(TREMBLER_SOURCE_DIR) / "tests/lua/hostile";
+}
+
+/// Those that are run as a chunk of their own, those that use what `apply` is given, and those that are only
+/// read.
+std::vector<fs::path> allHostileScripts() {
+    std::vector<fs::path> all;
+    for (fs::path const& folder :
+         {hostileFolder(), hostileFolder() / "apply", hostileFolder() / "manifest"}) {
+        for (auto const& entry : fs::directory_iterator(folder)) {
+            if (entry.path().extension() == ".lua") {
+                all.push_back(entry.path());
+            }
+        }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+std::string contentOf(fs::path const& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string stated(std::string const& text) {
+    std::string const key = "-- expect: ";
+    auto const at = text.find(key);
+    return at == std::string::npos ? "refused"
+                                   : text.substr(at + key.size(), text.find('\n', at) - at - key.size());
+}
+
+std::string const witness = R"(return interaction {
+  name = "Dynamics <- Witness", calls = "Dynamics", reads = { "Position", "Mass" }, each = { "Mass" },
+  restless = true, store = { script = { turns = 0 } },
+  apply = function(object, params, out, store, frame)
+    store.script.turns = store.script.turns + 1
+    local push = math.sin(object.Position.value.x + store.script.turns) + frame.random()
+    out.addForce(object, vec2(100 * push, 0))
+  end,
+})";
+
+std::string hostileInteraction(std::string const& body) {
+    return "return interaction { name = \"Dynamics <- Hostile\", calls = \"Dynamics\", restless = true,\n"
+           "reads = { \"Position\", \"Velocity\", \"Mass\", \"Shape\", \"contacts\" }, each = { \"Mass\" },\n"
+           "params = { speed = { default = 1, min = 0, max = 2 } },\n"
+           "store = { script = { count = 0, text = '' } },\n"
+           "apply = function(object, params, out, store, frame)\n" +
+           body + "\nend }";
+}
+
+struct Outcome {
+    std::vector<double> course; // of every body, in every frame
+    std::vector<std::uint64_t> hashes;
+    int errors = 0; // of the hostile script
+    int errorsOfOthers = 0;
+    int lines = 0;
+};
+
+Outcome play(std::vector<std::string> const& sources, int threads) {
+    ScriptedGame const game(sources);
+    WorldOptions options;
+    options.threads = threads;
+    options.rowsWorthThreads = 0;
+    World world(game.registry, options);
+    Store& store = world.store();
+    store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
+    ObjectId const floor = addBox(store, "floor", {0, -1});
+    store.column<Fixed>().set(floor, {});
+    std::vector<ObjectId> const boxes{addBox(store, "a", {0, 0.1}), addBox(store, "b", {0.2, 1.3}),
+                                      addBox(store, "c", {5, 3}, {1, 0})};
+    world.start();
+    Outcome seen;
+    for (int frame = 0; frame < frames; ++frame) {
+        world.step();
+        for (ObjectId const box : boxes) {
+            Vec2 const at = world.find<Position>(box)->value;
+            Vec2 const velocity = world.find<Velocity>(box)->value;
+            seen.course.insert(seen.course.end(), {at.x, at.y, velocity.x, velocity.y});
+        }
+        seen.hashes.push_back(world.stateHash());
+    }
+    for (ScriptMessage const& message : game.log->take()) {
+        bool const hostile = message.script == "Dynamics <- Hostile";
+        (message.error ? (hostile ? seen.errors : seen.errorsOfOthers) : seen.lines) += 1;
+    }
+    return seen;
+}
+
+Outcome const& undisturbed() {
+    static Outcome const alone = play({witness}, 1);
+    return alone;
+}
+
+class HostileInWorld : public testing::TestWithParam<fs::path> {};
+
+TEST_P(HostileInWorld, RuinsItsOwnInteractionAndNothingElse) {
+    std::string const text = contentOf(GetParam());
+    std::string const expected = stated(text);
+    if (expected == "refused") { // as a whole script: it is told what is wrong, and never runs
+        Problems problems;
+        (void)readManifest(text, "hostile.lua", problems);
+        EXPECT_GE(problems.count(), 1U);
+        return;
+    }
+    std::vector<std::string> const sources{witness, hostileInteraction(text)};
+    Outcome const one = play(sources, 1);
+    EXPECT_EQ(one.course, undisturbed().course) << "the level and the other script go on as they did";
+    EXPECT_EQ(one.errorsOfOthers, 0);
+    EXPECT_EQ(one.errors, expected == "harmless" ? 0 : 1) << "the player is told once";
+    EXPECT_LE(one.lines, frames * static_cast<int>(ScriptLimits().logLines));
+    for (int const threads : {1, 8}) {
+        Outcome const again = play(sources, threads);
+        EXPECT_EQ(again.hashes, one.hashes) << threads << " threads";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scripts, HostileInWorld, testing::ValuesIn(allHostileScripts()),
+                         [](auto const& info) {
+                             std::string const folder = info.param.parent_path().filename().string();
+                             return folder + "_" + info.param.stem().string();
+                         });
+
+} // namespace
+} // namespace trembler::lua

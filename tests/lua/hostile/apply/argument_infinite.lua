@@ -1,0 +1,3 @@
+-- tries to give the engine an infinite torque
+-- expect: error
+out.addTorque(object, math.huge)

@@ -1,0 +1,3 @@
+-- tries to change the time
+-- expect: error
+frame.duration = 1e9

@@ -1,0 +1,3 @@
+-- tries to describe itself anew
+-- expect: harmless
+interaction { name = 'Dynamics <- Other', calls = 'Population' }

@@ -1,0 +1,3 @@
+-- tries to change its parameters
+-- expect: error
+params.speed = 5

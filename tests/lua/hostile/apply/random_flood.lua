@@ -1,0 +1,3 @@
+-- tries to draw random numbers for ever
+-- expect: limit
+while true do frame.random() end

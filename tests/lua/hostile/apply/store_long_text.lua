@@ -1,0 +1,3 @@
+-- tries to keep a long text
+-- expect: error
+store.script.text = ('x'):rep(101)

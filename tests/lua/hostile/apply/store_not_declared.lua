@@ -1,0 +1,3 @@
+-- tries to keep what it has not declared
+-- expect: error
+store.script.more = 1

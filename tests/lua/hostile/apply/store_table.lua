@@ -1,0 +1,3 @@
+-- tries to keep a table
+-- expect: error
+store.script.count = {}

@@ -1,0 +1,3 @@
+-- tries to replace the world
+-- expect: error
+world = nil

@@ -1,0 +1,3 @@
+-- tries to leave apply by a yield
+-- expect: error
+coroutine.yield(object)

@@ -1,0 +1,3 @@
+-- tries to join what is no text
+-- expect: error
+return 'x' .. {}

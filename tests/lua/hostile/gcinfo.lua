@@ -1,0 +1,3 @@
+-- tries to see how much memory is in use
+-- expect: error
+return gcinfo()

@@ -1,0 +1,3 @@
+-- tries to change the metatable of what the host has made
+-- expect: error
+setmetatable(vec2(1, 2), {})

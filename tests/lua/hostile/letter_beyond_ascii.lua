@@ -1,0 +1,3 @@
+-- tries to name what stands between the operands of ..
+-- expect: refused
+local ‥ = 1

@@ -1,0 +1,3 @@
+-- tries to be no description
+-- expect: refused
+return function() end

@@ -1,0 +1,3 @@
+-- tries to return nothing
+-- expect: refused
+local x = 1

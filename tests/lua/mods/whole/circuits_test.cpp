@@ -1,0 +1,170 @@
+// Mods that connect conductors: a Tesla coil, humid air and hot air.
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/graph.hpp"
+#include "tests/lua/support/bundled_mods.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace trembler::lua {
+namespace {
+
+bool isOn(World const& world, std::string const& name) {
+    auto const* const state = world.find<ElectricalState>();
+    return state != nullptr && state->isOn(world.store().find(name));
+}
+
+std::string callersBetween(World const& world, std::string const& a, std::string const& b) {
+    return connectionBetween(world.store(), world.store().find(a), world.store().find(b)).names();
+}
+
+// Of each period the spark takes its part, to the frame: for as long is the lamp lit.
+TEST(TeslaCoilMod, SparksForItsPartOfEveryPeriod) {
+    auto const game = gameWith({"tesla-coil"});
+    auto const world =
+        worldOf(*game, R"(
+        {"name": "plus", "part": "battery +", "at": [0, -9]}, {"name": "minus", "part": "battery −", "at": [1, -9]},
+        {"name": "coil", "part": "tesla coil", "at": [0, 0], "properties": {"fixed": true, "scripts": [
+          {"script": "Electricity <- Discharge", "set": [{"param": "period", "number": 1.5}, {"param": "spark", "number": 0.4}]}]}},
+        {"name": "ball", "part": "steel ball", "at": [0.5, 0]},
+        {"name": "lamp", "part": "lamp", "at": [3, -9]})",
+                "[0, 0]", R"(["plus", "coil"], ["coil", "minus"], ["ball", "lamp"], ["lamp", "minus"])");
+    while (!isOn(*world, "lamp")) {
+        world->step();
+        ASSERT_LT(world->time(), 1);
+    }
+    for (int period = 0; period < 4; ++period) {
+        for (int frame = 0; frame < 90; ++frame) {
+            ASSERT_EQ(isOn(*world, "lamp"), frame < 24) << "period " << period << ", frame " << frame;
+            world->step();
+        }
+    }
+    EXPECT_EQ(errorsOf(*game), "");
+}
+
+TEST(TeslaCoilMod, ASparkBeginsWithinItsReachAndEndsAtTheCutoff) {
+    auto const game = gameWith({"tesla-coil"});
+    auto const world = worldOf(*game, R"(
+        {"name": "plus", "part": "battery +", "at": [0, -9]}, {"name": "minus", "part": "battery −", "at": [1, -9]},
+        {"name": "coil", "part": "tesla coil", "at": [0, 0], "properties": {"fixed": true, "scripts": [
+          {"script": "Electricity <- Discharge", "set": [{"param": "period", "number": 60}, {"param": "spark", "number": 60},
+            {"param": "reach", "number": 1}, {"param": "cutoff", "number": 1.5}]}]}},
+        {"name": "ball", "part": "steel ball", "at": [0, 2], "properties": {"velocity": [0, -0.6]}})",
+                               "[0, 0]", R"(["plus", "coil"], ["coil", "minus"])");
+    double begun = 0;
+    double ended = 0;
+    for (int frame = 0; frame < 60 * 12; ++frame) {
+        bool const before = !callersBetween(*world, "coil", "ball").empty();
+        world->step();
+        bool const after = !callersBetween(*world, "coil", "ball").empty();
+        double const distance = length(of<Position>(*world, "ball").value);
+        begun = !before && after ? distance : begun;
+        ended = before && !after ? distance : ended;
+        if (distance < 0.7) { // it turns back before it touches the coil
+            world->store().column<Velocity>().set(world->store().find("ball"), {{0, 0.6}});
+        }
+    }
+    EXPECT_EQ(errorsOf(*game), "");
+    double const frameWay = 0.6 / 60;
+    EXPECT_NEAR(begun, 1, 2 * frameWay);
+    EXPECT_NEAR(ended, 1.5, 2 * frameWay);
+}
+
+constexpr char const* gap = R"(
+    {"name": "left", "part": "wire end", "at": [-0.3, 0.35]}, {"name": "right", "part": "wire end", "at": [0.3, 0.35]},
+    {"name": "plus", "part": "battery +", "at": [-9, 0]}, {"name": "minus", "part": "battery −", "at": [9, 0]},
+    {"name": "lamp", "part": "lamp", "at": [9, 3], "properties": {"rated": {"power": 24, "voltage": 12}}},
+    {"name": "heater", "part": "heater", "at": [1, -1], "properties": {"fixed": true}},
+    {"name": "sponge", "part": "wet sponge", "at": [0, 0.121]})";
+constexpr char const* gapWires =
+    R"(["plus", "left"], ["right", "lamp"], ["lamp", "minus"], ["heater", "minus"])";
+
+std::string trayWith(std::string const& settings) {
+    return fmt::format(
+        R"({{"name": "tray", "part": "air tray", "at": [0, 0], "properties": {{"scripts": [{}]}}}})",
+        settings);
+}
+
+double timeUntilLit(World& world, double most) {
+    while (!isOn(world, "lamp") && world.time() < most) {
+        world.step();
+    }
+    return world.time();
+}
+
+// What approaches its final value F with the time constant T passes the share s of it after -T ln(1 - s).
+TEST(HumidAirMod, ConductsAfterTheTimeThatItTakesToBecomeHumid) {
+    auto const game = gameWith({"humid-air"});
+    for (double const share : {0.3, 0.8, 0.95}) {
+        auto const world = worldOf(
+            *game,
+            std::string(gap) + ", " +
+                trayWith(fmt::format(
+                    R"({{"script": "Electricity <- Humid air", "set": [{{"param": "time", "number": 2}}, {{"param": "conducts", "number": {}}}]}})",
+                    share)),
+            "[0, -9.81]", gapWires);
+        EXPECT_NEAR(timeUntilLit(*world, 20), -2 * std::log(1 - share), 0.15) << "and it has to fall down";
+        EXPECT_EQ(callersBetween(*world, "left", "right"), "Electricity <- Humid air");
+    }
+    EXPECT_EQ(errorsOf(*game), "");
+}
+
+// Newton's law of cooling: C dT/dt = P - G T; P is that of the heater, 600 W at 12 V.
+TEST(HumidAirMod, ConductsAfterTheTimeThatItTakesToBecomeHot) {
+    auto const game = gameWith({"humid-air"});
+    for (double const hot : {100.0, 250.0, 550.0}) {
+        auto const world = worldOf(
+            *game,
+            std::string(gap) + ", " +
+                trayWith(fmt::format(
+                    R"({{"script": "Electricity <- Hot air", "set": [{{"param": "loss", "number": 1}}, {{"param": "capacity", "number": 2}}, {{"param": "conducts", "number": {}}}]}})",
+                    hot)),
+            "[0, -9.81]", std::string(gapWires) + R"(, ["plus", "heater"])");
+        EXPECT_NEAR(timeUntilLit(*world, 20), -2.0 / 1 * std::log(1 - hot * 1 / 600), 0.06);
+        EXPECT_EQ(callersBetween(*world, "left", "right"), "Electricity <- Hot air");
+    }
+    EXPECT_EQ(errorsOf(*game), "");
+}
+
+// 5.7.2: one connection with two causes. Each counts for itself, and while one is left nothing is broken.
+TEST(HumidAirMod, TwoCausesOfOneConnectionEndOneByOne) {
+    auto const game = gameWith({"humid-air"});
+    auto const world = worldOf(
+        *game,
+        std::string(gap) + ", " +
+            trayWith(R"({"script": "Electricity <- Humid air"}, {"script": "Electricity <- Hot air"})"),
+        "[0, -9.81]", std::string(gapWires) + R"(, ["plus", "heater"])",
+        {.threads = 1, .detail = {}, .periods = {}, .trace = true});
+    stepFrames(*world, 60 * 5);
+    EXPECT_EQ(callersBetween(*world, "left", "right"), "Electricity <- Humid air, Electricity <- Hot air");
+    world->feed(PlayerInput{
+        .kind = PlayerInput::Kind::remove, .object = world->store().find("sponge"), .other = {}, .at = {}});
+    for (int frame = 0; frame < 60 * 3; ++frame) {
+        world->step();
+        ASSERT_TRUE(isOn(*world, "lamp")) << frame;
+    }
+    EXPECT_EQ(callersBetween(*world, "left", "right"), "Electricity <- Hot air") << "it has dried";
+    auto const disconnected = [&] {
+        auto const& events = world->tracer()->events();
+        return std::any_of(events.begin(), events.end(), [](Event const& event) {
+            return event.event == "disconnected" &&
+                   event.objects == std::vector<std::string>{"left", "right"};
+        });
+    };
+    EXPECT_FALSE(disconnected());
+    world->feed(PlayerInput{.kind = PlayerInput::Kind::cut,
+                            .object = world->store().find("plus"),
+                            .other = world->store().find("heater"),
+                            .at = {}});
+    stepFrames(*world, 60 * 5);
+    EXPECT_FALSE(isOn(*world, "lamp")) << "it has cooled down, too";
+    EXPECT_EQ(callersBetween(*world, "left", "right"), "");
+    EXPECT_EQ(errorsOf(*game), "");
+}
+
+} // namespace
+} // namespace trembler::lua

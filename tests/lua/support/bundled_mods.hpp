@@ -1,0 +1,72 @@
+// Worlds with the mods that come with the program.
+#pragma once
+
+#include "puzzle/data/game_data.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/world/world.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace trembler::lua {
+
+inline std::filesystem::path bundledModFolder() {
+    return std::filesystem::path(TREMBLER_SOURCE_DIR) / "mods";
+}
+
+inline std::vector<Mod> bundledMods(std::vector<std::string> const& names) {
+    Problems problems;
+    std::vector<Mod> mods =
+        findMods(names, std::vector<std::filesystem::path>{bundledModFolder()}, "test", problems);
+    problems.throwIfAny();
+    return mods;
+}
+
+inline std::unique_ptr<GameData const> gameWith(std::vector<std::string> const& names) {
+    return std::make_unique<GameData const>(bundledMods(names));
+}
+
+/// A started world of a level with those objects: entries of its lists as a level file states them.
+inline std::unique_ptr<World> worldOf(GameData const& game, std::string const& objects,
+                                      std::string const& gravity = "[0, 0]",
+                                      std::string const& connections = {}, WorldOptions options = {}) {
+    std::string mods;
+    for (Mod const& mod : game.mods) {
+        mods += fmt::format("{}\"{}\"", mods.empty() ? "" : ", ", mod.name);
+    }
+    std::string const text = fmt::format(
+        R"({{"version": 2, "title": "test", "mods": [{}], "world": {{"gravity": {}}}, "objects": [{}],
+            "connections": [{}]}})",
+        mods, gravity, objects, connections);
+    LevelFile const level = readLevel(game.registry, JsonDocument::parse(text, "test.json"));
+    return buildWorld(game.registry, level, game.parts, {}, std::move(options));
+}
+
+/// What went wrong in scripts since the last call, a line each.
+inline std::string errorsOf(GameData const& game) {
+    std::string all;
+    for (ScriptMessage const& message : game.scriptLog->take()) {
+        all += message.script + ": " + message.text + "\n";
+    }
+    return all;
+}
+
+/// A property of an object of that name; the object and the property must be there.
+template <class P>
+P const& of(World const& world, std::string const& name) {
+    return *world.find<P>(world.store().find(name));
+}
+
+inline void stepFrames(World& world, int frames) {
+    for (int frame = 0; frame < frames; ++frame) {
+        world.step();
+    }
+}
+
+} // namespace trembler::lua
