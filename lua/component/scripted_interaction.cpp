@@ -52,7 +52,7 @@ void ScriptedInteraction::bind(Store& store, Channels& channels) {
 }
 
 bool ScriptedInteraction::hasWork() const {
-    if (off_) {
+    if (off_ || resting_) {
         return false;
     }
     if (first_ || script_->manifest.restless) {

@@ -33,7 +33,17 @@ public:
 
     [[nodiscard]] std::optional<ScriptError> const& broken() const { return broken_; }
 
+    [[nodiscard]] TurnUsage usage() const {
+        ScriptLimits const& limits = script_->manifest.limits;
+        return {.instructions = sandbox_.instructions(),
+                .mostInstructions = limits.instructions + limits.instructionsPerObject * lastTargets_,
+                .bytes = sandbox_.memory().used(),
+                .mostBytes = limits.memory,
+                .targets = lastTargets_};
+    }
+
     std::optional<ScriptError> run(TurnContext const& context, std::vector<Target> const& targets) {
+        lastTargets_ = targets.size();
         context_ = &context;
         sandbox_.onLog = context.log;
         auto failed = sandbox_.turn(targets.size(), [&](lua_State* L) { applyTo(L, targets); });
@@ -688,6 +698,7 @@ private:
     int parameterIndex_ = 0; // indices on the stack during a turn
     int keyX_ = 0;
     int keyY_ = 0;
+    std::size_t lastTargets_ = 0;
 };
 
 Turns::Turns(std::shared_ptr<Script const> script) : binding_(std::make_unique<Binding>(std::move(script))) {}
@@ -699,6 +710,10 @@ std::optional<ScriptError> const& Turns::broken() const {
 
 std::optional<ScriptError> Turns::run(TurnContext const& context, std::vector<Target> const& targets) {
     return binding_->run(context, targets);
+}
+
+TurnUsage Turns::usage() const {
+    return binding_->usage();
 }
 
 } // namespace trembler::lua

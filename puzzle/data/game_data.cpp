@@ -43,7 +43,7 @@ GameData::GameData(std::vector<lua::Mod> loaded)
     : home(homeFolder()), mods(std::move(loaded)), scriptLog(std::make_shared<lua::ScriptLog>()) {
     registerEffects(registry);
     Problems problems;
-    lua::registerMods(registry, mods, scriptLog, problems);
+    scripts = lua::registerMods(registry, mods, scriptLog, problems);
     problems.throwIfAny();
     parts = loadParts(registry, home / "assets" / "parts");
     for (lua::Mod const& mod : mods) {
