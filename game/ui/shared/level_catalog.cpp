@@ -33,11 +33,12 @@ std::string titleFrom(std::string name) {
     return name;
 }
 
-CatalogEntry entryFor(Registry const& registry, fs::path const& file, fs::path const& folder) {
-    CatalogEntry entry{
-        file, file.lexically_relative(folder).generic_string(), titleFrom(file.stem().string()), {}};
+CatalogEntry entryFor(Registry const& registry, CatalogMods const& mods, fs::path const& file,
+                      std::string id) {
+    CatalogEntry entry{file, std::move(id), titleFrom(file.stem().string()), {}};
     try {
-        LevelFile const level = loadLevel(registry, file);
+        auto const data = mods.data ? mods.data(file) : nullptr;
+        LevelFile const level = loadLevel(data ? data->registry : registry, file);
         if (!level.title.empty()) {
             entry.title = level.title;
         }
@@ -99,7 +100,7 @@ bool naturallyBefore(std::string_view a, std::string_view b) {
     return a.size() - i < b.size() - j;
 }
 
-LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder) {
+LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, CatalogMods const& mods) {
     std::map<std::string, std::vector<fs::path>> byFolder;
     for (fs::path const& file : jsonBelow(folder)) {
         byFolder[file.parent_path().lexically_relative(folder).generic_string()].push_back(file);
@@ -124,9 +125,26 @@ LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder) {
             group.title = words::firstSteps;
         }
         for (fs::path const& file : byFolder[name]) {
-            group.levels.push_back(entryFor(registry, file, folder));
+            group.levels.push_back(
+                entryFor(registry, mods, file, file.lexically_relative(folder).generic_string()));
         }
         groups_.push_back(std::move(group));
+    }
+    for (fs::path const& mod : mods.mods) {
+        std::string const name = mod.filename().string();
+        CatalogGroup group{words::levelsOfMod(titleFrom(name)), {}};
+        std::vector<fs::path> files = jsonBelow(mod / "levels");
+        std::sort(files.begin(), files.end(), [](fs::path const& a, fs::path const& b) {
+            return naturallyBefore(a.string(), b.string());
+        });
+        for (fs::path const& file : files) {
+            group.levels.push_back(
+                entryFor(registry, mods, file,
+                         "mods/" + name + "/" + file.lexically_relative(mod / "levels").generic_string()));
+        }
+        if (!group.levels.empty()) {
+            groups_.push_back(std::move(group));
+        }
     }
 }
 
