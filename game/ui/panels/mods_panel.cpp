@@ -15,10 +15,10 @@ namespace {
 
 using namespace render;
 
-constexpr float panelWidth = 500;
+constexpr float modsWidth = 500;
 constexpr float usageNumbers = 150; // width of the numbers behind a bar
 
-void smallCaption(std::string const& text) {
+void smallLines(std::string const& text) {
     ImGui::PushFont(theme().fonts.small);
     caption(text.c_str());
     ImGui::PopFont();
@@ -73,7 +73,7 @@ void drawUsage(WorkshopScript const& script) {
     heading(words::scriptUses);
     auto const usage = script.live->usage();
     if (!usage || usage->targets == 0) {
-        smallCaption(words::notApplied);
+        smallLines(words::notApplied);
         return;
     }
     auto const share = [](auto used, auto most) {
@@ -144,7 +144,7 @@ void ModsPanel::drawParameters(Layout& layout, Workshop& workshop, std::size_t n
     std::string const& name = script.live->name();
     heading(words::parameters);
     if (manifest.parameters.empty()) {
-        smallCaption(words::noParameters);
+        smallLines(words::noParameters);
         return;
     }
     std::vector<ScriptUser> const users =
@@ -228,7 +228,7 @@ void ModsPanel::drawScript(Layout& layout, Registry const& registry, Workshop& w
     drawTroubles(script);
     drawNotationBox(boxOf(registry, script.live->info()));
     if (script.mod != nullptr) {
-        smallCaption(
+        smallLines(
             words::modLine(script.mod->name, script.mod->version, script.mod->author, script.mod->licence) +
             ". " +
             (script.bundled ? std::string(words::bundledMod)
@@ -252,7 +252,7 @@ void ModsPanel::draw(Layout& layout, Registry const& registry, Workshop& worksho
         return;
     }
     layout.beginCard("mods", words::mods,
-                     {.anchor = Anchor::TopLeft, .offset = {16, top}, .width = panelWidth});
+                     {.anchor = Anchor::TopLeft, .offset = {16, top}, .width = modsWidth});
     if (session.altered()) {
         ImGui::PushFont(theme().fonts.small);
         warning(words::modsChanged);

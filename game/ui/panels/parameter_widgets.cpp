@@ -7,6 +7,7 @@
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace trembler::ui {

@@ -77,7 +77,7 @@ std::string modFrom(std::string const& folder) {
 namespace {
 
 /// With a thin space between groups of three digits.
-std::string grouped(std::uint64_t number) {
+std::string inGroups(std::uint64_t number) {
     std::string const digits = std::to_string(number);
     std::string text;
     for (std::size_t i = 0; i < digits.size(); ++i) {
@@ -97,7 +97,7 @@ std::string inBytes(std::size_t bytes) {
 } // namespace
 
 std::string ofMost(std::uint64_t count, std::uint64_t most) {
-    return grouped(count) + " of " + grouped(most);
+    return inGroups(count) + " of " + inGroups(most);
 }
 
 std::string bytesOf(std::size_t bytes, std::size_t most) {
