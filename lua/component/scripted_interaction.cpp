@@ -126,7 +126,7 @@ void ScriptedInteraction::switchOff(FrameContext const& context, ScriptError con
 }
 
 void ScriptedInteraction::hashState(StateHash& hash) const {
-    hash.value(off_);
+    hash.value(off_ || resting_);
     kept_.hash(hash);
 }
 
