@@ -11,7 +11,7 @@ namespace {
 using namespace render;
 
 /// The handle that turns the selected part, on its arc.
-void drawHandle(PlayParts const& parts) {
+void drawHandle(PlayParts& parts) {
     auto const handle = parts.handle();
     if (!handle) {
         return;

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-auto const windLevel = fs::path(TREMBLER_SOURCE_DIR) / "mods/wind/levels/1-a-fair-wind.json";
+auto const breezeLevel = dataFolder() / "breeze.json";
 
 /// Everything fits onto its card and onto the screen.
 void expectTidy(Player& player, std::string const& what) {
@@ -39,13 +39,18 @@ class ModsPanelSizes : public testing::TestWithParam<render::Size> {};
 
 TEST_P(ModsPanelSizes, ShowsEachScriptWithItsBoxAndItsParameters) {
     Player player(GetParam());
-    player.open(windLevel);
+    player.open(breezeLevel);
     EXPECT_TRUE(player.shows("mods")) << "a button";
     player.key(SDLK_m);
     player.frames(4);
     ASSERT_TRUE(player.showsCard("mods"));
-    for (char const* const item : {"switch of Dynamics <- Wind", "script Dynamics <- Wind",
-                                   "object of Dynamics <- Wind", "speed of Dynamics <- Wind"}) {
+    EXPECT_TRUE(player.shows("script Dynamics <- Calm"));
+    EXPECT_FALSE(player.shows("speed of Dynamics <- Breeze")) << "folded";
+    expectTidy(player, "folded");
+    player.clickItem("script Dynamics <- Breeze");
+    player.frames(3);
+    for (char const* const item : {"switch of Dynamics <- Breeze", "script Dynamics <- Breeze",
+                                   "object of Dynamics <- Breeze", "speed of Dynamics <- Breeze"}) {
         EXPECT_TRUE(player.shows(item)) << item;
     }
     expectTidy(player, "building");
@@ -69,25 +74,32 @@ INSTANTIATE_TEST_SUITE_P(Sizes, ModsPanelSizes,
                          testing::Values(render::Size{1280, 720}, render::Size{3840, 2160}),
                          [](auto const& info) { return "lines" + std::to_string(info.param.height); });
 
-TEST(ModsPanel, ASliderChangesTheScriptWhileTheWorldRunsAndTheRunCountsNoMore) {
-    Player player;
-    player.open(windLevel);
+/// Opens the level, the panel, and the script on it.
+void openBreeze(Player& player) {
+    player.open(breezeLevel);
     player.key(SDLK_m);
     player.frames(4);
+    player.clickItem("script Dynamics <- Breeze");
+    player.frames(3);
+}
+
+TEST(ModsPanel, ASliderChangesTheScriptWhileTheWorldRunsAndTheRunCountsNoMore) {
+    Player player;
+    openBreeze(player);
     player.key(SDLK_SPACE);
     player.simulate(16);
     lua::Value const before = speedOf(player);
     EXPECT_FALSE(player.session().altered());
-    auto const slider = player.layout().item("speed of Dynamics <- Wind");
+    auto const slider = player.layout().item("speed of Dynamics <- Breeze");
     ASSERT_TRUE(slider);
     player.click({slider->high.x - 0.1 * (slider->high.x - slider->low.x), slider->middle().y});
     EXPECT_NE(speedOf(player), before);
     EXPECT_GT(std::get<double>(speedOf(player)), std::get<double>(before));
     EXPECT_TRUE(player.session().altered());
     player.frames(2);
-    EXPECT_TRUE(player.shows("as stated, Dynamics <- Wind"));
+    EXPECT_TRUE(player.shows("as stated, Dynamics <- Breeze"));
     player.look("mods-tuned");
-    player.clickItem("as stated, Dynamics <- Wind");
+    player.clickItem("as stated, Dynamics <- Breeze");
     EXPECT_EQ(speedOf(player), before);
     player.key(SDLK_SPACE); // stops
     EXPECT_FALSE(player.session().altered());
@@ -95,16 +107,14 @@ TEST(ModsPanel, ASliderChangesTheScriptWhileTheWorldRunsAndTheRunCountsNoMore) {
 
 TEST(ModsPanel, ASwitchRestsTheScriptAndNothingIsCelebrated) {
     Player player;
-    player.open(windLevel);
-    player.key(SDLK_m);
-    player.frames(4);
-    player.clickItem("switch of Dynamics <- Wind");
+    openBreeze(player);
+    player.clickItem("switch of Dynamics <- Breeze");
     EXPECT_FALSE(player.play().workshop()->scripts().front().live->on());
     player.key(SDLK_SPACE);
     player.simulate(64);
     EXPECT_TRUE(player.session().altered());
     EXPECT_FALSE(player.showsCard("success"));
-    player.clickItem("switch of Dynamics <- Wind");
+    player.clickItem("switch of Dynamics <- Breeze");
     EXPECT_TRUE(player.play().workshop()->scripts().front().live->on());
 }
 

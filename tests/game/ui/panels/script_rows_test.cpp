@@ -13,16 +13,15 @@ std::string inWords(std::vector<InspectorRow> const& rows) {
 }
 
 TEST(ScriptRows, ShowWhatCountsForTheObjectWithUnits) {
-    auto const data =
-        dataWithMods(std::filesystem::path(TREMBLER_SOURCE_DIR) / "mods/wind/levels/1-a-fair-wind.json");
-    lua::Scripts const scripts{{{"Dynamics <- Wind", {{.parameter = "speed", .number = 12.5}}}}};
+    auto const data = dataWithMods(dataFolder() / "breeze.json");
+    lua::Scripts const scripts{{{"Dynamics <- Breeze", {{.parameter = "speed", .number = 12.5}}}}};
     auto const rows = scriptRows(scripts, data->scripts.get());
-    ASSERT_EQ(rows.size(), 5U);
-    EXPECT_EQ(rows.front().name, "Dynamics <- Wind");
+    ASSERT_EQ(rows.size(), 6U);
+    EXPECT_EQ(rows.front().name, "Dynamics <- Breeze");
     EXPECT_NE(rows.front().value, "") << "what it does";
     std::string const all = inWords(rows);
     EXPECT_NE(all.find("speed|12.5|m/s\n"), std::string::npos) << all;
-    EXPECT_NE(all.find("half angle|20|degrees\n"), std::string::npos) << all;
+    EXPECT_NE(all.find("reach|6|m\n"), std::string::npos) << all;
 }
 
 TEST(ScriptRows, WithoutTheModShowWhatTheObjectStates) {
