@@ -43,9 +43,14 @@ void drawPanels(PlayParts& parts, float screen) {
                               words::lessOrMore + (keys ? " (" + less + ", " + more + ")" : std::string())});
     parts.components.draw(context.layout, parts.session, parts.budget, context.toasts, top,
                           screen - top - bottomRow - 8);
-    if (parts.hasMods()) {
-        parts.modsPanel.draw(context.layout, parts.data->registry, *parts.workshop, parts.session, top,
-                             screen - top - bottomRow - 8);
+    if (!parts.hasMods()) {
+        return;
+    }
+    World const* const world = &parts.session.world();
+    parts.modsPanel.draw(context.layout, parts.data->registry, *parts.workshop, parts.session, top,
+                         screen - top - bottomRow - 8);
+    if (&parts.session.world() != world) { // built again, as the player has changed a script
+        parts.newWorld();
     }
 }
 

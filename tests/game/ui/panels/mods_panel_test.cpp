@@ -97,6 +97,9 @@ TEST(ModsPanel, ASliderChangesTheScriptWhileTheWorldRunsAndTheRunCountsNoMore) {
     EXPECT_GT(std::get<double>(speedOf(player)), std::get<double>(before));
     EXPECT_TRUE(player.session().altered());
     player.frames(2);
+    player.simulate(320);
+    EXPECT_TRUE(player.session().solved());
+    EXPECT_FALSE(player.showsCard("success")) << "that run does not count";
     EXPECT_TRUE(player.shows("as stated, Dynamics <- Breeze"));
     player.look("mods-tuned");
     player.clickItem("as stated, Dynamics <- Breeze");
