@@ -51,10 +51,6 @@ Workshop::Workshop(GameData const& gameData, Session& session) : gameData_(gameD
         WorkshopScript& script = scripts_.emplace_back();
         script.live = live;
         script.mod = mod == gameData.mods.end() ? nullptr : &*mod;
-        std::error_code error;
-        script.bundled =
-            script.mod != nullptr &&
-            std::filesystem::equivalent(script.mod->folder.parent_path(), gameData.home / "mods", error);
         files_.push_back(live->shared());
         paths.push_back(live->file());
     }

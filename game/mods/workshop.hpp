@@ -26,7 +26,6 @@ struct ScriptUser {
 struct WorkshopScript {
     std::shared_ptr<lua::LiveScript> live;
     lua::Mod const* mod = nullptr;
-    bool bundled = false;                       ///< it came with the program
     std::map<std::string, lua::Value> defaults; ///< by parameter: changed here, for all that state none
     std::deque<std::string> log;                ///< the last lines that it wrote, the newest last
     std::optional<lua::ScriptMessage> failure;  ///< why it is switched off in this run

@@ -19,6 +19,7 @@ struct Mod {
     std::string text;               ///< what it is, for people
     std::vector<std::string> needs; ///< other mods
     std::filesystem::path folder;
+    bool bundled = false;               ///< it came with the program; whoever loads it says so
     std::vector<Manifest> interactions; ///< in order of their files
 
     [[nodiscard]] std::filesystem::path partFolder() const { return folder / "parts"; }

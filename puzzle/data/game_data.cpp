@@ -42,6 +42,10 @@ GameData::GameData() : GameData(std::vector<lua::Mod>()) {}
 GameData::GameData(std::vector<lua::Mod> loaded)
     : home(homeFolder()), mods(std::move(loaded)), scriptLog(std::make_shared<lua::ScriptLog>()) {
     registerEffects(registry);
+    for (lua::Mod& mod : mods) {
+        std::error_code error;
+        mod.bundled = fs::equivalent(mod.folder.parent_path(), home / "mods", error);
+    }
     Problems problems;
     scripts = lua::registerMods(registry, mods, scriptLog, problems);
     problems.throwIfAny();

@@ -231,8 +231,8 @@ void ModsPanel::drawScript(Layout& layout, Registry const& registry, Workshop& w
         smallLines(
             words::modLine(script.mod->name, script.mod->version, script.mod->author, script.mod->licence) +
             ". " +
-            (script.bundled ? std::string(words::bundledMod)
-                            : words::modFrom(script.mod->folder.parent_path().string())));
+            (script.mod->bundled ? std::string(words::bundledMod)
+                                 : words::modFrom(script.mod->folder.parent_path().string())));
     }
     drawParameters(layout, workshop, number);
     if (workshop.changed(number)) {
