@@ -97,6 +97,14 @@ TEST_F(Mods, AreFoundBesideALevelInTheUsersFolderAndWhereTheyAreStated) {
     }
 }
 
+TEST_F(Mods, AScriptIsNeverReplacedByAnOutput) {
+    makeMod("my-mod", folder.string());
+    std::string const script = at("my-mod/interactions/push.lua");
+    std::string const before = contentsOf(script);
+    EXPECT_EQ(run({"run", at("my-mod/levels/1-push.json"), "--frames", "2", "--json", script}).status, 2);
+    EXPECT_EQ(contentsOf(script), before);
+}
+
 TEST_F(Mods, VerifyOfAModLooksAtItsLevelsAndTestsOnly) {
     makeMod("my-mod", folder.string());
     fs::create_directories(folder / "my-mod/parts");
