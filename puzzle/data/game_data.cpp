@@ -68,6 +68,11 @@ std::vector<fs::path> GameData::levels() const {
     for (fs::recursive_directory_iterator at(home / "levels", error), end; !error && at != end;
          at.increment(error)) {
         fs::path const& path = at->path();
+        std::error_code none;
+        if (at->is_directory(none) && fs::exists(path / "mod.json", none)) {
+            at.disable_recursion_pending(); // a mod beside the levels of a pack
+            continue;
+        }
         bool const schema = path.filename().string().ends_with(".schema.json");
         if (at->is_regular_file(error) && path.extension() == ".json" && !schema) {
             found.push_back(path);
