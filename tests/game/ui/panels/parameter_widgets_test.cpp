@@ -3,6 +3,8 @@
 #include "render/panels/gui.hpp"
 #include "tests/game/ui/player.hpp"
 
+#include <utility>
+
 namespace trembler::ui::test {
 namespace {
 
@@ -32,7 +34,7 @@ struct OneWidget {
     }
     /// Presses in the widget, so far from its left, 0 to 1.
     void clickAt(double share) {
-        auto const rect = layout.item("widget");
+        auto const rect = std::as_const(layout).item("widget");
         ASSERT_TRUE(rect);
         Point const at{rect->low.x + share * (rect->high.x - rect->low.x), rect->middle().y};
         render::pushMouseMove(window(), at);
