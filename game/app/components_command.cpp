@@ -6,7 +6,7 @@
 #include "measure/activation/report.hpp"
 #include "puzzle/data/effects.hpp"
 #include "puzzle/data/game_data.hpp"
-#include "puzzle/goals/level_schema.hpp"
+#include "puzzle/data/published_schema.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/notation/notation.hpp"
 
@@ -14,6 +14,7 @@
 
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -38,11 +39,12 @@ int describe(ComponentsArguments const& arguments) {
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
     Registry registry;
     registerEffects(registry);
-    registerModsIn(registry, arguments.mods);
+    std::vector<lua::Mod> mods = modsIn(arguments.mods);
+    registerModsIn(registry, mods);
     registry.check();
     std::vector<LevelUse> plays;
     if (arguments.levels) {
-        GameData const gameData;
+        GameData const gameData(std::move(mods));
         plays = playAllForCalls(gameData, playSeconds);
     }
     if (json != nullptr) {
@@ -69,7 +71,11 @@ void addComponentsCommand(CLI::App& program, int& result) {
     command->add_flag("--levels", arguments->levels,
                       "What every level calls for instead: which components are absent, asleep and active, "
                       "and their updates");
-    command->add_option("--mod", arguments->mods, "A folder of mods: their interactions, too")
+    command
+        ->add_option(
+            "--mod", arguments->mods,
+            "A mod's folder, or a folder of mods: their interactions, too. A level that does not name "
+            "a mod has none of its interactions; with --levels they are all shown as absent")
         ->type_name("DIR")
         ->allow_extra_args(false);
     command->footer(outputConvention);
@@ -80,9 +86,7 @@ void addSchemaCommand(CLI::App& program, int& result) {
     CLI::App* const command = program.add_subcommand("schema", "Print the JSON Schema of a level file");
     command->callback([&result] {
         result = guarded([&] {
-            Registry registry;
-            registerEffects(registry);
-            std::cout << printed(levelSchema(registry));
+            std::cout << printed(publishedSchema());
             return exitSolved;
         });
     });

@@ -2,7 +2,7 @@
 #include "game/app/commands.hpp"
 #include "game/app/mod_reference_command.hpp"
 #include "game/app/mods.hpp"
-#include "puzzle/solutions/verify.hpp"
+#include "lua/mods/lint.hpp"
 #include "runtime/file/visible_text.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +48,8 @@ std::vector<fs::path> levelsOf(fs::path const& folder) {
 fs::path folderOf(ModArguments const& arguments) {
     fs::path stated = arguments.name;
     if (fs::exists(stated / "mod.json")) {
-        return stated.filename().empty() ? stated.parent_path() : stated;
+        stated = fs::absolute(stated).lexically_normal(); // "." has no name
+        return stated.has_filename() ? stated : stated.parent_path();
     }
     for (fs::path const& mod : lua::listMods(lua::modFolders(arguments.folders, {}, homeFolder()))) {
         if (mod.filename() == arguments.name) {
@@ -59,8 +60,29 @@ fs::path folderOf(ModArguments const& arguments) {
         fmt::format("there is no mod '{}'; `trembler mod list` shows those there are", arguments.name));
 }
 
+/// Prints what is probably not meant; returns how much of it there is.
+std::size_t printLint(lua::Mod const& mod, std::size_t levels) {
+    std::size_t count = 0;
+    auto const warn = [&](Diagnostic const& diagnostic) {
+        std::cout << visible("warning: " + diagnostic.print()) << "\n";
+        ++count;
+    };
+    for (lua::Manifest const& manifest : mod.interactions) {
+        for (Diagnostic const& diagnostic : lua::lint(manifest)) {
+            warn(diagnostic);
+        }
+    }
+    if (levels == 0) {
+        warn({.file = mod.folder.string(),
+              .path = "",
+              .message = "nothing shows that the mod works",
+              .expected = "a level with a recorded solution in levels/ or tests/"});
+    }
+    return count;
+}
+
 int checkMod(ModArguments const& arguments) {
-    fs::path const folder = fs::absolute(folderOf(arguments));
+    fs::path const folder = fs::absolute(folderOf(arguments)).lexically_normal();
     std::string const name = folder.filename().string();
     std::vector<std::string> folders = arguments.folders;
     folders.insert(folders.begin(), folder.parent_path().string());
@@ -71,31 +93,26 @@ int checkMod(ModArguments const& arguments) {
     GameData const gameData(std::move(mods));
     auto const mod = std::find_if(gameData.mods.begin(), gameData.mods.end(),
                                   [&](lua::Mod const& one) { return one.name == name; });
-    bool good = true;
-    std::size_t levels = 0;
+    std::vector<fs::path> levels;
     for (fs::path const& part : {mod->levelFolder(), mod->testFolder()}) {
-        for (fs::path const& level : levelsOf(part)) {
-            ++levels;
-            std::vector<std::string> failures = verifyLevel(gameData, level);
-            for (lua::ScriptMessage const& message : gameData.scriptLog->take()) {
-                if (message.error) {
-                    failures.push_back(fmt::format("{}: {} was switched off in frame {}: {}", level.string(),
-                                                   message.script, message.frame, message.text));
-                }
-            }
-            std::sort(failures.begin(), failures.end());
-            failures.erase(std::unique(failures.begin(), failures.end()), failures.end());
-            for (std::string const& failure : failures) {
-                std::cout << visible(failure) << "\n";
-            }
-            if (failures.empty()) {
-                std::cout << visible(level.string()) << ": valid\n" << std::flush;
-            }
-            good = good && failures.empty();
-        }
+        std::vector<fs::path> const found = levelsOf(part);
+        levels.insert(levels.end(), found.begin(), found.end());
     }
-    std::cout << visible(fmt::format("{}: {} interactions, {} levels and tests, {}", name,
-                                     mod->interactions.size(), levels, good ? "all good" : "not good"))
+    std::size_t const warnings = printLint(*mod, levels.size());
+    bool good = true;
+    for (fs::path const& level : levels) {
+        std::vector<std::string> const failures = verifyWithScripts(gameData, level);
+        for (std::string const& failure : failures) {
+            std::cout << visible(failure) << "\n";
+        }
+        if (failures.empty()) {
+            std::cout << visible(level.string()) << ": valid\n" << std::flush;
+        }
+        good = good && failures.empty();
+    }
+    std::cout << visible(fmt::format("{}: {} interactions, {} levels and tests, {} warnings, {}", name,
+                                     mod->interactions.size(), levels.size(), warnings,
+                                     good ? "all good" : "not good"))
               << "\n";
     return good ? exitSolved : exitNotSolved;
 }
@@ -128,7 +145,9 @@ void addModCommand(CLI::App& program, int& result) {
     made->add_option("--in", arguments->in, "The folder to make it in")->capture_default_str();
     made->callback([arguments, &result] { result = guarded([&] { return newMod(*arguments); }); });
     CLI::App* const check = command->add_subcommand(
-        "check", "Load a mod and verify its levels and its tests, which are levels with recorded solutions");
+        "check",
+        "Load a mod, warn of what is probably not meant, and verify its levels and its tests, which are "
+        "levels with recorded solutions. Exit status 1 if any fails, 2 if the mod cannot be loaded");
     check->add_option("MOD", arguments->name, "Its folder, or the name of one that is installed")->required();
     check->add_option("--mod", arguments->folders, "A folder of mods to look in, too")
         ->allow_extra_args(false);

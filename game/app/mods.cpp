@@ -1,43 +1,125 @@
 #include "game/app/mods.hpp"
 
 #include "lua/attach/register.hpp"
+#include "lua/interaction/allowed_limits.hpp"
+#include "lua/mods/trust.hpp"
+#include "puzzle/solutions/verify.hpp"
 #include "runtime/file/visible_text.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
+#include <utility>
 
 namespace trembler {
 
 void addModFolders(CLI::App& command, std::vector<std::string>& folders) {
-    command.add_option("--mod", folders, "A folder of mods to look in, before those that are installed")
+    command
+        .add_option("--mod", folders,
+                    "A mod's folder, or a folder of mods, to look in before those that are installed")
         ->type_name("DIR")
+        ->allow_extra_args(false);
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--trust", [](std::vector<std::string> const& names) { lua::trustForThisRun(names); },
+            "A mod whose scripts are compiled, which makes them about ten times as fast; for mods whose "
+            "author you trust")
+        ->type_name("MOD")
         ->allow_extra_args(false);
 }
 
-std::unique_ptr<GameData const> gameDataFor(std::filesystem::path const& level,
-                                            std::vector<std::string> const& folders) {
+namespace {
+
+std::vector<lua::Mod> modsFor(std::filesystem::path const& level, std::vector<std::string> const& folders) {
     std::vector<std::string> const names = lua::modsNamedBy(level);
     if (names.empty()) {
-        return std::make_unique<GameData const>();
+        return {};
     }
     Problems problems;
+    lua::ModSettings const settings = lua::readModSettings(lua::modSettingsFile(), problems);
+    lua::allowLimits(settings.most);
     std::vector<lua::Mod> mods =
         lua::findMods(names, lua::modFolders(folders, level, homeFolder()), level.string(), problems);
     problems.throwIfAny();
-    return std::make_unique<GameData const>(std::move(mods));
+    lua::applyTrust(mods, settings);
+    return mods;
 }
 
-void registerModsIn(Registry& registry, std::vector<std::string> const& folders) {
-    std::vector<std::filesystem::path> const paths(folders.begin(), folders.end());
+/// "push.lua:5: oh no" with the path of the script.
+std::string withPath(GameData const& gameData, lua::ScriptMessage const& message) {
+    lua::LiveScript const* const script = gameData.scripts->find(message.script);
+    if (script != nullptr && message.text.starts_with(script->file().filename().string() + ":")) {
+        return (script->file().parent_path() / message.text).string();
+    }
+    return message.script + ": " + message.text;
+}
+
+} // namespace
+
+std::unique_ptr<GameData const> gameDataFor(std::filesystem::path const& level,
+                                            std::vector<std::string> const& folders) {
+    return std::make_unique<GameData const>(modsFor(level, folders));
+}
+
+GameData const& GameDataByMods::dataFor(std::filesystem::path const& level) {
+    std::vector<lua::Mod> mods = modsFor(level, folders_);
+    std::vector<std::filesystem::path> places;
+    for (lua::Mod const& mod : mods) {
+        places.push_back(std::filesystem::absolute(mod.folder).lexically_normal());
+    }
+    auto& data = byMods_[places];
+    if (data == nullptr) {
+        data = std::make_unique<GameData const>(std::move(mods));
+    }
+    return *data;
+}
+
+std::vector<lua::Mod> modsIn(std::vector<std::string> const& folders) {
     std::vector<std::string> names;
-    for (std::filesystem::path const& mod : lua::listMods(paths)) {
-        names.push_back(mod.filename().string());
+    for (std::filesystem::path const folder : folders) {
+        std::filesystem::path const place = lua::modsFolder(folder);
+        if (place != folder) { // it is that of one mod
+            std::filesystem::path const whole = std::filesystem::absolute(folder).lexically_normal();
+            names.push_back((whole.has_filename() ? whole : whole.parent_path()).filename().string());
+            continue;
+        }
+        for (std::filesystem::path const& mod : lua::listMods(std::vector<std::filesystem::path>{place})) {
+            names.push_back(mod.filename().string());
+        }
     }
     Problems problems;
-    std::vector<lua::Mod> const mods = lua::findMods(names, paths, "--mod", problems);
-    lua::registerMods(registry, mods, std::make_shared<lua::ScriptLog>(), problems);
+    std::vector<lua::Mod> mods =
+        lua::findMods(names, lua::modFolders(folders, {}, homeFolder()), "--mod", problems);
     problems.throwIfAny();
+    return mods;
+}
+
+void registerModsIn(Registry& registry, std::vector<lua::Mod> const& mods) {
+    if (mods.empty()) {
+        return;
+    }
+    Problems problems;
+    (void)lua::registerMods(registry, mods, std::make_shared<lua::ScriptLog>(), problems);
+    problems.throwIfAny();
+}
+
+std::vector<std::string> verifyWithScripts(GameData const& gameData, std::filesystem::path const& level,
+                                           std::map<std::string, std::string> const& detail) {
+    (void)gameData.scriptLog->take(); // of levels before
+    std::vector<std::string> failures = verifyLevel(gameData, level, detail);
+    for (lua::ScriptMessage const& message : gameData.scriptLog->take()) {
+        if (message.error) {
+            std::string failure =
+                fmt::format("{} ({} is switched off in frame {} of {})", withPath(gameData, message),
+                            message.script, message.frame, gameData.shortName(level));
+            // A level is run several times.
+            if (std::find(failures.begin(), failures.end(), failure) == failures.end()) {
+                failures.push_back(std::move(failure));
+            }
+        }
+    }
+    return failures;
 }
 
 void tellScriptMessages(GameData const& gameData) {

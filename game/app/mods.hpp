@@ -6,8 +6,10 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -20,8 +22,28 @@ void addModFolders(CLI::App& command, std::vector<std::string>& folders);
 [[nodiscard]] std::unique_ptr<GameData const> gameDataFor(std::filesystem::path const& level,
                                                           std::vector<std::string> const& folders);
 
-/// Registers the interactions of every mod in the folders. Throws InputError if one is wrong.
-void registerModsIn(Registry& registry, std::vector<std::string> const& folders);
+/// The game data of many levels, one for all that need the same mods from the same folders.
+class GameDataByMods {
+public:
+    explicit GameDataByMods(std::vector<std::string> folders) : folders_(std::move(folders)) {}
+    /// Like gameDataFor(). Valid as long as this lives.
+    [[nodiscard]] GameData const& dataFor(std::filesystem::path const& level);
+
+private:
+    std::vector<std::string> folders_;
+    std::map<std::vector<std::filesystem::path>, std::unique_ptr<GameData const>> byMods_;
+};
+
+/// Every mod in the folders; a folder may also be that of one mod. Throws InputError if one is wrong.
+[[nodiscard]] std::vector<lua::Mod> modsIn(std::vector<std::string> const& folders);
+/// Registers their interactions. Throws InputError if one is wrong.
+void registerModsIn(Registry& registry, std::vector<lua::Mod> const& mods);
+
+/// verifyLevel(), to which the scripts that failed and were switched off are failures, too: with the file of
+/// the script and the line.
+[[nodiscard]] std::vector<std::string>
+verifyWithScripts(GameData const& gameData, std::filesystem::path const& level,
+                  std::map<std::string, std::string> const& detail = {});
 
 /// Writes what scripts have said since the last time to standard error: errors, and what they log.
 void tellScriptMessages(GameData const& gameData);

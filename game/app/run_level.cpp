@@ -63,6 +63,12 @@ void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const&
     if (!arguments.solution.empty() && level.findSolution(arguments.solution) == nullptr) {
         outputs.reads(arguments.solution);
     }
+    for (lua::Mod const& mod : gameData.mods) {
+        outputs.reads(mod.folder / "mod.json");
+        for (lua::Manifest const& script : mod.interactions) {
+            outputs.reads(script.file);
+        }
+    }
     std::vector<PropertySet const*> sets;
     for (PartDefinition const* part : gameData.parts.all()) {
         if (part->document) {

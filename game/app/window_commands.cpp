@@ -16,6 +16,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -63,14 +64,24 @@ int play(PlayArguments const& arguments) {
     if (arguments.pictures.empty()) {
         throw std::invalid_argument("--pictures: the folder's name is empty");
     }
+    // A level whose mods are missing is refused before a window opens.
     auto const data = gameDataFor(arguments.level, arguments.mods);
-    GameData const& gameData = *data;
+    // The window may show other levels, too, which have none of these mods.
+    std::optional<GameData> plain;
+    GameData const& gameData = data->mods.empty() ? *data : plain.emplace();
     ui::PlayOptions options;
     options.level = arguments.level;
+    options.ofLevel = data.get();
+    options.levelData = [&arguments](std::filesystem::path const& level) {
+        return lua::modsNamedBy(level).empty()
+                   ? nullptr
+                   : std::shared_ptr<GameData const>(gameDataFor(level, arguments.mods));
+    };
+    options.mods = lua::listMods(lua::modFolders(arguments.mods, {}, gameData.home));
     options.pictures = arguments.pictures;
     options.fullscreen = arguments.fullscreen;
     int const result = ui::play(gameData, options);
-    tellScriptMessages(gameData);
+    tellScriptMessages(*data);
     return result;
 }
 

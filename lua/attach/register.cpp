@@ -1,8 +1,7 @@
 #include "lua/attach/register.hpp"
 
+#include "lua/attach/parameter_value.hpp"
 #include "lua/attach/scripts_property.hpp"
-#include "lua/binding/script.hpp"
-#include "lua/component/scripted_interaction.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
 #include <fmt/format.h>
@@ -12,8 +11,6 @@
 
 namespace trembler::lua {
 namespace {
-
-using ScriptsByName = std::map<std::string, std::shared_ptr<Script const>>;
 
 std::optional<std::string> faultOf(ScriptSetting const& setting, Manifest const& manifest) {
     Parameter const* const parameter = manifest.parameter(setting.parameter);
@@ -25,37 +22,25 @@ std::optional<std::string> faultOf(ScriptSetting const& setting, Manifest const&
         return fmt::format("'{}' has no parameter '{}'{}; it has {}", manifest.name, setting.parameter,
                            didYouMean(setting.parameter, known), known.empty() ? "none" : listed(known));
     }
-    if (std::holds_alternative<double>(parameter->initial) &&
-        !(setting.number >= parameter->minimum && setting.number <= parameter->maximum)) {
-        return fmt::format("'{}' of '{}' is {} {}; expected \"number\" from {} to {}", parameter->name,
-                           manifest.name, setting.number, parameter->unit, parameter->minimum,
-                           parameter->maximum);
-    }
-    if (std::holds_alternative<std::string>(parameter->initial)) {
-        if (setting.text.size() > longestText) {
-            return fmt::format("'{}' of '{}' is a \"text\" of at most {} bytes", parameter->name,
-                               manifest.name, longestText);
-        }
-        if (!parameter->choices.empty() && std::find(parameter->choices.begin(), parameter->choices.end(),
-                                                     setting.text) == parameter->choices.end()) {
-            return fmt::format("'{}' of '{}' is '{}'; expected {}", parameter->name, manifest.name,
-                               setting.text, listed(parameter->choices));
-        }
-    }
-    return std::nullopt;
+    auto const fault = faultOf(*parameter, valueOf(setting, *parameter));
+    return fault ? std::optional(fmt::format("'{}' of '{}' is {}", parameter->name, manifest.name, *fault))
+                 : std::nullopt;
 }
 
-std::optional<std::string> faultOf(Scripts const& scripts, ScriptsByName const& known) {
+std::optional<std::string> faultOf(Scripts const& scripts, LiveScripts const* known) {
+    if (known == nullptr) {
+        return std::string("the level names no mod under \"mods\" that has scripts");
+    }
     std::vector<std::string> names;
-    for (auto const& [name, script] : known) {
-        if (script->manifest.attached) {
-            names.push_back(name);
+    for (auto const& script : known->all()) {
+        if (script->script().manifest.attached) {
+            names.push_back(script->name());
         }
     }
     std::vector<std::string> seen;
     for (ScriptUse const& use : scripts.uses) {
-        auto const at = known.find(use.script);
-        if (at == known.end() || !at->second->manifest.attached) {
+        LiveScript const* const script = known->find(use.script);
+        if (script == nullptr || !script->script().manifest.attached) {
             return fmt::format("there is no script '{}' that objects can name{}; {}", use.script,
                                didYouMean(use.script, names),
                                names.empty() ? "the level's mods have none" : "there are " + listed(names));
@@ -65,7 +50,7 @@ std::optional<std::string> faultOf(Scripts const& scripts, ScriptsByName const& 
         }
         seen.push_back(use.script);
         for (ScriptSetting const& setting : use.settings) {
-            if (auto fault = faultOf(setting, at->second->manifest)) {
+            if (auto fault = faultOf(setting, script->script().manifest)) {
                 return fault;
             }
         }
@@ -73,20 +58,34 @@ std::optional<std::string> faultOf(Scripts const& scripts, ScriptsByName const& 
     return std::nullopt;
 }
 
+void addRule(Registry& registry, std::shared_ptr<LiveScripts const> const& known) {
+    registry.rule({.property = &propertyInfo<Scripts>(),
+                   .check =
+                       [known](Store const& store, ObjectId id) {
+                           return faultOf(*store.findColumn<Scripts>()->find(id), known.get());
+                       },
+                   .checkAll = nullptr});
+}
+
 } // namespace
 
-void registerMods(Registry& registry, std::span<Mod const> mods, std::shared_ptr<ScriptLog> const& log,
-                  Problems& problems) {
+void registerScripts(Registry& registry) {
+    registry.property<Scripts>();
+    addRule(registry, nullptr);
+}
+
+std::shared_ptr<LiveScripts const> registerMods(Registry& registry, std::span<Mod const> mods,
+                                                std::shared_ptr<ScriptLog> const& log, Problems& problems) {
     if (mods.empty()) {
-        return;
+        registerScripts(registry);
+        return std::make_shared<LiveScripts const>(Vocabulary(registry));
     }
     registry.property<Scripts>();
-    Vocabulary const vocabulary(registry);
+    auto const scripts = std::make_shared<LiveScripts>(Vocabulary(registry));
     std::map<std::string, std::string> taken; // names of components, and who has them
     for (Registration const& registration : registry.components()) {
         taken.emplace(registration.info->text.name, "this program");
     }
-    auto const byName = std::make_shared<ScriptsByName>();
     for (Mod const& mod : mods) {
         registry.extension(mod.name);
         for (Manifest const& manifest : mod.interactions) {
@@ -101,24 +100,17 @@ void registerMods(Registry& registry, std::span<Mod const> mods, std::shared_ptr
                 continue;
             }
             std::size_t const before = problems.count();
-            auto const script = declare(manifest, mod.name, vocabulary, problems);
+            auto const script = declare(manifest, mod.name, scripts->vocabulary(), problems);
             if (problems.count() != before || !script->info) {
                 continue;
             }
-            byName->emplace(manifest.name, script);
-            Registration made{script->info.get(),
-                              [script, log]() -> std::unique_ptr<Component> {
-                                  return std::make_unique<ScriptedInteraction>(script, log);
-                              },
-                              nullptr};
-            registry.component(made);
+            auto const live = std::make_shared<LiveScript>(script, log);
+            scripts->add(live);
+            registry.component({&live->info(), [live] { return live->make(); }, nullptr});
         }
     }
-    registry.rule(
-        {.property = &propertyInfo<Scripts>(),
-         .check = [byName](Store const& store,
-                           ObjectId id) { return faultOf(*store.findColumn<Scripts>()->find(id), *byName); },
-         .checkAll = nullptr});
+    addRule(registry, scripts);
+    return scripts;
 }
 
 } // namespace trembler::lua

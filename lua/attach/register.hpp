@@ -1,6 +1,7 @@
 // Making the components of mods known to a registry.
 #pragma once
 
+#include "lua/attach/live_script.hpp"
 #include "lua/component/script_log.hpp"
 #include "lua/mods/mod.hpp"
 #include "runtime/world/registry.hpp"
@@ -10,9 +11,13 @@
 
 namespace trembler::lua {
 
+/// Registers the property Scripts of a program without mods: levels that state it are told so.
+void registerScripts(Registry& registry);
+
 /// Registers the interactions of the mods after all that is registered already, and the property Scripts.
-/// Adds to `problems` what their scripts name and the registry has not. Without mods it changes nothing.
-void registerMods(Registry& registry, std::span<Mod const> mods, std::shared_ptr<ScriptLog> const& log,
-                  Problems& problems);
+/// Adds to `problems` what their scripts name and the registry has not. Returns the scripts, which can be
+/// changed while worlds run; without mods there are none, and no component is registered.
+std::shared_ptr<LiveScripts const> registerMods(Registry& registry, std::span<Mod const> mods,
+                                                std::shared_ptr<ScriptLog> const& log, Problems& problems);
 
 } // namespace trembler::lua

@@ -25,6 +25,10 @@ public:
     /// Sets a field; returns what is wrong with the value, in words, or nothing.
     [[nodiscard]] std::string setOfObject(ObjectId id, std::size_t field, Value value);
     [[nodiscard]] std::string setOfScript(std::size_t field, Value value);
+    /// Takes over from the store of another version of the script what both declare: the fields that have
+    /// the same name and the same kind of value, and the place in the sequence of random(). The others have
+    /// their initial values.
+    void adopt(ScriptStore const& before);
     /// Forgets the objects that are gone.
     void keepOnly(std::function<bool(ObjectId)> const& alive);
 

@@ -55,7 +55,7 @@ void ScriptedInteraction::bind(Store& store, Channels& channels) {
 }
 
 bool ScriptedInteraction::hasWork() const {
-    if (off_) {
+    if (off_ || resting_) {
         return false;
     }
     if (first_ || restless_) {
@@ -136,7 +136,7 @@ void ScriptedInteraction::switchOff(FrameContext const& context, ScriptError con
 }
 
 void ScriptedInteraction::hashState(StateHash& hash) const {
-    hash.value(off_);
+    hash.value(off_ || resting_);
     kept_.hash(hash);
 }
 

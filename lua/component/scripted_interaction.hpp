@@ -8,6 +8,7 @@
 #include "runtime/component/component.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace trembler {
@@ -20,7 +21,7 @@ namespace trembler::lua {
 /// then. A script that fails is switched off: its calls are taken back, and it is not applied again in this
 /// world. That is part of the world's state, as all of it follows from the state: instructions and bytes are
 /// counted, not time.
-class ScriptedInteraction final : public Component {
+class ScriptedInteraction : public Component {
 public:
     ScriptedInteraction(std::shared_ptr<Script const> script, std::shared_ptr<ScriptLog> log);
     ~ScriptedInteraction() override;
@@ -30,8 +31,22 @@ public:
     [[nodiscard]] std::size_t workload() const override;
     void run(FrameContext const& context) override;
     void hashState(StateHash& hash) const override;
-    /// Instructions and bytes of its last turn; zeros before it had one. Between frames.
-    [[nodiscard]] TurnCost cost() const { return turns_ ? turns_->cost() : TurnCost{}; }
+
+    // For scripts that are changed while a world runs, between frames (scripted_interaction_changes.cpp):
+
+    /// With a description that outlives it and that others may have changed since `script` was declared.
+    ScriptedInteraction(ComponentInfo const& info, std::shared_ptr<Script const> script,
+                        std::shared_ptr<ScriptLog> log);
+    /// Goes on with another version, which calls the same resolver. `store` is that of bind(). The fields of
+    /// its store that both versions declare with the same kind keep their values. The held calls of the old
+    /// version stand until the first turn of the new one, which is in the next frame.
+    void replace(Store& store, std::shared_ptr<Script const> script);
+    /// Takes back its calls and lets it rest, or goes on.
+    void setOn(bool on);
+    /// Whether it was switched off because it failed.
+    [[nodiscard]] bool failed() const { return off_; }
+    /// Of its last turn; nothing before the first one, and after it has failed.
+    [[nodiscard]] std::optional<TurnUsage> usage() const;
 
 private:
     void findTargets(FrameContext const& context);
@@ -53,6 +68,7 @@ private:
     bool restless_ = false;
     bool first_ = true;
     bool off_ = false;
+    bool resting_ = false; // see setOn()
     std::shared_ptr<Script const> script_;
     std::shared_ptr<ScriptLog> log_;
     std::unique_ptr<OpenSource> source_;

@@ -16,6 +16,15 @@ Turns::Binding::Binding(std::shared_ptr<Script const> script)
     }
 }
 
+TurnUsage Turns::Binding::usage() const {
+    ScriptLimits const& limits = script_->manifest.limits;
+    return {.instructions = sandbox_.instructions(),
+            .mostInstructions = limits.instructions + limits.instructionsPerObject * lastTargets_,
+            .bytes = sandbox_.memory().used(),
+            .mostBytes = sandbox_.mostMemory(),
+            .targets = lastTargets_};
+}
+
 std::string Turns::Binding::shortName() const {
     std::string const& file = script_->manifest.file;
     auto const slash = file.rfind('/');
@@ -26,6 +35,7 @@ std::optional<ScriptError> Turns::Binding::run(TurnContext const& context,
                                                std::vector<Target> const& targets) {
     context_ = &context;
     targets_ = &targets;
+    lastTargets_ = targets.size();
     at_ = 0;
     sandbox_.onLog = context.log;
     findColumns();
@@ -251,8 +261,8 @@ std::optional<ScriptError> Turns::run(TurnContext const& context, std::vector<Ta
     return binding_->run(context, targets);
 }
 
-TurnCost Turns::cost() const {
-    return binding_->cost();
+TurnUsage Turns::usage() const {
+    return binding_->usage();
 }
 
 } // namespace trembler::lua

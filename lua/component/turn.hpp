@@ -11,6 +11,7 @@
 #include "runtime/world/store.hpp"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -49,10 +50,13 @@ struct TurnContext {
     std::function<void(std::string const&)> log;
 };
 
-/// What the last turn took.
-struct TurnCost {
+/// What a script has used in a turn, and what it may use.
+struct TurnUsage {
     std::uint64_t instructions = 0;
-    std::size_t bytes = 0; ///< in use at its end
+    std::uint64_t mostInstructions = 0; ///< for as many objects, or pairs, as it was applied to
+    std::size_t bytes = 0;              ///< allocated at the end of the turn
+    std::size_t mostBytes = 0;
+    std::size_t targets = 0; ///< the objects, or pairs, that it was applied to
 };
 
 /// A Lua state in which one script has its turns. Used by one thread at a time.
@@ -68,8 +72,8 @@ public:
     /// Applies the script to every target, in order.
     [[nodiscard]] std::optional<ScriptError> run(TurnContext const& context,
                                                  std::vector<Target> const& targets);
-
-    [[nodiscard]] TurnCost cost() const;
+    /// Of the last turn; all zero before the first.
+    [[nodiscard]] TurnUsage usage() const;
 
 private:
     class Binding;

@@ -25,7 +25,7 @@ public:
     [[nodiscard]] std::optional<ScriptError> const& broken() const { return broken_; }
     [[nodiscard]] std::optional<ScriptError> run(TurnContext const& context,
                                                  std::vector<Target> const& targets);
-    [[nodiscard]] TurnCost cost() const { return {sandbox_.instructions(), sandbox_.memory().used()}; }
+    [[nodiscard]] TurnUsage usage() const;
 
 private:
     /// A property as one of the two objects of a target shows it.
@@ -140,6 +140,7 @@ private:
     bool direct_ = false; // the script sees the tables themselves
     TurnContext const* context_ = nullptr;
     std::vector<Target> const* targets_ = nullptr;
+    std::size_t lastTargets_ = 0;
     std::int32_t at_ = 0; // the target whose turn it is; compiled code writes it
     std::array<Slot, 2> slots_;
     std::vector<CallPlan> plans_;

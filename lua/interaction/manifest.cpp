@@ -1,5 +1,6 @@
 #include "lua/interaction/manifest.hpp"
 
+#include "lua/interaction/allowed_limits.hpp"
 #include "lua/sandbox/source_check.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
@@ -363,10 +364,10 @@ private:
         if (!all.contains("limits")) {
             return;
         }
-        onlyKeys(
-            all["limits"], " in 'limits'",
-            {"instructions", "instructions_per_object", "memory", "calls", "calls_per_object", "log_lines"});
-        ScriptLimits const most = ScriptLimits::greatest();
+        onlyKeys(all["limits"], " in 'limits'",
+                 {"instructions", "instructions_per_object", "memory", "calls", "calls_per_object",
+                  "creations", "log_lines"});
+        ScriptLimits const most = allowedLimits();
         auto const limit = [&](char const* key, auto& value, auto greatest) {
             if (!all["limits"].is_object() || !all["limits"].contains(key)) {
                 return;
@@ -385,6 +386,7 @@ private:
         limit("memory", manifest_.limits.memory, most.memory);
         limit("calls", manifest_.limits.calls, most.calls);
         limit("calls_per_object", manifest_.limits.callsPerObject, most.callsPerObject);
+        limit("creations", manifest_.limits.creations, most.creations);
         limit("log_lines", manifest_.limits.logLines, most.logLines);
         constexpr std::size_t least = std::size_t{1}
                                       << 19U; // what a state needs before any script runs in it

@@ -104,9 +104,21 @@ Mod readMod(fs::path const& folder, Problems& problems) {
     return mod;
 }
 
+fs::path modsFolder(fs::path const& stated) {
+    std::error_code error;
+    if (!fs::exists(stated / "mod.json", error)) {
+        return stated;
+    }
+    fs::path const whole = fs::absolute(stated, error).lexically_normal(); // "." has no name
+    return (whole.has_filename() ? whole : whole.parent_path()).parent_path();
+}
+
 std::vector<fs::path> modFolders(std::span<std::string const> stated, fs::path const& level,
                                  fs::path const& home) {
-    std::vector<fs::path> folders(stated.begin(), stated.end());
+    std::vector<fs::path> folders;
+    for (std::string const& folder : stated) {
+        folders.push_back(modsFolder(folder));
+    }
     if (!level.empty()) {
         std::error_code error;
         fs::path const at = fs::absolute(level, error).parent_path();
@@ -165,10 +177,14 @@ std::vector<Mod> findMods(std::span<std::string const> names, std::span<fs::path
             for (fs::path const& mod : listMods(folders)) {
                 known.push_back(mod.filename().string());
             }
+            std::string places;
+            for (fs::path const& folder : folders) {
+                places += (places.empty() ? "" : ", ") + folder.string();
+            }
             problems.add({.file = by,
                           .path = "",
-                          .message = fmt::format("{} needs the mod '{}', which is not installed{}", who, name,
-                                                 didYouMean(name, known)),
+                          .message = fmt::format("{} needs the mod '{}', which is not in {}{}", who, name,
+                                                 places, didYouMean(name, known)),
                           .expected = known.empty() ? std::string() : listed(known)});
             continue;
         }

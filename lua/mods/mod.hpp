@@ -19,6 +19,7 @@ struct Mod {
     std::string text;               ///< what it is, for people
     std::vector<std::string> needs; ///< other mods
     std::filesystem::path folder;
+    bool bundled = false;               ///< it came with the program; whoever loads it says so
     std::vector<Manifest> interactions; ///< in order of their files
 
     [[nodiscard]] std::filesystem::path partFolder() const { return folder / "parts"; }
@@ -30,7 +31,11 @@ struct Mod {
 /// Reads a mod with its scripts, but not its parts and levels. Adds everything that is wrong to `problems`.
 [[nodiscard]] Mod readMod(std::filesystem::path const& folder, Problems& problems);
 
-/// The folders in which mods are looked for, the first that has one counts: those that are stated, the one
+/// The folder of mods that somebody means: it, or the one above it if it is the folder of one mod itself.
+[[nodiscard]] std::filesystem::path modsFolder(std::filesystem::path const& stated);
+
+/// The folders in which mods are looked for, the first that has one counts: those that are stated (each as
+/// modsFolder() takes it), the one
 /// beside a level's pack, the user's ($XDG_DATA_HOME/trembler/mods), and that of the bundled ones, home/mods.
 [[nodiscard]] std::vector<std::filesystem::path> modFolders(std::span<std::string const> stated,
                                                             std::filesystem::path const& level,

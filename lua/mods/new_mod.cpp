@@ -28,14 +28,17 @@ return interaction {{
   name = "Dynamics <- {0}",
   text = "Pushes every object that names this script.",
   calls = "Dynamics",                  -- the resolver; `trembler components` lists them with their functions
-  reads = {{ "Position", "Velocity" }},  -- properties, by their names or by their keys in level files
+  reads = {{ "Velocity" }},              -- properties, by their names or by their keys in level files
   attached = true,                     -- applied to objects that name it under "scripts" ...
   each = {{ "Velocity" }},               -- ... and have these properties
   params = {{
     force = {{ default = 5, min = 0, max = 1000, unit = "N", text = "How hard it pushes" }},
+    top_speed = {{ default = 10, min = 0, max = 100, unit = "m/s", text = "Faster objects are not pushed" }},
   }},
   apply = function(object, params, out, store, frame)
-    out.addForce(object, vec2(params.force, 0))
+    if object.Velocity.value.x < params.top_speed then
+      out.addForce(object, vec2(params.force, 0))
+    end
   end,
 }}
 )";

@@ -303,7 +303,11 @@ void Sandbox::open() {
         lua_close(state_);
         throw std::runtime_error("a Lua state could not be made: " + failed->message);
     }
-    memory_.setCap(trusted() ? trustedMemory * limits_.memory : limits_.memory);
+    memory_.setCap(mostMemory());
+}
+
+std::size_t Sandbox::mostMemory() const {
+    return trusted() ? trustedMemory * limits_.memory : limits_.memory;
 }
 
 void Sandbox::compile(lua_State* L, CountedSource const& source, std::string const& name) {
@@ -387,7 +391,7 @@ void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
             failed->message =
                 fmt::format("the script needs more memory than its limits, {} bytes at a time and "
                             "{} in a turn, or calls itself too deeply",
-                            limits_.memory, limits_.allocation);
+                            mostMemory(), limits_.allocation);
         }
     }
     stopped_.clear();

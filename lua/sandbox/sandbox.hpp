@@ -88,6 +88,8 @@ public:
     /// Instructions and bytes of the last turn.
     [[nodiscard]] std::uint64_t instructions() const { return spent_; }
     [[nodiscard]] Memory const& memory() const { return memory_; }
+    /// Bytes that may be in use at any time.
+    [[nodiscard]] std::size_t mostMemory() const;
     [[nodiscard]] CallBudget& calls() { return calls_; }
     [[nodiscard]] bool trusted() const { return trust_ == Trust::trusted; }
     /// What the text of the script tells about it.

@@ -1,6 +1,7 @@
 #include "puzzle/data/game_data.hpp"
 
 #include "lua/attach/register.hpp"
+#include "lua/mods/trust.hpp"
 #include "puzzle/data/effects.hpp"
 
 #include <algorithm>
@@ -42,8 +43,14 @@ GameData::GameData() : GameData(std::vector<lua::Mod>()) {}
 GameData::GameData(std::vector<lua::Mod> loaded)
     : home(homeFolder()), mods(std::move(loaded)), scriptLog(std::make_shared<lua::ScriptLog>()) {
     registerEffects(registry);
+    for (lua::Mod& mod : mods) {
+        std::error_code error;
+        mod.bundled = fs::equivalent(mod.folder.parent_path(), home / "mods", error);
+    }
+    lua::applyTrust(mods,
+                    {}); // those that came with the program; whoever read the others has decided on them
     Problems problems;
-    lua::registerMods(registry, mods, scriptLog, problems);
+    scripts = lua::registerMods(registry, mods, scriptLog, problems);
     problems.throwIfAny();
     parts = loadParts(registry, home / "assets" / "parts");
     for (lua::Mod const& mod : mods) {
@@ -64,6 +71,11 @@ std::vector<fs::path> GameData::levels() const {
     for (fs::recursive_directory_iterator at(home / "levels", error), end; !error && at != end;
          at.increment(error)) {
         fs::path const& path = at->path();
+        std::error_code none;
+        if (at->is_directory(none) && fs::exists(path / "mod.json", none)) {
+            at.disable_recursion_pending(); // a mod beside the levels of a pack
+            continue;
+        }
         bool const schema = path.filename().string().ends_with(".schema.json");
         if (at->is_regular_file(error) && path.extension() == ".json" && !schema) {
             found.push_back(path);

@@ -1,6 +1,7 @@
 // What every command starts from: all components, all parts, and where the files are.
 #pragma once
 
+#include "lua/attach/live_script.hpp"
 #include "lua/component/script_log.hpp"
 #include "lua/mods/mod.hpp"
 #include "runtime/level/model/part_library.hpp"
@@ -22,8 +23,9 @@ struct GameData {
     Registry registry;
     PartLibrary parts;
     std::filesystem::path home;
-    std::vector<lua::Mod> mods;                ///< those that are loaded
-    std::shared_ptr<lua::ScriptLog> scriptLog; ///< what their scripts say
+    std::vector<lua::Mod> mods;                      ///< those that are loaded
+    std::shared_ptr<lua::ScriptLog> scriptLog;       ///< what their scripts say
+    std::shared_ptr<lua::LiveScripts const> scripts; ///< their scripts, which can change while worlds run
 
     /// Registers every effect and reads every part. Throws InputError if a part definition is wrong.
     GameData();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -81,6 +82,15 @@ void LevelRun::change(RecordedChange change) {
     }
 }
 
+void LevelRun::alter(std::string why, std::function<void(World&)> const& make) {
+    if (make) {
+        make(*built_.world);
+    }
+    if (!altered_) {
+        altered_ = std::move(why);
+    }
+}
+
 std::vector<RecordedChange> LevelRun::changesBefore() const {
     WorldOptions plain;
     plain.detail = level_.detail;
@@ -97,11 +107,14 @@ Solution LevelRun::record() const {
     if (last > 0) {
         solution.frames = static_cast<int>(last);
     }
-    solution.solves = judge_.solved();
+    solution.solves = judge_.solved() && !altered_;
     return solution;
 }
 
 std::optional<std::string> LevelRun::whyNotRecorded() const {
+    if (altered_) {
+        return altered_;
+    }
     for (RecordedChange const& change : changesBefore()) {
         if (auto const fault = faultIn(registry_, world(), level_.detail, change)) {
             return inWords(*fault);

@@ -5,9 +5,11 @@
 #include "runtime/level/build/build_world.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace trembler {
@@ -52,6 +54,13 @@ public:
     /// change_fault.hpp.
     void change(RecordedChange change);
 
+    /// Changes the world, between frames, in a way that neither a level nor a solution can state: another
+    /// version of a script, another value of its parameters. `why` says so in words for people; the run then
+    /// counts as no solution, see altered(). `make` may be empty, if the change was made elsewhere.
+    void alter(std::string why, std::function<void(World&)> const& make);
+    /// Why the run counts as no solution: what alter() was told first; nothing if it was never called.
+    [[nodiscard]] std::optional<std::string> const& altered() const { return altered_; }
+
     /// What was fed since begin(), with the frames that see it, ascending.
     [[nodiscard]] std::span<RecordedInput const> inputs() const { return inputs_; }
     /// The changes made since begin(), with the first frames that they count for, ascending.
@@ -59,7 +68,7 @@ public:
     /// The run so far as a solution without a name and placements. Its changes begin with those that make the
     /// level's own levels and periods what the run began with.
     [[nodiscard]] Solution record() const;
-    /// Why what the run began with cannot stand in a solution, see Session::whyNotRecorded().
+    /// Why the run cannot stand in a solution, see Session::whyNotRecorded().
     [[nodiscard]] std::optional<std::string> whyNotRecorded() const;
 
 private:
@@ -72,6 +81,7 @@ private:
     BuiltLevel built_;
     GoalJudge judge_;
     std::optional<WorldOptions> begunWith_;
+    std::optional<std::string> altered_;
     std::vector<RecordedInput> inputs_;
     std::vector<RecordedChange> changes_;
 };

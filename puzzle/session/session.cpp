@@ -2,6 +2,7 @@
 
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/model/change_fault.hpp"
 
 #include <utility>
@@ -77,13 +78,15 @@ bool Session::keep(std::optional<Placements::List> next) {
     if (!next) {
         return false;
     }
+    std::unique_ptr<LevelRun> run;
     try {
-        run_ = runOf(*next);
+        run = runOf(*next);
     } catch (InputError const&) {
         return false; // no world can be built from it: everything stays as it was
     }
     placements_.keep(std::move(*next));
     solution_ = {}; // its inputs belong to the placements that it was loaded with
+    use(std::move(run));
     return true;
 }
 
@@ -126,8 +129,31 @@ bool Session::redo() {
 }
 
 void Session::placedOtherwise() {
-    run_ = runOf(placed());
+    auto run = runOf(placed());
     solution_ = {};
+    use(std::move(run));
+}
+
+void Session::use(std::unique_ptr<LevelRun> run) {
+    run_ = std::move(run);
+    if (built_) {
+        built_();
+    }
+}
+
+std::optional<std::string> Session::whyNotBuilt() const {
+    try {
+        (void)runOf(placed());
+    } catch (InputError const& error) {
+        return error.diagnostics().front().print();
+    }
+    return std::nullopt;
+}
+
+void Session::rebuild() {
+    if (building()) {
+        use(runOf(placed()));
+    }
 }
 
 void Session::start() {
@@ -148,8 +174,9 @@ void Session::resume() {
 
 void Session::stop() {
     if (!building()) {
-        run_ = runOf(placed());
+        auto run = runOf(placed());
         played_.reset();
+        use(std::move(run));
     }
 }
 
@@ -207,9 +234,9 @@ void Session::load(Solution const& solution) {
         }
     }
     problems.throwIfAny();
-    run_ = std::move(run);
     placements_.keep(std::move(next));
     solution_ = Playback(solution.inputs, solution.changes);
+    use(std::move(run));
 }
 
 void Session::setDetail(std::string const& effect, std::string const& level) {

@@ -6,10 +6,12 @@
 #include "puzzle/session/playback.hpp"
 #include "puzzle/session/run.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -95,11 +97,27 @@ public:
     /// Whether play() feeds this run.
     [[nodiscard]] bool playing() const { return played_.has_value(); }
 
+    /// Changes the world as it is now in a way that no level and no solution can state, see
+    /// LevelRun::alter(). It is not done again in other worlds of the session.
+    void alter(std::string why, std::function<void(World&)> const& make = {}) {
+        run_->alter(std::move(why), make);
+    }
+    /// Why the run counts as no solution, although it may reach the goals; nothing if it counts.
+    [[nodiscard]] std::optional<std::string> const& altered() const { return run_->altered(); }
+    /// Is called whenever the session has built another world, at its frame 0; may be empty.
+    void whenBuilt(std::function<void()> call) { built_ = std::move(call); }
+    /// Why the world could not be built again as it is placed now, in the words of the first problem, such as
+    /// a script that no longer has a parameter that an object states; nothing if it can.
+    [[nodiscard]] std::optional<std::string> whyNotBuilt() const;
+    /// Builds the world again as it is placed. While building only. Throws InputError, see whyNotBuilt().
+    void rebuild();
+
     [[nodiscard]] bool solved() const { return judge().solved(); }
     [[nodiscard]] GoalJudge const& judge() const { return run_->judge(); }
 
-    /// Why what the run began with cannot stand in a solution: a detail level, asked for on the command line,
-    /// that is other physics, or a period that is no matter of accuracy. Nothing if it can.
+    /// Why the run cannot stand in a solution: it began with a detail level, asked for on the command line,
+    /// that is other physics, or with a period that is no matter of accuracy, or it was altered, see alter().
+    /// Nothing if it can.
     [[nodiscard]] std::optional<std::string> whyNotRecorded() const { return run_->whyNotRecorded(); }
     /// Placements, inputs and changes so far, those among them that make the level's own levels and periods
     /// what the run began with, as a solution that can be recorded in the level.
@@ -124,6 +142,7 @@ private:
     bool keep(std::optional<Placements::List> next);
     /// After undo and redo.
     void placedOtherwise();
+    void use(std::unique_ptr<LevelRun> run);
 
     Registry const& registry_;
     PartLibrary const& parts_;
@@ -131,6 +150,7 @@ private:
     WorldOptions options_; // of the next runs
     Placements placements_;
     std::unique_ptr<LevelRun> run_; // never null; one that has not begun while building
+    std::function<void()> built_;
     bool paused_ = false;
     std::optional<WorldOptions> lastBegunWith_; // what the last run began with
     Playback solution_;                         // of a loaded solution

@@ -64,6 +64,14 @@ void save(Pen const& pen) {
     pen.line(0.8F, 0.8F, 0.8F, 0.35F);
 }
 
+/// A sheet with a prompt: text that somebody wrote.
+void script(Pen const& pen) {
+    pen.frame(-0.85F, -0.7F, 0.85F, 0.7F, 0.2F);
+    pen.line(-0.45F, -0.28F, -0.12F, 0.F);
+    pen.line(-0.12F, 0.F, -0.45F, 0.28F);
+    pen.line(0.05F, 0.3F, 0.48F, 0.3F);
+}
+
 /// Three quarters of a circle with an arrow's head; `side` is 1 clockwise and -1 anticlockwise.
 void turn(Pen const& pen, float side) {
     float const end = -0.5F * pi + side * 0.15F;
@@ -251,6 +259,8 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colo
     switch (icon) {
     case Icon::Save:
         return save(pen);
+    case Icon::Script:
+        return script(pen);
     case Icon::Camera:
         return camera(pen);
     case Icon::TurnLeft:

@@ -41,6 +41,7 @@ enum class Icon : std::uint8_t {
     Gauge,
     Fit,
     Save,
+    Script,
 };
 
 /// Draws the icon within a square of `size` pixels around `centre`.

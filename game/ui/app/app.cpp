@@ -19,7 +19,8 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                   .layout = {},
                                   .focus = {},
                                   .catalog = PartCatalog(parts, context_.canvas),
-                                  .levels = LevelCatalog(registry, options.levels),
+                                  .levels = LevelCatalog(registry, options.levels,
+                                                         {.data = options.levelData, .mods = options.mods}),
                                   .profile = Profile(options.profile),
                                   .keys = KeyBindings(commandLists()),
                                   .recorder = Recorder(options.pictures),
@@ -45,7 +46,8 @@ void GameApp::show(std::unique_ptr<Screen> screen) {
 }
 
 void GameApp::open(std::filesystem::path const& level) {
-    show(std::make_unique<PlayScreen>(context_, level, options_.world));
+    show(std::make_unique<PlayScreen>(
+        context_, level, options_.levelData ? options_.levelData(level) : nullptr, options_.world));
     menu_.close();
 }
 

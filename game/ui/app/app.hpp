@@ -7,17 +7,25 @@
 #include "game/ui/shared/ui_context.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace trembler::ui {
+
+/// What a level is played with: with the mods that it names, nullptr if it names none. Throws InputError if
+/// one is missing or wrong.
+using LevelData = std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)>;
 
 struct GameOptions {
     std::filesystem::path levels;         ///< folder of the levels to choose from
     std::filesystem::path pictures = "."; ///< folder for films and pictures
     std::filesystem::path profile;        ///< file of settings and progress; empty: nothing is kept
     WorldOptions world;
-    Loudspeaker* loudspeaker = nullptr; ///< must outlive the game; nullptr: it is silent
-    bool steady = false;                ///< disables blinking, for tests
+    Loudspeaker* loudspeaker = nullptr;        ///< must outlive the game; nullptr: it is silent
+    bool steady = false;                       ///< disables blinking, for tests
+    LevelData levelData{};                     ///< empty: levels that name mods cannot be played
+    std::vector<std::filesystem::path> mods{}; ///< folders of mods whose levels are listed
 };
 
 /// Advances one picture per call, so that tests can drive it with pushed SDL events. Only on the window's

@@ -133,7 +133,9 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
                  .pictures = options.pictures,
                  .profile = Profile::usualFile(),
                  .world = options.world,
-                 .loudspeaker = &loudspeaker});
+                 .loudspeaker = &loudspeaker,
+                 .levelData = options.levelData,
+                 .mods = options.mods});
     if (options.fullscreen) {
         window.setFullscreen(true);
     }
@@ -164,7 +166,7 @@ int play(GameData const& gameData, PlayOptions const& options) {
         }
         std::cout << error.what() << "\n\n";
     }
-    return playWithoutDisplay(gameData, options, std::cout);
+    return playWithoutDisplay(options.ofLevel == nullptr ? gameData : *options.ofLevel, options, std::cout);
 }
 
 } // namespace trembler::ui

@@ -1,6 +1,7 @@
 // `trembler play`: the game in a window, or a run with a picture where there is no window.
 #pragma once
 
+#include "game/ui/app/app.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/world/world.hpp"
 
@@ -16,6 +17,9 @@ struct PlayOptions {
         picture; ///< file that playWithoutDisplay writes; empty: trembler-NAME.png in `pictures`
     WorldOptions world{};
     bool fullscreen = false;
+    GameData const* ofLevel = nullptr; ///< what `level` is played with without a display; nullptr: as others
+    LevelData levelData{};             ///< see GameOptions
+    std::vector<std::filesystem::path> mods{}; ///< see GameOptions
 };
 
 /// Opens the window and plays until the player leaves; returns 0. Throws render::WindowError of kind

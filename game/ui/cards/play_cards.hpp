@@ -34,7 +34,8 @@ struct GoalCardLook {
 /// `buttons` is nullptr for a picture, which has no buttons.
 void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons);
 void drawTransport(CommandButtons& buttons, RunControl const& run, AskedTwice const& allBack);
-void drawTools(CommandButtons& buttons, Session const& session);
+/// `mods`: the level has mods, and a button for them.
+void drawTools(CommandButtons& buttons, Session const& session, bool mods);
 void drawCorner(CommandButtons& buttons);
 /// Draws nothing while there is nothing to celebrate.
 void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration);

@@ -55,10 +55,14 @@ void drawTransport(CommandButtons& buttons, RunControl const& run, AskedTwice co
     layout.endCard();
 }
 
-void drawTools(CommandButtons& buttons, Session const& session) {
+void drawTools(CommandButtons& buttons, Session const& session, bool mods) {
     Layout& layout = buttons.layout();
     layout.beginCard("tools", "", {.anchor = Anchor::BottomLeft, .bare = true});
     row(buttons, {"electricity", "magnetism", "contacts", "names", "components"});
+    if (mods) {
+        next();
+        buttons.icon("mods");
+    }
     if (session.mode() != SessionMode::building) {
         next();
         buttons.icon("cut");

@@ -3,6 +3,7 @@
 #include "audio/effect/properties/loudness.hpp"
 #include "audio/effect/properties/sounds.hpp"
 #include "game/ui/panels/inspector.hpp"
+#include "game/ui/panels/script_rows.hpp"
 #include "game/ui/shared/words.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
@@ -265,7 +266,7 @@ std::string readable(double value) {
     return text == "-0" ? "0" : text;
 }
 
-std::vector<InspectorSection> inspect(World const& world, ObjectId object) {
+std::vector<InspectorSection> inspect(World const& world, ObjectId object, lua::LiveScripts const* scripts) {
     std::vector<InspectorSection> sections;
     if (!world.store().alive(object)) {
         return sections;
@@ -279,8 +280,12 @@ std::vector<InspectorSection> inspect(World const& world, ObjectId object) {
         }
         PropertyText const& text = column->info().text;
         InspectorSection section{std::string(text.name), std::string(text.meaning), {}};
-        RowWriter writer(world.store(), section.rows);
-        column->visitCopy(object, writer);
+        if (column->info().type == typeid(lua::Scripts)) {
+            section.rows = scriptRows(*world.find<lua::Scripts>(object), scripts);
+        } else {
+            RowWriter writer(world.store(), section.rows);
+            column->visitCopy(object, writer);
+        }
         sections.push_back(std::move(section));
     }
     return sections;

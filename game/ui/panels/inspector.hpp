@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+namespace trembler::lua {
+class LiveScripts;
+}
+
 namespace trembler::ui {
 
 /// One line: a field of a property, or a derived value.
@@ -28,7 +32,10 @@ struct InspectorSection {
 /// The inspector's contents for an object: first derived values (speed, electricity, contacts, forces,
 /// sound), then all its properties in order of keys. The sound level is known only while some component or
 /// view requests the world's Sounds, as SoundView does. Empty if the object does not exist.
-[[nodiscard]] std::vector<InspectorSection> inspect(World const& world, ObjectId object);
+/// `scripts` are those that the object may name, for the values of their parameters; nullptr: only what it
+/// states is shown.
+[[nodiscard]] std::vector<InspectorSection> inspect(World const& world, ObjectId object,
+                                                    lua::LiveScripts const* scripts = nullptr);
 
 /// A number for people: about four digits; from 1e7 and below 1e-3 three digits with an exponent; "0" below
 /// 1e-9.
@@ -41,6 +48,8 @@ public:
     /// Shows an object of the session's world; closes the card for an invalid id.
     void show(Session const& session, ObjectId object);
     void close() { subject_.reset(); }
+    /// The scripts of the level's mods; they must outlive it. nullptr: it has none.
+    void setScripts(lua::LiveScripts const* scripts) { scripts_ = scripts; }
     [[nodiscard]] bool open() const { return subject_.has_value(); }
     /// What is shown, in the session's world as it is now; an invalid id if the card is closed or the object
     /// is not there.
@@ -58,6 +67,7 @@ private:
     std::optional<LastingObject> subject_;
     std::string name_; // as of the last picture in which it was there
     std::vector<InspectorSection> shown_;
+    lua::LiveScripts const* scripts_ = nullptr;
 };
 
 } // namespace trembler::ui

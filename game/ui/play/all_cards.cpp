@@ -23,8 +23,8 @@ std::string keyOf(KeyBindings const& bindings, std::string_view command) {
     return keys.empty() ? std::string() : labelOf(keys.front());
 }
 
-/// The components panel, between the cards at the top of the screen and the row of tools.
-void drawComponents(PlayParts& parts, float screen) {
+/// The components panel or that of mods, between the cards at the top of the screen and the row of tools.
+void drawPanels(PlayParts& parts, float screen) {
     UiContext& context = parts.context;
     float top = 150;
     for (char const* above : {"goal", "success"}) {
@@ -43,6 +43,15 @@ void drawComponents(PlayParts& parts, float screen) {
                               words::lessOrMore + (keys ? " (" + less + ", " + more + ")" : std::string())});
     parts.components.draw(context.layout, parts.session, parts.budget, context.toasts, top,
                           screen - top - bottomRow - 8);
+    if (!parts.hasMods()) {
+        return;
+    }
+    World const* const world = &parts.session.world();
+    parts.modsPanel.draw(context.layout, parts.data->registry, *parts.workshop, parts.session, top,
+                         screen - top - bottomRow - 8);
+    if (&parts.session.world() != world) { // built again, as the player has changed a script
+        parts.newWorld();
+    }
 }
 
 } // namespace
@@ -52,22 +61,23 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     Layout& layout = context.layout;
     Session const& session = parts.session;
     CommandButtons buttons(layout, context.keys, commands);
-    drawGoalCard(layout, session, {.hintsShown = parts.hintsShown, .brief = parts.components.open()},
+    drawGoalCard(layout, session,
+                 {.hintsShown = parts.hintsShown, .brief = parts.components.open() || parts.modsPanel.open()},
                  &buttons);
     drawCorner(buttons);
     if (parts.run.building() && !parts.inspector.open()) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
-        if (auto const part = drawToolbox(layout, session, context.catalog, parts.placing, hint)) {
+        if (auto const part = drawToolbox(layout, session, parts.catalog(), parts.placing, hint)) {
             takeFromToolbox(parts, *part);
         }
     }
     drawTransport(buttons, parts.run, parts.allBack);
-    drawTools(buttons, session);
+    drawTools(buttons, session, parts.hasMods());
     drawSuccess(buttons, session, parts.celebration);
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
     parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
-    drawComponents(parts, screen);
+    drawPanels(parts, screen);
     return buttons.asked();
 }
 

@@ -11,7 +11,7 @@ namespace {
 using namespace render;
 
 /// The handle that turns the selected part, on its arc.
-void drawHandle(PlayParts const& parts) {
+void drawHandle(PlayParts& parts) {
     auto const handle = parts.handle();
     if (!handle) {
         return;
@@ -33,12 +33,12 @@ void drawHandle(PlayParts const& parts) {
         {.tint = near ? palette::accent : palette::paperLight, .outline = 2.4F, .outlineColour = colour});
 }
 
-void drawCarried(PlayParts const& parts) {
+void drawCarried(PlayParts& parts) {
     auto const& carried = parts.placing.carried();
     if (!carried || parts.pointer.overToolbox) {
         return;
     }
-    if (Prototype const* const part = parts.context.catalog.prototype(carried->landing.part)) {
+    if (Prototype const* const part = parts.catalog().prototype(carried->landing.part)) {
         parts.context.canvas.newSheet();
         drawGhost(parts.context.canvas, *part, {toPoint(carried->landing.at), carried->landing.angle},
                   carried->verdict.ok);

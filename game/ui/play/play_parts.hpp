@@ -5,6 +5,7 @@
 #include "game/ui/commands/asked_twice.hpp"
 #include "game/ui/panels/components_panel.hpp"
 #include "game/ui/panels/inspector.hpp"
+#include "game/ui/panels/mods_panel.hpp"
 #include "game/ui/play/keeping/film.hpp"
 #include "game/ui/play/mouse/field_mouse.hpp"
 #include "game/ui/play/mouse/turn_handle.hpp"
@@ -18,6 +19,7 @@
 #include "game/ui/shared/ui_context.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 namespace trembler::ui {
@@ -25,13 +27,17 @@ namespace trembler::ui {
 /// Each part keeps its own state and nobody copies that; here is only what concerns several parts. Window
 /// thread only; the context must outlive it.
 struct PlayParts {
+    /// `levelData` is what the level is played with if it names mods, else nullptr: then that of the context.
     /// Throws InputError if the level cannot be read or built.
-    PlayParts(UiContext& uiContext, std::filesystem::path levelFile, WorldOptions const& options);
+    PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
+              std::shared_ptr<GameData const> levelData, WorldOptions const& options);
     PlayParts(PlayParts const&) = delete;
     PlayParts& operator=(PlayParts const&) = delete;
 
     UiContext& context;
     std::filesystem::path const file;
+    std::shared_ptr<GameData const> const data; ///< nullptr: the level names no mods
+    std::optional<PartCatalog> modParts;        ///< the parts of `data`
     Session session;
     PlacingTool placing;
     HandTool hand;
@@ -48,6 +54,8 @@ struct PlayParts {
     Film film;
     Picking picking;
     FieldMouse mouse;
+    std::unique_ptr<Workshop> workshop; ///< nullptr: the level names no mods
+    ModsPanel modsPanel;
     AskedTwice allBack; ///< whether all parts are to be put back
     Shown shown;
     std::size_t hintsShown = 0;
@@ -55,15 +63,22 @@ struct PlayParts {
     std::optional<ScreenRequest> request; ///< what this picture asks of the program
 
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
+    [[nodiscard]] bool hasMods() const { return workshop != nullptr; }
+    [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }
+    /// Looks at what scripts say and whether their files were saved, and tells the player; `seconds` have
+    /// passed. Between frames.
+    void passMods(double seconds);
     /// To be called when the session has another world: forgets what was remembered of the old one.
     void newWorld();
     /// Everything as it was when the level was opened: parts in the toolbox, the world at rest.
     void restart();
     /// The handle that turns the selected part, if there is one at present.
-    [[nodiscard]] std::optional<TurnHandle> handle() const;
+    [[nodiscard]] std::optional<TurnHandle> handle();
 
 private:
     [[nodiscard]] RunEvents runEvents();
+    void stepped();
+    bool toldAltered_ = false; // that the goals of this run are reached and do not count
     [[nodiscard]] render::Extent subject() const;
 };
 

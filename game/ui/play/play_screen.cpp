@@ -8,8 +8,9 @@
 
 namespace trembler::ui {
 
-PlayScreen::PlayScreen(UiContext& context, std::filesystem::path file, WorldOptions const& options)
-    : parts_(context, std::move(file), options), commands_(playCommands(), parts_) {}
+PlayScreen::PlayScreen(UiContext& context, std::filesystem::path file, std::shared_ptr<GameData const> data,
+                       WorldOptions const& options)
+    : parts_(context, std::move(file), std::move(data), options), commands_(playCommands(), parts_) {}
 
 std::span<Gesture const> PlayScreen::gestures() const {
     return playGestures();
@@ -26,6 +27,7 @@ void PlayScreen::setView() {
 std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     UiContext& context = parts_.context;
     parts_.request.reset();
+    parts_.passMods(seconds);
     parts_.run.beginPicture(isHeld(context.input, context.keys, "fast"));
     setView();
     parts_.pointer =
@@ -74,7 +76,7 @@ void PlayScreen::leave() {
     parts_.film.end();
 }
 
-std::optional<Vec2> PlayScreen::handle() const {
+std::optional<Vec2> PlayScreen::handle() {
     auto const found = parts_.handle();
     return found ? std::optional(found->at) : std::nullopt;
 }

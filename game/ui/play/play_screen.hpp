@@ -6,6 +6,7 @@
 #include "game/ui/shared/screen.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 namespace trembler::ui {
@@ -13,8 +14,9 @@ namespace trembler::ui {
 /// Calls its parts in order for every picture. Window thread only; the context must outlive it.
 class PlayScreen final : public Screen {
 public:
-    /// Throws InputError if the level cannot be read or built.
-    PlayScreen(UiContext& context, std::filesystem::path file, WorldOptions const& options);
+    /// See PlayParts.
+    PlayScreen(UiContext& context, std::filesystem::path file, std::shared_ptr<GameData const> data,
+               WorldOptions const& options);
 
     std::optional<ScreenRequest> update(double seconds) override;
     /// The world stands still.
@@ -37,10 +39,13 @@ public:
     [[nodiscard]] HandTool const& hand() const { return parts_.hand; }
     [[nodiscard]] Inspector const& inspector() const { return parts_.inspector; }
     [[nodiscard]] ComponentsPanel const& components() const { return parts_.components; }
+    [[nodiscard]] ModsPanel const& mods() const { return parts_.modsPanel; }
+    /// nullptr: the level names no mods.
+    [[nodiscard]] Workshop* workshop() { return parts_.workshop.get(); }
     [[nodiscard]] budget::BudgetMode const& budget() const { return parts_.budget; }
     [[nodiscard]] render::Camera const& camera() const { return parts_.camera(); }
     /// Middle of the handle that turns the selected part, m.
-    [[nodiscard]] std::optional<Vec2> handle() const;
+    [[nodiscard]] std::optional<Vec2> handle();
 
 private:
     void setView();

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <map>
 #include <system_error>
+#include <utility>
 
 namespace trembler::ui {
 namespace {
@@ -33,11 +34,32 @@ std::string titleFrom(std::string name) {
     return name;
 }
 
-CatalogEntry entryFor(Registry const& registry, fs::path const& file, fs::path const& folder) {
-    CatalogEntry entry{
-        file, file.lexically_relative(folder).generic_string(), titleFrom(file.stem().string()), {}};
+/// What levels are read with: loaded once for all in a folder that name the same mods.
+class DataOfLevels {
+public:
+    DataOfLevels(Registry const& registry, CatalogMods const& mods) : registry_(registry), mods_(mods) {}
+    [[nodiscard]] Registry const& registryOf(fs::path const& file) {
+        std::vector<std::string> names = mods_.data ? lua::modsNamedBy(file) : std::vector<std::string>();
+        if (names.empty()) {
+            return registry_;
+        }
+        auto& data = known_[{file.parent_path(), std::move(names)}];
+        if (data == nullptr) {
+            data = mods_.data(file);
+        }
+        return data == nullptr ? registry_ : data->registry;
+    }
+
+private:
+    Registry const& registry_;
+    CatalogMods const& mods_;
+    std::map<std::pair<fs::path, std::vector<std::string>>, std::shared_ptr<GameData const>> known_;
+};
+
+CatalogEntry entryFor(DataOfLevels& data, fs::path const& file, std::string id) {
+    CatalogEntry entry{file, std::move(id), titleFrom(file.stem().string()), {}};
     try {
-        LevelFile const level = loadLevel(registry, file);
+        LevelFile const level = loadLevel(data.registryOf(file), file);
         if (!level.title.empty()) {
             entry.title = level.title;
         }
@@ -56,6 +78,11 @@ std::vector<fs::path> jsonBelow(fs::path const& folder) {
     fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied, failed);
     for (; !failed && walk != fs::recursive_directory_iterator(); walk.increment(failed)) {
         auto const& path = walk->path();
+        std::error_code error;
+        if (walk->is_directory(error) && fs::exists(path / "mod.json", error)) {
+            walk.disable_recursion_pending(); // a mod beside the levels of a pack: no level itself
+            continue;
+        }
         bool const schema = path.stem().extension() == ".schema" || path.stem() == "schema";
         if (path.extension() == ".json" && !schema && walk->is_regular_file(failed)) {
             files.push_back(path);
@@ -99,7 +126,8 @@ bool naturallyBefore(std::string_view a, std::string_view b) {
     return a.size() - i < b.size() - j;
 }
 
-LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder) {
+LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, CatalogMods const& mods) {
+    DataOfLevels data(registry, mods);
     std::map<std::string, std::vector<fs::path>> byFolder;
     for (fs::path const& file : jsonBelow(folder)) {
         byFolder[file.parent_path().lexically_relative(folder).generic_string()].push_back(file);
@@ -124,9 +152,24 @@ LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder) {
             group.title = words::firstSteps;
         }
         for (fs::path const& file : byFolder[name]) {
-            group.levels.push_back(entryFor(registry, file, folder));
+            group.levels.push_back(entryFor(data, file, file.lexically_relative(folder).generic_string()));
         }
         groups_.push_back(std::move(group));
+    }
+    for (fs::path const& mod : mods.mods) {
+        std::string const name = mod.filename().string();
+        CatalogGroup group{words::levelsOfMod(titleFrom(name)), {}};
+        std::vector<fs::path> files = jsonBelow(mod / "levels");
+        std::sort(files.begin(), files.end(), [](fs::path const& a, fs::path const& b) {
+            return naturallyBefore(a.string(), b.string());
+        });
+        for (fs::path const& file : files) {
+            group.levels.push_back(entryFor(
+                data, file, "mods/" + name + "/" + file.lexically_relative(mod / "levels").generic_string()));
+        }
+        if (!group.levels.empty()) {
+            groups_.push_back(std::move(group));
+        }
     }
 }
 

@@ -1,9 +1,12 @@
 // All playable levels, in the order in which they are meant to be played.
 #pragma once
 
+#include "puzzle/data/game_data.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,13 +27,22 @@ struct CatalogGroup {
     std::vector<CatalogEntry> levels;
 };
 
+/// Levels that name mods, and levels of mods.
+struct CatalogMods {
+    /// What a level is read with, nullptr if it names no mods; throws InputError. Empty: a level that names
+    /// mods cannot be played.
+    std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> data{};
+    std::vector<std::filesystem::path> mods{}; ///< each the folder of a mod: its levels are listed, too
+};
+
 /// Reads all levels once, in the constructor. A faulty level never throws: it is listed with its trouble.
 class LevelCatalog {
 public:
     LevelCatalog() = default;
     /// Every *.json below `folder`, grouped by its folder; a number at the start of a name determines its
     /// place. The group "first" comes first. Schema files (*.schema.json) are skipped.
-    LevelCatalog(Registry const& registry, std::filesystem::path const& folder);
+    /// Those of mods come last, a group for each mod.
+    LevelCatalog(Registry const& registry, std::filesystem::path const& folder, CatalogMods const& mods = {});
 
     [[nodiscard]] std::vector<CatalogGroup> const& groups() const { return groups_; }
     [[nodiscard]] std::size_t size() const;

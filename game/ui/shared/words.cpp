@@ -61,6 +61,57 @@ std::string recordingTo(std::string const& folder) {
 std::string recorded(int frames, std::string const& folder) {
     return fmt::format("{} in {}", count(frames, "frame", "frames"), folder);
 }
+std::string modLine(std::string const& name, std::string const& version, std::string const& author,
+                    std::string const& licence) {
+    return fmt::format("{} {}, by {}, {}", name, version, author, licence);
+}
+
+std::string levelsOfMod(std::string const& title) {
+    return title + " (mod)";
+}
+
+std::string modFrom(std::string const& folder) {
+    return "From " + folder + ".";
+}
+
+namespace {
+
+/// With a thin space between groups of three digits.
+std::string inGroups(std::uint64_t number) {
+    std::string const digits = std::to_string(number);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) {
+            text += "\u2009";
+        }
+        text += digits[i];
+    }
+    return text;
+}
+
+std::string inBytes(std::size_t bytes) {
+    double const kilo = static_cast<double>(bytes) / 1000;
+    return kilo < 1000 ? fmt::format("{:.0f} kB", kilo) : fmt::format("{:.1f} MB", kilo / 1000);
+}
+
+} // namespace
+
+std::string ofMost(std::uint64_t count, std::uint64_t most) {
+    return inGroups(count) + " of " + inGroups(most);
+}
+
+std::string bytesOf(std::size_t bytes, std::size_t most) {
+    return inBytes(bytes) + " of " + inBytes(most);
+}
+
+std::string inFrame(std::uint64_t frame, std::string const& text) {
+    return fmt::format("in frame {}: {}", frame, text);
+}
+
+std::string worksButAltered(std::string const& why) {
+    return "It works! " + why;
+}
+
 std::string andMore(std::size_t count) {
     return fmt::format("and {} more", count);
 }

@@ -134,6 +134,30 @@ inline constexpr char const* interactions = "Interactions";
 inline constexpr char const* showAbsent = "Also show what this scene does not call for";
 inline constexpr char const* automatic = "as the scene needs it";
 
+// Mods.
+inline constexpr char const* mods = "Mods";
+inline constexpr char const* noMods = "This level uses no mods.";
+inline constexpr char const* modsChanged =
+    "Something differs from the level and the files, so this run counts as no solution.";
+inline constexpr char const* scriptOn = "Switch the script off, or on again";
+inline constexpr char const* scriptOff = "off";
+inline constexpr char const* scriptFailed = "failed";
+inline constexpr char const* bundledMod = "It came with the program.";
+inline constexpr char const* forObject = "of";
+inline constexpr char const* forOthers = "all that state none";
+inline constexpr char const* asStated = "As the level states it";
+inline constexpr char const* parameters = "Parameters";
+inline constexpr char const* noParameters = "It has no parameters.";
+inline constexpr char const* scriptUses = "Uses";
+inline constexpr char const* instructions = "instructions";
+inline constexpr char const* memory = "memory";
+inline constexpr char const* instructionsTip = "Of its last turn. Beyond its limit a script is switched off.";
+inline constexpr char const* notApplied = "It has had no turn in this run.";
+inline constexpr char const* scriptLog = "Log";
+inline constexpr char const* failedInThisRun = "It failed and is switched off for this run";
+inline constexpr char const* fileRefused = "The file as it was saved is not used";
+inline constexpr char const* howItCameThere = "How it came there";
+
 // What accuracy costs.
 inline constexpr char const* effect = "effect";
 inline constexpr char const* howExactly = "how exactly";
@@ -175,6 +199,19 @@ inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 [[nodiscard]] std::string recordingTo(std::string const& folder);
 [[nodiscard]] std::string recorded(int frames, std::string const& folder);
 [[nodiscard]] std::string andMore(std::size_t count);
+/// Of a mod: "wind 1.0, by the Trembler project, MIT"
+[[nodiscard]] std::string modLine(std::string const& name, std::string const& version,
+                                  std::string const& author, std::string const& licence);
+[[nodiscard]] std::string levelsOfMod(std::string const& title);
+[[nodiscard]] std::string modFrom(std::string const& folder);
+/// "1 234 of 20 000"
+[[nodiscard]] std::string ofMost(std::uint64_t count, std::uint64_t most);
+/// "84 kB of 4.2 MB"
+[[nodiscard]] std::string bytesOf(std::size_t bytes, std::size_t most);
+/// "in frame 12: ..."
+[[nodiscard]] std::string inFrame(std::uint64_t frame, std::string const& text);
+/// Of a run with other scripts or parameters than the level's.
+[[nodiscard]] std::string worksButAltered(std::string const& why);
 [[nodiscard]] std::string automaticNow(std::string const& level);
 [[nodiscard]] std::string activatedBy(std::string const& why);
 [[nodiscard]] std::string nothingHas(std::string_view property);

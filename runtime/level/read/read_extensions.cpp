@@ -7,11 +7,6 @@
 #include <algorithm>
 
 namespace trembler {
-namespace {
-
-constexpr std::size_t mostExtensions = 50;
-
-} // namespace
 
 std::vector<std::string> readExtensions(JsonNode const& node, Registry const& registry) {
     std::vector<std::string> names;

@@ -3,6 +3,7 @@
 #include "runtime/input/player_input.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/model/level.hpp"
+#include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/write/change_schema.hpp"
 #include "runtime/level/write/property_schema.hpp"
 #include "runtime/level/write/schema_pieces.hpp"
@@ -138,6 +139,8 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     members["text"] = text;
     members["demonstration"] =
         Json{{"type", "boolean"}, {"description", "the level is meant to reach its goals with hands off"}};
+    members["mods"] = json_schema::listOf(json_schema::reference("name"), mostExtensions);
+    members["mods"]["description"] = "Names of the mods that the level needs, each once.";
     members["world"] = worldSchema(registry);
     members["objects"] = json_schema::listOf(json_schema::reference("object"), limits::objects);
     if (PropertyInfo const* const joint = registry.objectProperty("joint")) {

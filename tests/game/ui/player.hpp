@@ -41,6 +41,20 @@ inline GameData const& gameData() {
     return theGameData;
 }
 
+/// With the mods that a level names: of those beside it or of those that come with the program.
+inline std::shared_ptr<GameData const> dataWithMods(std::filesystem::path const& level) {
+    std::vector<std::string> const names = lua::modsNamedBy(level);
+    if (names.empty()) {
+        return nullptr;
+    }
+    Problems problems;
+    std::vector<std::filesystem::path> const folders{level.parent_path() / "mods",
+                                                     std::filesystem::path(TREMBLER_SOURCE_DIR) / "mods"};
+    auto mods = lua::findMods(names, folders, level.string(), problems);
+    problems.throwIfAny();
+    return std::make_shared<GameData const>(std::move(mods));
+}
+
 inline std::filesystem::path levelsFolder() {
     return std::filesystem::path(TREMBLER_SOURCE_DIR) / "levels";
 }
@@ -81,7 +95,8 @@ public:
                                                      .profile = std::move(profile),
                                                      .world = {},
                                                      .loudspeaker = loudspeaker,
-                                                     .steady = true});
+                                                     .steady = true,
+                                                     .levelData = dataWithMods});
         app_->context().shadows = false; // half the time of a picture, on a computer without a graphics card
         frames(3);
     }

@@ -91,6 +91,24 @@ TEST_F(RunTest, LogsWhatIsDoneFromItsBeginning) {
     EXPECT_FALSE(run.whyNotRecorded());
 }
 
+TEST_F(RunTest, CountsAsNoSolutionOnceItWasAltered) {
+    LevelFile const level = load("4-raft.json");
+    LevelRun run = runOf(level);
+    run.begin();
+    run.step();
+    EXPECT_FALSE(run.altered());
+    EXPECT_FALSE(run.whyNotRecorded());
+    std::uint64_t const before = run.world().stateHash();
+    run.alter("first", {});
+    EXPECT_EQ(run.world().stateHash(), before) << "the mark is not part of the world";
+    ObjectId const cargo = run.world().store().find("cargo 1");
+    run.alter("second", [&](World& world) { world.store().column<Velocity>().set(cargo, {{1, 0}}); });
+    EXPECT_NE(run.world().stateHash(), before);
+    EXPECT_EQ(run.altered(), "first");
+    EXPECT_EQ(run.whyNotRecorded(), "first");
+    EXPECT_FALSE(run.record().solves);
+}
+
 TEST_F(RunTest, TakesOverWhatAnotherRunBeganWith) {
     LevelFile const level = load("4-raft.json");
     LevelRun first = runOf(level);

@@ -18,6 +18,23 @@ void hint(PlayParts& parts) {
     parts.hintsShown = std::min(parts.hintsShown + 1, hints.size());
 }
 
+/// The two panels lie in the same place.
+void showComponents(PlayParts& parts) {
+    parts.components.toggle();
+    parts.modsPanel.setOpen(false);
+}
+
+void showMods(PlayParts& parts) {
+    if (!parts.hasMods()) {
+        parts.context.toasts.add(words::noMods);
+        return;
+    }
+    parts.modsPanel.setOpen(!parts.modsPanel.open());
+    if (parts.components.open()) {
+        parts.components.toggle();
+    }
+}
+
 constexpr Command<PlayParts> toolTable[] = {
     {.info = {.id = "cut",
               .keys = {{{SDLK_x}}},
@@ -44,8 +61,17 @@ constexpr Command<PlayParts> toolTable[] = {
               .name = words::components,
               .tip = "Components of the simulation",
               .help = "components, what they cost"},
-     .run = [](PlayParts& parts) { parts.components.toggle(); },
+     .run = showComponents,
      .on = [](PlayParts const& parts) { return parts.components.open(); }},
+    {.info = {.id = "mods",
+              .keys = {{{SDLK_m}}},
+              .icon = Icon::Script,
+              .group = CommandGroup::looking,
+              .name = words::mods,
+              .tip = "Scripts of the level's mods",
+              .help = "mods, what their scripts do"},
+     .run = showMods,
+     .on = [](PlayParts const& parts) { return parts.modsPanel.open(); }},
     {.info = {.id = "budget",
               .keys = {{{SDLK_b}}},
               .group = CommandGroup::looking,

@@ -93,6 +93,7 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"cut", "X"},
                                                    {"hint", "H"},
                                                    {"components", "C F3"},
+                                                   {"mods", "M"},
                                                    {"budget", "B"},
                                                    {"less-budget", ","},
                                                    {"more-budget", "."},

@@ -1,0 +1,32 @@
+// The mods' panel: each script with its box, its switch, its parameters, and what it says and uses.
+#pragma once
+
+#include "game/mods/workshop.hpp"
+#include "game/ui/shared/layout.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::ui {
+
+class ModsPanel {
+public:
+    void setOpen(bool open) { open_ = open; }
+    [[nodiscard]] bool open() const { return open_; }
+    /// Call between Gui::beginFrame and endFrame. `top` and the maximum `height` are in pixels at UI scale 1.
+    /// What the player does to a script goes to the workshop at once.
+    void draw(Layout& layout, Registry const& registry, Workshop& workshop, Session const& session, float top,
+              float height);
+
+private:
+    void drawScript(Layout& layout, Registry const& registry, Workshop& workshop, std::size_t number,
+                    ComponentStatus const& status);
+    void drawParameters(Layout& layout, Workshop& workshop, std::size_t number);
+
+    bool open_ = false;
+    std::map<std::string, LastingObject> chosen_; // by script: the object whose parameters are shown
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,41 @@
+// Which mods are trusted, and how much scripts may ask for: what the player has decided, in a file of the
+// user's configuration.
+#pragma once
+
+#include "lua/mods/mod.hpp"
+
+#include <filesystem>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace trembler::lua {
+
+/// The file mods.json in the user's configuration:
+///
+///     {"trusted": ["my-mod"], "most": {"instructions": 400000, "memory": 33554432}}
+///
+/// `most` are the limits that scripts may state at most, by their keys in scripts; those that are missing are
+/// as they come with the program.
+struct ModSettings {
+    std::set<std::string, std::less<>> trusted; ///< names of mods
+    ScriptLimits most = ScriptLimits::greatest();
+};
+
+/// $XDG_CONFIG_HOME/trembler/mods.json, or that in ~/.config; empty if there is no home.
+[[nodiscard]] std::filesystem::path modSettingsFile();
+/// A file that is not there says nothing. Adds what is wrong with one to `problems`; what is right in it
+/// counts.
+[[nodiscard]] ModSettings readModSettings(std::filesystem::path const& file, Problems& problems);
+/// Lets a mod be trusted from the next level on, or takes it back, and leaves the rest of the file as it is.
+/// Throws std::runtime_error if the file cannot be written, InputError if what is there is no such file.
+void setTrusted(std::filesystem::path const& file, std::string const& mod, bool trusted);
+
+/// Trusts mods of these names too, for as long as the program runs. Thread-safe.
+void trustForThisRun(std::vector<std::string> const& names);
+/// Makes scripts trusted whose mods came with the program, are in the settings or were named to
+/// trustForThisRun(). Nothing that they compute depends on it: see Trust.
+void applyTrust(std::span<Mod> mods, ModSettings const& settings);
+
+} // namespace trembler::lua
