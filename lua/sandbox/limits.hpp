@@ -11,7 +11,7 @@ namespace trembler::lua {
 /// Limits of one turn, the application of one scripted interaction in one part of a frame. `objects` in the
 /// names below is the number of objects, or pairs, that it is applied to.
 struct ScriptLimits {
-    std::uint64_t instructions = 20'000;
+    std::uint64_t instructions = 30'000;
     std::uint64_t instructionsPerObject = 500;      ///< on average: an object may use what others leave
     std::size_t memory = std::size_t{4} << 20U;     ///< bytes at any time
     std::size_t allocation = std::size_t{4} << 20U; ///< bytes, the sum over all that is allocated in a turn

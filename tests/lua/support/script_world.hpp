@@ -20,7 +20,7 @@ namespace trembler::lua {
 
 /// Everything that the game knows, and some scripts as a mod.
 struct ScriptedGame {
-    explicit ScriptedGame(std::vector<std::string> const& sources) {
+    explicit ScriptedGame(std::vector<std::string> const& sources, Trust trust = Trust::untrusted) {
         registerEffects(registry);
         mods.emplace_back();
         mods.back().name = "test";
@@ -29,6 +29,7 @@ struct ScriptedGame {
         for (std::string const& source : sources) {
             mods.back().interactions.push_back(
                 readManifest(source, "script" + std::to_string(++number) + ".lua", problems));
+            mods.back().interactions.back().trust = trust;
         }
         registerMods(registry, mods, log, problems);
         problems.throwIfAny();

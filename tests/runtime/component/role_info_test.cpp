@@ -54,6 +54,26 @@ TEST(RoleInfo, RecordsCallsThatAreKnownOnlyAtRunTime) {
     EXPECT_TRUE(channel.empty());
 }
 
+TEST(RoleInfo, RecordsManyCallsLikeOneAfterTheOther) {
+    Callers callers;
+    Channels channels(callers);
+    std::unique_ptr<OpenSource> const source = roleInfo<HeatRole>().open();
+    source->attach(channels, callers.add("Heat <- Test"));
+    std::array<AddHeat, 3> const calls{AddHeat{{3, 1}, 42}, AddHeat{{3, 1}, -7}, AddHeat{{1, 2}, 0.5}};
+    source->begin();
+    source->record(0, calls.data(), {}, nullptr);
+    source->recordMany(0, &calls[1], 2);
+    source->recordMany(0, nullptr, 0);
+    source->end();
+    std::size_t seen = 0;
+    channels.of<HeatRole>().forCalls<AddHeat>([&](AddHeat const& got, CallOrigin const&) {
+        EXPECT_EQ(got.object, calls.at(seen).object);
+        EXPECT_EQ(got.power, calls.at(seen).power);
+        ++seen;
+    });
+    EXPECT_EQ(seen, calls.size());
+}
+
 struct Forgetful {
     static constexpr CallText text{"forgetful", "(object, power)", "Leaves out its power."};
     static constexpr Algebra algebra = Algebra::sumOfRates;
