@@ -46,6 +46,12 @@ void CallGatherer::record(OpenSource& source) {
     drop();
 }
 
+void CallGatherer::close() {
+    for (PendingCalls& pending : pending_) {
+        pending.room = pending.used;
+    }
+}
+
 void CallGatherer::drop() {
     for (PendingCalls& pending : pending_) {
         pending.used = 0;

@@ -50,6 +50,8 @@ public:
     /// Records them all, kind by kind.
     void record(OpenSource& source);
     void drop();
+    /// Leaves no room, so that compiled code adds no call by itself but asks the host for each.
+    void close();
     [[nodiscard]] PendingCalls* pending() { return pending_.data(); }
 
 private:

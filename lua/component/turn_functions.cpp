@@ -157,6 +157,7 @@ int Turns::Binding::makeCall(lua_State* L) {
         gatherer_.add(number);
     } else {
         context_->source.record(number, place, target().cause, context_->sink);
+        gatherer_.close();
     }
     return 0;
 }
