@@ -130,6 +130,7 @@ void Turns::Binding::applyToEach(lua_State* L, int apply) {
     }
     count = std::min(count, sandbox_.source().parameters); // what it does not look at need not be given
     if (driver_ != 0) {                                    // it has shown other objects since
+        gatherer_.close();                                 // its functions would gather calls
         for (Slot& slot : slots_) {
             findPresent(L, slot);
         }
