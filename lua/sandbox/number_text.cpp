@@ -73,7 +73,7 @@ bool readsAsLongNumber(std::string_view text) {
     bool const hex = text.starts_with("0x") || text.starts_with("0X");
     text.remove_prefix(hex ? 2 : 0);
     std::size_t const count = skip(hex ? "0123456789abcdefABCDEF." : "0123456789.");
-    if (!text.empty() && (hex ? "pP" : "eE")[text.front() < 'a' ? 1 : 0] == text.front()) {
+    if (!text.empty() && std::string_view(hex ? "pP" : "eE").find(text.front()) != std::string_view::npos) {
         text.remove_prefix(1);
         if (!text.empty() && (text.front() == '+' || text.front() == '-')) {
             text.remove_prefix(1);
