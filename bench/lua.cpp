@@ -1,5 +1,8 @@
-// What an interaction costs that reads three properties of each object and adds one force: in C++, and in
-// Lua. Prints ns per object and turn, and what one that sleeps adds to a frame.
+// What an interaction costs that reads three properties of each object and adds one force: in C++, in Lua
+// that is trusted and in Lua that is not. Prints ns per object and turn, what one that sleeps adds to a
+// frame, and what one that no object calls for adds to it. All of it in one process, in turns, so other work
+// on the machine meets all alike.
+#include "bench/measure.hpp"
 #include "lua/attach/register.hpp"
 #include "physics/dynamics/calls.hpp"
 #include "physics/dynamics/properties/body.hpp"
@@ -10,8 +13,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdlib>
+#include <array>
+#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,121 +43,189 @@ struct Native final : Interaction<Native, DynamicsRole, Reads<Position, Velocity
             access.read<Position>(), access.read<Velocity>(), access.read<Mass>());
     }
 };
-std::string const awake = R"(return interaction {
-  name = "Dynamics <- Script", calls = "Dynamics", reads = { "Position", "Velocity", "Mass" }, each = { "Mass" },
-  apply = function(object, params, out)
-    out.addForce(object, vec2(object.Mass.value * (10 - object.Velocity.value.x), -object.Position.value.y))
-  end,
-})";
-std::string const asleep = R"(return interaction {
-  name = "Dynamics <- Sleeping script", calls = "Dynamics", reads = { "Mass" }, each = { "Mass" },
-  apply = function(object, params, out) end,
-})";
 
-lua::Mod modOf(std::vector<std::string> const& sources) {
-    lua::Mod mod;
-    mod.name = "bench";
-    Problems problems;
-    for (std::string const& source : sources) {
-        mod.interactions.push_back(lua::readManifest(source, "bench.lua", problems));
-    }
-    problems.throwIfAny();
-    return mod;
+struct SleeperKind {
+    ComponentText text;
+};
+struct NativeSleeper final : Interaction<NativeSleeper, DynamicsRole, Reads<Mass>> {
+    using Activation = NeedsAll<Mass>;
+    NativeSleeper(ComponentInfo const& info, SleeperKind const&) : Interaction(info) {}
+    void apply(Access&) {}
+};
+
+struct NativeAbsent final : Interaction<NativeAbsent, DynamicsRole, Reads<Mass, Density>> {
+    using Activation = NeedsAll<Density>;
+    NativeAbsent(ComponentInfo const& info, SleeperKind const&) : Interaction(info) {}
+    void apply(Access&) {}
+};
+
+std::string scriptOf(std::string const& name, std::string const& each, std::string const& body) {
+    return "return interaction {\n  name = \"Dynamics <- " + name +
+           "\", calls = \"Dynamics\", reads = { \"Position\", \"Velocity\", \"Mass\" }, each = { \"" + each +
+           "\" },\n  apply = function(object, params, out)\n" + body + "\n  end,\n}\n";
 }
+std::string const numbers = "out.addForce(object, object.Mass.value * (10 - object.Velocity.value.x), "
+                            "-object.Position.value.y)";
+std::string const vectors = "out.addForce(object, vec2(object.Mass.value * (10 - object.Velocity.value.x), "
+                            "-object.Position.value.y))";
+
+void add(lua::Mod& mod, std::string const& source, lua::Trust trust) {
+    Problems problems;
+    mod.interactions.push_back(lua::readManifest(source, "bench.lua", problems));
+    problems.throwIfAny();
+    mod.interactions.back().trust = trust;
+}
+
+struct Game {
+    Registry registry;
+    std::vector<lua::Mod> mods = std::vector<lua::Mod>(1);
+    std::shared_ptr<lua::ScriptLog> log = std::make_shared<lua::ScriptLog>();
+
+    Game() {
+        registry.component<Mover>();
+        registry.property<Velocity>();
+        registry.property<Mass>();
+        registry.property<Density>();
+        mods.front().name = "bench";
+    }
+    void registerScripts() {
+        Problems problems;
+        lua::registerMods(registry, mods, log, problems);
+        problems.throwIfAny();
+    }
+    void tell() const {
+        for (lua::ScriptMessage const& message : log->take()) {
+            fmt::print("{}: {}\n", message.script, message.text);
+        }
+    }
+};
 
 std::unique_ptr<World> worldOf(Registry const& registry, int objects) {
     auto world = std::make_unique<World>(registry);
     Store& store = world->store();
     std::vector<ObjectId> ids;
+    std::vector<Position> positions;
+    std::vector<Velocity> velocities;
+    std::vector<Mass> masses;
     for (int i = 0; i < objects; ++i) {
         ids.push_back(store.create(fmt::format("object {}", i)));
+        positions.push_back(Position{{1.0 + i, 2.0 - i}});
+        velocities.push_back(Velocity{{3.0 + 0.1 * i, 4.0}});
+        masses.push_back(Mass{5.0 + 0.01 * i});
     }
-    auto const count = ids.size();
-    store.column<Position>().addMany(ids, std::vector<Position>(count, Position{{1, 2}}));
-    store.column<Velocity>().addMany(ids, std::vector<Velocity>(count, Velocity{{3, 4}}));
-    store.column<Mass>().addMany(ids, std::vector<Mass>(count, Mass{5}));
+    store.column<Position>().addMany(ids, positions);
+    store.column<Velocity>().addMany(ids, velocities);
+    store.column<Mass>().addMany(ids, masses);
     world->start();
     return world;
 }
 
-// The least of several frames, as other work on the machine can only add to it.
-double nsPerObject(World& world, std::string_view name, int objects, int frames) {
-    double least = 1e300;
-    for (int i = 0; i < frames; ++i) {
-        world.step();
-        for (ComponentStatus const& status : world.status()) {
-            if (status.info->text.name == name) {
-                least = std::min(least, status.lastMicroseconds);
+/// Processor time of the calling thread, s: what other programs take does not count. The worlds have one
+/// thread.
+double processorTime() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+/// Processor time of a frame of each world, in s, measured in turns.
+template <std::size_t N>
+std::array<bench::Series, N> timesOf(std::array<Game, N>& games, int objects, int frames, int rounds) {
+    std::vector<std::unique_ptr<World>> worlds;
+    for (Game& game : games) {
+        game.registerScripts();
+        worlds.push_back(worldOf(game.registry, objects));
+        for (int i = 0; i < 10; ++i) { // code is compiled
+            worlds.back()->step();
+        }
+    }
+    std::array<bench::Series, N> took;
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t i = 0; i < worlds.size(); ++i) {
+            double const before = processorTime();
+            for (int frame = 0; frame < frames; ++frame) {
+                worlds[i]->step();
             }
+            took[i].add((processorTime() - before) / frames);
         }
     }
-    return 1000 * least / objects;
-}
-
-double nsPerFrame(World& world, int frames) {
-    double least = 1e300;
-    for (int round = 0; round < 20; ++round) {
-        auto const before = std::chrono::steady_clock::now();
-        for (int i = 0; i < frames; ++i) {
-            world.step();
-        }
-        std::chrono::duration<double, std::nano> const took = std::chrono::steady_clock::now() - before;
-        least = std::min(least, took.count() / frames);
+    for (Game const& game : games) {
+        game.tell();
     }
-    return least;
+    return took;
 }
 
-int measure() {
-    auto const log = std::make_shared<lua::ScriptLog>();
-    auto const registryOf = [&](bool native, std::vector<std::string> const& sources) {
-        auto registry = std::make_unique<Registry>();
-        registry->component<Mover>();
-        registry->property<Velocity>();
-        registry->property<Mass>();
-        if (native) {
-            registry->component<Native>();
-        }
-        Problems problems;
-        if (!sources.empty()) {
-            lua::registerMods(*registry, std::vector<lua::Mod>{modOf(sources)}, log, problems);
-        }
-        problems.throwIfAny();
-        return registry;
+void measureObjects(int objects, int frames, int rounds) {
+    struct Kind {
+        std::string name;
+        lua::Trust trust;
+        std::string body;
     };
-    fmt::print("{:>10} {:>12} {:>12} {:>8}\n", "objects", "native (ns)", "script (ns)", "ratio");
-    for (int const objects : {1000, 100'000}) {
-        int const frames = objects > 10'000 ? 20 : 500;
-        auto const registry = registryOf(true, {awake});
-        auto const world = worldOf(*registry, objects);
-        double const native = nsPerObject(*world, "Dynamics <- Native", objects, frames);
-        double const script = nsPerObject(*world, "Dynamics <- Script", objects, frames);
-        fmt::print("{:>10} {:>12.1f} {:>12.1f} {:>8.1f}\n", objects, native, script, script / native);
+    std::array<Kind, 4> const kinds{Kind{"Trusted, numbers", lua::Trust::trusted, numbers},
+                                    Kind{"Trusted, vectors", lua::Trust::trusted, vectors},
+                                    Kind{"Untrusted, numbers", lua::Trust::untrusted, numbers},
+                                    Kind{"Untrusted, vectors", lua::Trust::untrusted, vectors}};
+    std::array<Game, 6> games; // none, native, scripts
+    games[1].registry.component<Native>();
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        add(games[k + 2].mods.front(), scriptOf(kinds[k].name, "Mass", kinds[k].body), kinds[k].trust);
     }
-    // Many of the same, as one is less than the clock tells.
-    constexpr int sleepers = 50;
-    std::vector<std::string> many;
+    auto const took = timesOf(games, objects, frames, rounds);
+    auto const each = [&](std::size_t i) { return (took[i].median() - took[0].median()) * 1e9 / objects; };
+    bench::Table table(fmt::format("{} objects: three properties read, one force added", objects));
+    double const native = each(1);
+    table.row("native", native, "ns per object");
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        double const script = each(k + 2);
+        table.row(kinds[k].name, script, "ns per object", script / native,
+                  kinds[k].trust == lua::Trust::trusted ? 3 : 60);
+    }
+    table.print();
+}
+
+// Many of the same, as one is less than the clock tells.
+constexpr int sleepers = 50;
+
+void measureSleepers() {
+    std::vector<std::string> names;
     for (int i = 0; i < sleepers; ++i) {
-        std::string source = asleep;
-        source.replace(source.find("Sleeping script"), 15, fmt::format("Sleeper {}", i));
-        many.push_back(source);
+        names.push_back(fmt::format("Dynamics <- Native sleeper {}", i));
     }
-    auto const none = registryOf(false, {});
-    auto const with = registryOf(false, many);
-    auto const plainWorld = worldOf(*none, 100);
-    auto const fullWorld = worldOf(*with, 100);
-    fullWorld->step();
-    double const plain = nsPerFrame(*plainWorld, 1000);
-    double const full = nsPerFrame(*fullWorld, 1000);
-    fmt::print("a script that sleeps: {:.1f} ns a frame\n", (full - plain) / sleepers);
-    for (lua::ScriptMessage const& message : log->take()) {
-        fmt::print("{}: {}\n", message.script, message.text);
+    std::vector<SleeperKind> natives;
+    for (std::string const& name : names) {
+        natives.push_back({{.name = name, .effect = "bench", .level = "", .work = "Sleeps."}});
     }
-    return 0;
+    // None, native, scripts, and such as no object calls for: native, scripts.
+    std::array<Game, 5> games;
+    for (SleeperKind const& kind : natives) {
+        games[1].registry.component<NativeSleeper>(kind);
+        games[3].registry.component<NativeAbsent>(kind);
+    }
+    for (int i = 0; i < sleepers; ++i) {
+        std::string const asleep =
+            "return interaction { name = \"Dynamics <- Sleeper " + std::to_string(i) +
+            "\", calls = \"Dynamics\", reads = { \"Mass\" }, each = { \"Mass\" }, apply = "
+            "function(object, params, out) end }";
+        add(games[2].mods.front(), asleep, lua::Trust::untrusted);
+        add(games[4].mods.front(), scriptOf(fmt::format("Absent {}", i), "Density", "error('never')"),
+            lua::Trust::untrusted);
+    }
+    auto const took = timesOf(games, 100, 1000, 60);
+    auto const each = [&](std::size_t i) { return (took[i].median() - took[0].median()) * 1e9 / sleepers; };
+    bench::Table table(fmt::format("{} interactions that have nothing to do", sleepers));
+    table.row("native, asleep", each(1), "ns a frame, each");
+    table.row("script, asleep", each(2), "ns a frame, each", each(2), std::max(10.0, 1.5 * each(1)));
+    table.row("native, no object calls for it", each(3), "ns a frame, each");
+    table.row("script, no object calls for it", each(4), "ns a frame, each", each(4),
+              std::max(1.0, 1.5 * each(3)));
+    table.print();
 }
 
 } // namespace
 } // namespace trembler
 
 int main() {
-    return trembler::measure();
+    trembler::measureObjects(1000, 20, 60);
+    trembler::measureObjects(100'000, 1, 30);
+    trembler::measureSleepers();
+    return 0;
 }

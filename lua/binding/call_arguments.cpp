@@ -20,7 +20,19 @@ public:
                    ObjectAt const& objectAt, CallBytes& into)
         : L_(L), sandbox_(sandbox), store_(store), call_(call), objectAt_(objectAt), into_(into) {}
 
-    void read(FieldPlace const& place, int index) {
+    /// Reads an argument at an index; returns how many values on the stack it has taken. `inOrder`: there may
+    /// be another one behind it.
+    int read(FieldPlace const& place, int index, bool inOrder) {
+        if (place.kind == FieldKind::vector && inOrder && lua_type(L_, index) == LUA_TNUMBER &&
+            lua_type(L_, index + 1) == LUA_TNUMBER) {
+            putVector(place, {lua_tonumber(L_, index), lua_tonumber(L_, index + 1)});
+            return 2;
+        }
+        readOne(place, index);
+        return 1;
+    }
+
+    void readOne(FieldPlace const& place, int index) {
         switch (place.kind) {
         case FieldKind::boolean:
             if (lua_type(L_, index) != LUA_TBOOLEAN) {
@@ -42,10 +54,7 @@ public:
             if (!vector) {
                 refuseType(place, index, "a vector, vec2(x, y)");
             }
-            for (double const coordinate : {vector->x, vector->y}) {
-                checkRange(place, coordinate, place.info.minimum, place.info.maximum);
-            }
-            put(place, *vector);
+            putVector(place, *vector);
             return;
         }
         case FieldKind::object: {
@@ -79,6 +88,12 @@ private:
     template <class T>
     void put(FieldPlace const& place, T const& value) {
         std::memcpy(into_.bytes.data() + place.offset, &value, std::min(sizeof value, place.size));
+    }
+    void putVector(FieldPlace const& place, Vec2 vector) {
+        for (double const coordinate : {vector.x, vector.y}) {
+            checkRange(place, coordinate, place.info.minimum, place.info.maximum);
+        }
+        put(place, vector);
     }
     [[noreturn]] void refuseType(FieldPlace const& place, int index, std::string const& expected) {
         refuse(place, "is a " + kindOf(L_, index),
@@ -149,7 +164,10 @@ void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescr
                    ObjectAt const& objectAt, CallBytes& into) {
     std::memcpy(into.bytes.data(), call.initial.data(), call.size);
     ArgumentReader reader(L, sandbox, store, call, objectAt, into);
-    int const count = lua_gettop(L);
+    int count = lua_gettop(L);
+    while (count > 0 && lua_isnil(L, count)) { // as if it were not stated
+        --count;
+    }
     auto const missing = [&](FieldPlace const& place) {
         if (place.info.required) {
             sandbox.raise(L, fmt::format("argument '{}' of {} is missing; expected {}", place.info.key,
@@ -178,24 +196,24 @@ void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescr
             if (lua_isnil(L, -1)) {
                 missing(place);
             } else {
-                reader.read(place, lua_gettop(L));
+                reader.readOne(place, lua_gettop(L));
             }
             lua_pop(L, 1);
         }
         return;
     }
-    if (count > static_cast<int>(call.arguments.size())) {
-        sandbox.raise(L, fmt::format("{} is given {} arguments; expected {}", call.text.name, count,
-                                     signatureOf(call)));
-    }
-    int index = 0;
+    int index = 1;
     for (FieldPlace const& place : call.arguments) {
-        ++index;
         if (index > count || lua_isnil(L, index)) {
             missing(place);
+            ++index;
         } else {
-            reader.read(place, index);
+            index += reader.read(place, index, true);
         }
+    }
+    if (index <= count) {
+        sandbox.raise(L, fmt::format("{} is given {} arguments; expected {}", call.text.name, count,
+                                     signatureOf(call)));
     }
 }
 

@@ -22,8 +22,9 @@ struct alignas(16) CallBytes {
 using ObjectAt = std::function<std::optional<ObjectId>(lua_State*, int index)>;
 
 /// Reads the arguments of a call from the stack, all of it: one after the other in the order of the
-/// description, or by name in one table. Raises a Lua error, in words, if one is missing, has another type,
-/// is not finite or out of range, or is an object that is gone.
+/// description, or by name in one table. In order, a vector may be stated as two numbers. Nils at the end are
+/// as if they were not there. Raises a Lua error, in words, if one is missing, has another type, is not
+/// finite or out of range, or is an object that is gone.
 void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
                    ObjectAt const& objectAt, CallBytes& into);
 

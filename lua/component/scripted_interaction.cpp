@@ -32,8 +32,8 @@ Slot<Contacts> const* contactsOf(Script const& script, std::vector<Home> const& 
 } // namespace
 
 ScriptedInteraction::ScriptedInteraction(std::shared_ptr<Script const> script, std::shared_ptr<ScriptLog> log)
-    : Component(*script->info), script_(std::move(script)), log_(std::move(log)),
-      source_(script_->role->open()), kept_(script_->manifest) {}
+    : Component(*script->info), restless_(script->manifest.restless), script_(std::move(script)),
+      log_(std::move(log)), source_(script_->role->open()), kept_(script_->manifest) {}
 
 ScriptedInteraction::~ScriptedInteraction() = default;
 
@@ -50,6 +50,7 @@ void ScriptedInteraction::bind(Store& store, Channels& channels) {
         homes_.push_back(home);
     }
     seen_.resize(homes_.size(), 0);
+    targetsOf_.clear(); // the columns may be others
     source_->attach(channels, caller());
 }
 
@@ -57,11 +58,12 @@ bool ScriptedInteraction::hasWork() const {
     if (off_) {
         return false;
     }
-    if (first_ || script_->manifest.restless) {
+    if (first_ || restless_) {
         return true;
     }
-    for (std::size_t i = 0; i < homes_.size(); ++i) {
-        if (homes_[i].version() != seen_[i]) {
+    std::uint64_t const* seen = seen_.data();
+    for (Home const& home : homes_) {
+        if (home.version() != *seen++) {
             return true;
         }
     }
@@ -79,7 +81,10 @@ std::size_t ScriptedInteraction::workload() const {
 void ScriptedInteraction::run(FrameContext const& context) {
     openSinks(context, 1, Phase::interaction);
     source_->begin();
-    findTargets(context);
+    bool const same = targetsStand();
+    if (!same) {
+        findTargets(context);
+    }
     std::optional<ScriptError> failed;
     if (targets_.size() > mostPairs && script_->manifest.application == Application::pairs) {
         failed = ScriptError{
@@ -96,6 +101,7 @@ void ScriptedInteraction::run(FrameContext const& context) {
                          .source = *source_,
                          .sink = sinks_.empty() ? nullptr : &sinks_.front(),
                          .duration = context.duration,
+                         .sameTargets = same,
                          .log = [&](std::string const& line) {
                              log_->add({.script = script_->manifest.name,
                                         .frame = context.when.frame,
@@ -109,7 +115,6 @@ void ScriptedInteraction::run(FrameContext const& context) {
         switchOff(context, *failed);
     }
     source_->end();
-    targets_.clear(); // they point into a column
     for (std::size_t i = 0; i < homes_.size(); ++i) {
         seen_[i] = homes_[i].version();
     }
@@ -136,6 +141,23 @@ void ScriptedInteraction::hashState(StateHash& hash) const {
 }
 
 // ---- To whom it is applied, always in the order of objects.
+
+/// Whether the targets of the last turn are those of this one: no object has come to one of the columns by
+/// which they are found or left it, and where objects state their own parameters, none has stated others.
+bool ScriptedInteraction::targetsStand() {
+    if (script_->manifest.application != Application::each) {
+        return script_->manifest.application == Application::once && !targets_.empty();
+    }
+    std::vector<std::uint64_t> now;
+    for (std::size_t const read : script_->first) {
+        now.push_back(homes_[read].column->structureVersion());
+    }
+    if (script_->manifest.attached) {
+        now.push_back(columnOf<Scripts>(*script_, homes_)->version());
+        now.push_back(columnOf<Scripts>(*script_, homes_)->structureVersion());
+    }
+    return std::exchange(targetsOf_, now) == now;
+}
 
 void ScriptedInteraction::findTargets(FrameContext const& /*context*/) {
     targets_.clear();

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] std::size_t workload() const override;
     void run(FrameContext const& context) override;
     void hashState(StateHash& hash) const override;
+    /// Instructions and bytes of its last turn; zeros before it had one. Between frames.
+    [[nodiscard]] TurnCost cost() const { return turns_ ? turns_->cost() : TurnCost{}; }
 
 private:
     void findTargets(FrameContext const& context);
@@ -42,19 +44,23 @@ private:
     [[nodiscard]] bool hasAll(ObjectId id, std::vector<std::size_t> const& needed, bool attached) const;
     [[nodiscard]] ScriptUse const* useOf(ObjectId id) const;
     [[nodiscard]] double reachOf(ScriptUse const* use) const;
+    [[nodiscard]] bool targetsStand();
     void switchOff(FrameContext const& context, ScriptError const& failed);
 
+    // What hasWork() looks at comes first, and so lies together.
+    std::vector<Home> homes_;         // of script_->reads
+    std::vector<std::uint64_t> seen_; // their versions
+    bool restless_ = false;
+    bool first_ = true;
+    bool off_ = false;
     std::shared_ptr<Script const> script_;
     std::shared_ptr<ScriptLog> log_;
     std::unique_ptr<OpenSource> source_;
     ScriptStore kept_;
-    std::vector<Home> homes_;         // of script_->reads
-    std::vector<std::uint64_t> seen_; // their versions
-    std::unique_ptr<Turns> turns_;    // the Lua state; made for the first turn
-    std::vector<Target> targets_;     // of the turn under way
+    std::unique_ptr<Turns> turns_; // the Lua state; made for the first turn
+    std::vector<Target> targets_;  // of the turn under way, or of the last one: they point into a column
+    std::vector<std::uint64_t> targetsOf_; // the state of the columns by which they were found
     Store const* store_ = nullptr;
-    bool first_ = true;
-    bool off_ = false;
 };
 
 } // namespace trembler::lua

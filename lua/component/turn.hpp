@@ -44,8 +44,15 @@ struct TurnContext {
     ScriptStore& kept;
     OpenSource& source;
     EventSink* sink = nullptr;
-    double duration = 0; ///< s, since the last turn
+    double duration = 0;      ///< s, since the last turn
+    bool sameTargets = false; ///< as in the last turn, in columns with the same rows
     std::function<void(std::string const&)> log;
+};
+
+/// What the last turn took.
+struct TurnCost {
+    std::uint64_t instructions = 0;
+    std::size_t bytes = 0; ///< in use at its end
 };
 
 /// A Lua state in which one script has its turns. Used by one thread at a time.
@@ -61,6 +68,8 @@ public:
     /// Applies the script to every target, in order.
     [[nodiscard]] std::optional<ScriptError> run(TurnContext const& context,
                                                  std::vector<Target> const& targets);
+
+    [[nodiscard]] TurnCost cost() const;
 
 private:
     class Binding;

@@ -1,5 +1,6 @@
 // What a script may use up in one turn. Everything is counted in instructions and bytes, never in time, so a
-// script is stopped at the same instruction on every machine.
+// script is stopped at the same instruction on every machine. Instructions are those of its text: see
+// CountedSource.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +12,13 @@ namespace trembler::lua {
 /// names below is the number of objects, or pairs, that it is applied to.
 struct ScriptLimits {
     std::uint64_t instructions = 20'000;
-    std::uint64_t instructionsPerObject = 200;      ///< on average: an object may use what others leave
+    std::uint64_t instructionsPerObject = 500;      ///< on average: an object may use what others leave
     std::size_t memory = std::size_t{4} << 20U;     ///< bytes at any time
     std::size_t allocation = std::size_t{4} << 20U; ///< bytes, the sum over all that is allocated in a turn
     std::size_t allocationPerObject = 1024;         ///< bytes
     std::uint32_t calls = 100;                      ///< of functions of the resolver
     std::uint32_t callsPerObject = 10;
+    std::uint32_t creations = 20; ///< calls that create objects, of those calls
     std::uint32_t logLines = 10;
 
     /// What a manifest may ask for at most.
@@ -28,8 +30,21 @@ struct ScriptLimits {
                 .allocationPerObject = 4096,
                 .calls = 1'000,
                 .callsPerObject = 100,
+                .creations = 200,
                 .logLines = 100};
     }
+};
+
+/// How far a script's author is trusted: not with what it does, which is the same for both and to the same
+/// bits, but with how it is run.
+enum class Trust {
+    /// Interpreted only; no FFI in its state; blocks of memory are bounded.
+    untrusted,
+    /// Compiled, and columns are read by FFI. Instructions and calls have the same limits. The limit of
+    /// memory is
+    /// four times as much, and blocks and what is allocated in a turn have none, as compiled code allocates
+    /// less.
+    trusted,
 };
 
 /// Limits that no manifest can change.

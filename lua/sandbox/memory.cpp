@@ -2,7 +2,11 @@
 
 #include "lua/sandbox/limits.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
+#include <new>
+#include <utility>
 
 namespace trembler::lua {
 
@@ -17,13 +21,71 @@ bool Memory::refuses(std::size_t before, std::size_t wanted) const {
     return !host_ && wanted > (before == 0 ? largestNewBlock : largestGrownBlock);
 }
 
+// NOLINTBEGIN(cppcoreguidelines-no-malloc): Lua asks for realloc's behaviour
+Memory::~Memory() {
+    while (slabs_ != nullptr) {
+        std::free(std::exchange(slabs_, slabs_->next));
+    }
+}
+
+void* Memory::take(std::size_t size) {
+    if (size > largestSmall) {
+        return std::malloc(size);
+    }
+    std::size_t const list = (size + step - 1) / step;
+    if (Free* const first = free_[list]) {
+        free_[list] = first->next;
+        return first;
+    }
+    std::size_t const bytes = list * step;
+    if (slabLeft_ < bytes) { // what is left of the last one is lost: less than one small block
+        void* const slab = std::malloc(slabSize);
+        if (slab == nullptr) {
+            return nullptr;
+        }
+        slabs_ = new (slab) Slab{slabs_};
+        slabLeft_ = slabSize - sizeof(Slab);
+    }
+    slabLeft_ -= bytes;
+    return reinterpret_cast<char*>(slabs_) + sizeof(Slab) + slabLeft_; // NOLINT(*-reinterpret-cast)
+}
+
+void Memory::give(void* block, std::size_t size) {
+    if (size > largestSmall) {
+        std::free(block);
+        return;
+    }
+    std::size_t const list = (size + step - 1) / step;
+    free_[list] = new (block) Free{free_[list]};
+}
+
+void* Memory::move(void* block, std::size_t before, std::size_t wanted) {
+    if (before > largestSmall && wanted > largestSmall) {
+        return std::realloc(block, wanted);
+    }
+    if (before <= largestSmall && wanted <= largestSmall &&
+        (before + step - 1) / step == (wanted + step - 1) / step) {
+        return block;
+    }
+    void* const moved = take(wanted);
+    if (moved == nullptr) { // a small block may stay where it is: it is given back as one of its new size
+        return wanted <= before && before <= largestSmall ? block : nullptr;
+    }
+    std::memcpy(moved, block, std::min(before, wanted));
+    give(block, before);
+    return moved;
+}
+// NOLINTEND(cppcoreguidelines-no-malloc)
+
 void* Memory::allocate(void* self, void* block, std::size_t before, std::size_t wanted) {
     Memory& memory = *static_cast<Memory*>(self);
     if (block == nullptr) {
         before = 0;
     }
     if (wanted == 0) {
-        std::free(block); // NOLINT(cppcoreguidelines-no-malloc): Lua asks for realloc's behaviour
+        if (block != nullptr) {
+            memory.give(block, before);
+        }
         memory.used_ -= before;
         return nullptr;
     }
@@ -31,9 +93,9 @@ void* Memory::allocate(void* self, void* block, std::size_t before, std::size_t 
         memory.exhausted_ = true;
         return nullptr;
     }
-    void* const moved = std::realloc(block, wanted); // NOLINT(cppcoreguidelines-no-malloc)
+    void* const moved = block == nullptr ? memory.take(wanted) : memory.move(block, before, wanted);
     if (moved == nullptr) {
-        return wanted <= before ? block : nullptr;
+        return nullptr;
     }
     memory.used_ += wanted - before;
     if (wanted > before) {

@@ -1,6 +1,7 @@
 // The allocator of one Lua state: it counts bytes and refuses what is beyond the limits.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace trembler::lua {
@@ -9,6 +10,9 @@ class Memory {
 public:
     /// `owner` is what owner() returns.
     explicit Memory(void* owner = nullptr) : owner_(owner) {}
+    Memory(Memory const&) = delete;
+    Memory& operator=(Memory const&) = delete;
+    ~Memory();
     [[nodiscard]] void* owner() const { return owner_; }
     /// Bytes that are allocated now.
     [[nodiscard]] std::size_t used() const { return used_; }
@@ -32,8 +36,25 @@ public:
     static void* allocate(void* self, void* block, std::size_t before, std::size_t wanted);
 
 private:
+    // Small blocks come from slabs and go back to a list for their size, as scripts make and drop very many
+    // of them.
+    static constexpr std::size_t step = 16;
+    static constexpr std::size_t largestSmall = 256;
+    static constexpr std::size_t slabSize = std::size_t{32} << 10U;
+    struct Free {
+        Free* next;
+    };
+    struct alignas(step) Slab {
+        Slab* next;
+    };
     [[nodiscard]] bool refuses(std::size_t before, std::size_t wanted) const;
+    [[nodiscard]] void* take(std::size_t size);
+    void give(void* block, std::size_t size);
+    [[nodiscard]] void* move(void* block, std::size_t before, std::size_t wanted);
 
+    std::array<Free*, largestSmall / step + 1> free_{};
+    Slab* slabs_ = nullptr;
+    std::size_t slabLeft_ = 0; // bytes at the beginning of the last one, behind its header
     void* owner_;
     std::size_t used_ = 0;
     std::size_t allocated_ = 0;

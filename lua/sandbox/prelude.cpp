@@ -18,14 +18,18 @@ local charge, show, plain = host.charge, host.show, host.plain
 local str, tab, co = raw.string, raw.table, raw.coroutine
 local env = {}
 
+local contents = {} -- of a read-only table, by that table
 local function readOnly(name, content, why)
-  rawsetmetatable(content, { __index = function(_, key)
-    error(why and why[key] or "there is no " .. name .. show(key) .. host.suggest(key, content), 2)
-  end })
-  return rawsetmetatable({}, {
-    __index = content,
-    __newindex = function(_, key) error(name .. show(key) .. " cannot be changed", 2) end,
+  local function refuse(_, key) error(name .. show(key) .. " cannot be changed", 2) end
+  rawsetmetatable(content, {
+    __index = function(_, key)
+      error(why and why[key] or "there is no " .. name .. show(key) .. host.suggest(key, content), 2)
+    end,
+    __newindex = refuse,
     __metatable = false })
+  local shown = rawsetmetatable({}, { __index = content, __newindex = refuse, __metatable = false })
+  contents[shown] = content
+  return shown
 end
 
 local function check(wanted, value, position, what)
@@ -440,14 +444,22 @@ end
 rawsetmetatable(env, { __index = function(_, key)
   error(absent[key] or "there is no '" .. show(key) .. "'" .. host.suggest(key, env), 2)
 end })
-local globals = rawsetmetatable({}, {
+local globalMeta = {
   __index = env,
   __newindex = function(_, key)
     error("'" .. show(key) .. "' is not declared: write 'local " .. show(key)
       .. "', or, for what is to last, declare it in store", 2)
   end,
-  __metatable = false })
-return globals, env, function() depth, made = 0, 0 end, Vec2
+  __metatable = false }
+local globals = rawsetmetatable({}, globalMeta)
+-- Globals of a script that assigns to none of them have what env has, so reading one takes one look. With the
+-- libraries themselves, if the script assigns to no field of a table.
+local function fill(plain)
+  for key, value in next, env do
+    rawset(globals, key, plain and contents[value] or value)
+  end
+end
+return globals, env, function() depth, made = 0, 0 end, Vec2, fill
 )lua";
     return text;
 }

@@ -14,16 +14,25 @@
 #include <lua.hpp>
 #include <new>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace trembler::lua {
 namespace {
 
-// The hook is called every so many instructions: rarely enough to cost little.
-constexpr int hookStep = 500;
 // Comparing a word with all known ones, and raising an error, take as long as so many instructions.
 constexpr double chargePerSuggestion = 3000;
 constexpr double chargePerError = 400;
+constexpr double unlimited = 1e300;
+constexpr std::size_t trustedMemory = 4; // times as much
+
+CountedSource const& countedPrelude() {
+    static CountedSource const prelude = [] {
+        std::optional<BlockFault> fault;
+        return countSource(preludeText(), fault, true);
+    }();
+    return prelude;
+}
 
 std::string textAt(lua_State* L, int index) {
     std::size_t size = 0;
@@ -192,6 +201,10 @@ struct Sandbox::Functions {
         {"log_e", logE},    {"join", join}, {"plain", plain},     {"keepGarbage", keepGarbage},
         {nullptr, nullptr}};
 
+    static int over(lua_State* L) {
+        of(L).over(L);
+        return 0;
+    }
     static int body(lua_State* L) {
         auto const& body = *static_cast<Body const*>(lua_touserdata(L, 1));
         lua_settop(L, 0);
@@ -214,7 +227,7 @@ struct Sandbox::Functions {
     }
 };
 
-Sandbox::Sandbox(ScriptLimits const& limits) : limits_(limits), memory_(this) {
+Sandbox::Sandbox(ScriptLimits const& limits, Trust trust) : limits_(limits), trust_(trust), memory_(this) {
     state_ = lua_newstate(Memory::allocate, &memory_);
     if (state_ == nullptr) {
         throw std::bad_alloc();
@@ -232,26 +245,51 @@ Sandbox& Sandbox::of(lua_State* L) {
     return *static_cast<Sandbox*>(static_cast<Memory*>(owner)->owner());
 }
 
+void Sandbox::openLibraries(lua_State* L) {
+    for (lua_CFunction const library : {luaopen_base, luaopen_string, luaopen_math, luaopen_table}) {
+        lua_pushcfunction(L, library);
+        lua_pushliteral(L, "");
+        lua_call(L, 1, 0);
+    }
+    if (!trusted()) {
+        luaJIT_setmode(L, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
+        return;
+    }
+    lua_pushcfunction(L, luaopen_jit); // it is what finds out for which processor code is made
+    lua_pushliteral(L, LUA_JITLIBNAME);
+    lua_call(L, 1, 0);
+    lua_pushnil(L);
+    lua_setglobal(L, LUA_JITLIBNAME);
+    lua_pushcfunction(L, luaopen_ffi);
+    lua_pushliteral(L, LUA_FFILIBNAME);
+    lua_call(L, 1, 1);
+    ffi_ = luaL_ref(L, LUA_REGISTRYINDEX);
+    luaJIT_setmode(L, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_ON);
+}
+
 void Sandbox::open() {
     auto const failed = protect([this](lua_State* L) {
-        for (lua_CFunction const library : {luaopen_base, luaopen_string, luaopen_math, luaopen_table}) {
-            lua_pushcfunction(L, library);
-            lua_pushliteral(L, "");
-            lua_call(L, 1, 0);
-        }
-        // Nothing is compiled: compiled loops are not counted, and so cannot be stopped.
-        luaJIT_setmode(L, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
+        openLibraries(L);
         lua_gc(L, LUA_GCSETPAUSE, 110); // or garbage is taken for memory that is needed
-        std::string_view const text = preludeText();
-        if (luaL_loadbuffer(L, text.data(), text.size(), "=(prelude)") != 0) {
-            lua_error(L);
+        compile(L, countedPrelude(), "=(prelude)");
+        lua_pushvalue(L, -1);
+        for (counterAt_ = 1;; ++counterAt_) {
+            char const* const upvalue = lua_getupvalue(L, -1, counterAt_);
+            if (upvalue == nullptr || upvalue == CountedSource::counterName) {
+                break;
+            }
+            lua_pop(L, 1);
         }
+        lua_pop(L, 1);
+        counted_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        setLeft(L, unlimited);
         lua_pushvalue(L, LUA_GLOBALSINDEX);
         lua_newtable(L);
         luaL_register(L, nullptr, Functions::all);
         push(L, joinerName);
         lua_setfield(L, -2, "joiner");
-        lua_call(L, 2, 4);
+        lua_call(L, 2, 5);
+        fill_ = luaL_ref(L, LUA_REGISTRYINDEX);
         vectorMeta_ = luaL_ref(L, LUA_REGISTRYINDEX);
         reset_ = luaL_ref(L, LUA_REGISTRYINDEX);
         surroundings_ = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -265,7 +303,29 @@ void Sandbox::open() {
         lua_close(state_);
         throw std::runtime_error("a Lua state could not be made: " + failed->message);
     }
-    memory_.setCap(limits_.memory);
+    memory_.setCap(trusted() ? trustedMemory * limits_.memory : limits_.memory);
+}
+
+void Sandbox::compile(lua_State* L, CountedSource const& source, std::string const& name) {
+    if (luaL_loadbuffer(L, source.text.data(), source.text.size(), name.c_str()) != 0) {
+        lua_error(L);
+    }
+    lua_pushcfunction(L, Functions::over);
+    lua_call(L, 1, 1);
+}
+
+double Sandbox::left(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, counted_);
+    lua_getupvalue(L, -1, counterAt_);
+    double const instructions = lua_tonumber(L, -1);
+    lua_pop(L, 2);
+    return instructions;
+}
+void Sandbox::setLeft(lua_State* L, double instructions) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, counted_);
+    lua_pushnumber(L, instructions);
+    lua_setupvalue(L, -2, counterAt_);
+    lua_pop(L, 1);
 }
 
 std::optional<ScriptError> Sandbox::protect(Body const& body) {
@@ -274,21 +334,34 @@ std::optional<ScriptError> Sandbox::protect(Body const& body) {
 }
 
 std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) {
-    memory_.beginTurn(limits_.allocation + limits_.allocationPerObject * objects);
-    budget_ = limits_.instructions + limits_.instructionsPerObject * objects;
-    mostCalls_ = limits_.calls + std::uint64_t{limits_.callsPerObject} * objects;
+    memory_.beginTurn(trusted() ? static_cast<std::size_t>(-1)
+                                : limits_.allocation + limits_.allocationPerObject * objects);
+    budget_ = static_cast<double>(limits_.instructions + limits_.instructionsPerObject * objects);
+    calls_ = {.made = 0,
+              .most =
+                  limits_.calls + static_cast<double>(limits_.callsPerObject) * static_cast<double>(objects)};
     spent_ = 0;
-    calls_ = 0;
+    creations_ = 0;
     logged_ = 0;
     counting_ = true;
-    lua_sethook(state_, count, LUA_MASKCOUNT, hookStep);
     auto failed = protect([&](lua_State* L) {
+        if (plainGlobals_ && !filled_) {
+            lua_rawgeti(L, LUA_REGISTRYINDEX, fill_);
+            lua_pushboolean(L, source_.assignsFields ? 0 : 1);
+            lua_call(L, 1, 0);
+            filled_ = true;
+        }
         lua_rawgeti(L, LUA_REGISTRYINDEX, reset_);
         lua_call(L, 0, 0);
+        setLeft(L, budget_);
         body(L);
     });
-    lua_sethook(state_, nullptr, 0, 0);
     counting_ = false;
+    finishTurn(failed);
+    return failed;
+}
+
+void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
     if (collectorStopped_) {
         collectorStopped_ = false;
         lua_gc(state_, LUA_GCRESTART, 0);
@@ -296,7 +369,11 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) 
         // finaliser.
         lua_gc(state_, LUA_GCCOLLECT, 0);
     }
-    if (!failed && !stopped_.empty()) { // it ended before the next instruction was counted
+    if (stopped_.empty()) {
+        spent_ = static_cast<std::uint64_t>(std::clamp(budget_ - left(state_), 0.0, budget_));
+    }
+    setLeft(state_, unlimited);         // neither needs memory beyond the stack that every state has
+    if (!failed && !stopped_.empty()) { // its error was dropped
         failed = ScriptError{stopped_, {}, true};
     }
     if (!failed && memory_.exhausted()) {
@@ -315,7 +392,6 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) 
     }
     stopped_.clear();
     memory_.beginTurn(static_cast<std::size_t>(-1));
-    return failed;
 }
 
 std::optional<ScriptError> Sandbox::run(Body const& body) {
@@ -344,19 +420,75 @@ std::optional<ScriptError> Sandbox::load(std::string_view text, std::string cons
         std::string const place = fault->line == 0 ? name : fmt::format("{}:{}", name, fault->line);
         return ScriptError{fmt::format("{}: {}", place, fault->message), {}, false};
     }
-    std::string const counted = withCountedJoins(text);
+    std::optional<BlockFault> fault;
+    source_ = countSource(withCountedJoins(text), fault);
+    // LuaJIT says it better: its message has what stands there. If it finds nothing wrong, the blocks are.
     return protect([&](lua_State* L) {
-        if (luaL_loadbuffer(L, counted.data(), counted.size(), ("@" + name).c_str()) != 0) {
+        if (fault) {
+            if (luaL_loadbuffer(L, text.data(), text.size(), ("@" + name).c_str()) == 0) {
+                lua_pushstring(L, fmt::format("{}:{}: {}", name, fault->line, fault->message).c_str());
+            }
             lua_error(L);
         }
+        compile(L, source_, "@" + name);
+        bindCounter(L);
+        chooseGlobals(L);
         lua_rawgeti(L, LUA_REGISTRYINDEX, globals_);
         lua_setfenv(L, -2);
         chunk_ = luaL_ref(L, LUA_REGISTRYINDEX);
     });
 }
 
+// The function on top of the stack counts down the same variable as the prelude.
+void Sandbox::bindCounter(lua_State* L) const {
+    for (int i = 1;; ++i) {
+        char const* const upvalue = lua_getupvalue(L, -1, i);
+        if (upvalue == nullptr) {
+            return; // it has nothing to count
+        }
+        lua_pop(L, 1);
+        if (upvalue == CountedSource::counterName) {
+            lua_rawgeti(L, LUA_REGISTRYINDEX, counted_);
+            lua_upvaluejoin(L, -2, i, -1, counterAt_);
+            lua_pop(L, 1);
+            return;
+        }
+    }
+}
+
+void Sandbox::chooseGlobals(lua_State* L) {
+    plainGlobals_ = true;
+    lua_rawgeti(L, LUA_REGISTRYINDEX, surroundings_);
+    for (std::string const& name : source_.assigned) {
+        lua_pushlstring(L, name.data(), name.size());
+        lua_rawget(L, -2);
+        // Those that are added later count as well.
+        plainGlobals_ =
+            plainGlobals_ && lua_isnil(L, -1) && name != "world" && name != "alive" && name != "same";
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+}
+
 void Sandbox::pushChunk(lua_State* L) const {
     lua_rawgeti(L, LUA_REGISTRYINDEX, chunk_);
+}
+void Sandbox::chargeText(lua_State* L, std::size_t applications) {
+    charge(L, static_cast<double>(source_.chunk) +
+                  static_cast<double>(source_.apply) * static_cast<double>(applications));
+}
+void Sandbox::rehearse(lua_State* L, int times) {
+    double const before = left(L);
+    auto const log = std::exchange(onLog, nullptr);
+    for (int i = 0; i < times; ++i) {
+        pushChunk(L);
+        callScript(L, 0, 0);
+        setLeft(L, before);
+    }
+    onLog = log;
+}
+void Sandbox::pushFfi(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, ffi_);
 }
 void Sandbox::pushSurroundings(lua_State* L) const {
     lua_rawgeti(L, LUA_REGISTRYINDEX, surroundings_);
@@ -403,46 +535,55 @@ std::optional<Vec2> Sandbox::vectorAt(lua_State* L, int index) const {
 }
 
 void Sandbox::callScript(lua_State* L, int arguments, int results) {
-    memory_.setHost(false);
+    memory_.setHost(trusted());
     lua_call(L, arguments, results);
     memory_.setHost(true);
-}
-
-void Sandbox::count(lua_State* L, lua_Debug* /*at*/) {
-    Sandbox& sandbox = of(L);
-    if (!sandbox.stopped_.empty()) {
-        sandbox.stop(L, sandbox.stopped_);
-    }
-    if (sandbox.memory_.exhausted()) {
-        sandbox.stop(L, "not enough memory");
-    }
-    sandbox.charge(L, hookStep);
 }
 
 void Sandbox::charge(lua_State* L, double instructions) {
     if (!counting_) {
         return;
     }
-    auto const cost = static_cast<std::uint64_t>(std::clamp(instructions, 0.0, 1e15));
-    if (cost > budget_ - spent_) { // what does not fit is not done
-        spent_ = budget_;
-        stop(L, fmt::format("the script takes more than its {} instructions in a turn", budget_));
+    double const cost = std::clamp(instructions, 0.0, 1e15);
+    double const now = left(L);
+    if (now < cost) { // what does not fit is not done
+        setLeft(L, 0);
+        over(L);
     }
-    spent_ += cost;
+    setLeft(L, now - cost);
 }
 
-void Sandbox::chargeCall(lua_State* L) {
-    if (counting_ && ++calls_ > mostCalls_) {
-        stop(L, fmt::format("the script makes more than its {} calls in a turn", mostCalls_));
+void Sandbox::chargeCall(lua_State* L, bool creates) {
+    if (!counting_) {
+        return;
+    }
+    calls_.made += 1;
+    if (calls_.made > calls_.most) {
+        stop(L, fmt::format("the script makes more than its {} calls in a turn", calls_.most));
+    }
+    creations_ += creates ? 1 : 0;
+    if (creations_ > limits_.creations) {
+        stop(L, fmt::format("the script creates more than its {} objects in a turn", limits_.creations));
     }
 }
 
-// From here on every single instruction raises the error again, so no pcall can hold it up.
+void Sandbox::over(lua_State* L) {
+    if (!stopped_.empty()) {
+        stop(L, stopped_);
+    }
+    if (memory_.exhausted()) {
+        stop(L, "not enough memory");
+    }
+    stop(L, fmt::format("the script takes more than its {} instructions in a turn", budget_));
+}
+
+// From here on every counter in the text raises the error again, so no pcall can hold it up.
 void Sandbox::stop(lua_State* L, std::string const& message) {
     if (&message != &stopped_) {
+        spent_ = static_cast<std::uint64_t>(std::clamp(budget_ - left(L), 0.0, budget_));
         stopped_ = placeOf(L) + message;
+        setLeft(L, -1);
     }
-    lua_sethook(L, count, LUA_MASKCOUNT, 1);
     push(L, stopped_);
     lua_error(L);
     std::abort(); // lua_error() does not return

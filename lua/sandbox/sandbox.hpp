@@ -1,6 +1,7 @@
 // One Lua state in which one script runs, with nothing in it that leads outside.
 #pragma once
 
+#include "lua/sandbox/counted_source.hpp"
 #include "lua/sandbox/limits.hpp"
 #include "lua/sandbox/memory.hpp"
 #include "runtime/math/vec2.hpp"
@@ -12,7 +13,6 @@
 #include <vector>
 
 struct lua_State;
-struct lua_Debug;
 
 namespace trembler::lua {
 
@@ -23,13 +23,19 @@ struct ScriptError {
     bool limit = false;    ///< a limit was reached
 };
 
+/// Calls of the resolver in a turn. Compiled code counts them too, so they are plain numbers.
+struct CallBudget {
+    double made = 0;
+    double most = 0;
+};
+
 /// The memory, the instructions and the functions that a script gets. A script's text is run anew in each
 /// turn, and nothing of what it makes lasts to the next one, so it cannot keep a state that nobody hashes.
 /// Used by one thread at a time.
 class Sandbox {
 public:
     /// Throws std::bad_alloc.
-    explicit Sandbox(ScriptLimits const& limits);
+    explicit Sandbox(ScriptLimits const& limits, Trust trust = Trust::untrusted);
     ~Sandbox();
     Sandbox(Sandbox const&) = delete;
     Sandbox& operator=(Sandbox const&) = delete;
@@ -49,6 +55,14 @@ public:
 
     /// Pushes the function into which the text was compiled.
     void pushChunk(lua_State* L) const;
+    /// Counts the instructions of the chunk, once, and those of apply for so many applications, if it does
+    /// not count them by itself. Raises a Lua error beyond the limit.
+    void chargeText(lua_State* L, std::size_t applications);
+    /// Runs the chunk some times, uncounted and silently. The compiler takes functions that were made often
+    /// for what they are: different functions of one text.
+    void rehearse(lua_State* L, int times);
+    /// Pushes LuaJIT's FFI library. Of a trusted script's state only, for the host's own functions.
+    void pushFfi(lua_State* L) const;
     /// Pushes the table of what scripts see besides their own; what is set in it is seen by the script.
     void pushSurroundings(lua_State* L) const;
     /// Pushes the metatable of vectors.
@@ -64,8 +78,8 @@ public:
     void callScript(lua_State* L, int arguments, int results);
     /// Counts instructions that the host's work is worth. Raises a Lua error beyond the limit.
     void charge(lua_State* L, double instructions);
-    /// Counts a call of the resolver.
-    void chargeCall(lua_State* L);
+    /// Counts a call of the resolver, which creates an object or does not.
+    void chargeCall(lua_State* L, bool creates = false);
     /// Raises an error with the place in the script that is under way.
     [[noreturn]] void raise(lua_State* L, std::string const& message);
 
@@ -74,33 +88,55 @@ public:
     /// Instructions and bytes of the last turn.
     [[nodiscard]] std::uint64_t instructions() const { return spent_; }
     [[nodiscard]] Memory const& memory() const { return memory_; }
+    [[nodiscard]] CallBudget& calls() { return calls_; }
+    [[nodiscard]] bool trusted() const { return trust_ == Trust::trusted; }
+    /// What the text of the script tells about it.
+    [[nodiscard]] CountedSource const& source() const { return source_; }
     [[nodiscard]] lua_State* state() const { return state_; }
     /// The sandbox of a state.
     [[nodiscard]] static Sandbox& of(lua_State* L);
 
 private:
     struct Functions; // those of the host that the prelude is given
-    static void count(lua_State* L, lua_Debug* at);
     /// "wind.lua:12: ", where the script is; empty if it is not known.
     [[nodiscard]] static std::string placeOf(lua_State* L);
+    /// The counter of instructions is below zero.
+    [[noreturn]] void over(lua_State* L);
     [[noreturn]] void stop(lua_State* L, std::string const& message);
     void open();
+    void openLibraries(lua_State* L);
+    /// Compiles a text with counters, and pushes its function.
+    void compile(lua_State* L, CountedSource const& source, std::string const& name);
+    void bindCounter(lua_State* L) const;
+    void chooseGlobals(lua_State* L);
+    /// What is left of the instructions: a variable of the prelude that all functions of the state share.
+    [[nodiscard]] double left(lua_State* L) const;
+    void setLeft(lua_State* L, double instructions) const;
     std::optional<ScriptError> run(Body const& body);
+    void finishTurn(std::optional<ScriptError>& failed);
 
     ScriptLimits limits_;
+    Trust trust_;
     Memory memory_;
     lua_State* state_ = nullptr;
+    CountedSource source_;
     int chunk_ = 0; // references into the registry
     int surroundings_ = 0;
     int globals_ = 0;
+    int fill_ = 0;
     int reset_ = 0;
     int vectorMeta_ = 0;
     int vectorX_ = 0;
     int vectorY_ = 0;
-    std::uint64_t budget_ = 0;
+    int ffi_ = 0;
+    int counted_ = 0;   // a function that shares the counter
+    int counterAt_ = 0; // the place of the counter among its upvalues
+    bool plainGlobals_ = false;
+    bool filled_ = false;
+    double budget_ = 0;
     std::uint64_t spent_ = 0;
-    std::uint64_t calls_ = 0;
-    std::uint64_t mostCalls_ = 0;
+    CallBudget calls_;
+    std::uint32_t creations_ = 0;
     std::uint32_t logged_ = 0;
     std::string stopped_; // why a limit ended the turn; empty: none has
     bool counting_ = false;

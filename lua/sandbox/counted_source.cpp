@@ -1,0 +1,393 @@
+#include "lua/sandbox/counted_source.hpp"
+
+#include "lua/sandbox/scanner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace trembler::lua {
+namespace {
+
+using TokenKind = SourceScanner::Kind;
+
+struct Token {
+    TokenKind kind = TokenKind::end;
+    std::string_view text;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::size_t line = 0;
+
+    [[nodiscard]] bool is(std::string_view wanted) const {
+        return text == wanted && (kind == TokenKind::name || kind == TokenKind::other);
+    }
+};
+
+std::vector<Token> tokensOf(std::string_view text) {
+    std::vector<Token> all;
+    SourceScanner scanner(text);
+    for (auto kind = scanner.next(); kind != TokenKind::end; kind = scanner.next()) {
+        all.push_back({kind, scanner.token(), scanner.begin(), scanner.end(), scanner.line()});
+    }
+    return all;
+}
+
+bool isKeyword(std::string_view word) {
+    constexpr std::array<std::string_view, 21> keywords{
+        "and",   "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "if",   "in",
+        "local", "nil",   "not", "or",   "repeat", "return", "then",  "true", "until",    "while"};
+    return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+// Keywords that stand in no expression: the condition of 'until' has ended before them.
+bool beginsStatement(std::string_view word) {
+    constexpr std::array<std::string_view, 12> keywords{
+        "break", "do", "else", "elseif", "end", "for", "if", "local", "repeat", "return", "until", "while"};
+    return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+/// Walks through the tokens once and notes where counters go and how much they count.
+class Counter {
+public:
+    Counter(std::string_view text, std::vector<Token> const& tokens, bool loopsOnly)
+        : text_(text), tokens_(tokens), loopsOnly_(loopsOnly) {}
+
+    CountedSource count(std::optional<BlockFault>& fault) {
+        bodies_.emplace_back(); // the chunk itself
+        blocks_.push_back({Block::function, 0});
+        findOwnApply();
+        for (at_ = 0; at_ < tokens_.size() && !fault_; ++at_) {
+            step(tokens_[at_]);
+        }
+        if (!fault_ && blocks_.size() != 1) {
+            fail("a block, a bracket or a function has no end");
+        }
+        fault = fault_;
+        return fault_ ? CountedSource{} : assembled();
+    }
+
+private:
+    enum class Block { function, loop, repeat, branch, brace, paren, square };
+    struct Open {
+        Block block;
+        std::size_t body; // to which its tokens are counted
+    };
+    struct Body {
+        std::size_t tokens = 0;
+        std::size_t whole = 0; // with the loops in it
+    };
+    struct Place {
+        std::size_t position; // in the text
+        std::size_t body;
+        bool whole;
+    };
+
+    [[nodiscard]] Token const& token(std::size_t at) const {
+        static Token const none;
+        return at < tokens_.size() ? tokens_[at] : none;
+    }
+    [[nodiscard]] bool isName(std::size_t at) const {
+        return token(at).kind == TokenKind::name && !isKeyword(token(at).text);
+    }
+    void fail(std::string message) {
+        if (!fault_) {
+            fault_ = BlockFault{token(at_).line, std::move(message)};
+        }
+    }
+
+    // Whether apply is a function that nothing but the host can call: it stands in the table that is
+    // returned, and nowhere else.
+    void findOwnApply() {
+        auto const countOf = [this](std::string_view word) {
+            return std::count_if(tokens_.begin(), tokens_.end(), [&](Token const& each) {
+                return each.text == word && (each.kind == TokenKind::name || each.kind == TokenKind::string);
+            });
+        };
+        applyAlone_ = countOf("interaction") == 1 && countOf("apply") == 1;
+    }
+
+    void step(Token const& now) {
+        Body& body = bodies_[blocks_.back().body];
+        ++body.tokens;
+        for (std::size_t const trailing : trailing_) {
+            ++bodies_[trailing].tokens;
+        }
+        if (now.kind == TokenKind::name) {
+            word(now);
+        } else if (now.kind == TokenKind::other) {
+            sign(now);
+        }
+    }
+
+    void word(Token const& now) {
+        if (now.text == CountedSource::counterName || now.text == CountedSource::stopName) {
+            fail(fmt::format("the name '{}' is the host's", now.text));
+        }
+        if (beginsStatement(now.text)) {
+            trailing_.clear();
+        }
+        if (now.text == "function") {
+            beginFunction();
+        } else if (now.text == "for" || now.text == "while") {
+            waiting_.push_back(blocks_.size()); // its 'do' belongs to it
+            open(Block::loop, newBody());
+        } else if (now.text == "do") {
+            if (!waiting_.empty() && waiting_.back() + 1 == blocks_.size()) {
+                waiting_.pop_back();
+            } else {
+                open(Block::loop, newBody());
+            }
+            places_.push_back({now.end, blocks_.back().body, false});
+        } else if (now.text == "repeat") {
+            open(Block::repeat, newBody());
+            places_.push_back({now.end, blocks_.back().body, false});
+        } else if (now.text == "if") {
+            open(Block::branch, blocks_.back().body);
+        } else if (now.text == "end") {
+            close({Block::function, Block::loop, Block::branch});
+        } else if (now.text == "until") {
+            std::size_t const body = blocks_.back().body;
+            close({Block::repeat});
+            trailing_.push_back(body); // its condition, which ends somewhere
+        } else if (now.text == "goto" && isName(at_ + 1) && !(at_ > 0 && token(at_ - 1).is("."))) {
+            places_.push_back({now.begin, function(), true});
+        }
+    }
+
+    void sign(Token const& now) {
+        if (now.text == "(") {
+            open(Block::paren, blocks_.back().body);
+        } else if (now.text == "[") {
+            open(Block::square, blocks_.back().body);
+        } else if (now.text == "{") {
+            open(Block::brace, blocks_.back().body);
+        } else if (now.text == ")") {
+            close({Block::paren});
+        } else if (now.text == "]") {
+            close({Block::square});
+        } else if (now.text == "}") {
+            close({Block::brace});
+        } else if (now.text == "=" && blocks_.back().block != Block::brace) {
+            assignment();
+        }
+    }
+
+    std::size_t newBody() {
+        bodies_.emplace_back();
+        return bodies_.size() - 1;
+    }
+    void open(Block block, std::size_t body) { blocks_.push_back({block, body}); }
+    void close(std::initializer_list<Block> expected) {
+        Open const last = blocks_.back();
+        if (blocks_.size() == 1 ||
+            std::find(expected.begin(), expected.end(), last.block) == expected.end() ||
+            (!waiting_.empty() && waiting_.back() + 1 == blocks_.size())) {
+            fail(fmt::format("'{}' closes nothing", token(at_).text));
+            return;
+        }
+        blocks_.pop_back();
+        if (last.block == Block::function && last.body == applyBody_) {
+            applyAlone_ =
+                applyAlone_ && (token(at_ + 1).is(",") || token(at_ + 1).is(";") || token(at_ + 1).is("}"));
+        } else if (last.block == Block::brace && blocks_.size() == 1) {
+            lastTableEnd_ = at_;
+        }
+        if (last.body != blocks_.back().body && last.block != Block::function) {
+            bodies_[blocks_.back().body].whole += bodies_[last.body].tokens + bodies_[last.body].whole;
+        }
+    }
+    // The body of the function that is open innermost.
+    [[nodiscard]] std::size_t function() const {
+        auto const at = std::find_if(blocks_.rbegin(), blocks_.rend(),
+                                     [](Open const& open) { return open.block == Block::function; });
+        return at->body;
+    }
+
+    // function NAME(...), function(...): the names and the parameters are read here.
+    void beginFunction() {
+        std::size_t const start = at_;
+        bool const ofApply = isApplyHere();
+        while (isName(at_ + 1) || token(at_ + 1).is(".") || token(at_ + 1).is(":")) {
+            ++at_;
+        }
+        bool const local = start > 0 && token(start - 1).is("local");
+        bodies_[blocks_.back().body].tokens += at_ - start;
+        if (at_ > start + 1) {
+            assignsFields_ = true; // function a.b()
+        } else if (at_ == start + 1 && !local) {
+            assigned_.emplace(token(at_).text);
+        }
+        std::size_t const names = at_ + 1;
+        if (!token(names).is("(")) {
+            fail("a function has no parameters; expected (...)");
+            return;
+        }
+        at_ = names;
+        std::size_t parameter = 0;
+        while (at_ < tokens_.size() && !token(at_).is(")")) {
+            ++at_;
+            if (isName(at_)) {
+                ++parameter;
+                bool const itself = ofApply && (parameter == 4 || parameter == 5);
+                storeIsItself_ = storeIsItself_ && (token(at_).text != "store" || itself);
+            }
+        }
+        open(Block::function, newBody());
+        if (ofApply) {
+            parameters_ = token(at_ - 1).is("...") ? CountedSource::anyNumber : parameter;
+            applyBody_ = blocks_.back().body;
+            applyPlace_ = token(at_).end;
+        } else if (!loopsOnly_) {
+            places_.push_back({token(at_).end, blocks_.back().body, false});
+        }
+    }
+    // 'apply = function' in the table of 'return interaction {'.
+    [[nodiscard]] bool isApplyHere() const {
+        return applyAlone_ && at_ >= 2 && token(at_ - 1).is("=") && token(at_ - 2).is("apply") &&
+               blocks_.size() == 2 && blocks_.back().block == Block::brace && returnsTable();
+    }
+    // Whether the brace that is open is that of 'return interaction {'.
+    [[nodiscard]] bool returnsTable() const {
+        for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
+            if (token(i + 1).is("interaction")) {
+                return token(i).is("return") && token(i + 2).is("{") && i < at_;
+            }
+        }
+        return false;
+    }
+
+    // At '=', outside of a table's constructor: which variables and fields stand before it?
+    void assignment() {
+        std::size_t i = at_;
+        bool onlyNames = true;
+        std::vector<std::string_view> names;
+        while (i > 0) {
+            --i; // the last token of a target
+            if (!isName(i)) {
+                assignsFields_ = assignsFields_ || token(i).is("]");
+                return;
+            }
+            if (i > 0 && token(i - 1).is(".")) {
+                if (!isStoreField(i)) {
+                    assignsFields_ = true;
+                    return;
+                }
+                i -= 4;
+                onlyNames = false;
+            } else {
+                names.push_back(token(i).text);
+            }
+            if (i == 0 || !token(i - 1).is(",")) {
+                break;
+            }
+            --i;
+        }
+        bool const declared = i > 0 && (token(i - 1).is("local") || token(i - 1).is("for")) && onlyNames;
+        for (std::string_view const name : names) {
+            storeIsItself_ = storeIsItself_ && name != "store";
+            if (!declared) {
+                assigned_.emplace(name);
+            }
+        }
+    }
+    // Whether a name is the last one of store.object.NAME or store.script.NAME.
+    [[nodiscard]] bool isStoreField(std::size_t at) {
+        bool const is = at >= 4 && token(at - 3).is(".") && token(at - 4).is("store") &&
+                        (token(at - 2).is("object") || token(at - 2).is("script")) &&
+                        !(at >= 5 && (token(at - 5).is(".") || token(at - 5).is(":")));
+        assignsToStore_ = assignsToStore_ || is;
+        return is;
+    }
+    // Whether 'store' is nowhere declared as a local variable without '=' or in a 'for', and never handed on.
+    [[nodiscard]] bool storeIsPlain() const {
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            if (token(i).is("store") && i > 0 &&
+                (token(i - 1).is("local") || token(i - 1).is("for") || token(i - 1).is("function"))) {
+                return false;
+            }
+            if (token(i).is("store") && i > 0 && token(i - 1).is(",") && !token(i + 1).is(".")) {
+                // In a list: of apply's parameters, of a table, of a local's or a for's names. Only the first
+                // two declare nothing else by that name.
+                if (!token(i + 1).is(")") && !token(i + 1).is(",") && !token(i + 1).is("=")) {
+                    return false;
+                }
+                for (std::size_t back = i; back > 1 && (isName(back - 1) || token(back - 1).is(","));
+                     --back) {
+                    if (token(back - 2).is("local") || token(back - 2).is("for")) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+
+    [[nodiscard]] static std::size_t instructions(std::size_t tokens) { return (tokens + 1) / 2; }
+
+    CountedSource assembled() {
+        CountedSource made;
+        // The table must be all that is returned, and the function all that stands in it under its name: an
+        // operator behind one of them could hand it to a function of the script.
+        std::size_t const last = !tokens_.empty() && tokens_.back().is(";") ? 2 : 1;
+        if (applyBody_ != 0 && (!applyAlone_ || lastTableEnd_ + last != tokens_.size())) {
+            places_.push_back({applyPlace_, applyBody_, false});
+            applyBody_ = 0;
+        }
+        made.chunk = instructions(bodies_.front().tokens);
+        made.apply = applyBody_ == 0 ? 0 : std::max<std::size_t>(1, instructions(bodies_[applyBody_].tokens));
+        made.parameters = applyBody_ == 0 ? CountedSource::anyNumber : parameters_;
+        made.assignsFields = assignsFields_ || (assignsToStore_ && !(storeIsItself_ && storeIsPlain()));
+        made.assigned = std::move(assigned_);
+        std::stable_sort(places_.begin(), places_.end(),
+                         [](Place const& a, Place const& b) { return a.position < b.position; });
+        made.text = fmt::format("local {0},{1}=0,... return function(...) ", CountedSource::counterName,
+                                CountedSource::stopName);
+        std::size_t copied = tokens_.empty() ? text_.size() : tokens_.front().begin;
+        made.text.append(static_cast<std::size_t>(std::count(
+                             text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(copied), '\n')),
+                         '\n');
+        for (Place const& place : places_) {
+            made.text += text_.substr(copied, place.position - copied);
+            copied = place.position;
+            Body const& body = bodies_[place.body];
+            made.text += fmt::format(
+                " {0}={0}-{2} if {0}<0 then {1}()end ", CountedSource::counterName, CountedSource::stopName,
+                std::max<std::size_t>(1, instructions(body.tokens + (place.whole ? body.whole : 0))));
+        }
+        made.text += text_.substr(copied);
+        made.text += "\nend";
+        return made;
+    }
+
+    std::string_view text_;
+    std::vector<Token> const& tokens_;
+    bool loopsOnly_;
+    std::size_t at_ = 0;
+    std::vector<Body> bodies_;
+    std::vector<Open> blocks_;
+    std::vector<std::size_t> waiting_;  // depths at which a 'do' is expected
+    std::vector<std::size_t> trailing_; // bodies of 'repeat' whose condition may go on
+    std::vector<Place> places_;
+    std::optional<BlockFault> fault_;
+    std::set<std::string, std::less<>> assigned_;
+    std::size_t applyBody_ = 0; // 0: none that only the host can call
+    std::size_t applyPlace_ = 0;
+    std::size_t parameters_ = CountedSource::anyNumber;
+    std::size_t lastTableEnd_ = 0;
+    bool applyAlone_ = false;
+    bool assignsFields_ = false;
+    bool assignsToStore_ = false;
+    bool storeIsItself_ = true;
+};
+
+} // namespace
+
+CountedSource countSource(std::string_view text, std::optional<BlockFault>& fault, bool loopsOnly) {
+    std::vector<Token> const tokens = tokensOf(text);
+    return Counter(text, tokens, loopsOnly).count(fault);
+}
+
+} // namespace trembler::lua

@@ -1,0 +1,54 @@
+// Instructions counted in a script's text: the same count whether the text is interpreted or compiled.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace trembler::lua {
+
+/// A script's text with counters put in, and what its text tells about it.
+///
+/// LuaJIT can count instructions by itself, by a hook; but compiled code checks no hook, and in interpreted
+/// code a hook costs as much as the instructions. So the text is counted: at the beginning of the body of
+/// each loop and of each function, and before each goto, it takes the length of that body off a counter and
+/// stops where the counter is below zero. Whatever a script does without passing such a place is shorter than
+/// its text. An instruction stands for two tokens of the text; a body is counted with all its branches.
+struct CountedSource {
+    /// A chunk that is to be called with a function, which is called where the counter is below zero. It
+    /// returns the script as a function with the counter, a number, as the upvalue `counterName`. Lines are
+    /// those of the script.
+    std::string text;
+    std::size_t chunk = 0; ///< instructions of the script's text outside of loops and functions
+    /// Instructions of apply, if only the host can call that function: it has no counter in it, so the host
+    /// counts them. 0: it counts by itself.
+    std::size_t apply = 0;
+    /// How many parameters it then has; `anyNumber`, if it takes more or is not known.
+    std::size_t parameters = anyNumber;
+    /// Whether the script may assign to a field of a table that is not its own: to any but those of its
+    /// store. Tables can be shown to one that does not as they are, without a read-only table before them.
+    bool assignsFields = false;
+    /// The names to which it assigns that are perhaps no local variables.
+    std::set<std::string, std::less<>> assigned;
+
+    static constexpr std::size_t anyNumber = 100;
+    static constexpr std::string_view counterName = "__count";
+    static constexpr std::string_view stopName = "__over";
+};
+
+/// What is wrong with the order of a text's blocks, and in which line.
+struct BlockFault {
+    std::size_t line = 0;
+    std::string message;
+};
+
+/// Puts counters into a text that faultInSource() has found nothing wrong with. A fault if blocks are not
+/// closed or closed twice, or one of the names above is used: `fault` then says so and the result is not to
+/// be used. With `loopsOnly`, functions are not counted but by their loops: for the host's own text, whose
+/// functions do not call themselves.
+[[nodiscard]] CountedSource countSource(std::string_view text, std::optional<BlockFault>& fault,
+                                        bool loopsOnly = false);
+
+} // namespace trembler::lua
