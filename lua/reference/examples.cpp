@@ -43,8 +43,8 @@ std::string reading(ReferenceField const& field, std::string const& expression, 
             bool const value = !field.entriesHaveFields;
             inner += reading(part, value ? name : fmt::format("{}.{}", name, part.info.key), depth + 1);
         }
-        return fmt::format("for _, {} in ipairs({}{}) do\n{}end\n", name, expression,
-                           depth == 0 ? "" : " or {}", indented(inner, 2));
+        return fmt::format("for _, {} in ipairs({} or {{}}) do\n{}end\n", name, expression,
+                           indented(inner, 2));
     }
     default:
         return fmt::format("log({}){}\n", expression, unitNote(field));
