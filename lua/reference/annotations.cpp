@@ -189,7 +189,7 @@ function same(a, b) end
 
 )lua";
 
-constexpr char const* manifest = R"lua(---@class trembler.Frame
+constexpr char const* manifest = R"lua(---@class trembler.Turn
 ---@field duration number s: since the script's last turn
 ---@field random fun(): number from 0 to 1, without 1; a replay repeats it
 
@@ -232,7 +232,7 @@ constexpr char const* manifest = R"lua(---@class trembler.Frame
 ---@field params? table<string, trembler.Parameter>
 ---@field store? { object: table?, script: table? }
 ---@field limits? trembler.Limits
----@field apply fun(object: trembler.Object, params: table, out: trembler.Out, store: trembler.Store, frame: trembler.Frame)|fun(a: trembler.Object, b: trembler.Object, params: table, out: trembler.Out, store: trembler.Store, frame: trembler.Frame)
+---@field apply fun(object: trembler.Object, params: table, out: trembler.Out, store: trembler.Store, frame: trembler.Turn)|fun(a: trembler.Object, b: trembler.Object, params: table, out: trembler.Out, store: trembler.Store, frame: trembler.Turn)
 
 --- What a script returns: its own description.
 ---@param description trembler.Interaction

@@ -26,11 +26,13 @@ std::string unitNote(ReferenceField const& field) {
     return field.info.unit.empty() ? std::string() : fmt::format(" -- {}", field.info.unit);
 }
 
-// Statements that read a field, which the expression stands for.
+// Statements that read a field, which the expression stands for. An entry of a list has only the fields that
+// its form has, for example no corners if it is a circle.
 std::string reading(ReferenceField const& field, std::string const& expression, std::size_t depth) {
     switch (field.kind) {
     case FieldKind::vector:
-        return fmt::format("log({0}.x, {0}.y){1}\n", expression, unitNote(field));
+        return depth == 0 ? fmt::format("log({0}.x, {0}.y){1}\n", expression, unitNote(field))
+                          : fmt::format("log({}){}\n", expression, unitNote(field));
     case FieldKind::object:
         return fmt::format("log(alive({}))\n", expression);
     case FieldKind::list: {
@@ -41,7 +43,8 @@ std::string reading(ReferenceField const& field, std::string const& expression, 
             bool const value = !field.entriesHaveFields;
             inner += reading(part, value ? name : fmt::format("{}.{}", name, part.info.key), depth + 1);
         }
-        return fmt::format("for _, {} in ipairs({}) do\n{}end\n", name, expression, indented(inner, 2));
+        return fmt::format("for _, {} in ipairs({} or {{}}) do\n{}end\n", name, expression,
+                           indented(inner, 2));
     }
     default:
         return fmt::format("log({}){}\n", expression, unitNote(field));

@@ -161,7 +161,8 @@ return interaction {
   end,
 }
 )lua"},
-    {"Electricity", "holdConnection", R"lua(-- Conductors that are nearer than a metre are connected, for as long as they are.
+    {"Electricity", "holdConnection",
+     R"lua(-- Conductors that are nearer than a metre are connected, for as long as they are.
 return interaction {
   name = "Electricity <- Nearness",
   calls = "Electricity",

@@ -123,7 +123,7 @@ ReferenceFunction functionOf(RoleInfo const& role, CallDescription const& call) 
     return made;
 }
 
-bool isIdentifier(std::string_view name) {
+bool needsNoQuotes(std::string_view name) {
     return !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
            std::all_of(name.begin(), name.end(), [](char c) {
                return c == '_' || (static_cast<unsigned char>(c) < 0x80 &&
@@ -185,13 +185,13 @@ Reference makeReference(Registry const& registry) {
 }
 
 std::string_view scriptName(PropertyInfo const& info) {
-    return isIdentifier(info.text.name) ? info.text.name : info.text.key;
+    return needsNoQuotes(info.text.name) ? info.text.name : info.text.key;
 }
 
 std::string expressionOf(ReferenceProperty const& property) {
     std::string_view const name = scriptName(*property.info);
     std::string_view const of = property.home == PropertyHome::objects ? "object" : "world";
-    return isIdentifier(name) ? fmt::format("{}.{}", of, name) : fmt::format("{}[\"{}\"]", of, name);
+    return needsNoQuotes(name) ? fmt::format("{}.{}", of, name) : fmt::format("{}[\"{}\"]", of, name);
 }
 
 std::string kindText(ReferenceField const& field) {

@@ -63,7 +63,6 @@ bool readsAsLongNumber(std::string_view text) {
         text.remove_prefix(count);
         return count;
     };
-    constexpr std::string_view digits = "0123456789";
     constexpr std::string_view space = " \t\r\n\v\f";
     bool const isLong = text.size() > longestNumber;
     bool exponent = false;
@@ -71,20 +70,18 @@ bool readsAsLongNumber(std::string_view text) {
     if (!text.empty() && (text.front() == '+' || text.front() == '-')) {
         text.remove_prefix(1);
     }
-    std::size_t count = 0;
-    if (text.starts_with("0x") || text.starts_with("0X")) {
-        text.remove_prefix(2);
-        count = skip("0123456789abcdefABCDEF.");
-    } else {
-        count = skip("0123456789.");
-    }
-    if (count > 0 && !text.empty() && std::string_view("eEpP").find(text.front()) != std::string_view::npos) {
-        exponent = true;
+    bool const hex = text.starts_with("0x") || text.starts_with("0X");
+    text.remove_prefix(hex ? 2 : 0);
+    std::size_t const count = skip(hex ? "0123456789abcdefABCDEF." : "0123456789.");
+    if (!text.empty() && std::string_view(hex ? "pP" : "eE").find(text.front()) != std::string_view::npos) {
         text.remove_prefix(1);
         if (!text.empty() && (text.front() == '+' || text.front() == '-')) {
             text.remove_prefix(1);
         }
-        skip(digits);
+        exponent = skip("0123456789") > 0;
+        if (!exponent) {
+            return false;
+        }
     }
     skip(space);
     return text.empty() && count > 0 && (isLong || exponent);

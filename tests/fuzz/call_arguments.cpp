@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace trembler::lua {
 namespace {
@@ -155,10 +156,11 @@ private:
     }
 
     std::string extreme(FieldPlace const& place) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
         std::array<double, 8> const values{place.info.minimum,
                                            place.info.maximum,
-                                           std::nextafter(place.info.minimum, -1e309),
-                                           std::nextafter(place.info.maximum, 1e309),
+                                           std::nextafter(place.info.minimum, -infinity),
+                                           std::nextafter(place.info.maximum, infinity),
                                            0,
                                            -0.0,
                                            4.9e-324,

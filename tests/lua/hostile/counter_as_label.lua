@@ -1,0 +1,3 @@
+-- tries to jump past the counter by its name
+-- expect: refused
+::__count:: goto __count
