@@ -32,11 +32,11 @@ TEST(WindMod, TheConeEndsAtItsAngleAndItsReach) {
             name, distance * std::cos(angle), distance * std::sin(angle));
     };
     constexpr double degree = 3.14159265358979 / 180;
-    auto const world =
-        worldOf(*game, R"({"name": "fan", "at": [0, 0], "angle_deg": 0, "properties": {"fixed": true, "scripts": [
+    auto const world = worldOf(
+        *game, R"({"name": "fan", "at": [0, 0], "angle_deg": 0, "properties": {"fixed": true, "scripts": [
             {"script": "Dynamics <- Wind", "set": [{"param": "half_angle", "number": 30}, {"param": "reach", "number": 4}]}]}})" +
-                           box("within", 3.9, 29.5 * degree) + box("aside", 3.9, 30.5 * degree) +
-                           box("beyond", 4.1, 0) + box("behind", 1, 180 * degree));
+                   box("within", 3.9, 29.5 * degree) + box("aside", 3.9, 30.5 * degree) +
+                   box("beyond", 4.1, 0) + box("behind", 1, 180 * degree));
     stepFrames(*world, 10);
     EXPECT_GT(of<Velocity>(*world, "within").value.x, 0);
     for (char const* const name : {"aside", "beyond", "behind"}) {

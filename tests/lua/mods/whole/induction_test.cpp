@@ -17,8 +17,8 @@ ElectricalQuantities::Entry quantitiesAt(World const& world, std::string const& 
     return entry == nullptr ? ElectricalQuantities::Entry{} : *entry;
 }
 
-constexpr double strength = 200000; // A m
-constexpr double wire = 100;        // m
+constexpr double poleStrength = 200000; // A m
+constexpr double coilWire = 100;        // m
 constexpr double poleConstant = 1e-7;
 
 // The law: the voltage is n l (v x B), with the field of each pole. A coil without a load has it as its
@@ -28,8 +28,8 @@ double inducedVoltage(Vec2 coil, Vec2 velocity, std::vector<std::pair<Vec2, doub
     for (auto const& [at, sign] : poles) {
         Vec2 const away = coil - at;
         double const square = dot(away, away) + magneticSoftening * magneticSoftening;
-        Vec2 const field = away * (poleConstant * sign * strength / (square * std::sqrt(square)));
-        voltage += wire * (velocity.x * field.y - velocity.y * field.x);
+        Vec2 const field = away * (poleConstant * sign * poleStrength / (square * std::sqrt(square)));
+        voltage += coilWire * (velocity.x * field.y - velocity.y * field.x);
     }
     return voltage;
 }
