@@ -60,6 +60,7 @@ struct HoldConnection : ConnectionKey {
         "holdConnection", "(object, object)",
         "Connects two conductors for as long as the call is held, as one of the caller's connections."};
     static constexpr Algebra algebra = Algebra::anyOf;
+    static constexpr bool hashedOnlyIfMade = true;
 };
 
 /// Raises the EMF of a source, as induction does; several calls add up. An object without an EMF takes no
@@ -70,6 +71,7 @@ struct AddVoltage {
         "Adds a voltage (V) to the EMF of a source for as long as the call is held."};
     static constexpr Algebra algebra = Algebra::sumOfRates;
     static constexpr double negligible = 1e-9; ///< V
+    static constexpr bool hashedOnlyIfMade = true;
     ObjectId object;
     double voltage = 0; ///< V
     template <class Self, class Visitor>

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -76,11 +77,23 @@ struct CallSource {
 
     void hash(StateHash& hash) const {
         for (Buffers const& chunk : chunks) {
-            std::apply([&](auto const&... buffer) { (hash.members(buffer.calls()), ...); }, chunk);
+            std::apply([&](auto const&... buffer) { (hashBuffer(buffer, hash), ...); }, chunk);
         }
     }
 
 private:
+    /// A call that a role was given later declares `static constexpr bool hashedOnlyIfMade = true`: while
+    /// nobody makes it, worlds keep the hashes that they had before there was such a call.
+    template <class C>
+    static void hashBuffer(CallBuffer<C> const& buffer, StateHash& hash) {
+        if constexpr (requires { C::hashedOnlyIfMade; }) {
+            if (buffer.calls().empty()) {
+                return;
+            }
+            hash.value(std::string(C::text.name));
+        }
+        hash.members(buffer.calls());
+    }
     void clearWhere(bool held) {
         for (Buffers& chunk : chunks) {
             std::apply([&](auto&... buffer) { (clearIf(buffer, held), ...); }, chunk);

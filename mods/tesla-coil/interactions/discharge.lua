@@ -4,6 +4,8 @@
 --
 -- The connection is held: it lasts until this interaction's next turn, and a turn that does not ask for it again ends
 -- it. So there is no list of connections to be taken back, and nothing is left over where an object has gone away.
+local margin = 1e-9 -- s: sums of sixtieths of a second are not exact
+
 local function sparksTo(coil, other)
   for _, connection in ipairs(coil["electricity_graph"].connections) do
     if same(connection.to, other) then
@@ -42,9 +44,9 @@ return interaction {
       store.object.clock = 0
       return
     end
-    local sparking = store.object.clock < params.spark
+    local sparking = store.object.clock + margin < params.spark
     store.object.clock = store.object.clock + frame.duration
-    if store.object.clock >= params.period then
+    if store.object.clock + margin >= params.period then
       store.object.clock = store.object.clock - params.period
     end
     if not sparking then return end

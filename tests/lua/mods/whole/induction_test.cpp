@@ -17,8 +17,8 @@ ElectricalQuantities::Entry quantitiesAt(World const& world, std::string const& 
     return entry == nullptr ? ElectricalQuantities::Entry{} : *entry;
 }
 
-constexpr double strength = 200000; // A m
-constexpr double wire = 100;        // m
+constexpr double poleStrength = 200000; // A m
+constexpr double coilWire = 100;        // m
 constexpr double poleConstant = 1e-7;
 
 // The law: the voltage is n l (v x B), with the field of each pole. A coil without a load has it as its
@@ -28,8 +28,8 @@ double inducedVoltage(Vec2 coil, Vec2 velocity, std::vector<std::pair<Vec2, doub
     for (auto const& [at, sign] : poles) {
         Vec2 const away = coil - at;
         double const square = dot(away, away) + magneticSoftening * magneticSoftening;
-        Vec2 const field = away * (poleConstant * sign * strength / (square * std::sqrt(square)));
-        voltage += wire * (velocity.x * field.y - velocity.y * field.x);
+        Vec2 const field = away * (poleConstant * sign * poleStrength / (square * std::sqrt(square)));
+        voltage += coilWire * (velocity.x * field.y - velocity.y * field.x);
     }
     return voltage;
 }
@@ -38,6 +38,7 @@ TEST(InductionMod, AMovingCoilHasTheVoltageOfTheLaw) {
     auto const game = gameWith({"induction"});
     auto const world = worldOf(*game, R"(
         {"name": "coil", "part": "coil", "at": [-3, 0.4], "properties": {"fixed": false, "velocity": [4, 0.25]}},
+        {"name": "minus", "part": "battery −", "at": [0, -30]},
         {"name": "magnet", "part": "bar magnet", "at": [0, 0], "angle_deg": 30, "properties": {"fixed": true,
           "magnetic_poles": {"poles": "both", "north": [0.35, 0], "south": [-0.35, 0]},
           "magnetic_strength": {"strength": 200000}}})");
@@ -63,6 +64,7 @@ TEST(InductionMod, OnlyMotionBetweenTheTwoInduces) {
     for (char const* const velocity : {"[0, 0]", "[2, -1]"}) {
         auto const world = worldOf(*game, fmt::format(R"(
             {{"name": "coil", "part": "coil", "at": [0, 0], "properties": {{"fixed": false, "velocity": {0}}}}},
+            {{"name": "minus", "part": "battery −", "at": [0, -30]}},
             {{"name": "magnet", "at": [0, 1.5], "properties": {{"magnet": true, "velocity": {0}, "magnetic_poles": {{"poles": "north", "north": [0, 0]}},
               "magnetic_strength": {{"strength": 200000}}, "shape": [{{"form": "circle", "radius": 0.1}}]}}}})",
                                                       velocity));
@@ -106,6 +108,7 @@ TEST(MetalDetectorMod, VoltageFallsWithTheSixthPowerOfTheDistance) {
         {"name": "detector", "part": "metal detector", "at": [0, 0], "properties": {"scripts": [{"script": "Electricity <- Metal",
           "set": [{"param": "voltage", "number": 10}, {"param": "nominal", "number": 0.5}, {"param": "reach", "number": 3}]}]}},
         {"name": "ball", "part": "steel ball", "at": [-4, 0.6], "properties": {"velocity": [3, 0]}},
+        {"name": "minus", "part": "battery −", "at": [0, -30]},
         {"name": "bar", "part": "copper bar", "at": [0, -1]},
         {"name": "wood", "part": "wooden ball", "at": [0, 0.5]},
         {"name": "wall", "part": "copper contact", "at": [0.7, -0.5]})");

@@ -11,7 +11,7 @@ namespace {
 
 std::string tapOf(double rate, int most) {
     return fmt::format(
-        R"({{"name": "tap", "at": [0, 10], "properties": {{"scripts": [{{"script": "Population <- Tap",
+        R"({{"name": "tap", "at": [0, 10], "angle_deg": 0, "properties": {{"scripts": [{{"script": "Population <- Tap",
         "set": [{{"param": "rate", "number": {}}}, {{"param": "most", "number": {}}}]}}]}}}})",
         rate, most);
 }

@@ -91,8 +91,9 @@ TEST(HeldCalls, EndWithTheirCallerAndBeginWithItAgain) {
     circuit.world().step();
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
     circuit.store().column<Script>().set(director, {});
-    circuit.world().step();
-    circuit.world().step();
+    for (int frame = 0; frame < 3; ++frame) {
+        circuit.world().step();
+    }
     EXPECT_EQ(countBy(heldBetween(circuit, "battery", "lamp"), 1), 1);
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
 }
@@ -110,7 +111,7 @@ TEST(HeldCalls, DoNotPassAFuseThatHasBlown) {
         circuit.world().step();
     }
     EXPECT_FALSE(heldBetween(circuit, "plus", "fuse").any());
-    EXPECT_EQ(circuit.at("load").current, 0);
+    EXPECT_NEAR(circuit.at("load").current, 0, 1e-12);
 }
 
 TEST(HeldCalls, VoltagesAddUpToTheEmfOfASource) {
@@ -121,7 +122,7 @@ TEST(HeldCalls, VoltagesAddUpToTheEmfOfASource) {
     circuit.returning("minus");
     circuit.wire({{"coil", "load", "minus"}});
     circuit.begin();
-    EXPECT_EQ(circuit.at("load").current, 0);
+    EXPECT_NEAR(circuit.at("load").current, 0, 1e-12);
     ObjectId const coil = circuit["coil"];
     circuit.hold({.connections = {}, .voltages = {{coil, 7, 0}, {coil, 1, 0}, {coil, -3, 1}}});
     EXPECT_NEAR(circuit.at("load").current, 5.0 / (2 + 8), 1e-12) << "(7 + 1 - 3) V over both resistances";
@@ -129,8 +130,8 @@ TEST(HeldCalls, VoltagesAddUpToTheEmfOfASource) {
     circuit.hold({.connections = {}, .voltages = {{coil, -4, 2}}});
     EXPECT_NEAR(circuit.at("coil").potential, -4 * 8.0 / (2 + 8), 1e-12) << "it may be negative";
     circuit.hold({.connections = {}, .voltages = {{circuit["load"], 4, 2}}});
-    EXPECT_EQ(circuit.at("load").current, 0) << "only a source with an EMF can be raised";
-    EXPECT_EQ(circuit.at("battery").potential, 6);
+    EXPECT_NEAR(circuit.at("load").current, 0, 1e-12) << "only a source with an EMF can be raised";
+    EXPECT_NEAR(circuit.at("battery").potential, 6, 1e-12);
 }
 
 } // namespace
