@@ -24,9 +24,13 @@ void smallLines(std::string const& text) {
     ImGui::PopFont();
 }
 
-void heading(char const* text) {
+/// `framed`: in one line with a drop-down.
+void heading(char const* text, bool framed = false) {
     ImGui::Dummy({0, scaled(2)});
     ImGui::PushFont(theme().fonts.strong);
+    if (framed) {
+        ImGui::AlignTextToFramePadding();
+    }
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
 }
@@ -142,7 +146,7 @@ void ModsPanel::drawParameters(Layout& layout, Workshop& workshop, std::size_t n
     WorkshopScript const& script = workshop.scripts()[number];
     lua::Manifest const& manifest = script.live->script().manifest;
     std::string const& name = script.live->name();
-    heading(words::parameters);
+    heading(words::parameters, manifest.attached);
     if (manifest.parameters.empty()) {
         smallLines(words::noParameters);
         return;
@@ -158,6 +162,7 @@ void ModsPanel::drawParameters(Layout& layout, Workshop& workshop, std::size_t n
         bool const others = known != chosen_.end() && known->second == LastingObject{};
         user = others ? nullptr : (at == users.end() ? &users.front() : &*at);
         ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(words::forObject);
         ImGui::SameLine();
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -259,8 +264,9 @@ void ModsPanel::draw(Layout& layout, Registry const& registry, Workshop& worksho
         ImGui::PopFont();
     }
     float const used = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
+    float const room = std::max(scaled(height) - used, scaled(120));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-    ImGui::BeginChild("scripts", {0, std::max(scaled(height) - used, scaled(120))});
+    ImGui::BeginChild("scripts", {0, content_ > 0 ? std::min(content_, room) : room});
     std::vector<ComponentStatus> const all = session.world().status();
     for (std::size_t i = 0; i < workshop.scripts().size(); ++i) {
         ComponentInfo const* const info = &workshop.scripts()[i].live->info();
@@ -270,6 +276,7 @@ void ModsPanel::draw(Layout& layout, Registry const& registry, Workshop& worksho
         drawScript(layout, registry, workshop, i, status == all.end() ? ComponentStatus{} : *status);
         ImGui::PopID();
     }
+    content_ = ImGui::GetCursorPosY();
     ImGui::EndChild();
     ImGui::PopStyleColor();
     layout.endCard();

@@ -26,6 +26,7 @@ private:
     void drawParameters(Layout& layout, Workshop& workshop, std::size_t number);
 
     bool open_ = false;
+    float content_ = 0;                           // pixels: the height of what was drawn last
     std::map<std::string, LastingObject> chosen_; // by script: the object whose parameters are shown
 };
 
