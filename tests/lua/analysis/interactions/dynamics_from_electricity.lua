@@ -65,7 +65,7 @@ local function inertiaOf(object)
   return object.mass.value * perMass
 end
 local function speedOf(object)
-  return object and object.angular_velocity and object.angular_velocity.value or 0
+  return object and object["Angular Velocity"] and object["Angular Velocity"].value or 0
 end
 local function isOn(object)
   for _, entry in ipairs(world.electrical_state.objects) do
@@ -80,7 +80,7 @@ return interaction {
   name = "Dynamics <- Electricity",
   text = "Turns every electric motor that is on, and what it turns against the other way.",
   calls = "Dynamics",
-  reads = { "electrical_state", "electric_motor", "angular_velocity", "mass", "shape", "fixed" },
+  reads = { "electrical_state", "electric_motor", "Angular Velocity", "mass", "shape", "fixed" },
   each = { "electric_motor" },
   apply = function(object, params, out, store, frame)
     if not isOn(object) then

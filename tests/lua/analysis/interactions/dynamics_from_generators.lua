@@ -65,7 +65,7 @@ local function inertiaOf(object)
   return object.mass.value * perMass
 end
 local function speedOf(object)
-  return object and object.angular_velocity and object.angular_velocity.value or 0
+  return object and object["Angular Velocity"] and object["Angular Velocity"].value or 0
 end
 local function isOn(object)
   for _, entry in ipairs(world.electrical_state.objects) do
@@ -80,7 +80,7 @@ return interaction {
   name = "Dynamics <- Generators",
   text = "Brakes every generator through which current flows.",
   calls = "Dynamics",
-  reads = { "electrical_state", "generator", "angular_velocity", "mass", "shape", "fixed" },
+  reads = { "electrical_state", "generator", "Angular Velocity", "mass", "shape", "fixed" },
   each = { "generator" },
   apply = function(object, params, out, store, frame)
     if isOn(object) then

@@ -66,18 +66,18 @@ return interaction {
   text = "Pulls the held point of the object in the hand to where the hand is, like a critically damped spring, and "
     .. "damps its turning.",
   calls = "Dynamics",
-  reads = { "hand", "position", "rotation", "velocity", "angular_velocity", "mass", "shape", "fixed" },
+  reads = { "hand", "Position", "Rotation", "velocity", "Angular Velocity", "mass", "shape", "fixed" },
   once = true,
   apply = function(world, params, out)
     local hand = world.hand
     local held = hand.object
-    if not alive(held) or held.fixed or not (held.shape and held.position and held.rotation and held.velocity
-        and held.angular_velocity and held.mass) or #held.shape.value == 0 then
+    if not alive(held) or held.fixed or not (held.shape and held.Position and held.Rotation and held.velocity
+        and held["Angular Velocity"] and held.mass) or #held.shape.value == 0 then
       return
     end
     local centre, gyration = massProperties(held.shape.value)
-    local angle, mass, spin = held.rotation.value, held.mass.value, held.angular_velocity.value
-    local point = held.position.value + hand.local_point:turned(angle)
+    local angle, mass, spin = held.Rotation.value, held.mass.value, held["Angular Velocity"].value
+    local point = held.Position.value + hand.local_point:turned(angle)
     local arm = (hand.local_point - centre):turned(angle)
     local pointVelocity = held.velocity.value + spin * quarter(arm)
     local wanted = frequency * frequency * (hand.target - point) - 2 * frequency * pointVelocity

@@ -6,7 +6,7 @@ return interaction {
   text = "Connects every generator that turns fast enough to its source, and disconnects it when it turns a tenth "
     .. "slower than that.",
   calls = "Electricity",
-  reads = { "generator", "angular_velocity", "conductor" },
+  reads = { "generator", "Angular Velocity", "conductor" },
   each = { "generator" },
   store = { object = { connected = false } },
   apply = function(object, params, out, store)
@@ -15,7 +15,7 @@ return interaction {
       store.object.connected = false
       return
     end
-    local turning = object.angular_velocity
+    local turning = object["Angular Velocity"]
     local speed = turning and math.abs(turning.value) or 0
     if not store.object.connected and speed >= object.generator.speed_deg then
       out.addConnection(object, source)

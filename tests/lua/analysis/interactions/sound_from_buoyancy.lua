@@ -8,8 +8,8 @@ return interaction {
   name = "Sound <- Buoyancy",
   text = "Strikes a liquid with the momentum that an object gives to what it newly displaces.",
   calls = "Sound",
-  reads = { "immersion", "position", "rotation", "velocity" },
-  each = { "position", "velocity" },
+  reads = { "immersion", "Position", "Rotation", "velocity" },
+  each = { "Position", "velocity" },
   store = { object = { wet = 0, seen = false } },
   apply = function(object, params, out, store)
     local area = 0
@@ -19,10 +19,10 @@ return interaction {
         local gained = area - store.object.wet
         local speed = -object.velocity.value:dot(entry.up)
         local liquid = entry.liquid
-        if store.object.seen and gained > 0 and speed > slowest and alive(liquid) and liquid.position then
-          local turn = liquid.rotation and -liquid.rotation.value or 0
+        if store.object.seen and gained > 0 and speed > slowest and alive(liquid) and liquid.Position then
+          local turn = liquid.Rotation and -liquid.Rotation.value or 0
           local momentum = entry.density * gained * depth * speed
-          out.strike(liquid, object, (object.position.value - liquid.position.value):turned(turn),
+          out.strike(liquid, object, (object.Position.value - liquid.Position.value):turned(turn),
             (-entry.up):turned(turn), momentum, contact, 0)
         end
       end
