@@ -134,10 +134,11 @@ public:
                  hands(setting);
                  lift(setting, "switch", {-2.1, 1.005}, 60 + static_cast<int>(random.below(200)));
              }},
-            {"a tool across the contacts",
+            {"a tool beneath the switch",
              [](Setting& setting, Random& random) {
-                 add(setting, "tool", random.oneOf(barParts()), {-2.1 + random.between(-0.05, 0.05), 1.25},
-                     random.between(-4, 4));
+                 shift(setting, "switch", 0, 0.3, 0);
+                 add(setting, "tool", random.oneOf(barParts()), {-2.1 + random.between(-0.05, 0.05), 1.13},
+                     random.between(-2, 2));
              }},
             {"another bar for the switch",
              [](Setting& setting, Random& random) {
@@ -152,6 +153,9 @@ public:
             {"the main fuse removed, nobody touches the switch",
              [hands](Setting& setting, Random& random) {
                  hands(setting);
+                 std::erase_if(setting.cuts, [](Setting::Cut const& cut) { // no wire is left there to be cut
+                     return cut.a == "main fuse" || cut.b == "main fuse";
+                 });
                  if (find(setting, "main fuse") != nullptr) {
                      setting.inputs.push_back(
                          {{"frame", 60 + static_cast<int>(random.below(200))}, {"remove", "main fuse"}});
