@@ -187,11 +187,21 @@ struct MagneticForce {
                             .meaning = "of all magnets, on all its poles together",
                             .adds = true},
                   self.force);
+            visit(FieldInfo{.key = "point", .unit = "m", .meaning = "where it acts, in the world"},
+                  self.point);
         }
     };
     struct Rate {
         ObjectId object;
         double rate = 0; ///< 1/s, at which the forces on it vary as it moves; see TellRate
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "that moves"}, self.object);
+            visit(FieldInfo{.key = "rate",
+                            .unit = "1/s",
+                            .meaning = "at which the forces on it vary as it moves"},
+                  self.rate);
+        }
     };
     std::vector<Entry> forces;
     std::vector<Rate> rates; ///< of objects with a mass, ascending
@@ -201,6 +211,12 @@ struct MagneticForce {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "forces", .unit = "", .meaning = "one for each pole; ascending by object"},
               self.forces);
+        visit(FieldInfo{.key = "rates", .unit = "", .meaning = "of what has a mass; ascending by object"},
+              self.rates);
+        visit(FieldInfo{.key = "foreseen",
+                        .unit = "",
+                        .meaning = "whether forces are those of where objects will be when they act"},
+              self.foreseen);
     }
 };
 

@@ -43,13 +43,29 @@ struct PlayerCommands {
         ObjectId a;
         ObjectId b;
         EventId event;
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "a", .unit = "", .meaning = "one end of the wire"}, self.a);
+            visit(FieldInfo{.key = "b", .unit = "", .meaning = "its other end"}, self.b);
+        }
     };
     struct Removal {
         ObjectId object;
         EventId event;
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "that was removed"}, self.object);
+        }
     };
     std::vector<Cut> cuts;
     std::vector<Removal> removals;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "cuts", .unit = "", .meaning = "wires that were cut"}, self.cuts);
+        visit(FieldInfo{.key = "removals", .unit = "", .meaning = "objects that were removed"},
+              self.removals);
+    }
 
     static void gather(PlayerCommands& frame, PlayerCommands const& part, PartSpan) {
         frame.cuts.insert(frame.cuts.end(), part.cuts.begin(), part.cuts.end());

@@ -41,6 +41,10 @@ struct LiquidResistance {
                             .meaning = "torque against the angular velocity"},
                   self.angular);
             visit(FieldInfo{.key = "push", .unit = "N", .meaning = "what a current adds"}, self.push);
+            visit(FieldInfo{.key = "rate",
+                            .unit = "1/s",
+                            .meaning = "at which the buoyancy force varies as it moves"},
+                  self.rate);
         }
     };
     std::vector<Entry> entries;
@@ -49,6 +53,11 @@ struct LiquidResistance {
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by object"}, self.entries);
+        visit(FieldInfo{.key = "foreseen",
+                        .unit = "",
+                        .meaning = "whether they allow for the change of the buoyancy force until they are "
+                                   "computed again"},
+              self.foreseen);
     }
 };
 

@@ -97,7 +97,21 @@ struct Immersions {
         AreaMoments wet;     ///< of the immersed part, in the object's frame
         Waterline waterline; ///< in the object's frame
         EventId event;       ///< "enters the liquid"; none without tracing
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "which is in the liquid"}, self.object);
+            visit(FieldInfo{.key = "liquid", .unit = "", .meaning = "the liquid"}, self.liquid);
+            visit(FieldInfo{.key = "density", .unit = "kg/m³", .meaning = "of the liquid"}, self.density);
+            visit(FieldInfo{.key = "up", .unit = "", .meaning = "out of the surface of the liquid"}, self.up);
+            visit(FieldInfo{.key = "area", .unit = "m²", .meaning = "of the immersed part"}, self.wet.area);
+        }
     };
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by object, then by liquid"},
+              self.entries);
+    }
+
     std::vector<Entry> entries;
     double interval = 0; ///< s, for which these results stand: the resolver's period
 

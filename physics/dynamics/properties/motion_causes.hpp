@@ -69,9 +69,17 @@ struct OverloadedJoints {
     struct Entry {
         ObjectId joint;
         EventId event; ///< "joint overloaded"; none without tracing
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "the joint"}, self.joint);
+        }
     };
     std::vector<Entry> entries; ///< ascending by joint
 
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "entries", .unit = "", .meaning = "ascending by joint"}, self.entries);
+    }
     /// A joint that is overloaded in several parts of a frame is reported once, as in the first of them.
     static void gather(OverloadedJoints& frame, OverloadedJoints const& part, PartSpan) {
         std::vector<Entry> all;

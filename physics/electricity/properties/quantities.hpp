@@ -48,6 +48,8 @@ struct ElectricalQuantities {
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "the conductor"}, self.object);
+            visit(FieldInfo{.key = "circuit", .unit = "", .meaning = "the first object of its circuit"},
+                  self.circuit);
             visit(FieldInfo{.key = "potential",
                             .unit = "V",
                             .meaning = "of its middle, above the return of its network"},

@@ -1,0 +1,64 @@
+// Prints docs/scripting-analysis.md with its tables made anew: scripting_analysis PAGE [--times]. Without
+// --times, which depends on the machine, the table of times stays as it is.
+#include "tests/conventional/trials.hpp"
+#include "tests/lua/analysis/interaction_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+
+namespace {
+
+// Puts a table between the marks of its name.
+void put(std::string& page, std::string const& name, std::string const& table) {
+    std::string const begin = fmt::format("<!-- table {} -->\n", name);
+    std::string const end = "<!-- end -->";
+    std::size_t const from = page.find(begin);
+    std::size_t const to = from == std::string::npos ? from : page.find(end, from);
+    if (to == std::string::npos) {
+        throw std::runtime_error("the page has no place for the table " + name);
+    }
+    page.replace(from + begin.size(), to - from - begin.size(), "\n" + table + "\n");
+}
+
+} // namespace
+
+int main(int count, char** arguments) try {
+    using namespace trembler;
+    if (count < 2) {
+        std::cerr << "usage: scripting_analysis PAGE [--times]\n";
+        return 2;
+    }
+    std::ifstream file(arguments[1]);
+    std::string page{std::istreambuf_iterator<char>(file), {}};
+    GameData const data;
+    auto const compared = lua::analysis::compareAll(data, lua::analysis::comparedLevels(data), 100'000);
+    for (auto const& comparison : compared) {
+        for (std::string const& error : comparison.errors) {
+            std::cerr << comparison.name << ": " << error << "\n";
+        }
+    }
+    put(page, "hashes", lua::analysis::hashTable(compared));
+    if (count > 2) {
+        put(page, "times", lua::analysis::timeTable(compared));
+    }
+    conventional::Stage const stage;
+    std::vector<conventional::SceneResult> results;
+    std::string kinds;
+    for (auto const& scene : conventional::allScenes()) {
+        results.push_back(conventional::runTrials(*scene, stage, conventional::fullCount));
+        kinds += (kinds.empty() ? "" : "\n") + conventional::kindTable(results.back());
+    }
+    put(page, "shares", conventional::shareTable(results));
+    put(page, "kinds", kinds);
+    put(page, "misses", conventional::missTable(results));
+    put(page, "first", conventional::firstTable(results, conventional::shortCount));
+    std::cout << page;
+    return 0;
+} catch (std::exception const& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+}

@@ -1,0 +1,48 @@
+// Runs levels twice, once with an interaction in C++ and once with the same one in Lua, and compares the
+// worlds after every frame.
+#pragma once
+
+#include "puzzle/data/game_data.hpp"
+#include "runtime/world/world.hpp"
+#include "tests/lua/analysis/counterparts.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::lua::analysis {
+
+/// One interaction in all recorded plays of all levels.
+struct Comparison {
+    std::string name;
+    int plays = 0;            ///< in which the level calls for it and it has a turn
+    std::uint64_t frames = 0; ///< compared
+    std::uint64_t turns = 0;  ///< of the one in C++
+    std::optional<std::uint64_t>
+        firstDiffers;                ///< the first frame, of any play, after which the worlds differ
+    std::string differsIn;           ///< that level and play
+    int differing = 0;               ///< plays in which they do
+    double nativeMicroseconds = 0;   ///< per turn
+    double scriptMicroseconds = 0;   ///< per turn
+    std::vector<std::string> errors; ///< what the script said
+};
+
+/// Puts the script into the registry in place of the interaction of its name: at its place, with its type (so
+/// that a shortcut of 5.7.3 finds it), what it is called for by, and its turn in the setup. Throws
+/// InputError if the script is wrong.
+void putInPlace(Registry& registry, Counterpart const& counterpart, std::shared_ptr<ScriptLog> const& log);
+
+/// The hash of every property that the state hash covers. What components keep for themselves is left out, as
+/// the two keep different things; it shows in the properties as soon as it makes a difference.
+[[nodiscard]] std::uint64_t propertyHash(World const& world, Registry const& registry);
+
+/// All levels of the game, and those in tests/lua/analysis/levels for what they do not call for.
+[[nodiscard]] std::vector<std::filesystem::path> comparedLevels(GameData const& data);
+
+/// Compares every interaction that has a script in every play of these levels, in at most `frames` of each.
+[[nodiscard]] std::vector<Comparison>
+compareAll(GameData const& data, std::vector<std::filesystem::path> const& levels, std::uint64_t frames);
+
+} // namespace trembler::lua::analysis
