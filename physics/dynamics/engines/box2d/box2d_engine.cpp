@@ -184,6 +184,7 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
         bool const last = substep + 1 == settings.substeps;
         anyAwake_ = false;
         for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+            prefetchAfter(slot);
             if (awake_[slot] != 0) {
                 movedMarks_[slot] = 1;
                 noteAwake(slot, last && settings.sleeping);
@@ -199,6 +200,16 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
                 entry.force += fromEngine(entry.joint->GetReactionForce(1 / h) + before) / settings.substeps;
             }
         }
+    }
+}
+
+// Box2D has just looked for contacts, and what it knows of the bodies is no longer in the nearest cache.
+void Box2dEngine::prefetchAfter(SlotIndex slot) const {
+    constexpr SlotIndex ahead = 8;
+    if (slot + ahead < bodies_.size()) {
+        auto const* const body = reinterpret_cast<char const*>(bodies_[slot + ahead].body);
+        __builtin_prefetch(body); // of address 0 it does nothing
+        __builtin_prefetch(body + 64);
     }
 }
 

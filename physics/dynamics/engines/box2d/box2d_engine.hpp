@@ -139,6 +139,7 @@ private:
     void noteDragged();
     void applyJoints(float substep);
     [[nodiscard]] Twist momentumOf(b2Body const& body) const;
+    void prefetchAfter(SlotIndex slot) const;
     /// `mayFallAsleep`: Box2D may put it to sleep after this substep.
     void noteAwake(SlotIndex slot, bool mayFallAsleep);
     void noteMoved(SlotIndex slot);
