@@ -206,9 +206,9 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
 // Box2D has just looked for contacts, and what it knows of the bodies is no longer in the nearest cache.
 void Box2dEngine::prefetchAfter(SlotIndex slot) const {
     constexpr SlotIndex ahead = 8;
-    if (slot + ahead < bodies_.size()) {
+    if (slot + ahead < bodies_.size() && bodies_[slot + ahead].body != nullptr) {
         auto const* const body = reinterpret_cast<char const*>(bodies_[slot + ahead].body);
-        __builtin_prefetch(body); // of address 0 it does nothing
+        __builtin_prefetch(body);
         __builtin_prefetch(body + 64);
     }
 }

@@ -74,7 +74,7 @@ private:
 
     void takeStep(float h, DynamicsSettings const& settings, bool last);
     /// Whether Box2D would spend too much on looking for impacts within the coming substep.
-    [[nodiscard]] bool tooManyImpacts() const;
+    [[nodiscard]] bool tooManyImpacts(double h) const;
     [[nodiscard]] static bool stops(b2Body const& body) {
         return body.GetType() != b2_dynamicBody || body.IsBullet();
     }
