@@ -3,9 +3,13 @@
 // must be bit for bit the same. CPU time of this thread, medians over blocks.
 #include "bench/box2d_scenes.hpp"
 #include "bench/measure.hpp"
+#include "physics/dynamics/calls.hpp"
+#include "physics/dynamics/properties/contacts.hpp"
 #include "physics/register_physics.hpp"
+#include "runtime/component/interaction.hpp"
 
 #include <cstring>
+#include <optional>
 
 namespace {
 
@@ -18,7 +22,19 @@ using bench::Trembler;
 constexpr int blockFrames = 10;
 constexpr int warmUpFrames = 60;
 
-bool run(Registry const& registry, SceneOf const& scene, int repetitions, bool verbose) {
+// A component that reads touches: contacts are then evaluated again at the end of a frame in which bodies
+// moved far, see box2d_frame_end.cpp.
+struct ReadsTouches final : Interaction<ReadsTouches, DynamicsRole, Reads<Contacts>> {
+    static constexpr ComponentText text{
+        .name = "Dynamics <- Touches", .effect = "bench", .level = "", .work = "Reads touches."};
+    using Activation = NeedsAll<>;
+    void apply(Access& access) { touches += access.read<Contacts>().current.size(); }
+    static constexpr Coverage memory = leftOut("a count that keeps the reading from being optimised away");
+    std::size_t touches = 0;
+};
+
+bool run(Registry const& registry, SceneOf const& scene, int repetitions, bool verbose,
+         std::optional<double> limit) {
     bench::Series bare;
     bench::Series ours;
     bench::Series ratio;
@@ -61,11 +77,15 @@ bool run(Registry const& registry, SceneOf const& scene, int repetitions, bool v
     double const overhead = 100 * (ratio.median() - 1);
     table.row("bare Box2D, per frame", 1e6 * bare.median(), "us");
     table.row("through Trembler, per frame", 1e6 * ours.median(), "us");
-    table.row("overhead", overhead, "%", overhead, 5);
+    if (limit) {
+        table.row("overhead", overhead, "%", overhead, *limit);
+    } else {
+        table.row("overhead", overhead, "%");
+    }
     table.print();
     std::printf("  motion is %s\n\n",
                 same ? "the same, bit for bit" : "NOT THE SAME: the comparison is void");
-    return same && overhead <= 5;
+    return same && overhead <= limit.value_or(overhead);
 }
 
 } // namespace
@@ -83,9 +103,14 @@ int main(int argc, char** argv) {
     }
     Registry registry;
     registerEverything(registry);
+    Registry withReader;
+    registerEverything(withReader);
+    withReader.component<ReadsTouches>();
     bool held = true;
-    for (SceneOf const& scene : {bench::largePyramid(), bench::tumbler()}) {
-        held = run(registry, scene, repetitions, verbose) && held;
+    for (SceneOf scene : {bench::largePyramid(), bench::tumbler()}) {
+        held = run(registry, scene, repetitions, verbose, 5) && held;
+        scene.name += ", with a component that reads touches";
+        held = run(withReader, scene, repetitions, verbose, std::nullopt) && held;
     }
     return held ? 0 : 1;
 }

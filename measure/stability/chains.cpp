@@ -10,9 +10,6 @@
 namespace trembler::stability {
 namespace {
 
-constexpr double g = 9.81;
-constexpr int second = 60;
-
 // Angles of the links of the right half, from the middle outwards, of a chain at rest whose ends are `span`
 // apart: the horizontal force H is the same in every link, and each carries half of the ball and of the
 // weight below it, so tan(angle) = V / H. H is found by bisection.

@@ -10,8 +10,6 @@
 namespace trembler::stability {
 namespace {
 
-constexpr int second = 60;
-
 // Water with its surface at y = 0, and a floor under it.
 void pool(Rig& rig) {
     ObjectId const water = rig.fixed(boxPiece(120, 12), {0, -6});

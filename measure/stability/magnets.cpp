@@ -11,7 +11,6 @@
 namespace trembler::stability {
 namespace {
 
-constexpr double g = 9.81;
 constexpr double mass = 0.5;
 constexpr double wide = 0.2;
 constexpr double high = 0.05;

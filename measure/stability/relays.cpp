@@ -58,7 +58,7 @@ private:
     std::map<ObjectId, bool> closed_;
 };
 
-Registry const& registry() {
+Registry const& registryWithRelays() {
     static Registry const shared = [] {
         Registry made;
         registerEffects(made);
@@ -70,7 +70,7 @@ Registry const& registry() {
 
 /// How a level's wires are connected.
 Connector const& levelWire() {
-    auto const all = registry().connectors();
+    auto const all = registryWithRelays().connectors();
     return *std::find_if(all.begin(), all.end(), [](Connector const& one) { return one.kind == "wire"; });
 }
 
@@ -82,7 +82,7 @@ struct Course {
 
 Course run(std::vector<bool> const& closedAtRest, int threads, int frames) {
     World world(
-        registry(),
+        registryWithRelays(),
         WorldOptions{.threads = threads, .detail = {}, .periods = {}, .trace = false, .rowsWorthThreads = 0});
     Store& store = world.store();
     auto const conductor = [&](std::string const& name) {

@@ -15,6 +15,9 @@
 
 namespace trembler::stability {
 
+inline constexpr int second = 60; ///< frames
+inline constexpr double g = 9.81; ///< m/s², of a Rig unless it is given another gravity
+
 /// How to run a case.
 struct Setting {
     DynamicsSettings solver = {}; ///< each case sets `sleeping` itself
@@ -35,7 +38,7 @@ private:
 class Rig {
 public:
     /// With gravity of 9.81 m/s² downwards by default, and sleeping off.
-    Rig(Setting const& setting, std::uint64_t seed, Vec2 gravity = {0, -9.81});
+    Rig(Setting const& setting, std::uint64_t seed, Vec2 gravity = {0, -g});
 
     ObjectId body(ShapePiece piece, Vec2 at, double mass, double angle = 0);
     ObjectId fixed(ShapePiece piece, Vec2 at, double angle = 0);

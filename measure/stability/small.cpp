@@ -9,8 +9,6 @@
 namespace trembler::stability {
 namespace {
 
-constexpr int second = 60;
-
 std::vector<Figure> smallPyramid(Setting const& setting, std::uint64_t seed) {
     constexpr double size = 0.05;
     constexpr int base = 30;

@@ -10,7 +10,6 @@
 namespace trembler::stability {
 namespace {
 
-constexpr int second = 60;
 constexpr double anyDrift = std::numeric_limits<double>::infinity();
 
 // Boxes of 1 m and 100 kg, the top one `weight` times as heavy. Drift is measured sideways: Box2D keeps

@@ -9,6 +9,7 @@
 #include "runtime/world/store.hpp"
 #include "runtime/world/subscription.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -189,6 +190,8 @@ private:
     Executor executor_;
     std::unique_ptr<Tracer> tracer_;
     std::shared_ptr<Wants> wants_ = std::make_shared<Wants>(); // not part of the world's state
+    /// By kind, ascending: the entries that have turns of their own.
+    std::array<std::vector<std::size_t>, 3> turns_;
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each
     ComponentGraph graph_;       // of the entries: component n is entry n
     std::optional<std::size_t> divider_; // the entry that decides in how many parts a frame is computed

@@ -68,6 +68,9 @@ int countOf(std::map<std::string_view, int> const& counts, std::string_view key)
 
 void World::bindAll() {
     channels_.clearSources();
+    for (std::vector<std::size_t>& turns : turns_) {
+        turns.clear();
+    }
     std::map<std::string_view, int> own; // readers by property: components that are there without onlookers
     std::map<std::string_view, int> others; // and all others
     for (Entry& entry : entries_) {
@@ -75,6 +78,9 @@ void World::bindAll() {
             continue;
         }
         entry.component->bind(store_, channels_);
+        if (!runsInside(entry)) { // an interaction inside a derived property set has its turn with it
+            turns_[static_cast<std::size_t>(entry.status.info->kind)].push_back(entry.index);
+        }
         for (PropertyInfo const* read : entry.status.info->reads) {
             ++(entry.own ? own : others)[read->text.key];
         }

@@ -56,11 +56,8 @@ void World::runPhase(ComponentKind kind) {
     auto const hasTurn = [this](Entry const& entry) { return entry.component && due(entry); };
     std::vector<std::size_t> running;
     std::size_t rows = 0;
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
+    for (std::size_t const i : turns_[static_cast<std::size_t>(kind)]) {
         Entry& entry = entries_[i];
-        if (entry.status.info->kind != kind || !entry.component || runsInside(entry)) {
-            continue; // an interaction inside a derived property set has its turn with it
-        }
         bool runs = false;
         auto const consider = [&](Entry& candidate) {
             if (!hasTurn(candidate)) {

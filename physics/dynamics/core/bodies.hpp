@@ -14,15 +14,16 @@ struct MotionRows {
     std::uint32_t spin = ColumnBase::absent;
 };
 
-struct Body {
+/// The members that are read in every frame come first, and fill one cache line.
+struct alignas(64) Body {
     ObjectId object; ///< invalid: the slot is free
     bool fixed = false;
+    bool offCentre = false;
+    Vec2 centre; ///< m, centre of mass in the object's frame
+    MotionRows rows;
     double mass = 0;    ///< kg
     double inertia = 0; ///< kg m², about the centre of mass
-    Vec2 centre;        ///< m, centre of mass in the object's frame
-    bool offCentre = false;
-    MotionRows rows;
-    Shape shape; // as the engine has received it, to notice changes
+    Shape shape;        // as the engine has received it, to notice changes
     BodySpec spec;
 };
 

@@ -9,7 +9,8 @@ namespace trembler {
 /// Counts, for each pair of objects, the pairs of pieces that touch.
 class TouchBook {
 public:
-    /// Takes the changes in and empties the list.
+    /// Takes the changes in and empties the list. What changed() after it must be marked as seen before the
+    /// next call.
     void take(std::vector<TouchChange>& changes);
     /// Writes into `next` how the world's contacts go on from `before`: the pairs that touch now, and those
     /// that began and ended since. Works from any `before`, so that it holds across a change of engines.

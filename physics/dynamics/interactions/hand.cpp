@@ -8,6 +8,9 @@ namespace trembler {
 void DynamicsFromPlayer::apply(Access& access) {
     Hand const& hand = access.read<Hand>();
     ObjectId const held = hand.object;
+    if (!held.valid()) {
+        return;
+    }
     Shape const* const shape = access.read<Shape>().find(held);
     Position const* const position = access.read<Position>().find(held);
     Rotation const* const rotation = access.read<Rotation>().find(held);

@@ -74,7 +74,7 @@ private:
 
     void takeStep(float h, DynamicsSettings const& settings, bool last);
     /// Whether Box2D would spend too much on looking for impacts within the coming substep.
-    [[nodiscard]] bool tooManyImpacts() const;
+    [[nodiscard]] bool tooManyImpacts(double h) const;
     [[nodiscard]] static bool stops(b2Body const& body) {
         return body.GetType() != b2_dynamicBody || body.IsBullet();
     }
@@ -139,7 +139,10 @@ private:
     void noteDragged();
     void applyJoints(float substep);
     [[nodiscard]] Twist momentumOf(b2Body const& body) const;
-    void noteMoved();
+    void prefetchAfter(SlotIndex slot) const;
+    /// `mayFallAsleep`: Box2D may put it to sleep after this substep.
+    void noteAwake(SlotIndex slot, bool mayFallAsleep);
+    void noteMoved(SlotIndex slot);
     [[nodiscard]] bool drifts(BodyEntry const& entry) const;
     /// The speed that its load gives a body within one substep, in engine units.
     [[nodiscard]] float speedGain(b2Body const* body) const;
@@ -175,7 +178,7 @@ private:
     int added_ = 0;            // bodies since the last step
     std::vector<Place> start_; // by slot: where what is awake began the substep
     bool touchesAtEnd_ = true;
-    bool watching_ = false;    // start_ is to be compared with
+    bool watching_ = false; // start_ is to be compared with
     std::vector<OnTheWay> changedOnTheWay_;
     /// In the last substep: far enough for touches to be stale, or stopped by Box2D on its way.
     enum class Moved : std::uint8_t { little, far, stopped };

@@ -2,9 +2,11 @@
 // through others.
 //
 // Box2D finds the first impact within a substep, goes back to it, and searches all contacts for the next:
-// this costs impacts times contacts, too much where thousands of bodies land at once. In that case the path
-// of each fast body is tested on its own, as in the other engines.
+// this costs impacts times contacts, too much where thousands of bodies land at once, or where bodies wedged
+// in each other spin so fast that a frame has hundreds of substeps. In these cases the path of each fast body
+// is tested on its own, as in the other engines.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
+#include "runtime/component/component.hpp"
 
 #include <box2d/b2_distance.h>
 
@@ -17,6 +19,10 @@ namespace {
 
 // Limit of impacts times contacts in a substep: some hundredths of a second.
 constexpr double mostLooks = 4e6;
+// In a frame of more substeps than these, the limit of contacts with what stops others, summed over its
+// substeps. Box2D may find the time of impact of each eight times in a substep, at up to 0.1 ms each.
+constexpr double manySubsteps = 32;
+constexpr double mostStops = 3000;
 
 bool tiedApart(b2Body* a, b2Body const* b) {
     for (b2JointEdge* edge = a->GetJointList(); edge != nullptr; edge = edge->next) {
@@ -43,9 +49,10 @@ private:
 
 } // namespace
 
-bool Box2dEngine::tooManyImpacts() const {
+bool Box2dEngine::tooManyImpacts(double h) const {
     double const contacts = world_.GetContactCount();
-    if (contacts * contacts <= mostLooks) {
+    double const substeps = frameDuration / h;
+    if (contacts * contacts <= mostLooks && substeps <= manySubsteps) {
         return false;
     }
     // Box2D's continuous collision detection covers static bodies and bullets: counts each such contact once.
@@ -58,7 +65,7 @@ bool Box2dEngine::tooManyImpacts() const {
             impacts += !seen && (moves || isActive(*edge->other)) ? 1 : 0;
         }
     }
-    return contacts * impacts > mostLooks;
+    return contacts * impacts > mostLooks || (substeps > manySubsteps && impacts * substeps > mostStops);
 }
 
 void Box2dEngine::noteStart() {
@@ -75,7 +82,7 @@ void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last)
         // Box2D finds the contacts of new bodies only in a step. A step of zero length does nothing else.
         guardBox2d([&] { world_.Step(0, settings.velocityIterations, settings.positionIterations); });
     }
-    bool const many = tooManyImpacts();
+    bool const many = tooManyImpacts(static_cast<double>(h));
     bool const compares = last && touchesAtEnd_;
     if (many || compares) {
         noteStart();

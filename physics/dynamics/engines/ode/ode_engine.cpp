@@ -2,6 +2,7 @@
 #include "physics/dynamics/engines/ode/ode_engine.hpp"
 
 #include "physics/dynamics/engines/ode/ode_dynamics.hpp"
+#include "runtime/component/component.hpp"
 
 #include <algorithm>
 #include <cmath>

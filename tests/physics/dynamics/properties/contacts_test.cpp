@@ -251,7 +251,7 @@ public:
         : scene_({.solver = {.substeps = substeps}, .extend = extend}) {
         scene_.gravity = 0;
         a_ = scene_.ball({0, 0});
-        b_ = scene_.ball({0.2 + start * 0.005, 0});
+        b_ = scene_.ball({0.2025 + start * 0.005, 0});
         scene_.give(a_, Velocity{{3, 0}});
         scene_.give(b_, Velocity{{-3, 0}});
     }
@@ -277,7 +277,7 @@ void readContacts(Registry& registry) {
 // then be known a frame late, and a subscription does not make them known earlier: it must change no state.
 TEST_P(ContactsTest, AreThoseOfTheFramesEndWhereTheStateDependsOnThem) {
     int late = 0;
-    for (int start = 1; start < 60; ++start) {
+    for (int start = 1; start < 60; start += 2) { // never exactly at a gap of 0
         Meeting read(1, start, readContacts);
         Meeting unread(1, start, nullptr);
         Meeting wanted(1, start, nullptr);
@@ -301,7 +301,7 @@ TEST_P(ContactsTest, AreThoseOfTheFramesEndWhereTheStateDependsOnThem) {
         }
     }
     if (on("box2d")) {
-        EXPECT_GT(late, 10) << "the difference is not tested";
+        EXPECT_GT(late, 5) << "the difference is not tested";
     }
 }
 
