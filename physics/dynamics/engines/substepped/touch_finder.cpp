@@ -107,27 +107,32 @@ bool TouchFinder::meet(Piece const& a, Piece const& b, FoundTouch& touch) const 
 void TouchFinder::find(std::span<SlotIndex const> slots, Filter const& mayTouch,
                        std::vector<FoundTouch>& found) {
     near_.clear();
+    searched_.assign(entries_.size(), 0);
+    for (SlotIndex const slot : slots) {
+        searched_[slot] = 1;
+    }
     for (SlotIndex const slot : slots) {
         for (auto const& piece : entries_[slot].pieces) {
             TreeQuery query{[&](int32 proxy) {
                 auto const* const other = static_cast<Piece const*>(tree_.GetUserData(proxy));
                 SlotIndex const otherSlot = slotOfPiece(other->name);
-                if (otherSlot != slot && b2TestOverlap(piece->box, other->box) &&
+                bool const fromOther = searched_[otherSlot] != 0 && otherSlot < slot;
+                if (otherSlot != slot && !fromOther && b2TestOverlap(piece->box, other->box) &&
                     mayTouch(std::min(slot, otherSlot), std::max(slot, otherSlot))) {
                     Piece const* const own = piece.get();
-                    near_.emplace_back(own->name < other->name ? own : other,
-                                       own->name < other->name ? other : own);
+                    bool const first = own->name < other->name;
+                    near_.push_back(
+                        {pieceKey(first ? own->name : other->name, first ? other->name : own->name),
+                         first ? own : other, first ? other : own});
                 }
             }};
             tree_.Query(&query, piece->box);
         }
     }
-    auto const keyOf = [](auto const& pair) { return pieceKey(pair.first->name, pair.second->name); };
-    std::sort(near_.begin(), near_.end(), [&](auto const& x, auto const& y) { return keyOf(x) < keyOf(y); });
-    near_.erase(std::unique(near_.begin(), near_.end()), near_.end()); // pairs are found from both sides
-    for (auto const& [a, b] : near_) {
+    std::sort(near_.begin(), near_.end(), [](Near const& x, Near const& y) { return x.key < y.key; });
+    for (Near const& pair : near_) {
         FoundTouch touch;
-        if (meet(*a, *b, touch)) {
+        if (meet(*pair.a, *pair.b, touch)) {
             found.push_back(touch);
         }
     }

@@ -32,8 +32,8 @@ public:
     void remove(SlotIndex slot);
     void place(SlotIndex slot, Vec2 centre, double angle);
 
-    /// Appends the contacts of the pieces of the bodies in `slots`, each pair of pieces once, ascending by
-    /// key. `mayTouch` is called with the smaller slot first.
+    /// Appends the contacts of the pieces of the bodies in `slots`, each slot once, each pair of pieces once,
+    /// ascending by key. `mayTouch` is called with the smaller slot first.
     void find(std::span<SlotIndex const> slots, Filter const& mayTouch, std::vector<FoundTouch>& found);
     /// The share of the path `way` (m) that a disc can move from `start` before it hits a body for which
     /// `stops` returns true; 1 if it hits none or overlaps one already.
@@ -60,8 +60,15 @@ private:
 
     double scale_;
     b2DynamicTree tree_;
-    std::vector<Entry> entries_;                              // by slot
-    std::vector<std::pair<Piece const*, Piece const*>> near_; // a member to reuse its memory
+    std::vector<Entry> entries_; // by slot
+    struct Near {
+        std::uint64_t key = 0;
+        Piece const* a = nullptr;
+        Piece const* b = nullptr;
+    };
+    // Members to reuse their memory.
+    std::vector<Near> near_;
+    std::vector<std::uint8_t> searched_; // by slot: one of those given to find()
 };
 
 } // namespace trembler
