@@ -179,9 +179,9 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
         since_ = duration * substep / settings.substeps;
         applyDrags(static_cast<double>(h));
         applyJoints(h);
-        takeStep(h, settings, substep + 1 == settings.substeps);
-        noteDragged();
         bool const last = substep + 1 == settings.substeps;
+        takeStep(h, settings, last);
+        noteDragged();
         anyAwake_ = false;
         for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
             prefetchAfter(slot);
