@@ -17,7 +17,14 @@ struct ObjectId {
     std::uint32_t generation = 0;
 
     [[nodiscard]] constexpr bool valid() const { return index != none; }
-    friend constexpr auto operator<=>(ObjectId, ObjectId) = default;
+    friend constexpr bool operator==(ObjectId, ObjectId) = default;
+    /// With a single comparison: lists of pairs of objects are sorted and merged in every frame.
+    friend constexpr std::strong_ordering operator<=>(ObjectId x, ObjectId y) {
+        return x.rank() <=> y.rank();
+    }
+
+private:
+    [[nodiscard]] constexpr std::uint64_t rank() const { return std::uint64_t{index} << 32U | generation; }
 };
 
 /// Both halves in one number, for hashing and for keys.

@@ -3,6 +3,7 @@
 #include "puzzle/goals/level_schema.hpp"
 #include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
+#include "tests/support/sanitizer.hpp"
 #include "tests/worlds/random_level.hpp"
 #include "tests/worlds/trial.hpp"
 
@@ -46,10 +47,11 @@ TEST_P(RandomWorlds, NeitherBreakNorHangOnAnyEngine) {
     // Engines take long over many contacts in one place, so there are fewer of such levels.
     bool const crowded = mannerOf(static_cast<std::uint64_t>(GetParam())).spread < 1;
     std::size_t const count = tries(crowded ? 1 : 4);
+    std::size_t const frames = test::underSanitizer ? (crowded ? 1 : 8) : (crowded ? 4 : 20);
     int played = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        expectGood(levels().make(8 * i + static_cast<std::size_t>(GetParam())), {.frames = crowded ? 4 : 20},
-                   played);
+        expectGood(levels().make(8 * i + static_cast<std::size_t>(GetParam())),
+                   {.frames = static_cast<int>(frames)}, played);
     }
     EXPECT_EQ(played, static_cast<int>(count));
 }
@@ -57,7 +59,7 @@ TEST_P(RandomWorlds, NeitherBreakNorHangOnAnyEngine) {
 INSTANTIATE_TEST_SUITE_P(Manner, RandomWorlds, testing::Range(0, 8));
 
 TEST(RandomLevels, AreWhatTheSchemaAllows) {
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    for (std::uint64_t seed = 0; seed < tries(200); ++seed) {
         EXPECT_EQ(validate(schema(), levels().make(seed)), std::vector<std::string>()) << seed;
     }
 }

@@ -3,20 +3,15 @@
 #include <algorithm>
 #include <cassert>
 #include <compare>
+#include <tuple>
 
 namespace trembler {
 namespace {
 
-// In the order of ObjectId, with a single comparison.
-std::uint64_t rankOf(ObjectId id) {
-    return std::uint64_t{id.index} << 32U | id.generation;
-}
-
 // Of two pairs. Inline: called for each pair that touches, in each frame.
 template <class X, class Y>
 inline std::strong_ordering orderOf(X const& x, Y const& y) {
-    std::strong_ordering const byA = rankOf(x.a) <=> rankOf(y.a);
-    return byA != 0 ? byA : rankOf(x.b) <=> rankOf(y.b);
+    return std::tie(x.a, x.b) <=> std::tie(y.a, y.b);
 }
 
 template <class X, class Y>

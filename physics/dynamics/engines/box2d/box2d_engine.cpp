@@ -10,6 +10,8 @@ namespace trembler {
 namespace {
 
 constexpr std::uintptr_t groundData = ~std::uintptr_t{0};
+// Removals times bodies that wait: some thousandths of a second.
+constexpr double mostLooksAtAdded = 4e6;
 
 } // namespace
 
@@ -83,7 +85,18 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
     }
 }
 
+void Box2dEngine::findContactsOfAdded() {
+    added_ = 0;
+    removed_ = 0;
+    // It makes contacts, but reports nothing. Box2D has no other access to it outside of a step.
+    guardBox2d([&] { const_cast<b2ContactManager&>(world_.GetContactManager()).FindNewContacts(); });
+}
+
 void Box2dEngine::removeBody(SlotIndex slot) {
+    // Box2D keeps a list of added bodies whose contacts it has not looked for, and each removal walks it.
+    if (added_ > 0 && static_cast<double>(++removed_) * added_ > mostLooksAtAdded) {
+        findContactsOfAdded();
+    }
     world_.DestroyBody(bodies_[slot].body);
     forgetReported(slot);
     stopping_.erase(slot);
@@ -179,9 +192,9 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
         since_ = duration * substep / settings.substeps;
         applyDrags(static_cast<double>(h));
         applyJoints(h);
-        takeStep(h, settings, substep + 1 == settings.substeps);
-        noteDragged();
         bool const last = substep + 1 == settings.substeps;
+        takeStep(h, settings, last);
+        noteDragged();
         anyAwake_ = false;
         for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
             prefetchAfter(slot);

@@ -73,6 +73,7 @@ private:
     };
 
     void takeStep(float h, DynamicsSettings const& settings, bool last);
+    void findContactsOfAdded();
     /// Whether Box2D would spend too much on looking for impacts within the coming substep.
     [[nodiscard]] bool tooManyImpacts(double h) const;
     [[nodiscard]] static bool stops(b2Body const& body) {
@@ -175,7 +176,8 @@ private:
     std::vector<std::uint8_t> movedMarks_;
     std::vector<TouchChange> touches_;
     std::vector<b2Body*> wakeStack_;
-    int added_ = 0;            // bodies since the last step
+    int added_ = 0;            // bodies since Box2D last looked for new contacts
+    int removed_ = 0;          // while such bodies wait
     std::vector<Place> start_; // by slot: where what is awake began the substep
     bool touchesAtEnd_ = true;
     bool watching_ = false; // start_ is to be compared with

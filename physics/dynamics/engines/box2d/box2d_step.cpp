@@ -78,6 +78,7 @@ void Box2dEngine::noteStart() {
 }
 
 void Box2dEngine::takeStep(float h, DynamicsSettings const& settings, bool last) {
+    removed_ = 0;
     if (double const added = std::exchange(added_, 0); added * added > mostLooks) {
         // Box2D finds the contacts of new bodies only in a step. A step of zero length does nothing else.
         guardBox2d([&] { world_.Step(0, settings.velocityIterations, settings.positionIterations); });

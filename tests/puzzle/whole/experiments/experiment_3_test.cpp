@@ -17,7 +17,7 @@ protected:
     static constexpr char const* four = "3b-four-spokes.json";
     static constexpr char const* bare = "3c-no-base-magnet.json";
     static constexpr char const* cheap = "3d-motor-and-generator.json";
-    static constexpr int angles = test::underSanitizer ? 32 : 64;
+    static constexpr int angles = test::underSanitizer ? 16 : 64;
 
     Tachometer follow(std::uint64_t frame) {
         Tachometer tachometer(world());

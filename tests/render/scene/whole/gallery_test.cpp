@@ -6,6 +6,7 @@
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/render/scene/scene_stage.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace trembler::render::test {
 namespace {
@@ -184,7 +185,7 @@ void drawLevel(std::filesystem::path const& file) {
         level.solutions.empty() ? std::vector<Placement>{} : level.solutions.front().placements;
     auto const world = buildWorld(everything(), level, library, placements);
     Camera camera;
-    camera.viewport = {1280, 720};
+    camera.viewport = trembler::test::underSanitizer ? Size{640, 360} : Size{1280, 720};
     Extent const focus = sceneFocus(*world);
     ASSERT_FALSE(focus.empty());
     camera.fit(focus.lower, focus.upper, 20);
