@@ -1,6 +1,7 @@
 #include "lua/binding/call_arguments.hpp"
 
 #include "lua/binding/values.hpp"
+#include "lua/sandbox/stack_values.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
 #include <fmt/format.h>

@@ -106,9 +106,10 @@ private:
     void drive(lua_State* L, int apply);
     int fillHere(lua_State* L);
 
-    // What scripts call: turn_functions.cpp. None keeps an object with a destructor while it calls what may
-    // raise an error, but for strings and lists, which Lua's errors unwind like exceptions on the platforms
-    // that it is built for.
+    // What scripts call. None keeps an object with a destructor while it calls what may raise an error, but
+    // for strings and lists, which Lua's errors unwind like exceptions on the platforms that it is built for.
+
+    // Reading properties: turn_properties.cpp.
     [[nodiscard]] static std::string keyAt(lua_State* L, int index);
     [[nodiscard]] static std::string indexed(std::string const& name);
     [[noreturn]] void refuseProperty(lua_State* L, std::string const& name, std::string_view of);
@@ -119,15 +120,21 @@ private:
     int objectFallback(lua_State* L);
     int fieldFallback(lua_State* L);
     int worldIndex(lua_State* L);
-    int parameterFallback(lua_State* L);
+
+    // Calls: turn_calls.cpp.
     int callFallback(lua_State* L);
     int makeCall(lua_State* L);
     [[nodiscard]] bool readPlain(lua_State* L, CallPlan const& plan, char* into) const;
+
+    // Handles: turn_handles.cpp.
     void pushHandle(lua_State* L, ObjectId id);
     [[nodiscard]] std::optional<ObjectId> objectAt(lua_State* L, int index) const;
     int handleIndex(lua_State* L);
     int handleEqual(lua_State* L);
     int isAlive(lua_State* L);
+
+    // Parameters, the store and the frame: turn_store.cpp.
+    int parameterFallback(lua_State* L);
     int storeIndex(lua_State* L);
     int storeChange(lua_State* L);
     [[nodiscard]] std::size_t storeField(lua_State* L, bool ofScript);

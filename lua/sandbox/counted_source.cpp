@@ -1,66 +1,30 @@
+// The counters that are put into a text: where each stands, and how much it counts.
 #include "lua/sandbox/counted_source.hpp"
 
-#include "lua/sandbox/scanner.hpp"
+#include "lua/sandbox/assignments.hpp"
+#include "lua/sandbox/tokens.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
 namespace trembler::lua {
 namespace {
 
-using TokenKind = SourceScanner::Kind;
-
-struct Token {
-    TokenKind kind = TokenKind::end;
-    std::string_view text;
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    std::size_t line = 0;
-
-    [[nodiscard]] bool is(std::string_view wanted) const {
-        return text == wanted && (kind == TokenKind::name || kind == TokenKind::other);
-    }
-};
-
-std::vector<Token> tokensOf(std::string_view text) {
-    std::vector<Token> all;
-    SourceScanner scanner(text);
-    for (auto kind = scanner.next(); kind != TokenKind::end; kind = scanner.next()) {
-        all.push_back({kind, scanner.token(), scanner.begin(), scanner.end(), scanner.line()});
-    }
-    return all;
-}
-
-bool isKeyword(std::string_view word) {
-    constexpr std::array<std::string_view, 21> keywords{
-        "and",   "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "if",   "in",
-        "local", "nil",   "not", "or",   "repeat", "return", "then",  "true", "until",    "while"};
-    return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
-}
-
-// Keywords that stand in no expression: the condition of 'until' has ended before them.
-bool beginsStatement(std::string_view word) {
-    constexpr std::array<std::string_view, 12> keywords{
-        "break", "do", "else", "elseif", "end", "for", "if", "local", "repeat", "return", "until", "while"};
-    return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
-}
-
 /// Walks through the tokens once and notes where counters go and how much they count.
 class Counter {
 public:
-    Counter(std::string_view text, std::vector<Token> const& tokens, bool loopsOnly)
-        : text_(text), tokens_(tokens), loopsOnly_(loopsOnly) {}
+    Counter(std::string_view text, Tokens const& tokens, bool loopsOnly)
+        : text_(text), tokens_(tokens), loopsOnly_(loopsOnly), assignments_(tokens) {}
 
     CountedSource count(std::optional<BlockFault>& fault) {
         bodies_.emplace_back(); // the chunk itself
         blocks_.push_back({Block::function, 0});
         findOwnApply();
         for (at_ = 0; at_ < tokens_.size() && !fault_; ++at_) {
-            step(tokens_[at_]);
+            step(token(at_));
         }
         if (!fault_ && blocks_.size() != 1) {
             fail("a block, a bracket or a function has no end");
@@ -85,13 +49,8 @@ private:
         bool whole;
     };
 
-    [[nodiscard]] Token const& token(std::size_t at) const {
-        static Token const none;
-        return at < tokens_.size() ? tokens_[at] : none;
-    }
-    [[nodiscard]] bool isName(std::size_t at) const {
-        return token(at).kind == TokenKind::name && !isKeyword(token(at).text);
-    }
+    [[nodiscard]] Token const& token(std::size_t at) const { return tokens_.token(at); }
+    [[nodiscard]] bool isName(std::size_t at) const { return tokens_.isName(at); }
     void fail(std::string message) {
         if (!fault_) {
             fault_ = BlockFault{token(at_).line, std::move(message)};
@@ -171,7 +130,7 @@ private:
         } else if (now.text == "}") {
             close({Block::brace});
         } else if (now.text == "=" && blocks_.back().block != Block::brace) {
-            assignment();
+            assignments_.findAt(at_);
         }
     }
 
@@ -216,9 +175,9 @@ private:
         bool const local = start > 0 && token(start - 1).is("local");
         bodies_[blocks_.back().body].tokens += at_ - start;
         if (at_ > start + 1) {
-            assignsFields_ = true; // function a.b()
+            assignments_.addField(); // function a.b()
         } else if (at_ == start + 1 && !local) {
-            assigned_.emplace(token(at_).text);
+            assignments_.addName(token(at_).text);
         }
         std::size_t const names = at_ + 1;
         if (!token(names).is("(")) {
@@ -232,7 +191,7 @@ private:
             if (isName(at_)) {
                 ++parameter;
                 bool const itself = ofApply && (parameter == 4 || parameter == 5);
-                storeIsItself_ = storeIsItself_ && (token(at_).text != "store" || itself);
+                assignments_.addParameter(token(at_).text, itself);
             }
         }
         open(Block::function, newBody());
@@ -259,72 +218,6 @@ private:
         return false;
     }
 
-    // At '=', outside of a table's constructor: which variables and fields stand before it?
-    void assignment() {
-        std::size_t i = at_;
-        bool onlyNames = true;
-        std::vector<std::string_view> names;
-        while (i > 0) {
-            --i; // the last token of a target
-            if (!isName(i)) {
-                assignsFields_ = assignsFields_ || token(i).is("]");
-                return;
-            }
-            if (i > 0 && token(i - 1).is(".")) {
-                if (!isStoreField(i)) {
-                    assignsFields_ = true;
-                    return;
-                }
-                i -= 4;
-                onlyNames = false;
-            } else {
-                names.push_back(token(i).text);
-            }
-            if (i == 0 || !token(i - 1).is(",")) {
-                break;
-            }
-            --i;
-        }
-        bool const declared = i > 0 && (token(i - 1).is("local") || token(i - 1).is("for")) && onlyNames;
-        for (std::string_view const name : names) {
-            storeIsItself_ = storeIsItself_ && name != "store";
-            if (!declared) {
-                assigned_.emplace(name);
-            }
-        }
-    }
-    // Whether a name is the last one of store.object.NAME or store.script.NAME.
-    [[nodiscard]] bool isStoreField(std::size_t at) {
-        bool const is = at >= 4 && token(at - 3).is(".") && token(at - 4).is("store") &&
-                        (token(at - 2).is("object") || token(at - 2).is("script")) &&
-                        !(at >= 5 && (token(at - 5).is(".") || token(at - 5).is(":")));
-        assignsToStore_ = assignsToStore_ || is;
-        return is;
-    }
-    // Whether 'store' is nowhere declared as a local variable without '=' or in a 'for', and never handed on.
-    [[nodiscard]] bool storeIsPlain() const {
-        for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (token(i).is("store") && i > 0 &&
-                (token(i - 1).is("local") || token(i - 1).is("for") || token(i - 1).is("function"))) {
-                return false;
-            }
-            if (token(i).is("store") && i > 0 && token(i - 1).is(",") && !token(i + 1).is(".")) {
-                // In a list: of apply's parameters, of a table, of a local's or a for's names. Only the first
-                // two declare nothing else by that name.
-                if (!token(i + 1).is(")") && !token(i + 1).is(",") && !token(i + 1).is("=")) {
-                    return false;
-                }
-                for (std::size_t back = i; back > 1 && (isName(back - 1) || token(back - 1).is(","));
-                     --back) {
-                    if (token(back - 2).is("local") || token(back - 2).is("for")) {
-                        return false;
-                    }
-                }
-            }
-        }
-        return true;
-    }
-
     [[nodiscard]] static std::size_t instructions(std::size_t tokens) { return (tokens + 1) / 2; }
 
     CountedSource assembled() {
@@ -339,8 +232,8 @@ private:
         made.chunk = instructions(bodies_.front().tokens);
         made.apply = applyBody_ == 0 ? 0 : std::max<std::size_t>(1, instructions(bodies_[applyBody_].tokens));
         made.parameters = applyBody_ == 0 ? CountedSource::anyNumber : parameters_;
-        made.assignsFields = assignsFields_ || (assignsToStore_ && !(storeIsItself_ && storeIsPlain()));
-        made.assigned = std::move(assigned_);
+        made.assignsFields = assignments_.ofFields();
+        made.assigned = assignments_.names();
         std::stable_sort(places_.begin(), places_.end(),
                          [](Place const& a, Place const& b) { return a.position < b.position; });
         made.text = fmt::format("local {0},{1}=0,... return function(...) ", CountedSource::counterName,
@@ -363,7 +256,7 @@ private:
     }
 
     std::string_view text_;
-    std::vector<Token> const& tokens_;
+    Tokens const& tokens_;
     bool loopsOnly_;
     std::size_t at_ = 0;
     std::vector<Body> bodies_;
@@ -372,21 +265,18 @@ private:
     std::vector<std::size_t> trailing_; // bodies of 'repeat' whose condition may go on
     std::vector<Place> places_;
     std::optional<BlockFault> fault_;
-    std::set<std::string, std::less<>> assigned_;
+    Assignments assignments_;
     std::size_t applyBody_ = 0; // 0: none that only the host can call
     std::size_t applyPlace_ = 0;
     std::size_t parameters_ = CountedSource::anyNumber;
     std::size_t lastTableEnd_ = 0;
     bool applyAlone_ = false;
-    bool assignsFields_ = false;
-    bool assignsToStore_ = false;
-    bool storeIsItself_ = true;
 };
 
 } // namespace
 
 CountedSource countSource(std::string_view text, std::optional<BlockFault>& fault, bool loopsOnly) {
-    std::vector<Token> const tokens = tokensOf(text);
+    Tokens const tokens(text);
     return Counter(text, tokens, loopsOnly).count(fault);
 }
 

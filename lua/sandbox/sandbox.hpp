@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 struct lua_State;
 
@@ -99,7 +98,8 @@ public:
     [[nodiscard]] static Sandbox& of(lua_State* L);
 
 private:
-    struct Functions; // those of the host that the prelude is given
+    struct Functions;                          // those of the host that Lua calls: prelude/host_functions.hpp
+    static constexpr double unlimited = 1e300; // instructions, outside of turns
     /// "wind.lua:12: ", where the script is; empty if it is not known.
     [[nodiscard]] static std::string placeOf(lua_State* L);
     /// The counter of instructions is below zero.
@@ -145,10 +145,5 @@ private:
     bool collectorStopped_ = false; // for the rest of the turn
     ScriptError error_;             // of the run under way: filled by its message handler
 };
-
-/// Collects the keys of the table at `index` that are strings, ascending.
-[[nodiscard]] std::vector<std::string> stringKeys(lua_State* L, int index);
-/// "a number", "a vector", "an object": what a value is, in words.
-[[nodiscard]] std::string kindOf(lua_State* L, int index);
 
 } // namespace trembler::lua

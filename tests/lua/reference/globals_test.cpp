@@ -1,5 +1,6 @@
 #include "lua/reference/globals.hpp"
 #include "lua/sandbox/sandbox.hpp"
+#include "lua/sandbox/stack_values.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Every script of tests/lua/hostile, each named for what it tries: it is stopped, and the state is as good as
 // new afterwards. No time is measured: that the test ends is what it is about.
 #include "lua/sandbox/sandbox.hpp"
+#include "lua/sandbox/stack_values.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,20 @@
+// The functions by which a compiled turn makes calls, as text in Lua.
+#pragma once
+
+#include "lua/binding/call_plan.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace trembler::lua {
+
+/// A name as a string literal of Lua, of escapes only.
+[[nodiscard]] std::string quotedName(std::string_view name);
+
+/// The function that a trusted script calls in place of makeCall(). It carries out what makeCall() would for
+/// the arguments as they mostly are, and hands any others on to it. `number` is the call's place in its role.
+[[nodiscard]] std::string driverCallText(std::size_t number, CallDescription const& call,
+                                         CallPlan const& plan);
+
+} // namespace trembler::lua

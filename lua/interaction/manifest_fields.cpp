@@ -1,0 +1,84 @@
+// The fields of a table in a manifest: names, texts and flags, and what is wrong with them.
+#include "lua/interaction/manifest_fields.hpp"
+
+#include "runtime/level/json/suggestion.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace trembler::lua {
+
+using nlohmann::json;
+
+void ManifestFields::complain(std::string_view word, std::string message, std::string expected) const {
+    problems_.add(place_.problem(word, std::move(message), std::move(expected)));
+}
+
+void ManifestFields::onlyKeys(json const& table, std::string const& where,
+                              std::vector<std::string> const& known) const {
+    if (!table.is_object()) {
+        return;
+    }
+    for (auto const& [key, value] : table.items()) {
+        if (std::find(known.begin(), known.end(), key) == known.end()) {
+            complain(key, fmt::format("unknown key '{}'{}{}", key, where, didYouMean(key, known)),
+                     listed(known));
+        }
+    }
+}
+
+std::string ManifestFields::text(json const& table, char const* key, bool required,
+                                 std::size_t longest) const {
+    if (!table.contains(key)) {
+        if (required) {
+            complain("", fmt::format("'{}' is missing", key), fmt::format("{} = \"...\"", key));
+        }
+        return {};
+    }
+    if (!table[key].is_string() || table[key].get<std::string>().size() > longest ||
+        table[key].get<std::string>().empty()) {
+        complain(key, fmt::format("'{}' is no text of 1 to {} bytes", key, longest), "a text");
+        return {};
+    }
+    return table[key].get<std::string>();
+}
+
+bool ManifestFields::flag(json const& table, char const* key) const {
+    if (!table.contains(key)) {
+        return false;
+    }
+    if (!table[key].is_boolean()) {
+        complain(key, fmt::format("'{}' is not true or false", key), "true or false");
+        return false;
+    }
+    return table[key].get<bool>();
+}
+
+std::vector<std::string> ManifestFields::namesIn(json const& list, std::string_view key) const {
+    std::vector<std::string> all;
+    bool good = list.is_array() && list.size() <= 50;
+    for (json const& name : good ? list : json::array()) {
+        if (!name.is_string()) {
+            good = false;
+        } else if (std::find(all.begin(), all.end(), name.get<std::string>()) != all.end()) {
+            complain(name.get<std::string>(), fmt::format("'{}' stands twice", name.get<std::string>()),
+                     "every property once");
+        } else {
+            all.push_back(name.get<std::string>());
+        }
+    }
+    if (!good) {
+        complain(key, fmt::format("'{}' is no list of names of properties", key),
+                 fmt::format("{} = {{ \"Position\", \"Velocity\" }}", key));
+    }
+    return all;
+}
+
+std::vector<std::string> ManifestFields::names(json const& table, char const* key) const {
+    return table.contains(key) ? namesIn(table[key], key) : std::vector<std::string>();
+}
+
+} // namespace trembler::lua

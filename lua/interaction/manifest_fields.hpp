@@ -1,0 +1,43 @@
+// The fields of a table in a manifest: names, texts and flags, and what is wrong with them.
+#pragma once
+
+#include "lua/interaction/manifest.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler::lua {
+
+/// Reads single fields out of a manifest's tables (see treeOf()). What is wrong is added to the problems, at
+/// the line of the manifest in which the word in question stands.
+class ManifestFields {
+public:
+    /// Both must outlive it.
+    ManifestFields(Manifest const& manifest, Problems& problems) : place_(manifest), problems_(problems) {}
+
+    /// A problem at the line in which `word` stands.
+    void complain(std::string_view word, std::string message, std::string expected) const;
+    /// Complains of every key that is not known; `where` says in which table, " in 'store'". Nothing, if it
+    /// is no table.
+    void onlyKeys(nlohmann::json const& table, std::string const& where,
+                  std::vector<std::string> const& known) const;
+    /// A text of 1 to `longest` bytes; empty if there is none.
+    [[nodiscard]] std::string text(nlohmann::json const& table, char const* key, bool required,
+                                   std::size_t longest) const;
+    /// false if it is not stated.
+    [[nodiscard]] bool flag(nlohmann::json const& table, char const* key) const;
+    /// At most 50 different names; `key` is that of the list.
+    [[nodiscard]] std::vector<std::string> namesIn(nlohmann::json const& list, std::string_view key) const;
+    /// The same for a key of a table; empty if it is not stated.
+    [[nodiscard]] std::vector<std::string> names(nlohmann::json const& table, char const* key) const;
+
+private:
+    Manifest const& place_;
+    Problems& problems_;
+};
+
+} // namespace trembler::lua

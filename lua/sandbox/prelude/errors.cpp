@@ -1,0 +1,87 @@
+// Errors, coroutines and metatables, as scripts see them.
+#include "lua/sandbox/prelude/parts.hpp"
+
+namespace trembler::lua {
+
+std::string_view errorsPart() {
+    static constexpr std::string_view text = R"lua(
+-- Errors --------------------------------------------------------------------------------------------------------
+
+local depth, made = 0, 0
+local function enter()
+  if depth >= 40 then error("pcall, xpcall and coroutines are nested more than 40 deep", 3) end
+  local saved = depth
+  depth = saved + 1
+  return saved
+end
+-- A limit ends the turn: whoever catches it gets it thrown again.
+local function leave(saved, ok, ...)
+  depth = saved
+  if not ok then
+    if host.limited() then error(host.limitText(), 0) end
+    charge(400) -- finding who catches an error takes as long
+  end
+  return ok, ...
+end
+function env.pcall(f, ...)
+  local saved = enter()
+  return leave(saved, rawpcall(f, ...))
+end
+function env.xpcall(f, handler, ...)
+  check("function", handler, 2, "xpcall")
+  local saved = enter()
+  -- Instructions are not counted while the error of the counter itself is handled.
+  return leave(saved, rawxpcall(f, function(e)
+    if host.limited() then return e end
+    return handler(e)
+  end, ...))
+end
+env.error = error
+env.assert = raw.assert
+env.type = type
+env.select = select
+function env.tonumber(v, base)
+  if type(v) == "string" then charge(#v / 8) end
+  if base ~= nil then return raw.tonumber(v, base) end
+  return raw.tonumber(v)
+end
+env.ipairs = raw.ipairs
+env.getmetatable = rawgetmetatable
+
+local function unwrap(ok, ...)
+  if not ok then error((...), 0) end
+  return ...
+end
+local coroutine = { yield = co.yield, status = co.status }
+function coroutine.create(f)
+  check("function", f, 1, "coroutine.create")
+  if made >= 50 then error("more than 50 coroutines in one turn", 2) end
+  made = made + 1
+  return co.create(f)
+end
+function coroutine.resume(thread, ...)
+  local saved = enter()
+  return leave(saved, co.resume(thread, ...))
+end
+function coroutine.wrap(f)
+  local thread = coroutine.create(f)
+  return function(...) return unwrap(coroutine.resume(thread, ...)) end
+end
+
+function env.setmetatable(t, meta)
+  check("table", t, 1, "setmetatable")
+  if meta ~= nil then
+    check("table", meta, 2, "setmetatable")
+    if rawget(meta, "__gc") ~= nil or rawget(meta, "__mode") ~= nil then
+      error("there is no __gc and no __mode, as they depend on when memory is collected", 2)
+    end
+    if rawget(meta, "__concat") ~= nil then error("there is no __concat; write a function", 2) end
+    host.keepGarbage() -- __mode can be set later, so nothing is collected in the rest of the turn
+  end
+  return rawsetmetatable(t, meta)
+end
+)lua";
+    return text;
+}
+
+} // namespace trembler::lua

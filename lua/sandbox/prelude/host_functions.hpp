@@ -1,0 +1,46 @@
+// The functions of the host that Lua calls: those that the prelude is given, and those by which the sandbox
+// runs a script in protected mode.
+#pragma once
+
+#include "lua/sandbox/sandbox.hpp"
+
+#include <lua.hpp>
+#include <string>
+
+namespace trembler::lua {
+
+// None of these has an object with a destructor on its stack when it calls what may raise an error, but for
+// short strings, which Lua's errors unwind on the platforms that it is built for.
+struct Sandbox::Functions {
+    // What the prelude is given, as its table `host`.
+    static luaL_Reg const all[];
+    static int charge(lua_State* L);
+    static int show(lua_State* L);
+    static int suggest(lua_State* L);
+    static int list(lua_State* L);
+    static int kind(lua_State* L);
+    static int log(lua_State* L);
+    static int limited(lua_State* L);
+    static int limitText(lua_State* L);
+    static int join(lua_State* L);
+    static int plain(lua_State* L);
+    static int keepGarbage(lua_State* L);
+    static int sin(lua_State* L);
+    static int cos(lua_State* L);
+    static int atan2(lua_State* L);
+    static int exp(lua_State* L);
+    static int logE(lua_State* L);
+
+    /// Where a counter in a text is below zero: raises the error of the limit.
+    static int over(lua_State* L);
+    /// Calls the Body to which its argument, a light userdata, points.
+    static int body(lua_State* L);
+    /// The message handler: keeps the message and the traceback in the sandbox.
+    static int handler(lua_State* L);
+
+private:
+    /// The text of a string or a number, at most as long as scripts may make one.
+    static std::string part(lua_State* L, int index);
+};
+
+} // namespace trembler::lua

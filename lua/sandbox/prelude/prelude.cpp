@@ -1,0 +1,26 @@
+// The prelude's text, put together from its parts.
+#include "lua/sandbox/prelude/prelude.hpp"
+
+#include "lua/sandbox/prelude/parts.hpp"
+
+#include <string>
+
+namespace trembler::lua {
+
+// What is written in Lua is counted in instructions like the script itself, so none of it needs a bound of
+// its own. What is Lua's own and takes longer the longer its arguments are is charged for (host.charge).
+// Scripts reach none of the tables in here: libraries are handed out behind read-only tables, so nothing that
+// a script does to them can last to its next turn.
+std::string_view preludeText() {
+    static std::string const text = [] {
+        std::string joined;
+        for (std::string_view const part : {foundationsPart(), errorsPart(), vectorsPart(), textPart(),
+                                            tablesPart(), numbersPart(), globalsPart()}) {
+            joined += part;
+        }
+        return joined;
+    }();
+    return text;
+}
+
+} // namespace trembler::lua

@@ -1,0 +1,107 @@
+// A turn of a sandbox: running what may fail, within limits, and what is left when it has ended.
+#include "lua/sandbox/prelude/host_functions.hpp"
+#include "lua/sandbox/sandbox.hpp"
+#include "lua/sandbox/stack_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <lua.hpp>
+#include <utility>
+
+namespace trembler::lua {
+
+std::optional<ScriptError> Sandbox::protect(Body const& body) {
+    memory_.setHost(true);
+    return run(body);
+}
+
+std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) {
+    memory_.beginTurn(trusted() ? static_cast<std::size_t>(-1)
+                                : limits_.allocation + limits_.allocationPerObject * objects);
+    budget_ = static_cast<double>(limits_.instructions + limits_.instructionsPerObject * objects);
+    calls_ = {.made = 0,
+              .most =
+                  limits_.calls + static_cast<double>(limits_.callsPerObject) * static_cast<double>(objects)};
+    spent_ = 0;
+    creations_ = 0;
+    logged_ = 0;
+    counting_ = true;
+    auto failed = protect([&](lua_State* L) {
+        if (plainGlobals_ && !filled_) {
+            lua_rawgeti(L, LUA_REGISTRYINDEX, fill_);
+            lua_pushboolean(L, source_.assignsFields ? 0 : 1);
+            lua_call(L, 1, 0);
+            filled_ = true;
+        }
+        lua_rawgeti(L, LUA_REGISTRYINDEX, reset_);
+        lua_call(L, 0, 0);
+        setLeft(L, budget_);
+        body(L);
+    });
+    counting_ = false;
+    finishTurn(failed);
+    return failed;
+}
+
+void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
+    if (collectorStopped_) {
+        collectorStopped_ = false;
+        lua_gc(state_, LUA_GCRESTART, 0);
+        // What is left of the turn, so that the next one can have all of the memory. Nothing here has a
+        // finaliser.
+        lua_gc(state_, LUA_GCCOLLECT, 0);
+    }
+    if (stopped_.empty()) {
+        spent_ = static_cast<std::uint64_t>(std::clamp(budget_ - left(state_), 0.0, budget_));
+    }
+    setLeft(state_, unlimited);         // neither needs memory beyond the stack that every state has
+    if (!failed && !stopped_.empty()) { // its error was dropped
+        failed = ScriptError{stopped_, {}, true};
+    }
+    if (!failed && memory_.exhausted()) {
+        failed = ScriptError{"not enough memory", {}, true};
+    }
+    if (failed && (!stopped_.empty() || memory_.exhausted())) {
+        failed->limit = true;
+        if (!stopped_.empty() && failed->message.find(stopped_) == std::string::npos) {
+            failed->message = stopped_; // the script has put something else in its place
+        } else if (stopped_.empty()) {
+            failed->message =
+                fmt::format("the script needs more memory than its limits, {} bytes at a time and "
+                            "{} in a turn, or calls itself too deeply",
+                            mostMemory(), limits_.allocation);
+        }
+    }
+    stopped_.clear();
+    memory_.beginTurn(static_cast<std::size_t>(-1));
+}
+
+std::optional<ScriptError> Sandbox::run(Body const& body) {
+    error_ = {};
+    lua_State* const L = state_;
+    int const top = lua_gettop(L);
+    // Pushing these needs no memory beyond the stack that every state has.
+    lua_pushcfunction(L, Functions::handler);
+    lua_pushcfunction(L, Functions::body);
+    lua_pushlightuserdata(L, const_cast<Body*>(&body)); // NOLINT: it is called as const
+    int const status = lua_pcall(L, 1, 0, top + 1);
+    memory_.setHost(true);
+    std::optional<ScriptError> failed;
+    if (status != 0) {
+        failed = std::move(error_);
+        if (failed->message.empty()) {
+            failed->message = status == LUA_ERRMEM ? "not enough memory" : textAt(L, -1);
+        }
+    }
+    lua_settop(L, top);
+    return failed;
+}
+
+void Sandbox::callScript(lua_State* L, int arguments, int results) {
+    memory_.setHost(trusted());
+    lua_call(L, arguments, results);
+    memory_.setHost(true);
+}
+
+} // namespace trembler::lua
