@@ -1,5 +1,6 @@
 // Hostile scripts in a world: each ruins its own interaction and nothing else. A level with another script in
 // it goes on, bit for bit, as if the hostile one were not there. No time is measured.
+#include "tests/lua/support/hostile_scripts.hpp"
 #include "tests/lua/support/script_world.hpp"
 
 #include <filesystem>
@@ -12,26 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int frames = 30;
-
-fs::path hostileFolder() {
-    return fs::path(TREMBLER_SOURCE_DIR) / "tests/lua/hostile";
-}
-
-/// Those that are run as a chunk of their own, those that use what `apply` is given, and those that are only
-/// read.
-std::vector<fs::path> allHostileScripts() {
-    std::vector<fs::path> all;
-    for (fs::path const& folder :
-         {hostileFolder(), hostileFolder() / "apply", hostileFolder() / "manifest"}) {
-        for (auto const& entry : fs::directory_iterator(folder)) {
-            if (entry.path().extension() == ".lua") {
-                all.push_back(entry.path());
-            }
-        }
-    }
-    std::sort(all.begin(), all.end());
-    return all;
-}
 
 std::string contentOf(fs::path const& path) {
     std::ifstream file(path, std::ios::binary);
@@ -130,11 +111,8 @@ TEST_P(HostileInWorld, RuinsItsOwnInteractionAndNothingElse) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scripts, HostileInWorld, testing::ValuesIn(allHostileScripts()),
-                         [](auto const& info) {
-                             std::string const folder = info.param.parent_path().filename().string();
-                             return folder + "_" + info.param.stem().string();
-                         });
+INSTANTIATE_TEST_SUITE_P(Scripts, HostileInWorld, testing::ValuesIn(scriptsBelow(hostileFolder())),
+                         [](auto const& info) { return hostileTestName(info.param); });
 
 } // namespace
 } // namespace trembler::lua

@@ -1,11 +1,11 @@
-// Every script of tests/lua/hostile, each named for what it tries: it is stopped, and the state is as good as
-// new afterwards. No time is measured: that the test ends is what it is about.
+// Every script of tests/lua/hostile/chunk, each named for what it tries: it is stopped, and the state is as
+// good as new afterwards. No time is measured: that the test ends is what it is about.
 #include "lua/sandbox/sandbox.hpp"
 #include "lua/sandbox/stack_values.hpp"
+#include "tests/lua/support/hostile_scripts.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,14 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> hostileScripts() {
-    std::vector<fs::path> all;
-    for (auto const& entry : fs::directory_iterator(fs::path(TREMBLER_SOURCE_DIR) / "tests/lua/hostile")) {
-        if (entry.path().extension() == ".lua") {
-            all.push_back(entry.path());
-        }
-    }
-    std::sort(all.begin(), all.end());
-    return all;
+    return scriptsBelow(hostileFolder() / "chunk");
 }
 
 std::string textOf(fs::path const& path) {
@@ -99,7 +92,7 @@ TEST_P(Hostile, IsStoppedAndLeavesNothingBehind) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scripts, Hostile, testing::ValuesIn(hostileScripts()),
-                         [](auto const& info) { return info.param.stem().string(); });
+                         [](auto const& info) { return hostileTestName(info.param); });
 
 TEST(HostileScripts, AreMoreThanAHundred) {
     EXPECT_GE(hostileScripts().size(), 100U);
