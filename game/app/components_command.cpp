@@ -1,7 +1,7 @@
 // trembler components and trembler schema: descriptions of all components and properties, and the components
 // that each level's scene activates.
 #include "game/app/commands.hpp"
-#include "game/app/mods.hpp"
+#include "game/app/mods/mods.hpp"
 #include "game/app/outputs.hpp"
 #include "measure/activation/report.hpp"
 #include "puzzle/data/effects.hpp"

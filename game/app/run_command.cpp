@@ -1,6 +1,6 @@
 // trembler run: runs a level without a window.
 #include "game/app/commands.hpp"
-#include "game/app/mods.hpp"
+#include "game/app/mods/mods.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/run_arguments.hpp"
 #include "runtime/level/json/limits.hpp"

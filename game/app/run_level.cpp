@@ -1,7 +1,7 @@
 #include "audio/effect/properties/acoustics.hpp"
 #include "game/app/budget_report.hpp"
 #include "game/app/commands.hpp"
-#include "game/app/mods.hpp"
+#include "game/app/mods/mods.hpp"
 #include "game/app/numbers.hpp"
 #include "game/app/progress.hpp"
 #include "game/app/run_arguments.hpp"

@@ -1,6 +1,6 @@
 // trembler verify: checks whether every level is valid.
 #include "game/app/commands.hpp"
-#include "game/app/mods.hpp"
+#include "game/app/mods/mods.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/diagnostic.hpp"

@@ -1,6 +1,6 @@
 // trembler play and trembler screenshot: the commands that draw.
 #include "game/app/commands.hpp"
-#include "game/app/mods.hpp"
+#include "game/app/mods/mods.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/outputs.hpp"
 #include "game/app/progress.hpp"

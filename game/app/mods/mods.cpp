@@ -1,4 +1,4 @@
-#include "game/app/mods.hpp"
+#include "game/app/mods/mods.hpp"
 
 #include "lua/attach/register.hpp"
 #include "lua/interaction/allowed_limits.hpp"

@@ -1,5 +1,5 @@
 // trembler mod reference, trembler mod annotations.
-#include "game/app/mod_reference_command.hpp"
+#include "game/app/mods/mod_reference_command.hpp"
 
 #include "game/app/commands.hpp"
 #include "game/app/outputs.hpp"

@@ -1,7 +1,7 @@
 // trembler mod new, check, list.
 #include "game/app/commands.hpp"
-#include "game/app/mod_reference_command.hpp"
-#include "game/app/mods.hpp"
+#include "game/app/mods/mod_reference_command.hpp"
+#include "game/app/mods/mods.hpp"
 #include "lua/mods/lint.hpp"
 #include "runtime/file/visible_text.hpp"
 
