@@ -44,6 +44,10 @@ public:
     /// encloses one of which it is. `found` is emptied first.
     template <class Meets>
     void findIf(Meets&& meets, std::vector<std::uint32_t>& found) const;
+    /// Calls `visit(number)` for the boxes of which `meets(box)` is true, as above, in a fixed order, until
+    /// it returns false. Returns whether it never did.
+    template <class Meets, class Visit>
+    bool visitIf(Meets&& meets, Visit&& visit) const;
     /// How many boxes meet a box, touching included. In a crowd, where boxes lie inside of each other, this
     /// takes much less than to find them.
     [[nodiscard]] std::size_t count(Bounds const& where) const;
@@ -74,8 +78,17 @@ private:
 template <class Meets>
 void BoxTree::findIf(Meets&& meets, std::vector<std::uint32_t>& found) const {
     found.clear();
+    visitIf(meets, [&](std::uint32_t number) {
+        found.push_back(number);
+        return true;
+    });
+    std::sort(found.begin(), found.end());
+}
+
+template <class Meets, class Visit>
+bool BoxTree::visitIf(Meets&& meets, Visit&& visit) const {
     if (nodes_.empty()) {
-        return;
+        return true;
     }
     std::array<std::uint32_t, 64> open; // halving 2³² boxes goes no deeper than 32
     std::size_t count = 0;
@@ -92,12 +105,12 @@ void BoxTree::findIf(Meets&& meets, std::vector<std::uint32_t>& found) const {
             continue;
         }
         for (std::uint32_t i = node.first; i < node.last; ++i) {
-            if (meets(boxes_[order_[i]])) {
-                found.push_back(order_[i]);
+            if (meets(boxes_[order_[i]]) && !visit(order_[i])) {
+                return false;
             }
         }
     }
-    std::sort(found.begin(), found.end());
+    return true;
 }
 
 } // namespace trembler

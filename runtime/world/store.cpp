@@ -113,6 +113,14 @@ std::vector<SlotBase*> Store::slots() {
     return all;
 }
 
+std::vector<SlotBase const*> Store::slots() const {
+    std::vector<SlotBase const*> all;
+    for (auto const& [key, slot] : slots_) {
+        all.push_back(slot.get());
+    }
+    return all;
+}
+
 void Store::furnish(ObjectId id, Prototype const& prototype) {
     for (auto const& value : prototype.values) {
         value->assignTo(column(value->info()), id);

@@ -82,7 +82,9 @@ public:
     /// All columns in order of their keys.
     [[nodiscard]] std::vector<ColumnBase*> columns();
     [[nodiscard]] std::vector<ColumnBase const*> columns() const;
+    /// All slots in order of their properties' keys.
     [[nodiscard]] std::vector<SlotBase*> slots();
+    [[nodiscard]] std::vector<SlotBase const*> slots() const;
 
     /// Gives an object every property of a prototype.
     void furnish(ObjectId id, Prototype const& prototype);

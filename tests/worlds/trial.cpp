@@ -59,6 +59,13 @@ std::string notFinite(World const& world) {
             }
         }
     }
+    for (SlotBase const* slot : world.store().slots()) { // resolver and derived properties
+        FiniteCheck check;
+        slot->visitCopy(check);
+        if (!check.wrong.empty()) {
+            return fmt::format("frame {}: {}: {}", world.frame(), slot->info().text.key, check.wrong);
+        }
+    }
     return {};
 }
 
@@ -178,8 +185,11 @@ Outcome tryOut(Json level, Json const& schema, TrialOptions const& options) {
         return outcome;
     }
     outcome.played = true;
+    double const allSlow =
+        options.frameSeconds * options.frames * static_cast<double>(options.threads.size());
+    auto const limit = static_cast<unsigned>(std::max(static_cast<double>(options.seconds), allSlow));
     for (std::string const& engine : options.engines) {
-        Ended const ran = inChild([&] { return runOn(engine, outcome.level, options); }, options.seconds);
+        Ended const ran = inChild([&] { return runOn(engine, outcome.level, options); }, limit);
         std::string fault = brokenOff(ran);
         double slowest = 0;
         if (fault.empty()) {
@@ -187,9 +197,11 @@ Outcome tryOut(Json level, Json const& schema, TrialOptions const& options) {
             fault = said.at("fault");
             slowest = said.at("slowest");
         }
-        if (slowest > outcome.slowest) {
-            outcome.slowest = slowest;
-            outcome.slowestEngine = engine;
+        if (fault.empty() && slowest > options.frameSeconds) {
+            fault =
+                fmt::format("a frame took {:.2f} s of processor time, and no message said so; expected at "
+                            "most {:.2f} s",
+                            slowest, options.frameSeconds);
         }
         if (!fault.empty()) {
             outcome.failures.push_back({engine, fault, ran.murmured});

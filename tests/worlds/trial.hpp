@@ -27,7 +27,9 @@ struct TrialOptions {
     std::vector<std::string> engines{"box2d", "chipmunk", "ode"};
     std::vector<int> threads{1, 2, 5};
     int frames = 30;
-    unsigned seconds = 60; ///< of processor time for one engine; beyond it the level hangs
+    unsigned seconds = 60;   ///< of processor time to read it
+    double frameSeconds = 2; ///< of processor time that a frame may take on one thread, unless the world says
+                             ///< that its engine gave up; a level hangs if it takes longer than if all did
 };
 
 struct Failure {
@@ -40,15 +42,13 @@ struct Outcome {
     nlohmann::json level; ///< as it was run: without what the reader refused
     bool played = false;
     std::vector<Failure> failures;
-    double slowest = 0; ///< s of processor time of the slowest frame on one thread, leaving out worlds that
-                        ///< say that their engine gave up
-    std::string slowestEngine;
 };
 
 /// Reads a level, takes away what is refused (a refusal must name a place) until it is accepted, and runs it
 /// on every engine and number of threads, with its first solution if it has one. A failure is: a signal, an
-/// exception that is no refusal of the file, a property that is not a finite number, state hashes that depend
-/// on threads, too much processor time, a file that the schema refuses but the reader accepts.
+/// exception that is no refusal of the file, a number in any property (those of objects, resolver and derived
+/// properties) that is not finite, state hashes that depend on threads, too much processor time, a file that
+/// the schema refuses but the reader accepts.
 [[nodiscard]] Outcome tryOut(nlohmann::json level, nlohmann::json const& schema, TrialOptions const& options);
 
 /// For people: one line.

@@ -33,6 +33,9 @@ struct Way {
     double heard = 0; // Pa²
 };
 
+// Paths whose sum is less than 2^-60 of silence change no level: a million of them at 2^-80.
+constexpr double withoutEffect = 0x1p-80;
+
 // There are sources times ears of them, of which this many are kept in memory.
 constexpr std::size_t waysAtOnce = 1 << 18;
 
@@ -136,6 +139,7 @@ std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns co
     }
     std::vector<Obstacle> const obstacles = obstaclesOf(columns);
     ObstacleField const field(obstacles);
+    double const silence = meanSquareOf(silentLevel);
     int const patience = patienceFor(count, obstacles.size());
     std::vector<Way> ways; // by ear, and of each ear in order of sources
     for (std::size_t ear = 0; ear < ears.size(); ++ear) {
@@ -149,9 +153,10 @@ std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns co
         }
         forPaths(ways.size(), [&](std::size_t begin, std::size_t end) {
             for (Way& way : std::span(ways).subspan(begin, end - begin)) {
+                double const least = withoutEffect * silence / way.source->loudness;
                 way.heard = way.source->loudness * transmission(field, std::span(&entries[way.ear].ear, 1),
                                                                 way.source->at, way.to, way.source->frequency,
-                                                                detail, 0, patience);
+                                                                detail, least, patience);
             }
         });
         addUp(ways, entries);

@@ -31,10 +31,10 @@ bool touches(Bounds const& box, Vec2 middle, Vec2 half) {
 ObstacleField::ObstacleField(std::span<Obstacle const> obstacles)
     : obstacles_(obstacles), tree_(boundsOf(obstacles)) {}
 
-void ObstacleField::along(Vec2 from, Vec2 to, std::vector<std::uint32_t>& found) const {
+bool ObstacleField::along(Vec2 from, Vec2 to, std::function<bool(std::uint32_t)> const& visit) const {
     Vec2 const middle = (from + to) / 2;
     Vec2 const half = (to - from) / 2;
-    tree_.findIf([&](Bounds const& box) { return touches(box, middle, half); }, found);
+    return tree_.visitIf([&](Bounds const& box) { return touches(box, middle, half); }, visit);
 }
 
 } // namespace trembler

@@ -5,6 +5,7 @@
 #include "physics/box_tree.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,9 +18,10 @@ public:
     explicit ObstacleField(std::span<Obstacle const> obstacles);
 
     [[nodiscard]] std::span<Obstacle const> all() const { return obstacles_; }
-    /// The numbers, ascending, of all obstacles whose bounds the line between two points touches, among them
-    /// all in which either point lies. The line meets no others. `found` is emptied first.
-    void along(Vec2 from, Vec2 to, std::vector<std::uint32_t>& found) const;
+    /// Calls `visit`, in a fixed order, with the number of each obstacle whose bounds the line between two
+    /// points touches, until it returns false; among them are all in which either point lies. The line meets
+    /// no others. Returns whether `visit` never did.
+    bool along(Vec2 from, Vec2 to, std::function<bool(std::uint32_t)> const& visit) const;
 
 private:
     std::span<Obstacle const> obstacles_;

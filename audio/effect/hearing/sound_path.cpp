@@ -13,6 +13,12 @@ constexpr double thinnest = 0.01; // m: less of an obstacle than that on the lin
 constexpr double worthAWay =
     0.33; // of the energy: if more than that gets through, a way around hardly adds to it
 
+/// An obstacle on the line, and the share of energy that goes through it.
+struct Crossed {
+    std::uint32_t number = 0;
+    double share = 0;
+};
+
 } // namespace
 
 // Both formulas are published in dB; as shares of energy they need no logarithm.
@@ -38,30 +44,44 @@ double transmission(ObstacleField const& field, std::span<ObjectId const> exempt
         return std::find(exempt.begin(), exempt.end(), obstacle.object) == exempt.end() &&
                !contains(obstacle, from) && !contains(obstacle, to);
     };
-    thread_local std::vector<std::uint32_t> onTheLine; // kept for its memory
-    field.along(from, to, onTheLine);
-    double through = 1;
-    double eachAlone = 1;
-    for (std::uint32_t const n : onTheLine) {
-        Obstacle const& wall = field.all()[n];
+    thread_local std::vector<Crossed> crossed; // kept for its memory
+    crossed.clear();
+    // A way around a single obstacle is the most expensive to find. Before, each gets the share that would
+    // come around it without any detour, until that is too little already; rounding depends on their order.
+    bool const straight = detail == PathDetail::straight;
+    double const tooLittle = straight ? (1 - 1e-9) * least * distance * distance : 0;
+    double const mostAround = shareAround(0, frequency);
+    double most = 1;
+    bool const matters = field.along(from, to, [&](std::uint32_t number) {
+        Obstacle const& wall = field.all()[number];
         double const chord = chordOf(wall, from, to);
-        if (chord < thinnest || !inTheWay(wall)) {
-            continue;
+        if (chord >= thinnest && inTheWay(wall)) {
+            crossed.push_back({number, shareThrough(wall.density * chord, frequency)});
+            most *= std::min(1.0, crossed.back().share + mostAround);
         }
-        double const share = shareThrough(wall.density * chord, frequency);
-        through *= share;
-        if (detail == PathDetail::straight) {
-            double const detour = detourAround(wall, from, to) - length(to - from);
-            eachAlone *= std::min(1.0, share + shareAround(detour, frequency));
+        return most >= tooLittle;
+    });
+    if (!matters) {
+        return 0;
+    }
+    std::sort(crossed.begin(), crossed.end(),
+              [](Crossed const& a, Crossed const& b) { return a.number < b.number; });
+    if (straight) {
+        double eachAlone = 1;
+        for (Crossed const& wall : crossed) {
+            double const detour = detourAround(field.all()[wall.number], from, to) - length(to - from);
+            eachAlone *= std::min(1.0, wall.share + shareAround(detour, frequency));
             if (eachAlone < least * distance * distance) {
                 return 0;
             }
         }
-    }
-    double const direct = through / (distance * distance);
-    if (detail == PathDetail::straight) {
         return eachAlone / (distance * distance);
     }
+    double through = 1;
+    for (Crossed const& wall : crossed) {
+        through *= wall.share;
+    }
+    double const direct = through / (distance * distance);
     if (through > worthAWay) {
         return direct;
     }

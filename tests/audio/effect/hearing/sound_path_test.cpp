@@ -67,9 +67,22 @@ TEST(ObstacleField, MissesNothingThatALineMeets) {
         Vec2 const from{somewhere(-22, 22), somewhere(-5, 5)};
         bool const upright = *rc::gen::arbitrary<bool>();
         Vec2 const to{upright ? from.x : somewhere(-22, 22), somewhere(-5, 5)};
-        std::vector<std::uint32_t> found{12345};
-        field.along(from, to, found);
-        RC_ASSERT(std::is_sorted(found.begin(), found.end()));
+        std::vector<std::uint32_t> visited;
+        RC_ASSERT(field.along(from, to, [&](std::uint32_t number) {
+            visited.push_back(number);
+            return true;
+        }));
+        if (!visited.empty()) { // it ends where it is told to
+            std::size_t const enough = 1 + *rc::gen::inRange(std::size_t{0}, visited.size());
+            std::size_t seen = 0;
+            RC_ASSERT(!field.along(from, to, [&](std::uint32_t number) {
+                RC_ASSERT(number == visited[seen]);
+                return ++seen < enough;
+            }));
+            RC_ASSERT(seen == enough);
+        }
+        std::vector<std::uint32_t> found = visited;
+        std::sort(found.begin(), found.end());
         RC_ASSERT(std::adjacent_find(found.begin(), found.end()) == found.end());
         for (std::uint32_t n = 0; n < boxes.size(); ++n) {
             bool const listed = std::binary_search(found.begin(), found.end(), n);
@@ -237,6 +250,25 @@ TEST(SoundPath, AClosedRoomIsQuieterThanAnOpenOne) {
     EXPECT_LT(level(false, PathDetail::around), free - 15);
     EXPECT_NEAR(level(true, PathDetail::straight), level(false, PathDetail::straight), 1e-9)
         << "the cheap level looks at the one wall in between only";
+}
+
+TEST(SoundPath, IsOnlyLeftOutWhereItDoesNotMatter) {
+    EXPECT_TRUE(rc::check("with a limit: the same, or 0 if it is below", [] {
+        std::vector<Obstacle> boxes;
+        for (int i = *rc::gen::inRange(0, 40); i > 0; --i) {
+            boxes.push_back(boxAt({somewhere(0, 20), 0.4 * somewhere(-1, 1)}, 0.05 + 0.5 * somewhere(0, 1),
+                                  0.05 + 0.5 * somewhere(0, 1), somewhere(-3, 3), 1 + somewhere(0, 3000)));
+        }
+        ObstacleField const field(boxes);
+        Vec2 const from{0, 0.5 * somewhere(-1, 1)};
+        Vec2 const to{somewhere(1, 20), 0.5 * somewhere(-1, 1)};
+        double const frequency = 50 + somewhere(0, 4000);
+        double const all = transmission(field, {}, from, to, frequency, PathDetail::straight);
+        double const least = all * std::pow(10, 0.1 * somewhere(-1, 1));
+        double const heard = transmission(field, {}, from, to, frequency, PathDetail::straight, least);
+        RC_PRE(std::abs(all - least) > 1e-9 * all);
+        RC_ASSERT(heard == (all < least ? 0 : all));
+    }));
 }
 
 TEST(SoundPath, NeverLouderThanFreeAir) {
