@@ -22,6 +22,7 @@ public:
     CountedSource count(std::optional<BlockFault>& fault) {
         bodies_.emplace_back(); // the chunk itself
         blocks_.push_back({Block::function, 0});
+        refuseNamesOfTheHost();
         findOwnApply();
         for (at_ = 0; at_ < tokens_.size() && !fault_; ++at_) {
             step(token(at_));
@@ -57,6 +58,17 @@ private:
         }
     }
 
+    // Anywhere: a local, a function or a parameter of such a name would hide the host's.
+    void refuseNamesOfTheHost() {
+        for (at_ = 0; at_ < tokens_.size() && !fault_; ++at_) {
+            Token const& now = token(at_);
+            if (now.kind == TokenKind::name &&
+                (now.text == CountedSource::counterName || now.text == CountedSource::stopName)) {
+                fail(fmt::format("the name '{}' is the host's", now.text));
+            }
+        }
+    }
+
     // Whether apply is a function that nothing but the host can call: it stands in the table that is
     // returned, and nowhere else.
     void findOwnApply() {
@@ -82,9 +94,6 @@ private:
     }
 
     void word(Token const& now) {
-        if (now.text == CountedSource::counterName || now.text == CountedSource::stopName) {
-            fail(fmt::format("the name '{}' is the host's", now.text));
-        }
         if (beginsStatement(now.text)) {
             trailing_.clear();
         }

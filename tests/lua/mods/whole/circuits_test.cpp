@@ -136,7 +136,7 @@ TEST(HumidAirMod, TwoCausesOfOneConnectionEndOneByOne) {
         "[0, -9.81]", std::string(airGapWires) + R"(, ["plus", "heater"])",
         {.threads = 1, .detail = {}, .periods = {}, .trace = true});
     stepFrames(*world, 60 * 5);
-    EXPECT_EQ(callersBetween(*world, "left", "right"), "Electricity <- Humid air, Electricity <- Hot air");
+    EXPECT_EQ(callersBetween(*world, "left", "right"), "Electricity <- Hot air, Electricity <- Humid air");
     world->feed(PlayerInput{
         .kind = PlayerInput::Kind::remove, .object = world->store().find("sponge"), .other = {}, .at = {}});
     for (int frame = 0; frame < 60 * 3; ++frame) {
