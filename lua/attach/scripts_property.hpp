@@ -13,9 +13,9 @@ namespace trembler::lua {
 struct ScriptSetting {
     std::string parameter;
     double number = 0;
-    Vec2 vector;
+    Vec2 vector{};
     bool on = false;
-    std::string text;
+    std::string text{};
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {

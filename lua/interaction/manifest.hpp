@@ -20,8 +20,8 @@ struct Parameter {
     double minimum = -1e300; ///< of a number
     double maximum = 1e300;
     std::string unit;
-    std::string text;                 ///< for people
-    std::vector<std::string> choices; ///< of a text: what it can be; empty: anything
+    std::string text;                   ///< for people
+    std::vector<std::string> choices{}; ///< of a text: what it can be; empty: anything
 };
 
 /// A field that lasts from turn to turn.

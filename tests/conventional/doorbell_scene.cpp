@@ -215,6 +215,7 @@ public:
                  properties["density"] = copper ? 8960 : 600;
                  if (!copper) {
                      properties["conductor"] = false;
+                     removeWires(setting, "striker");
                  }
                  properties["magnetic_strength"] = false;
              }},

@@ -51,16 +51,21 @@ void shift(Setting& setting, std::string const& name, double x, double y, double
     }
 }
 
-void takeAway(Setting& setting, std::string const& name) {
-    auto& objects = setting.level.at("objects");
-    objects.erase(std::remove_if(objects.begin(), objects.end(),
-                                 [&](nlohmann::json const& object) { return object.at("name") == name; }),
-                  objects.end());
+void removeWires(Setting& setting, std::string const& name) {
     auto& wires = setting.level.at("connections");
     wires.erase(
         std::remove_if(wires.begin(), wires.end(),
                        [&](nlohmann::json const& wire) { return wire[0] == name || wire[1] == name; }),
         wires.end());
+    std::erase_if(setting.cuts, [&](Setting::Cut const& cut) { return cut.a == name || cut.b == name; });
+}
+
+void takeAway(Setting& setting, std::string const& name) {
+    auto& objects = setting.level.at("objects");
+    objects.erase(std::remove_if(objects.begin(), objects.end(),
+                                 [&](nlohmann::json const& object) { return object.at("name") == name; }),
+                  objects.end());
+    removeWires(setting, name);
     auto& inputs = setting.inputs;
     bool holds = false; // moves belong to the last grab
     nlohmann::json kept = nlohmann::json::array();
@@ -76,8 +81,6 @@ void takeAway(Setting& setting, std::string const& name) {
         }
     }
     inputs = kept;
-    auto& cuts = setting.cuts;
-    std::erase_if(cuts, [&](Setting::Cut const& cut) { return cut.a == name || cut.b == name; });
 }
 
 void add(Setting& setting, std::string const& name, std::string const& part, Vec2 at, double degrees,

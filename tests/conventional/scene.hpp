@@ -55,6 +55,8 @@ public:
 nlohmann::json* find(Setting& setting, std::string const& name);
 void shift(Setting& setting, std::string const& name, double x, double y, double degrees);
 void takeAway(Setting& setting, std::string const& name);
+// Removes the connections of an object that stays: what is no conductor can have none.
+void removeWires(Setting& setting, std::string const& name);
 void add(Setting& setting, std::string const& name, std::string const& part, Vec2 at, double degrees = 0,
          nlohmann::json properties = nlohmann::json::object());
 /// The player lifts an object from where it is held, from a frame on.

@@ -51,6 +51,7 @@ struct Outcome {
     int errors = 0; // of the hostile script
     int errorsOfOthers = 0;
     int lines = 0;
+    std::string said; // by the hostile script, in errors
 };
 
 Outcome play(std::vector<std::string> const& sources, int threads) {
@@ -78,6 +79,7 @@ Outcome play(std::vector<std::string> const& sources, int threads) {
     }
     for (ScriptMessage const& message : game.log->take()) {
         bool const hostile = message.script == "Dynamics <- Hostile";
+        seen.said += hostile && message.error ? message.text + "\n" : "";
         (message.error ? (hostile ? seen.errors : seen.errorsOfOthers) : seen.lines) += 1;
     }
     return seen;
@@ -103,7 +105,7 @@ TEST_P(HostileInWorld, RuinsItsOwnInteractionAndNothingElse) {
     Outcome const one = play(sources, 1);
     EXPECT_EQ(one.course, undisturbed().course) << "the level and the other script go on as they did";
     EXPECT_EQ(one.errorsOfOthers, 0);
-    EXPECT_EQ(one.errors, expected == "harmless" ? 0 : 1) << "the player is told once";
+    EXPECT_EQ(one.errors, expected == "harmless" ? 0 : 1) << "the player is told once: " << one.said;
     EXPECT_LE(one.lines, frames * static_cast<int>(ScriptLimits().logLines));
     for (int const threads : {1, 8}) {
         Outcome const again = play(sources, threads);

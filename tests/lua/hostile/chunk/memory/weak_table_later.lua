@@ -4,5 +4,5 @@ local meta = {}
 local t = setmetatable({}, meta)
 meta.__mode = 'v'
 t[1] = {}
-for i = 1, 2000 do local garbage = {} end
+for i = 1, 500 do local garbage = {} end
 assert(t[1] ~= nil)
