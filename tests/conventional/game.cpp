@@ -50,6 +50,14 @@ public:
                 tell(On::separation, a, b);
             }
         }
+        for (TouchingPair const& pair :
+             access.read<Contacts>().brief) { // begun and ended since the last frame
+            auto const [a, b] = inOrder(names_[pair.a], names_[pair.b]);
+            game.touching_.insert({a, b});
+            tell(On::collision, a, b);
+            game.touching_.erase({a, b});
+            tell(On::separation, a, b);
+        }
         for (EventScript const& script : scripts_) {
             if (script.on == On::update) {
                 script.run(game, "");
