@@ -19,7 +19,7 @@ enum class Quantity { atLeast, atMost, exactly };
 constexpr std::array<char const*, 3> quantityKeys{"at_least", "at_most", "exactly"};
 constexpr std::int64_t greatestNumber = 100000;
 
-/// What the file states.
+/// The number of objects that the file demands.
 struct HowMany {
     Quantity quantity = Quantity::atLeast;
     int number = 1;
@@ -145,7 +145,7 @@ public:
                                      Noun const* /*it*/) const override {
         Condition const& that = condition.children.front();
         HowMany wanted = howMany(condition);
-        if (mood == Mood::avoid) { // not "at least two" is "at most one"
+        if (mood == Mood::avoid) { // the opposite of "at least two" is "at most one"
             if (wanted.quantity == Quantity::exactly) {
                 Noun const who = someOf(condition.subject, wanted);
                 return "do not " + words.phrase(that, Mood::reach, &who);
