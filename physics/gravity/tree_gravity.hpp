@@ -24,7 +24,8 @@ public:
         .work = "Exports the sum of the attractions of all other masses, far clusters of them as wholes.",
         .rank = -1}; // where it suits it is cheaper than Real Gravity
     using Activation = NeedsAll<GravityLaw, Mass, Position>;
-    static constexpr int longestPeriod = 4; // a force that stands for longer is another force
+    static constexpr int longestPeriod =
+        4; // held for longer, the force is no longer an approximation of the same physics
     static constexpr Coverage memory = leftOut("refilled in each update");
     /// From here on it is three times as fast as Real Gravity; it overtakes it at about 500
     /// (bench_many_bodies).

@@ -25,7 +25,8 @@ class MagneticLevel : public detail::MagneticBase<Self, More...> {
 public:
     using Access = typename detail::MagneticBase<Self, More...>::Access;
     using Activation = NeedsAll<Magnet, MagneticStrength, Position>;
-    static constexpr int longestPeriod = 4; // a force that stands for longer is another force
+    static constexpr int longestPeriod =
+        4; // held for longer, the force is no longer an approximation of the same physics
     static constexpr Coverage memory = leftOut("refilled in each update");
 
     void update(Access& access) {

@@ -54,7 +54,7 @@ std::vector<CoverageLine> stateCoverage(Registry const& registry) {
         }
     }
     lines.push_back({"versions, by which components sleep and wake", "left out",
-                     "whoever runs although nothing has changed comes to what stands already"});
+                     "a component that runs with unchanged inputs computes the same result"});
     lines.push_back({"part definitions, registered components and completions", "left out",
                      "constants, like the program; what is made of them is hashed"});
     lines.push_back({"what is there for onlookers alone: loudspeakers, overlays, the trace", "left out",

@@ -18,7 +18,7 @@ struct LinearGravityVector {
     static constexpr PropertyText text{"Linear gravity vector", "linear_gravity",
                                        "The acceleration due to gravity that buoyancy works with."};
     static constexpr Coverage coverage = hashed;
-    static constexpr std::string_view standing = "the gravity that was told";
+    static constexpr std::string_view standing = "the latest gravity received";
     Vec2 gravity; ///< m/s²
 
     template <class Self, class Visitor>

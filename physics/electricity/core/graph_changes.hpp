@@ -21,9 +21,9 @@ struct GraphChanges {
         "connection, appeared, disappeared or changed their part in a network."};
     static constexpr std::string_view standing =
         "a numbered journal, from which each reader takes what it has missed";
-    static constexpr Coverage coverage =
-        leftOut("a journal of what G_E went through, which saves its readers work; who has missed some of it "
-                "looks at all of G_E, and comes to the same");
+    static constexpr Coverage coverage = leftOut(
+        "a journal of changes of G_E, only to save work: a reader that missed entries reads all of G_E, "
+        "with the same result");
     struct Touched {
         ObjectId object;          ///< may be gone
         EventId event;            ///< "connected" or "disconnected"; none without tracing

@@ -1,4 +1,5 @@
-// How much a level file may hold. The schema states these numbers, and who exceeds one is told.
+// How much a level file may hold. The schema states these numbers; a file that exceeds one is rejected with a
+// message.
 #pragma once
 
 #include <cstddef>

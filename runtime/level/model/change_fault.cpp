@@ -148,7 +148,7 @@ bool isFaithful(Registry const& registry, Store const& store, std::string_view e
     });
 }
 
-// A level file may state a level that is other physics; then nothing but that is what it means.
+// A level file may state a level that is other physics; then no other level may replace it.
 std::optional<ChangeFault> otherPhysics(Registry const& registry, World const& world,
                                         std::map<std::string, std::string> const& statedLevels,
                                         RecordedChange const& change) {

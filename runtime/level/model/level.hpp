@@ -95,7 +95,7 @@ struct Solution {
     std::vector<RecordedInput> inputs;   ///< ascending by frame
     std::vector<RecordedChange> changes; ///< ascending by frame
     bool solves = true;                  ///< "expect": "solved" or "unsolved"
-    std::optional<int> frames;           ///< how long to run it; none: as long as whoever runs it likes
+    std::optional<int> frames;           ///< how long to run it; none: the caller decides
     std::string path;
     /// The file of its own that it was read from, for the places of problems; none: the level's.
     std::shared_ptr<JsonDocument const> document{};

@@ -6,8 +6,9 @@
 namespace trembler {
 namespace {
 
-// Of all forces on a body, for it to count as pressed: a body that floats hangs between two that are alike. A
-// body that is pressed at all is pressed by so much along one of four directions.
+// Least share of the forces on a body along one direction for it to count as pressed. A floating body has
+// equal forces up and down. A body that is pressed at all is pressed by at least this share along one of four
+// directions.
 constexpr double leastPress = 0.3;
 
 struct Rest {
