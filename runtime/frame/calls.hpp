@@ -9,7 +9,7 @@ namespace trembler {
 
 /// Asks for the coming frames to be computed in parts that are no longer than `longest`. Of several such
 /// calls the one with the shortest parts counts; a frame has at most mostParts. A `longest` that is not above
-/// zero asks for nothing.
+/// zero has no effect.
 struct SplitFrame {
     static constexpr CallText text{"splitFrame", "(longest)",
                                    "Asks for parts of a frame that are no longer than this (s)."};

@@ -11,7 +11,7 @@
 namespace trembler {
 namespace {
 
-/// How a part looks is a property like any other, but it stands beside the part's title.
+/// The look of a part is an ordinary property, but files state it next to the part's title.
 constexpr std::string_view lookKey = "look";
 
 } // namespace
