@@ -1,4 +1,4 @@
-// The state of a world whose engine could not go on.
+// The failures of a world's engine.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -9,9 +9,9 @@
 
 namespace trembler {
 
-/// Nothing, as a rule. A world that asks too much of its engine goes on with Box2D from the frame on in which
-/// that happened; where Box2D itself loses a body's numbers, that body stands still from then on. Part of the
-/// state: the same in every run, on any number of threads.
+/// Usually empty. If an engine fails, Box2D computes the motion from that frame on; if a body's numbers in
+/// Box2D are not finite, that body is held still from then on. Part of the state: the same in every run, on
+/// any number of threads.
 struct EngineState {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Engine state", "engine_state",
@@ -31,7 +31,7 @@ struct EngineState {
               self.stopped);
     }
     friend bool operator==(EngineState const&, EngineState const&) = default;
-    /// Whether anything has gone wrong.
+    /// Whether any engine has failed.
     [[nodiscard]] bool troubled() const { return !gaveUp.empty() || !stopped.empty(); }
 };
 

@@ -1,4 +1,4 @@
-// The causes of motion, and overloaded joints: resolver properties for components that ask.
+// The causes of motion, joint forces and overloaded joints: resolver properties computed when read.
 #pragma once
 
 #include "physics/dynamics/properties/joint.hpp"
@@ -27,7 +27,7 @@ struct MotionCauses {
     };
     std::vector<Entry> entries; ///< ascending by object
 
-    /// The causes of an object's motion; none if there are none.
+    /// The causes of an object's motion; may be empty.
     [[nodiscard]] std::vector<EventId> of(ObjectId object) const {
         auto const at = std::lower_bound(entries.begin(), entries.end(), object,
                                          [](Entry const& entry, ObjectId id) { return entry.object < id; });
@@ -35,7 +35,7 @@ struct MotionCauses {
     }
 };
 
-/// The force with which each joint holds, as a mean over the last frame in which anything moved.
+/// The force of each joint, as a mean over the last frame in which any body moved.
 struct JointForces {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Joint forces", "joint_forces",

@@ -10,7 +10,7 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-// The ranges that files are held to, for joints that come from elsewhere.
+// The ranges of files, also for joints that are not from files.
 Fault faultInNumbers(Joint const& joint) {
     struct Range {
         std::string_view what;
@@ -84,7 +84,7 @@ Fault faultIn(Joint const& joint, JointPartners const& partners) {
     if (Fault fault = faultInNumbers(joint)) {
         return fault;
     }
-    // Also while they are not in force: they may be put in force later.
+    // Checked also while limits are off, as they may be switched on later.
     if (joint.lower > joint.upper) {
         return fmt::format("its lower limit, {}, is above its upper one, {}", joint.lower, joint.upper);
     }

@@ -22,8 +22,8 @@ struct Support {
     SlotIndex lower; // noSlot: the ground
 };
 
-// The direction along which most of the forces on bodies that move act, one way or the other: the greater
-// principal axis of their squares. None where nothing acts.
+// The axis along which most of the forces on movable bodies act: the greater principal axis of their squares.
+// None without forces.
 Vec2 axisOf(BodyTable const& bodies, std::span<LoadSum const> loads) {
     double xx = 0;
     double xy = 0;
@@ -43,7 +43,7 @@ Vec2 axisOf(BodyTable const& bodies, std::span<LoadSum const> loads) {
     return size > 0 ? along / size : Vec2{0, yy > 0 ? 1.0 : 0.0};
 }
 
-// From the top downwards.
+// The contacts as supports, from the top downwards.
 std::vector<Support> supportsOf(BodyTable const& bodies, std::span<TouchingPair const> touching,
                                 std::vector<Rest>& rests) {
     std::vector<Support> supports;
