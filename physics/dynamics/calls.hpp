@@ -79,9 +79,7 @@ struct TellRate {
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] std::uint64_t key() const { return packed(object); }
     [[nodiscard]] double value() const { return rate; }
-    [[nodiscard]] double magnitude() const {
-        return 0;
-    } ///< the call has no effect of its own, so it is no event
+    [[nodiscard]] double magnitude() const { return 0; } ///< no effect, so no event
 };
 
 struct AddImpulse {
