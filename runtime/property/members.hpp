@@ -9,7 +9,7 @@
 namespace trembler {
 namespace detail {
 
-// Stands for a member of any type where a struct is initialised, without ever being evaluated.
+// A placeholder for a member of any type in the initialisation of a struct, never evaluated.
 struct AnyMember {
     template <class T>
     constexpr operator T&() const&& noexcept; // NOLINT(google-explicit-constructor)

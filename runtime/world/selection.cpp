@@ -48,8 +48,8 @@ private:
     }
 
     // Each component waits for the properties that it reads and for its resolver. A component that waits for
-    // nothing becomes a candidate; components that waited for it then wait for one thing less. Components
-    // that need each other in a circle never become candidates.
+    // nothing becomes a candidate; the components that waited for it then wait for one less. Components that
+    // need each other in a circle never become candidates.
     void findCandidates() {
         Numbers waitsFor(graph_.components.size());
         Numbers ready;

@@ -20,7 +20,7 @@ struct BuiltLevel {
     std::vector<ObjectId> placements; ///< by index in the placements that were given
 };
 
-/// Builds and starts the world of a level with what the player placed. Throws InputError, with the places in
+/// Builds and starts the world of a level with the player's placements. Throws InputError, with the places in
 /// the file, for all faults: unknown parts, references to missing objects, properties that break a rule of
 /// the registry, connections that no effect or more than one can make, placements that are not allowed.
 /// `registry` must outlive the world. Detail levels in the options override those that the level states.

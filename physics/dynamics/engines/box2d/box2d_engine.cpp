@@ -93,7 +93,7 @@ void Box2dEngine::findContactsOfAdded() {
 }
 
 void Box2dEngine::removeBody(SlotIndex slot) {
-    // Box2D keeps a list of added bodies whose contacts it has not looked for, and each removal walks it.
+    // Box2D keeps a list of added bodies whose contacts it has not searched for, and each removal walks it.
     if (added_ > 0 && static_cast<double>(++removed_) * added_ > mostLooksAtAdded) {
         findContactsOfAdded();
     }

@@ -177,7 +177,7 @@ private:
     std::vector<std::uint8_t> movedMarks_;
     std::vector<TouchChange> touches_;
     std::vector<b2Body*> wakeStack_;
-    int added_ = 0;            // bodies since Box2D last looked for new contacts
+    int added_ = 0;            // bodies since Box2D last searched for new contacts
     int removed_ = 0;          // while such bodies wait
     std::vector<Place> start_; // by slot: places of awake bodies at the beginning of the substep
     bool touchesAtEnd_ = true;

@@ -1,4 +1,4 @@
-// Touches at the end of a frame that Box2D does not know yet.
+// Touches at the end of a frame that Box2D has not evaluated yet.
 //
 // Box2D evaluates a contact at the beginning of a substep, and some contacts again where it stops a fast body
 // on its path. Bodies that are wedged are then moved by the correction of overlaps, by some hundredths of a
