@@ -35,7 +35,7 @@ public:
         .effect = "frame",
         .level = "",
         .work = "Divides each frame, before it begins, into 1, 2, 4 or 8 equal parts: as stated, or so that "
-                "they are as short as somebody asks for."};
+                "they are as short as interactions request."};
     using Activation = NeedsAll<>;
     void advance(Access& access);
 };

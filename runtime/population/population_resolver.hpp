@@ -39,7 +39,7 @@ public:
     static constexpr bool writesEverything = true;
     using Activation = NeedsAll<>;
     static constexpr Coverage memory =
-        leftOut("whether there is news to be taken back, which Population changes says");
+        leftOut("whether there is news to be cleared, as Population changes states");
 
     void bindStore(Store& store) { store_ = &store; }
     [[nodiscard]] bool restless() const { return changesStand_; }

@@ -29,10 +29,10 @@ class DynamicsResolver final
 public:
     using Activation = NeedsAll<Shape>;
     static constexpr Coverage memory =
-        leftOut("the engine's world: bodies and joints follow from their columns, but what it starts each "
-                "solution with, how long bodies have been still and in which order it found contacts no "
-                "engine lets anybody read; beside it the loads under which bodies fell asleep and those "
-                "for which substeps were last found; equal recordings give equal ones");
+        leftOut("the engine's world: bodies and joints follow from their columns, but engines give no access "
+                "to their initial solutions, sleep timers and order of contacts; also the loads under "
+                "which bodies fell asleep and for which substeps were last chosen; equal recordings "
+                "give equal ones");
 
     DynamicsResolver(ComponentInfo const& info, DynamicsEngine const& engine);
 

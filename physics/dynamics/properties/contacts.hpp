@@ -63,7 +63,7 @@ struct ContactPatches {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Contact patches", "contact_patches",
                                        "Points, normals and impulses of all contacts."};
-    static constexpr std::string_view standing = "how those touch that still do";
+    static constexpr std::string_view standing = "the geometry of the contacts that still exist";
     static constexpr Coverage coverage = derivedFrom(
         "the engine's contacts of the last advance; what interactions make of them is in their calls");
     std::vector<ContactPatch> patches;

@@ -15,9 +15,10 @@ namespace trembler {
 struct EngineState {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Engine state", "engine_state",
-                                       "Which engine had to give up, why, and what stands still since."};
+                                       "Which engine failed, why, and which bodies are held still since."};
     static constexpr Coverage coverage = hashed;
-    static constexpr std::string_view standing = "which engine has given up, and what stands still since";
+    static constexpr std::string_view standing =
+        "which engine has failed, and which bodies are held still since";
     std::string gaveUp;            ///< detail level of Dynamics; empty: none
     std::string why;               ///< the first reason
     std::vector<ObjectId> stopped; ///< ascending

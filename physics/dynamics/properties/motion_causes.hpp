@@ -20,7 +20,7 @@ struct MotionCauses {
                                        "The recent events that made each object move."};
     static constexpr std::string_view standing = "the recent causes, not those of a part";
     static constexpr Coverage coverage =
-        leftOut("events of the trace, kept only while somebody traces; events lead to nothing");
+        leftOut("events of the trace, kept only while tracing; events have no effect");
     struct Entry {
         ObjectId object;
         std::vector<EventId> causes; ///< ascending
@@ -41,8 +41,8 @@ struct JointForces {
     static constexpr PropertyText text{"Joint forces", "joint_forces",
                                        "The force with which each joint holds."};
     static constexpr std::string_view standing = "what joints carry";
-    static constexpr Coverage coverage = derivedFrom(
-        "what the engine's joints carried in the last advance; computed only where somebody reads it");
+    static constexpr Coverage coverage =
+        derivedFrom("the forces of the engine's joints in the last advance; computed only while read");
     struct Entry {
         ObjectId joint;
         Vec2 force; ///< N

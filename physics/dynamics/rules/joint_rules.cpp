@@ -69,17 +69,17 @@ Fault faultInGear(Joint const& joint, JointPartners const& partners) {
 
 Fault faultIn(Joint const& joint, JointPartners const& partners) {
     if (!partners.aIsBody) {
-        return "its object a has no sound shape or no place; expected an object that can move";
+        return "its object a has no valid shape or no place; expected an object that can move";
     }
     if (joint.b.valid() && joint.b == joint.a) {
         return "it ties an object to itself; expected two different objects, or no b for the world";
     }
     if (joint.b.valid() && !partners.bIsBody) {
-        return "its object b has no sound shape or no place; expected an object with both, or no b for the "
+        return "its object b has no valid shape or no place; expected an object with both, or no b for the "
                "world";
     }
     if (partners.aFixed && (!joint.b.valid() || partners.bFixed) && joint.form != JointForm::gear) {
-        return "it ties together what is fixed; expected at least one object that moves";
+        return "it connects fixed objects only; expected at least one movable object";
     }
     if (Fault fault = faultInNumbers(joint)) {
         return fault;

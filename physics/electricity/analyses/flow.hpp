@@ -30,7 +30,7 @@ public:
         .rank = 4};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
-        leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
+        leftOut("the analyses of unchanged circuits; recomputed, they give the same results");
     static bool suits(Store const&) { return false; } // only on request
     /// Only this level uses capacities, and its fuses never melt.
     static bool faithful(Store const& store) { return isFaithful(ElectricalLevel::flow, store); }

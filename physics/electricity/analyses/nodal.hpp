@@ -38,7 +38,7 @@ public:
     static constexpr double leastPower = 0.01;
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
-        leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
+        leftOut("the analyses of unchanged circuits; recomputed, they give the same results");
     static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access);
 

@@ -32,7 +32,7 @@ public:
                                         .rank = 2};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
-        leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
+        leftOut("the analyses of unchanged circuits; recomputed, they give the same results");
     /// If no object has a resistance, an EMF, a rating or a fuse.
     static bool suits(Store const& store);
     static bool faithful(Store const& store);

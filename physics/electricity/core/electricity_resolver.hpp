@@ -29,7 +29,7 @@ public:
                 "with them. Blows fuses: what has blown has no connections."};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
-        leftOut("who was a conductor, and in which network, in the last advance, to see what changes");
+        leftOut("the conductors and their networks in the last advance, to find changes");
     void advance(Access& access);
 
 private:

@@ -64,7 +64,7 @@ public:
             return;
         }
         if (reader.insideCount()) {
-            body.complain("stands inside another count", "conditions on \"it\" that do not count");
+            body.complain("is inside another count", "conditions on \"it\" that do not count");
             return;
         }
         if (auto const of = members.required("of", "a list of objects, or {\"part\": name}")) {
@@ -111,7 +111,7 @@ public:
         if (stated.quantity == Quantity::atMost || wanted <= possible) {
             return std::nullopt;
         }
-        return Impossibility{fmt::format("it wants {} of what there can be {} of", wanted, possible),
+        return Impossibility{fmt::format("it demands {} objects, but there can be only {}", wanted, possible),
                              "no more than the level has and the player may place"};
     }
 

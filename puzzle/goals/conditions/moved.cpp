@@ -90,7 +90,7 @@ public:
         if (!candidates.areFixed(condition.subject)) {
             return std::nullopt;
         }
-        return Impossibility{"what is fixed never moves", "something that can move"};
+        return Impossibility{"a fixed object never moves", "something that can move"};
     }
 
     void begin(ConditionState& state, ObjectFinder const& finder, ObjectId /*it*/) const override {

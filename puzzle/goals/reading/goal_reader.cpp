@@ -155,7 +155,7 @@ void GoalReader::readSingle(JsonNode const& node, Selector& selector) {
     if (*name == itName) {
         selector.it = true;
         if (!insideCount_) {
-            node.complain("'it' stands for nothing here",
+            node.complain("'it' refers to no object here",
                           "the name of an object; 'it' belongs inside a count");
         }
         return;

@@ -44,7 +44,7 @@ public:
         level.key = name;
         if (level.node->contains(name)) {
             if (std::string path = pathOfNext(); flaws_.empty() || flaws_.back().path != path) {
-                flaws_.push_back({std::move(path), fmt::format("the key '{}' stands here twice", name),
+                flaws_.push_back({std::move(path), fmt::format("the key '{}' is repeated", name),
                                   "every key once", std::nullopt, Spot::lastKey});
             }
         }

@@ -99,7 +99,7 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
             readProperties(part.properties, registry, PropertyPlace::properties, *properties, nullptr);
             if (look != nullptr && reader.node().has(std::string(lookKey)) &&
                 properties->has(std::string(lookKey))) {
-                properties->complainAboutKey(std::string(lookKey), "stands here twice", "\"look\" once");
+                properties->complainAboutKey(std::string(lookKey), "is stated twice", "\"look\" once");
             }
         }
         reader.finish();

@@ -39,7 +39,7 @@ public:
         if (!wires_.contains(wire)) {
             addProblem(problems_, [&] {
                 return document_.diagnostic(input.path, "there is no wire " + words(),
-                                            "a pair that stands under \"connections\"");
+                                            "a pair of objects under \"connections\"");
             });
         } else if (!cut_.insert(wire).second) {
             addProblem(problems_, [&] {

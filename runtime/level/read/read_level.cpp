@@ -215,7 +215,7 @@ private:
             return;
         }
         if (auto const [first, isNew] = toolPaths_.try_emplace(*name, node.path()); !isNew) {
-            node.complain(fmt::format("'{}' already stands in {}", *name, first->second), "every part once");
+            node.complain(fmt::format("'{}' is already in {}", *name, first->second), "every part once");
         }
         level_.toolbox.push_back({*name, static_cast<int>(*number), node.path()});
     }
