@@ -1,5 +1,5 @@
-// How a thing is drawn, where that does not follow from its material. It has no consequences: no component
-// reads it.
+// How an object is drawn if that does not follow from its material. No component reads it, so it does not
+// affect the simulation.
 #pragma once
 
 #include "physics/material.hpp"
@@ -12,7 +12,7 @@ namespace trembler {
 
 class Registry;
 
-/// The pattern of a surface: its material's own, or one that it only pretends to be made of.
+/// The pattern of a surface: that of its material, or that of another material.
 enum class Pattern : int {
     own,
     steel,
@@ -32,7 +32,7 @@ inline constexpr std::array<std::string_view, 12> choiceNames<Pattern>{"own",   
                                                                        "wood",    "glass", "rubber", "stone",
                                                                        "plastic", "brick", "water",  "gold"};
 
-/// Of any pattern but `own`: the material that it is taken from.
+/// The material of any pattern except `own`.
 [[nodiscard]] constexpr Material materialOf(Pattern pattern) {
     return static_cast<Material>(static_cast<int>(pattern) - 1);
 }
@@ -59,7 +59,7 @@ struct Look {
     friend bool operator==(Look const&, Look const&) = default;
 };
 
-/// Makes the property and DrawnAs known, with the rule that a colour is one.
+/// Registers the property and DrawnAs, with the rule that a colour must be valid.
 void registerLook(Registry& registry);
 
 } // namespace trembler

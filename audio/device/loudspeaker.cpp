@@ -33,7 +33,8 @@ Loudspeaker::~Loudspeaker() = default;
 void Loudspeaker::enter(World const& world) {
     startAfresh();
     if (dynamic_cast<NullOutput const*>(output_.get()) == nullptr) {
-        sounds_ = world.want<Sounds>(); // even if its address is that of the world before, which may be gone
+        sounds_ =
+            world.want<Sounds>(); // even if the address is the same: the world before may no longer exist
         world_ = &world;
     }
 }
@@ -74,8 +75,7 @@ void Loudspeaker::set(OutputSettings const& settings) {
     output_->set(settings);
 }
 
-// Walls seldom change and listeners move slowly: a look every second, or after a step of half a metre, will
-// do.
+// Walls rarely change and listeners move slowly, so the room is computed every second, or after half a metre.
 void Loudspeaker::followRoom(World const& world, Listener const& listener) {
     constexpr double step = 0.5;           // m
     constexpr std::uint64_t patience = 60; // frames

@@ -16,7 +16,7 @@ struct Close {
     void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
-// A file's name comes out of a level, which comes from anywhere.
+// A file's name comes from a level, which may be from an untrusted source.
 bool staysInside(fs::path const& file) {
     return file.is_relative() &&
            std::none_of(file.begin(), file.end(), [](fs::path const& part) { return part == ".."; });
@@ -68,7 +68,7 @@ std::shared_ptr<SampleData const> SampleFiles::read(std::string const& file) con
     auto const channels = static_cast<std::size_t>(info.channels);
     auto const most = static_cast<std::size_t>(longest * info.samplerate);
     std::vector<float> frames(static_cast<std::size_t>(chunk) * channels);
-    // The length in the header may be anything; the samples that can be read count.
+    // The length in the header may be wrong; the samples that can be read count.
     for (sf_count_t got = 0; (got = sf_readf_float(handle.get(), frames.data(), chunk)) > 0;) {
         if (data->samples.size() + static_cast<std::size_t>(got) > most) {
             return refuse("it is longer than ten minutes");

@@ -38,7 +38,7 @@ SoundFile::SoundFile(std::filesystem::path file, LoudspeakerOptions const& optio
     SF_INFO info{};
     info.samplerate = options.synthesiser.rate;
     info.channels = 2;
-    // Whole numbers: a file of floating-point samples would carry the time of its making.
+    // Integer samples: a file of floating-point samples would contain the time of its creation.
     info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
     SNDFILE* const opened = sf_open_fd(file_->descriptor(), SFM_WRITE, &info, SF_FALSE);
     if (opened == nullptr) { // a pipe, for example: the length in the header is written last

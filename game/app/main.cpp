@@ -16,10 +16,10 @@ int runCommand(int argc, char** argv) {
         "  trembler play                                          the game\n"
         "  trembler play levels/first/1-first-contact.json        one level\n"
         "  trembler run LEVEL --solution NAME                     replay a recorded solution, no window\n"
-        "  trembler run LEVEL --trace account.jsonl               and write down what led to what\n"
-        "  trembler run LEVEL --sound it.wav                      and write what it sounds like\n"
+        "  trembler run LEVEL --trace account.jsonl               write every event with its causes\n"
+        "  trembler run LEVEL --sound it.wav                      write its sound\n"
         "  trembler verify                                        check every level\n"
-        "  trembler components                                    what there is, and in which order it runs\n"
+        "  trembler components                                    all components and their schedule\n"
         "  trembler accuracy                                      what accuracy costs, effect by effect\n"
         "\n"
         "Each command has its own --help."};

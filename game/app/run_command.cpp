@@ -51,10 +51,9 @@ void addRunCommand(CLI::App& program, int& result) {
     addFile(*command, "--record", arguments->record,
             "Write the run, with all that was changed in it, as a solution for --solution");
     command
-        ->add_option(
-            "--watch", arguments->watch,
-            "OBJECT.FIELD: a column of the table --csv, for example lamp.current, ball.position or "
-            "world.gravity; any field of any property. A name that is none is told with those near it")
+        ->add_option("--watch", arguments->watch,
+                     "OBJECT.FIELD: a column of the table --csv, for example lamp.current, ball.position or "
+                     "world.gravity; any field of any property. Unknown names are reported with similar ones")
         ->allow_extra_args(false);
     addNumber(*command, "--every", arguments->every, 1, limits::frames,
               "Frames between rows of the table --csv")

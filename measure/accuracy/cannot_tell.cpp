@@ -35,10 +35,10 @@ constexpr std::array<Limit, 24> limits{{
     {"buoyancy", "particles",
      "waves, currents and the level that rises; and exactly when the last corner dips in"},
     {"buoyancy", "every", "what a body meets between two computations, beyond the first order"},
-    {"sound", "1-mode", "material and form: one sine is one sine, high or low"},
+    {"sound", "1-mode", "material and form, except by pitch"},
     {"sound", "4-modes", "the higher half of what a bell or a bar rings with"},
     {"sound", "modes", "the bending of sound by the air, and how bodies in touch damp one another"},
-    {"co-simulation", "substep", "what the other simulation would have said within the frame"},
+    {"co-simulation", "substep", "changes of the other simulation within a frame"},
     {"loudness", "straight", "what comes round a corner"},
     {"loudness", "around", "echoes"},
 }};

@@ -75,7 +75,7 @@ frames, in µs, of all components of the effect, on one thread, and the least of
 only adds to it. Errors are the same on every machine (the simulation is deterministic); times belong to the machine
 that this was made on and are good for comparing within a table.
 
-*Front* marks who is on the Pareto front: no other level of the table is faster and at least as accurate. What is
+*Front* marks the levels on the Pareto front: no other level of the table is faster and at least as accurate. What is
 beaten has no use in that scene, and the text below the table says why it is there; times within 5 % count as the same.
 Tables without that column are no choice between levels, but a study of what one thing does to the error.
 

@@ -120,8 +120,8 @@ std::string activationMarkdown(std::vector<LevelUse> const& plays) {
     std::vector<LevelUse const*> const first = firstOfEach(plays);
     text += fmt::format("\n## Component by component\n\nThe first play of each level: turns in {} frames; "
                         "**bold** if the component is active at the end, plain if it is\nasleep, nothing if "
-                        "it is absent. Sound's components are there for who listens: a microphone in the "
-                        "level, or a loudspeaker,\nwhich none of these runs has.\n\n",
+                        "it is absent. Sound's components are constructed only if something listens: a "
+                        "microphone in the level, or a loudspeaker,\nwhich none of these runs has.\n\n",
                         plays.front().frames);
     char number = 'A';
     for (LevelUse const* const play : first) {

@@ -1,4 +1,4 @@
-// Electricity: connections between conductors, and which objects are on because of them.
+// Electricity: connections between conductors, and the objects that they switch on.
 #pragma once
 
 namespace trembler {
@@ -9,8 +9,8 @@ class Registry;
 /// interactions on electricity. After dynamics.
 void registerElectricity(Registry& registry);
 
-/// Its properties, and the connections of a level, in which nothing flows: a program without electricity
-/// reads every level and part.
+/// Registers its properties and connections without effect, so that a program without electricity can read
+/// every level and part.
 void knowElectricity(Registry& registry);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// (Dynamics <- Electricity): motors with current turn, and generators that supply current are hard to turn.
+// (Dynamics <- Electricity): motors with current turn, and generators that supply current resist turning.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"

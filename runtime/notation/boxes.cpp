@@ -70,7 +70,7 @@ std::string propertySet(std::vector<PropertyInfo const*> const& properties) {
 }
 
 std::string activation(ComponentInfo const& info) {
-    std::string const demand = info.onDemand ? ", while somebody reads what it offers" : "";
+    std::string const demand = info.onDemand ? ", while the properties that it offers are read" : "";
     bool const always = info.neededAll.empty() && info.neededAny.empty();
     return (always ? "every scene" : objectsWith(info.neededAll, info.neededAny)) + demand;
 }

@@ -1,5 +1,5 @@
 // How properties that report events (contacts that began, impacts) are gathered over a frame of several
-// parts, so that an observer who looks once per frame misses none.
+// parts, so that an observer that reads once per frame misses none.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -9,15 +9,15 @@
 
 namespace trembler {
 
-/// Where a part lies in its frame.
+/// The place of a part in its frame.
 struct PartSpan {
     bool first = true; ///< the first part of the frame in which the property was written
     double begin = 0;  ///< s after the frame's beginning
     double share = 1;  ///< its share of the frame's length
 };
 
-/// A resolver or derived property that reports events since its last update, its news, and not only a state.
-/// Components read it part by part. From outside, World::find() shows the news of a whole frame, for which
+/// A resolver or derived property that reports not only a state but also news: events since its last update.
+/// Components read it part by part. From outside, World::find() returns the news of a whole frame. For this
 /// the property has
 ///
 ///     static void gather(P& frame, P const& part, PartSpan span);
@@ -30,9 +30,9 @@ concept TellsNews = requires(P& frame, P const& part, PartSpan span) {
 };
 
 /// A resolver or derived property that reports a state, not events: the value of the last part is the value
-/// of the frame. It says so with
+/// of the frame. It states this with
 ///
-///     static constexpr std::string_view standing = "what stands, or why no part's news is lost";
+///     static constexpr std::string_view standing = "the state, or why no part's news is lost";
 template <class P>
 concept TellsWhatStands = requires {
     { P::standing } -> std::convertible_to<std::string_view>;

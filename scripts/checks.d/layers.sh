@@ -79,14 +79,14 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
         public = inside ~ /^(calls\.hpp|properties\.hpp|properties\/.*)$/
         if (mine == other) {
             if (from ~ /\/properties\// && inside !~ /^properties\//) {
-                complain("what properties/ shows must not lead further in")
+                complain("public headers must not include internals")
             }
         } else if (mine != "") {
             if (!public && !(from == mine "/register.cpp" && inside ~ /^interactions\/from_/)) {
                 complain("that is not for other effects (calls.hpp and properties are)")
             }
         } else if (from ~ /^physics\// && from != "physics/register_physics.cpp") {
-            complain("what effects share knows none of them")
+            complain("code that effects share must not include an effect")
         } else if (!public && inside != "register.hpp" && (from ~ /^(physics|render)\// || to !~ pure)) {
             complain("that is not for others (calls.hpp, properties, register.hpp and pure functions are)")
         }

@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-constexpr std::ptrdiff_t mostGoes = 4; // of one object at a time; the oldest gives way
+constexpr std::ptrdiff_t mostGoes = 4; // of one object at a time; beyond, the oldest ends
 
 void begin(Sounds& sounds, Sample const& sample, ObjectId object, double share, bool held, EventId event) {
     Sounds::Recording fresh;
@@ -54,7 +54,7 @@ void beginAsked(SoundColumns const& columns, SoundCalls const& calls, Sounds& so
     }
     for (Sounds::Recording& recording : sounds.recordings) {
         if (recording.held && holds.erase(recording.object) == 0) {
-            recording.held = false; // let go: it ends here and now
+            recording.held = false; // no longer held: it ends now
             recording.elapsed = recording.duration;
         }
     }

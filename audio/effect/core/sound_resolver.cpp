@@ -25,7 +25,7 @@ void SoundResolver::advance(Access& access) {
     work_.follow(columns);
     if (calls_.empty() && !SoundWork::goesOn(access.provided<Sounds>())) {
         goesOn_ = false;
-        return; // silence: components that read Sounds can go on sleeping
+        return; // silence: components that read Sounds can continue to sleep
     }
     Sounds& sounds = access.provide<Sounds>();
     work_.advance(columns, calls_, access.duration(), sounds);

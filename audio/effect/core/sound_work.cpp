@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-/// A quantity that dies away like e^(-rate t) over `time` s, from 1.
+/// A quantity that decays like e^(-rate t) over `time` s, from 1.
 struct Decay {
     Decay(double rate, double time) {
         double const x = rate * time;
@@ -68,8 +68,8 @@ void SoundWork::advance(SoundColumns const& columns, SoundCalls const& calls, do
     advanceRecordings(columns, calls, duration, sounds);
 }
 
-// Bodies that are gone fall silent. Bodies that ring with another number of modes than here, or have changed
-// their modes, go on with the present ones.
+// Removes destroyed bodies. Bodies that ring with another number of modes, or whose modes have changed,
+// continue with the present modes.
 void SoundWork::fit(SoundColumns const& columns, Sounds& sounds) {
     std::erase_if(sounds.bodies,
                   [&](Sounds::Body const& body) { return models_.find(columns, body.object) == nullptr; });
@@ -83,7 +83,7 @@ void SoundWork::fit(SoundColumns const& columns, Sounds& sounds) {
     }
 }
 
-// Makes room in `sounds` for the objects that begin to sound: for all at once, as they can be many.
+// Adds the objects that begin to sound to `sounds`, all at once, as there can be many.
 void SoundWork::findExcited(SoundColumns const& columns, SoundCalls const& calls, Sounds& sounds) {
     std::vector<ObjectId> objects;
     for (Told<Strike> const& told : calls.strikes) {

@@ -1,4 +1,4 @@
-// The work of the Sound resolver, whatever its number of modes.
+// The work of the Sound resolver, for any number of modes.
 #pragma once
 
 #include "audio/effect/calls.hpp"
@@ -26,21 +26,22 @@ struct SoundCalls {
     void clear();
 };
 
-/// Moves Sounds on by a frame. Each mode's energy dies away by itself and is added to by impacts and scrapes;
-/// phases are the loudspeaker's business.
+/// Advances Sounds by a frame. Each mode's energy decays, and impacts and scrapes add to it. Phases are left
+/// to the loudspeaker.
 class SoundWork {
 public:
     explicit SoundWork(int modes) : models_(modes) {}
 
-    /// To be called in every frame, also where nothing sounds.
+    /// To be called in every frame, also in silence.
     void follow(SoundColumns const& columns) { models_.follow(columns); }
-    /// `duration` in s. Works from any `sounds`, also from the results of another number of modes.
+    /// `duration` in s. Accepts any `sounds`, also results with another number of modes.
     void advance(SoundColumns const& columns, SoundCalls const& calls, double duration, Sounds& sounds);
-    /// Whether there will be something to do in the next frame without any call: because a sound dies away.
+    /// Whether the next frame has work without any call, as a sound decays.
     [[nodiscard]] static bool goesOn(Sounds const& sounds);
 
 private:
-    /// An object that is excited in this frame, and the part of that which is not in the body's rings yet.
+    /// An object that is excited in this frame, with the part of the excitation that is not in the body's
+    /// rings yet.
     struct Excited {
         ObjectId object;
         SoundingBody const* model = nullptr;

@@ -27,7 +27,7 @@ public:
         MadeOf const* const of = find<MadeOf>(id);
         return of == nullptr ? Material::plastic : of->material;
     }
-    /// 1/kg; 0 for an object that does not move.
+    /// 1/kg; 0 for an object that cannot move.
     [[nodiscard]] double inverseMass(ObjectId id) const {
         Mass const* const mass = find<Mass>(id);
         return mass == nullptr || access_.template read<Fixed>().has(id) ? 0 : 1 / mass->value;
@@ -48,7 +48,7 @@ public:
         AngularVelocity const* const spin = find<AngularVelocity>(id);
         return spin == nullptr ? 0 : spin->value;
     }
-    /// Of the object's matter at a point of the world, in m/s.
+    /// The velocity of the object's matter at a point of the world, in m/s.
     [[nodiscard]] Vec2 velocityAt(ObjectId id, Vec2 point) const {
         Velocity const* const velocity = find<Velocity>(id);
         Shape const* const shape = find<Shape>(id);
@@ -122,7 +122,7 @@ void SoundFromDynamics::tellRubbing(Access& access) {
     Scene const scene(access);
     double const step = access.read<ContactPatches>().step;
     if (!(step > 0)) {
-        return; // nothing has ever moved
+        return; // no object has ever moved
     }
     auto const friction = [&](ObjectId id) {
         Friction const* const stated = scene.template find<Friction>(id);

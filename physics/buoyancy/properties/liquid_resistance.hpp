@@ -11,7 +11,7 @@
 namespace trembler {
 
 /// The resistance to the motion of each immersed object, as coefficients of velocities and not as forces: so
-/// an engine can integrate it without ever overshooting, however light they are. Ascending by object.
+/// an engine can integrate it without overshooting, however light the objects are. Ascending by object.
 struct LiquidResistance {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Liquid resistance", "liquid_resistance",

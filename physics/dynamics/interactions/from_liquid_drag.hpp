@@ -25,7 +25,7 @@ public:
                 LiquidResistance::Entry const& e = entries[i];
                 caller.call(AddDrag{e.object, e.point, e.xx, e.xy, e.yy, e.angular}, e.event);
                 if (e.rate > 0) {
-                    // Looking ahead is a resistance here, which no step is too long for.
+                    // Here looking ahead is a resistance, which is stable with any step.
                     caller.call(TellRate{
                         .object = e.object, .rate = e.rate, .foreseen = foreseen, .swings = !foreseen});
                 }

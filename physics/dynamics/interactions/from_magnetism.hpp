@@ -1,5 +1,5 @@
-// (Dynamics <- Magnetic Forces): magnetic forces act at the poles, or at the centre of an object that has
-// none.
+// (Dynamics <- Magnetic Forces): magnetic forces act at the poles, or at the centre of an object without
+// poles.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// F_M brings the points along, so it need not read the poles and positions of 6.13.4 again.
+/// F_M contains the points, so this need not read the poles and positions of 6.13.4.
 class DynamicsFromMagneticForces final
     : public Interaction<DynamicsFromMagneticForces, DynamicsRole, Reads<MagneticForce, Fixed>> {
 public:

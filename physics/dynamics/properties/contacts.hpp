@@ -1,4 +1,5 @@
-// Which objects touch: the resolver properties C_C, C_N and C_P (6.13.2), and how they touch.
+// The objects that touch: the resolver properties C_C, C_N and C_P (6.13.2), and the geometry and impulses of
+// contacts.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -25,8 +26,8 @@ struct TouchingPair {
     }
 };
 
-/// All ascending by pair. A contact that begins and ends within one frame, or one part of it, is neither new
-/// nor gone: it is brief, as an impact that bounces can be.
+/// All lists are ascending by pair. A contact that begins and ends within one frame, or one part of it, is in
+/// `brief` only, as an impact that bounces can be.
 struct Contacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
@@ -36,16 +37,16 @@ struct Contacts {
     static constexpr Coverage coverage = hashed;
     std::vector<TouchingPair> current; ///< C_C
     std::vector<TouchingPair> begun;   ///< C_N
-    std::vector<TouchingPair> ended;   ///< C_P; an object in it may be gone
+    std::vector<TouchingPair> ended;   ///< C_P; its objects may no longer exist
     std::vector<TouchingPair> brief;   ///< touched within this frame only; in no other list
 
-    /// Of a frame in parts: the pairs that touch at its end, that have begun to since its beginning, that
-    /// ceased to, and that touched in between only, in whichever part. With the event of the first part that
-    /// reports it.
+    /// For a frame in parts: the pairs that touch at its end, the pairs that began and ceased to touch since
+    /// its beginning, and the pairs that touched only in between, in any part. With the event of the first
+    /// part that reports the pair.
     static void gather(Contacts& frame, Contacts const& part, PartSpan span);
 };
 
-/// How a pair touches.
+/// The geometry and the impulses of a pair's contact.
 struct ContactPatch {
     ObjectId a;
     ObjectId b;
@@ -53,16 +54,16 @@ struct ContactPatch {
     std::array<Vec2, 2> points;           ///< m, in the world
     std::array<double, 2> normalImpulse;  ///< N s in the last substep
     std::array<double, 2> tangentImpulse; ///< N s in the last substep
-    int count = 0;                        ///< of points that count, 1 or 2
+    int count = 0;                        ///< number of points in use, 1 or 2
 };
 
-/// Computed only while a component reads it, or a subscription wants it. Ascending by pair; a compound may
-/// touch in several patches.
+/// Computed only while a component or a subscription reads it. Ascending by pair; a compound may touch in
+/// several patches.
 struct ContactPatches {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Contact patches", "contact_patches",
                                        "Points, normals and impulses of all contacts."};
-    static constexpr std::string_view standing = "how those touch that still do";
+    static constexpr std::string_view standing = "the geometry of the contacts that still exist";
     static constexpr Coverage coverage = derivedFrom(
         "the engine's contacts of the last advance; what interactions make of them is in their calls");
     std::vector<ContactPatch> patches;

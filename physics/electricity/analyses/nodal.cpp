@@ -24,7 +24,7 @@ void NodalElectricity::update(Access& access) {
     writeStateAndQuantities(access, update_, found_);
 }
 
-// The objects that state something else than at the last update.
+// The objects whose stated values have changed since the last update.
 void NodalElectricity::findChangedParts(NodalColumns const& columns) {
     changed_.clear();
     std::array<std::uint64_t, 4> const versions{columns.resistances.version(), columns.emfs.version(),
@@ -96,7 +96,7 @@ void NodalElectricity::analyse(Circuit const& circuit, NodalColumns const& colum
 void NodalElectricity::solve(Circuit const& circuit, NodalColumns const& columns, CircuitQuantities& found,
                              std::vector<std::uint8_t>& on) {
     for (auto& entry : found.entries) {
-        entry.floating = true; // until a network takes it in
+        entry.floating = true; // until a network that contains it is solved
     }
     for (std::string_view const network : circuit.terminalNetworks()) {
         makeNetlist(circuit, columns, network, netlist_);

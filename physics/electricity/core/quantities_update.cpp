@@ -24,7 +24,7 @@ void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuanti
     auto const before = [&](ObjectId first) -> ElectricalQuantities::Circuit const* {
         return quantities.circuitOf(first);
     };
-    // News, as long as it is known how things were.
+    // Events are recorded before the previous results are overwritten.
     for (std::uint32_t c = 0; c < found.size(); ++c) {
         for (ElectricalQuantities::Entry& entry : found[c].entries) {
             if (entry.overload > 1) {
@@ -60,7 +60,7 @@ void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuanti
             quantities.byIndex[entry.object.index] = entry;
         }
     }
-    // A circuit is as it was unless it was looked at, or its first object went to another.
+    // A circuit is unchanged unless it was analysed, or its first object is now in another one.
     std::vector<ObjectId> looked;
     looked.reserve(found.size());
     for (CircuitQuantities const& one : found) {

@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-// The pairs that the graph holds connected by that caller.
+// The pairs that this caller connects in the graph.
 void gatherPairs(Column<ElectricityGraph> const& graph, CallerId caller, std::vector<TouchingPair>& pairs) {
     for (std::size_t r = 0; r < graph.size(); ++r) {
         ObjectId const owner = graph.owners()[r];
@@ -40,7 +40,7 @@ void ElectricityFromDynamics::apply(Access& access) {
         access.call(AddConnection{{pair.a, pair.b}}, pair.event);
     };
     auto const end = [&](TouchingPair const& pair) {
-        if (conductors.has(pair.a) && conductors.has(pair.b)) { // else the graph has dropped it already
+        if (conductors.has(pair.a) && conductors.has(pair.b)) { // else the graph has already removed it
             access.call(RemoveConnection{{pair.a, pair.b}}, endOf(pair, contacts.ended));
         }
     };

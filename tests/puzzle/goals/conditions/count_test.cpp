@@ -71,16 +71,16 @@ TEST(CountCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"count": {"of": "lamp", "at_least": 1}})", "/goals/count: 'that' is missing"));
     EXPECT_TRUE(isRefused(R"({"count": {"of": "lamp", "at_least": 1, "that": {"count": {"of": "lamp",
                               "at_least": 1, "that": {"on": "it"}}}}})",
-                          "/goals/count/that/count: stands inside another count"));
+                          "/goals/count/that/count: is inside another count"));
     EXPECT_TRUE(isRefused(R"({"all": [{"count": {"of": "lamp", "at_least": 1, "that": {"on": "it"}}},
                               {"on": "it"}]})",
-                          "/goals/all/1/on: 'it' stands for nothing here"));
+                          "/goals/all/1/on: 'it' refers to no object here"));
 }
 
 TEST(CountCondition, IsRefusedWhereItWantsMoreThanThereCanBe) {
     std::string const that = R"(, "that": {"moved": {"object": "it", "by": 1}}}})";
     EXPECT_TRUE(isRefused(R"({"count": {"of": "crate", "at_least": 3)" + that,
-                          "/goals: can never hold: it wants 3 of what there can be 1 of"));
+                          "/goals: can never hold: it demands 3 objects, but there can be only 1"));
     EXPECT_TRUE(isRefused(R"({"count": {"of": ["crate", "crate", "object 1"], "exactly": 3)" + that,
                           "there can be 2 of"));
     EXPECT_TRUE(

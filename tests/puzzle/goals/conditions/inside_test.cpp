@@ -50,7 +50,7 @@ TEST(InsideCondition, IsReadOrRefusedAtItsPlace) {
 
 TEST(InsideCondition, IsRefusedWhereNothingCanGetThere) {
     EXPECT_TRUE(isRefused(R"({"inside": {"object": "floor", "area": [5, 5, 1, 1]}})",
-                          "/goals: can never hold: what is fixed never gets there"));
+                          "/goals: can never hold: a fixed object never gets there"));
     EXPECT_EQ(refusalOf(R"({"inside": {"object": "floor", "area": [-1, -2, 2, 2]}})"), "") << "it is there";
     EXPECT_EQ(refusalOf(R"({"inside": {"object": ["floor", "crate"], "area": [5, 5, 1, 1]}})"), "");
     for (char const* const corners : {"[[0, 0], [1, 1], [2, 2]]", "[[0, 0], [0, 0], [0, 0]]",

@@ -53,9 +53,9 @@ TEST(MovedCondition, IsReadOrRefusedAtItsPlace) {
 
 TEST(MovedCondition, IsRefusedWhereAllIsFixed) {
     EXPECT_TRUE(isRefused(R"({"moved": {"object": "floor", "by": 1}})",
-                          "/goals: can never hold: what is fixed never moves"));
+                          "/goals: can never hold: a fixed object never moves"));
     EXPECT_TRUE(isRefused(R"({"moved": {"object": ["floor", "electromagnet"], "by": 1}})",
-                          "what is fixed never moves"));
+                          "a fixed object never moves"));
     EXPECT_EQ(refusalOf(R"({"moved": {"object": ["floor", "crate"], "by": 1}})"), "");
 }
 

@@ -82,7 +82,7 @@ TEST(TouchingCondition, FindsATouchOfManyNamesAsItDoesPairByPair) {
 
 TEST(TouchingCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"touching": ["crate"]})", "/goals/touching: is a list of 1"));
-    EXPECT_TRUE(isRefused(R"({"touching": "crate"})", "a list of two: what shall touch what"));
+    EXPECT_TRUE(isRefused(R"({"touching": "crate"})", "a list of two selectors"));
     EXPECT_TRUE(
         isRefused(R"({"touching": ["crate", "flor"]})", "/goals/touching/1: there is no object 'flor'"));
     EXPECT_TRUE(isRefused(R"({"touching": ["crate", "lamp"]})",

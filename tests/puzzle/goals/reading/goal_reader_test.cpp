@@ -30,7 +30,7 @@ TEST(GoalReader, KnowsWhatSelectorsCanName) {
     EXPECT_TRUE(isRefused(R"({"on": "lmap"})", "/goals/on: there is no object 'lmap', did you mean 'lamp'?"));
     EXPECT_TRUE(isRefused(R"({"on": []})", "/goals/on: is empty"));
     EXPECT_TRUE(isRefused(R"({"on": ["lamp", 3]})", "/goals/on/1: is 3"));
-    EXPECT_TRUE(isRefused(R"({"on": "it"})", "/goals/on: 'it' stands for nothing here"));
+    EXPECT_TRUE(isRefused(R"({"on": "it"})", "/goals/on: 'it' refers to no object here"));
     EXPECT_TRUE(isRefused(R"({"on": {"part": "lead ball"}})",
                           "/goals/on/part: nothing in this level is made from the part 'lead ball'"));
     EXPECT_TRUE(isRefused(R"({"on": {"prt": "iron ball"}})", "did you mean 'part'"));

@@ -53,9 +53,8 @@ TEST(JsonDocument, RefusesDeepNestingWithoutDescending) {
 TEST(JsonDocument, DiagnosticsAreOneHarmlessLine) {
     auto const problems = problemsOf("{\"a\\n\\u001b[2J\\u202e\": 1, \"a\\n\\u001b[2J\\u202e\": 2}");
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_EQ(problems[0].print(),
-              "f.json:1:27: /a<U+000A><U+001B>[2J<U+202E>: the key "
-              "'a<U+000A><U+001B>[2J<U+202E>' stands here twice; expected every key once");
+    EXPECT_EQ(problems[0].print(), "f.json:1:27: /a<U+000A><U+001B>[2J<U+202E>: the key "
+                                   "'a<U+000A><U+001B>[2J<U+202E>' is repeated; expected every key once");
 }
 
 TEST(JsonDocument, DiagnosticsAreNotAsLongAsTheirFile) {
