@@ -7,9 +7,13 @@
 # <> would find them too.
 #
 # The public headers of an effect (a folder of physics/ with a register.hpp, and audio/effect) are calls.hpp and
-# properties.hpp or properties/. Of their own effect these include only properties. Interactions A <- B are in A's
-# folder and are registered by B: so register.cpp, and no other file, may include another effect's interactions/from_*.
-# (A single place for all registrations would change their order, which is part of the simulation.)
+# properties.hpp or properties/. Of their own effect these include only properties.
+#
+# The interaction A <- B is in A's folder, as from_B. If A is in a lower layer, or B consists of interactions only
+# (physics/motor), it is in B's folder, as A_from_B. B registers it: so register.cpp, and no other file, may include
+# another effect's interactions/from_*. (A single place for all registrations would change their order, which is part of
+# the simulation.)
+#
 # Files that effects share (physics/*.hpp, physics/inverse_square) include none of them; only register_physics.cpp
 # includes the public headers and the register.hpp of all.
 #
