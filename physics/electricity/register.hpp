@@ -9,8 +9,4 @@ class Registry;
 /// interactions on electricity. After dynamics.
 void registerElectricity(Registry& registry);
 
-/// Its properties, and the connections of a level, in which nothing flows: a program without electricity
-/// reads every level and part.
-void knowElectricity(Registry& registry);
-
 } // namespace trembler

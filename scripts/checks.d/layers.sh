@@ -15,7 +15,7 @@
 # the simulation.)
 #
 # Files that effects share (physics/*.hpp, physics/inverse_square) include none of them; only register_physics.cpp
-# includes the public headers and the register.hpp of all.
+# includes the register.hpp of all.
 #
 # Folders above the effects include their public headers and register.hpp. The budget, the ladders, the hard cases, the
 # SPICE export, the synthesiser and the sound rings may also include the pure functions from which derived property sets
