@@ -1,4 +1,5 @@
-// trembler keys: lists every command of the window with its keys; docs/players.md is made from this list.
+// trembler keys: lists every command of the window with its keys, and what the mouse does; docs/players.md is
+// made from these lists.
 #include "game/app/commands.hpp"
 #include "game/app/outputs.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 
 struct KeysArguments {
     OutputTarget markdown;
+    OutputTarget mouse;
 };
 
 #ifdef TREMBLER_HEADLESS
@@ -30,10 +32,15 @@ int printKeys(KeysArguments const&) {
 int printKeys(KeysArguments const& arguments) {
     Outputs outputs;
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
+    OutputFile* const mouse = outputs.add("--mouse", arguments.mouse);
     ui::KeyBindings const bindings(ui::commandLists());
     if (markdown != nullptr) {
         markdown->stream() << ui::keysMarkdown(bindings);
-    } else {
+    }
+    if (mouse != nullptr) {
+        mouse->stream() << ui::gesturesMarkdown(ui::allGestures());
+    }
+    if (markdown == nullptr && mouse == nullptr) {
         std::cout << ui::keysText(bindings);
     }
     outputs.finish();
@@ -49,6 +56,8 @@ void addKeysCommand(CLI::App& program, int& result) {
     CLI::App* const command =
         program.add_subcommand("keys", "Print what can be done in the window, and the usual keys for it");
     addOptionalFile(*command, "--markdown", arguments->markdown, "Write them as Markdown tables instead");
+    addOptionalFile(*command, "--mouse", arguments->mouse,
+                    "Write what the mouse does as Markdown tables instead");
     command->footer(outputConvention);
     command->callback([arguments, &result] { result = guarded([&] { return printKeys(*arguments); }); });
 }

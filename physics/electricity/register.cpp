@@ -103,14 +103,6 @@ std::optional<std::string> checkRating(Store const& store, ObjectId id) {
                     "resistance that follows from the rating");
 }
 
-// Connections in a program without electricity: they may be stated, but have no effect.
-void layNothing(Store& /*store*/, ObjectId /*a*/, ObjectId /*b*/) {}
-
-template <class... Properties>
-void makeKnown(Registry& registry) {
-    (registry.property<Properties>(), ...);
-}
-
 } // namespace
 
 void registerElectricity(Registry& registry) {
@@ -125,7 +117,8 @@ void registerElectricity(Registry& registry) {
     registry.property<ElectricalDevice>();
     registry.completion<ConductorCompletion>();
     registry.completion<VertexCompletion>();
-    registry.connector(wireConnector(layWire));
+    registry.connector({"wire", "electricity", "a wire between two conductors, which the scissors can cut",
+                        refuseWire, layWire});
     registry.rule({&propertyInfo<ElectricalSource>(), checkTerminal<ElectricalSource>});
     registry.rule({&propertyInfo<ElectricalReturn>(), checkTerminal<ElectricalReturn>});
     registry.rule({&propertyInfo<Resistance>(), checkResistance});
@@ -133,12 +126,6 @@ void registerElectricity(Registry& registry) {
     registry.rule({&propertyInfo<RatedPower>(), checkRating});
     registry.rule({&propertyInfo<Fuse>(), checkConducts<Fuse>});
     registry.rule({&propertyInfo<CurrentCapacity>(), checkConducts<CurrentCapacity>});
-}
-
-void knowElectricity(Registry& registry) {
-    makeKnown<Conductor, ElectricalSource, ElectricalReturn, ElectricalDevice, Resistance, Emf, RatedPower,
-              Fuse, CurrentCapacity>(registry);
-    registry.connector(wireConnector(layNothing));
 }
 
 } // namespace trembler

@@ -9,8 +9,4 @@ class Registry;
 /// interactions on electricity. After dynamics.
 void registerElectricity(Registry& registry);
 
-/// Registers its properties and connections without effect, so that a program without electricity can read
-/// every level and part.
-void knowElectricity(Registry& registry);
-
 } // namespace trembler

@@ -1,7 +1,7 @@
 #include "physics/motor/register.hpp"
 
-#include "physics/motor/from_electricity.hpp"
-#include "physics/motor/from_rotation.hpp"
+#include "physics/motor/dynamics_from_motors.hpp"
+#include "physics/motor/electricity_from_rotation.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/registry.hpp"
 

@@ -134,6 +134,16 @@ void Registry::know(PropertyInfo const& info) {
     }
 }
 
+void Registry::makeKnown(Registry const& other) {
+    for (PropertyInfo const* info : other.properties_) {
+        know(*info);
+    }
+    for (Connector connector : other.connectors_) {
+        connector.lay = [](Store& /*store*/, ObjectId /*a*/, ObjectId /*b*/) {};
+        connectors_.push_back(connector);
+    }
+}
+
 std::vector<PropertyInfo const*> Registry::objectProperties() const {
     std::vector<PropertyInfo const*> sorted = properties_;
     std::sort(sorted.begin(), sorted.end(),

@@ -90,6 +90,9 @@ public:
     void property() {
         know(propertyInfo<P>());
     }
+    /// Makes known all that a level may state for the components of `other`: their object properties, and the
+    /// kinds of connections, which then connect nothing. For an effect that is left out.
+    void makeKnown(Registry const& other);
     template <class C>
     void component() {
         Registration made{&C::describeSelf(),

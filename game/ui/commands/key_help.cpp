@@ -111,6 +111,23 @@ std::string keysMarkdown(KeyBindings const& bindings) {
         });
 }
 
+std::string gesturesMarkdown(std::span<Gesture const> gestures) {
+    std::string text;
+    for (CommandGroup const group :
+         {CommandGroup::building, CommandGroup::running, CommandGroup::looking, CommandGroup::program}) {
+        std::string rows;
+        for (Gesture const& gesture : gestures) {
+            if (gesture.group == group) {
+                rows += fmt::format("| {} | {} |\n", gesture.does, gesture.with);
+            }
+        }
+        if (!rows.empty()) {
+            text += fmt::format("{}| {} | |\n|---|---|\n{}", text.empty() ? "" : "\n", titleOf(group), rows);
+        }
+    }
+    return text;
+}
+
 std::string keysText(KeyBindings const& bindings) {
     return grouped(
         bindings, [](char const* group) { return fmt::format("{}\n", group); },

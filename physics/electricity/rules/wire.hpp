@@ -1,8 +1,8 @@
-// The objects that a wire of a level may connect, also for programs without electricity.
+// Which objects a wire of a level may connect.
 #pragma once
 
 #include "physics/electricity/rules/completion.hpp"
-#include "runtime/world/registry.hpp"
+#include "runtime/world/store.hpp"
 
 #include <fmt/format.h>
 
@@ -36,12 +36,6 @@ namespace trembler {
         return fmt::format("'{}' is connected to itself; expected two different objects", store.nameOf(a));
     }
     return std::nullopt;
-}
-
-/// The kind "wire" of a level's connections, made by `lay`.
-[[nodiscard]] inline Connector wireConnector(void (*lay)(Store&, ObjectId, ObjectId)) {
-    return {"wire", "electricity", "a wire between two conductors, which the scissors can cut", refuseWire,
-            lay};
 }
 
 } // namespace trembler

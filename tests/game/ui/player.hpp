@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/app/app.hpp"
+#include "game/ui/play/play_screen.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "render/window/synthetic_input.hpp"
 
@@ -87,7 +88,10 @@ public:
     }
 
     GameApp& app() { return *app_; }
-    PlayScreen& play() { return *app_->play(); }
+    /// The current screen if it shows a level, else nullptr.
+    PlayScreen* findPlay() { return dynamic_cast<PlayScreen*>(&app_->screen()); }
+    /// Only while a level is on the screen.
+    PlayScreen& play() { return *findPlay(); }
     Session& session() { return play().session(); }
     Layout const& layout() { return app_->context().layout; }
     std::filesystem::path const& films() const { return films_; }

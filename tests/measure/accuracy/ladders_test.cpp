@@ -57,7 +57,8 @@ TEST(Accuracy, EveryLadderIsWhole) {
         for (Rung const& rung : one.rungs) {
             SCOPED_TRACE(rung.level);
             EXPECT_TRUE(levels.insert(rung.level).second);
-            EXPECT_FALSE(rung.cannotTell.empty()) << "every level has something that it cannot tell";
+            EXPECT_FALSE(rung.cannotRepresent.empty())
+                << "every level has something that it cannot represent";
             EXPECT_TRUE(std::isfinite(rung.error) && rung.error >= 0) << rung.error;
             EXPECT_TRUE(std::isfinite(rung.microseconds) && rung.microseconds > 0) << "it was timed";
             EXPECT_EQ(rung.onFront, one.rivals && rung.beatenBy.empty());
@@ -158,7 +159,7 @@ TEST(Accuracy, ElectricitysLevelsAreThoseOfTheRegistry) {
     EXPECT_EQ(measured, registered);
     for (std::string const scene : {"schoolbook", "random"}) {
         Ladder const& one = ladder("electricity", scene);
-        EXPECT_GT(errorOf(one, "two-wire"), 0.05) << "it cannot tell a balanced bridge";
+        EXPECT_GT(errorOf(one, "two-wire"), 0.05) << "it cannot represent a balanced bridge";
         EXPECT_GT(errorOf(one, "single-cable"), errorOf(one, "two-wire"));
         if (registered.contains("nodal")) {
             EXPECT_EQ(errorOf(one, "nodal"), 0);

@@ -44,7 +44,7 @@ TEST_F(LookTest, OfEverythingCanBeAnotherAndNothingElseChanges) {
         LevelFile level = load(file);
         std::string const solution = level.solutions.front().name;
         std::vector<std::uint64_t> hashes;
-        for (Pattern const pattern : {Pattern::own, Pattern::rubber, Pattern::steel}) {
+        for (LookPattern const pattern : {LookPattern::own, LookPattern::rubber, LookPattern::steel}) {
             for (LevelObject& object : level.objects) {
                 object.properties.set(Look{pattern, "#123456", "x"});
             }

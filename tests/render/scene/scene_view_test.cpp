@@ -267,9 +267,9 @@ TEST(SceneView, NeverDrawsTheWayOfWhatWasPutElsewhere) {
 TEST(SceneView, GivesTheWordsOnObjects) {
     World world(everything());
     ObjectId const crate = body(world, "crate", {boxPiece(1, 0.5)}, {3, 1});
-    world.store().column<Look>().set(crate, {trembler::Pattern::wood, "", "XII"});
+    world.store().column<Look>().set(crate, {LookPattern::wood, "", "XII"});
     ObjectId const battery = body(world, "battery", {boxPiece(0.4, 0.4)}, {0, 0});
-    world.store().column<Look>().set(battery, {trembler::Pattern::gold, "", "+"});
+    world.store().column<Look>().set(battery, {LookPattern::gold, "", "+"});
     world.store().column<ElectricalSource>().set(battery, {}); // carries the sign already
     body(world, "ball", {circlePiece(0.3)}, {0, 3});
     auto const labels = SceneView().labels(world);

@@ -20,6 +20,9 @@ TEST_F(ProgramKeys, ArePrintedForPeopleAndForThePage) {
     EXPECT_NE(page.out.find("| Redo | `Ctrl+Shift+Z`, `Ctrl+Y` | `redo` |"), std::string::npos) << page.out;
     EXPECT_EQ(runProgram({"keys", "--markdown", at("keys.md")}).status, 0);
     EXPECT_EQ(contentsOf(at("keys.md")), page.out);
+    Ran const mouse = runProgram({"keys", "--mouse"});
+    EXPECT_EQ(mouse.status, 0) << mouse.err;
+    EXPECT_NE(mouse.out.find("| move a part | drag |"), std::string::npos) << mouse.out;
     EXPECT_EQ(runProgram({"keys", "--jsno"}).status, 2);
 }
 

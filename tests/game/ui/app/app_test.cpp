@@ -36,9 +36,9 @@ std::size_t colours(render::Image const& image) {
 TEST(Program, ALevelIsChosenOnTheTitleScreen) {
     Player player;
     player.drawEveryPicture(); // title, level and menus one after the other, as on a player's screen
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     player.clickItem("level first/1-first-contact.json");
-    ASSERT_NE(player.app().play(), nullptr);
+    ASSERT_NE(player.findPlay(), nullptr);
     EXPECT_EQ(player.session().level().title, loadLevel(gameData().registry, firstContact).title);
     player.key(SDLK_l);
     player.frames(2);
@@ -48,7 +48,7 @@ TEST(Program, ALevelIsChosenOnTheTitleScreen) {
     player.key(SDLK_ESCAPE);
     player.frames(2);
     player.clickItem("Title screen");
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     player.frames(2);
     EXPECT_TRUE(player.going());
     player.moveTo(player.item("quit"));
@@ -93,7 +93,7 @@ TEST(Program, ABrokenLevelIsShownAndNothingIsLost) {
     EXPECT_EQ(catalog.after(levels[1].file), nullptr) << "a level that cannot be played is no next level";
     Player player({1280, 720}, {}, folder);
     player.clickItem("level 1-broken.json");
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     EXPECT_THROW(player.app().open(folder / "10-nonsense.json"), InputError);
     EXPECT_TRUE(player.frame());
 }

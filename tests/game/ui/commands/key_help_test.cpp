@@ -34,6 +34,15 @@ TEST(KeyHelp, GesturesStandBesideTheirCommands) {
                                                                   "click: look", "C: crouch", "Esc: leave"}));
 }
 
+TEST(KeyHelp, MarkdownHasEveryGestureInItsGroup) {
+    constexpr Gesture gestures[] = {{.with = "wheel", .does = "go", .beside = "walk"},
+                                    {.with = "click", .does = "look", .group = CommandGroup::looking},
+                                    {.with = "drag", .does = "carry"}};
+    EXPECT_EQ(gesturesMarkdown(gestures), "| Building | |\n|---|---|\n| go | wheel |\n| carry | drag |\n"
+                                          "\n| Looking | |\n|---|---|\n| look | click |\n");
+    EXPECT_EQ(rows(KeyBindings(countingLists()), gestures).front(), "wheel, W, ↑, Shift+W: go");
+}
+
 TEST(KeyHelp, MarkdownHasEveryCommandOnce) {
     KeyBindings const bindings(countingLists());
     std::string const page = keysMarkdown(bindings);

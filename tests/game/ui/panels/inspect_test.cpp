@@ -26,20 +26,20 @@ std::optional<std::string> rowOf(World const& world, ObjectId object, std::strin
     return std::nullopt;
 }
 
-struct Workshop {
+struct SoundWorld {
     World world{gameData().registry};
     ObjectId bell = world.store().create("bell");
     ObjectId ear = world.store().create("ear");
     ObjectId sensor = world.store().create("sensor");
 
-    Workshop() {
+    SoundWorld() {
         world.store().column<Ear>().set(ear, {});
         world.store().column<SoundSensor>().set(sensor, {});
     }
 };
 
 TEST(Inspect, SaysHowLoudAnObjectIs) {
-    Workshop w;
+    SoundWorld w;
     EXPECT_EQ(rowOf(w.world, w.bell, "sounds"), std::nullopt);
     Sounds& sounds = w.world.store().slot<Sounds>().value();
     Sounds::Body body;
@@ -56,7 +56,7 @@ TEST(Inspect, SaysHowLoudAnObjectIs) {
 }
 
 TEST(Inspect, SaysHowLoudItIsForWhatListens) {
-    Workshop w;
+    SoundWorld w;
     EXPECT_EQ(rowOf(w.world, w.ear, "hears"), std::nullopt) << "not known before the run";
     w.world.store().slot<Loudness>().value().entries = {{w.ear, 61.4, w.bell, {}},
                                                         {w.sensor, silentLevel, {}, {}}};

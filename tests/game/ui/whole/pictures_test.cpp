@@ -128,7 +128,7 @@ TEST_P(Screens, EveryLevel) {
     for (CatalogGroup const& group : player.app().context().levels.groups()) {
         for (CatalogEntry const& entry : group.levels) {
             player.open(entry.file);
-            ASSERT_NE(player.app().play(), nullptr) << entry.id;
+            ASSERT_NE(player.findPlay(), nullptr) << entry.id;
             expectTidy(player, entry.id);
             player.key(SDLK_SPACE);
             player.simulate(16);

@@ -49,7 +49,7 @@ TEST_F(OneScreen, IsLedThroughEachPictureAndLeftOnce) {
     show();
     player.frames(2);
     EXPECT_EQ(notes, "udpudp");
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     player.app().showTitle();
     EXPECT_EQ(notes, "udpudpl~");
     player.frames(1);
@@ -84,12 +84,12 @@ TEST_F(OneScreen, WaitsBehindTheMenuThatItAsksFor) {
 TEST_F(OneScreen, GivesWayToTheLevelThatItAsksFor) {
     show(request::OpenLevel{levelsFolder() / "first/1-first-contact.json"});
     player.frames(1);
-    ASSERT_NE(player.app().play(), nullptr);
+    ASSERT_NE(player.findPlay(), nullptr);
     EXPECT_EQ(player.app().screen().level().filename(), "1-first-contact.json");
     EXPECT_TRUE(notes.starts_with("ul~")) << notes;
     show(request::ShowTitle{});
     player.frames(1);
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     EXPECT_TRUE(player.app().screen().level().empty());
 }
 
@@ -110,7 +110,7 @@ TEST(KeyboardAlone, ALevelIsOpenedStartedAgainAndLeft) {
     Player player;
     player.key(SDLK_DOWN); // the ring comes to the first level
     player.key(SDLK_RETURN);
-    ASSERT_NE(player.app().play(), nullptr);
+    ASSERT_NE(player.findPlay(), nullptr);
     player.key(SDLK_h);
     EXPECT_EQ(player.play().hintsShown(), 1U);
     player.key(SDLK_ESCAPE);
@@ -132,7 +132,7 @@ TEST(KeyboardAlone, ALevelIsOpenedStartedAgainAndLeft) {
     player.key(SDLK_UP); // round to "Quit"
     player.key(SDLK_UP); // "Title screen"
     player.key(SDLK_RETURN);
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
 }
 
 TEST(KeyboardAlone, SettingsAreChanged) {

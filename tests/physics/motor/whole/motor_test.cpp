@@ -4,7 +4,7 @@
 #include "physics/dynamics/properties/mass_properties.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/rules/initial_connections.hpp"
-#include "physics/motor/from_rotation.hpp"
+#include "physics/motor/electricity_from_rotation.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"

@@ -33,7 +33,7 @@ TEST(LookForm, FollowsFromWhatAnObjectIsWhereNothingIsStated) {
     EXPECT_EQ(formOf(pole), LookForm::battery);
     pole.source = false;
     EXPECT_EQ(formOf(pole), LookForm::earth);
-    Look const minus{trembler::Pattern::own, "", "−"};
+    Look const minus{LookPattern::own, "", "−"};
     pole.look = &minus;
     EXPECT_EQ(formOf(pole), LookForm::minus);
 }
@@ -69,7 +69,7 @@ TEST(LookForm, DecidesBetweenTheTwoSignsOfAReturn) {
     facts.earth = true;
     facts.form = LookForm::minus;
     EXPECT_EQ(signOf(facts), Sign::minus);
-    Look const minus{trembler::Pattern::own, "", "-"};
+    Look const minus{LookPattern::own, "", "-"};
     facts.look = &minus;
     facts.form = LookForm::earth;
     EXPECT_EQ(signOf(facts), Sign::earth);

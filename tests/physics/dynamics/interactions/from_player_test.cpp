@@ -1,11 +1,11 @@
 // The player's hand: grabbing, dragging and releasing objects.
-#include "physics/dynamics/interactions/hand.hpp"
+#include "physics/dynamics/interactions/from_player.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>
 
 namespace trembler::test {
-namespace hand_test {
+namespace from_player_test {
 namespace {
 
 class Hand : public OnEveryEngine {};
@@ -101,5 +101,5 @@ TEST_P(Hand, DoesNotMoveWhatIsFixedNorForgetWhatIsGone) {
 }
 
 } // namespace
-} // namespace hand_test
+} // namespace from_player_test
 } // namespace trembler::test

@@ -1,4 +1,4 @@
-#include "physics/motor/from_electricity.hpp"
+#include "physics/motor/dynamics_from_motors.hpp"
 
 #include "physics/motor/rotor.hpp"
 #include "physics/motor/torque.hpp"

@@ -10,7 +10,7 @@ namespace {
 struct Limit {
     std::string_view effect;
     std::string_view level; ///< for settings, the part that the names of all their levels share
-    std::string_view cannotTell;
+    std::string_view cannotRepresent;
 };
 
 constexpr std::array<Limit, 24> limits{{
@@ -45,15 +45,15 @@ constexpr std::array<Limit, 24> limits{{
 
 } // namespace
 
-std::string whatCannotTell(std::string const& effect, std::string const& level) {
+std::string whatLevelCannotRepresent(std::string const& effect, std::string const& level) {
     for (Limit const& limit : limits) { // exact names first: "4-modes" must not match the entry "modes"
         if (limit.effect == effect && limit.level == level) {
-            return std::string(limit.cannotTell);
+            return std::string(limit.cannotRepresent);
         }
     }
     for (Limit const& limit : limits) {
         if (limit.effect == effect && level.find(limit.level) != std::string::npos) {
-            return std::string(limit.cannotTell);
+            return std::string(limit.cannotRepresent);
         }
     }
     return "";

@@ -1,4 +1,4 @@
-#include "physics/dynamics/interactions/hand.hpp"
+#include "physics/dynamics/interactions/from_player.hpp"
 
 #include "physics/dynamics/core/point_pull.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"
