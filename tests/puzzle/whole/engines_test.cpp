@@ -48,7 +48,7 @@ TEST_P(Engines, VerifyTheLevel) {
     }
 }
 
-// A motor does not notice that its bodies are computed by another engine every two seconds.
+// A motor runs steadily although another engine computes its bodies every two seconds.
 TEST_F(Experiment, AMotorTurnsOnWhileEnginesSwap) {
     std::vector<std::string> engines = otherEngines();
     engines.emplace_back("box2d");
