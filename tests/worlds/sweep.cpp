@@ -35,7 +35,7 @@ struct Arguments {
     TrialOptions trial;
 };
 
-/// What all jobs have done so far; in memory that they share.
+/// The progress of all jobs, in shared memory.
 struct Tally {
     std::atomic<std::uint64_t> tried;
     std::atomic<std::uint64_t> played;
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
     program.add_option("--threads", arguments.trial.threads, "Numbers of threads, for example 1,2,5")
         ->delimiter(',');
     program.add_option("--slow-frame", arguments.slowFrame,
-                       "Seconds of processor time from which on a frame is told");
+                       "Report frames that take more seconds of processor time than this");
     program.add_option("--keep", arguments.keep, "Folder for the levels that fail");
     CLI11_PARSE(program, argc, argv);
 

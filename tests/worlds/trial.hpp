@@ -10,17 +10,17 @@
 
 namespace trembler::worlds {
 
-/// What a child process said before it ended, and how it ended.
+/// The output of a child process, and how it ended.
 struct Ended {
-    std::string said;     ///< to the parent
-    std::string murmured; ///< on standard error and standard output, the last of it
-    int signal = 0;       ///< that ended it; 0: none
+    std::string said;     ///< its result, sent to the parent
+    std::string murmured; ///< the end of its standard error and standard output
+    int signal = 0;       ///< the signal that ended it; 0: none
     int status = 0;       ///< its exit status
 };
 
 /// Runs `work` in a child process, which may use `seconds` of processor time and 4 GiB of memory, and waits
-/// for its end. What `work` returns is what the child says; what it throws makes the exit status 1. The
-/// process that calls must have started no thread.
+/// for its end. The child's result is the value that `work` returns; an exception makes the exit status 1.
+/// The calling process must not have started a thread.
 [[nodiscard]] Ended inChild(std::function<std::string()> const& work, unsigned seconds);
 
 struct TrialOptions {
@@ -32,23 +32,23 @@ struct TrialOptions {
 
 struct Failure {
     std::string engine; ///< or "reading"
-    std::string what;   ///< the signal, the difference, the value that is no number
+    std::string what;   ///< the signal, the difference, the value that is not finite
     std::string murmured;
 };
 
 struct Outcome {
-    nlohmann::json level; ///< as it was run: without what the reader refused
+    nlohmann::json level; ///< as it was run: without the values that the reader refused
     bool played = false;
     std::vector<Failure> failures;
-    double slowest = 0; ///< s of processor time of the slowest frame on one thread, leaving out worlds that
-                        ///< say that their engine gave up
+    double slowest = 0; ///< s of processor time of the slowest frame on one thread, except in worlds that
+                        ///< report a failure of their engine
     std::string slowestEngine;
 };
 
-/// Reads a level, takes away what is refused (a refusal must name a place) until it is accepted, and runs it
-/// on every engine and number of threads, with its first solution if it has one. A failure is: a signal, an
-/// exception that is no refusal of the file, a property that is not a finite number, state hashes that depend
-/// on threads, too much processor time, a file that the schema refuses but the reader accepts.
+/// Reads a level, removes refused values (a refusal must name a place) until it is accepted, and runs it on
+/// every engine and number of threads, with its first solution if it has one. A failure is: a signal, an
+/// exception other than a refusal of the file, a property that is not a finite number, state hashes that
+/// depend on threads, too much processor time, a file that the reader accepts but the schema refuses.
 [[nodiscard]] Outcome tryOut(nlohmann::json level, nlohmann::json const& schema, TrialOptions const& options);
 
 /// For people: one line.
