@@ -108,7 +108,7 @@ TEST(Connections, TheSchemaHasBothFormsAndAllKinds) {
 }
 
 // A registry without electricity still recognises wires.
-TEST(Connections, OfAnEffectThatIsLeftOutAreStillItsOwn) {
+TEST(Connections, OfAnEffectThatIsLeftOutStillBelongToIt) {
     Registry without;
     registerEverything(without, {"electricity"});
     plumbing::fill(without);

@@ -96,7 +96,7 @@ TEST(Loudspeaker, EqualRunsMakeEqualSamples) {
     EXPECT_EQ(play(), play());
 }
 
-TEST(Loudspeaker, APauseRingsOut) {
+TEST(Loudspeaker, SoundsDieAwayInAPause) {
     ListeningRoom room;
     addFloor(room);
     room.body("bar", Material::steel, boxPiece(0.8, 0.05), {0, 0.6}, 0.4);

@@ -329,7 +329,7 @@ TEST(Synthesiser, AMissingRecordingIsSilent) {
     EXPECT_EQ(meanSquareIn(listen(room, 30, plain, {}, nullptr)), 0);
 }
 
-TEST(Synthesiser, AFrameIsHeardOnceAndAPauseRingsOn) {
+TEST(Synthesiser, AFrameIsHeardOnceAndSoundsContinueInAPause) {
     Xylophone x(0.8, 0.02, Material::steel, 4);
     Subscription const wantedSounds = x.room.world->want<Sounds>();
     ASSERT_TRUE(x.room.runToImpact());

@@ -168,7 +168,7 @@ void endWhenItWrites(int process, fs::path const& folder, int signal) {
     ::kill(process, SIGKILL);
 }
 
-TEST_F(Outputs, OfAnInterruptedRunAreAsBefore) {
+TEST_F(Outputs, OfAnInterruptedRunLeaveTheOldFiles) {
     std::string const input = level();
     write(at("old"), "precious");
     auto const before = names();

@@ -88,7 +88,7 @@ TEST(BudgetPlan, IsTheBestOfAllCombinations) {
     }));
 }
 
-TEST(BudgetPlan, OfAnInvalidIdIsInvalid) {
+TEST(BudgetPlan, IsEmptyWithoutKnobsAndUsesAnyOptionIfNoneIsAllowed) {
     EXPECT_TRUE(bestPlan({}, 1).empty());
     std::vector<std::vector<Choice>> const forbidden{{{2, 1, false}, {1, 2, false}}};
     EXPECT_EQ(bestPlan(forbidden, 5), std::vector<std::size_t>{0})

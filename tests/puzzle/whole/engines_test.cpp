@@ -49,7 +49,7 @@ TEST_P(Engines, VerifyTheLevel) {
 }
 
 // A motor runs steadily although another engine computes its bodies every two seconds.
-TEST_F(Experiment, AMotorTurnsOnWhileEnginesSwap) {
+TEST_F(Experiment, AMotorKeepsTurningWhileEnginesSwap) {
     std::vector<std::string> engines = otherEngines();
     engines.emplace_back("box2d");
     open("3-electric-motor.json");

@@ -24,7 +24,7 @@ TEST(CameraSums, RoundTripIsExactToAMillionthOfAPixel) {
     }
 }
 
-TEST(CameraSums, UpIsUp) {
+TEST(CameraSums, UpInTheWorldIsUpOnTheScreen) {
     Camera const camera;
     EXPECT_LT(camera.toScreen({0, 1}).y, camera.toScreen({0, 0}).y);
     EXPECT_EQ(camera.toScreen(camera.centre), (Point{640, 360}));

@@ -140,7 +140,7 @@ TEST_F(Panels, AClickWithinOneFrameClicks) {
     EXPECT_FALSE(gui_->wantsMouse());
 }
 
-TEST_F(Panels, ADisabledButtonDoesNot) {
+TEST_F(Panels, ADisabledButtonCannotBeClicked) {
     Bench bench;
     int clicks = 0;
     auto const draw = [&] { bench.show([&] { clicks += bigButton("Start", {.enabled = false}) ? 1 : 0; }); };

@@ -70,7 +70,7 @@ TEST(ScenePicture, TheSameWorldGivesTheSamePicture) {
     EXPECT_EQ(draw(stage.world, {.time = 0.3}), draw(stage.world, {.time = 0.3}));
 }
 
-TEST(ScenePicture, AnObjectIsWhereItIs) {
+TEST(ScenePicture, AnObjectIsDrawnAtItsPosition) {
     ExperimentStage stage;
     Image const before = draw(stage.world);
     Vec2 const away{-0.5, 0.5};
@@ -157,7 +157,7 @@ TEST(ScenePicture, SelectionAndHoverAreSeen) {
     EXPECT_EQ(draw(stage.world, {.selected = ObjectId{9999, 3}}), plain);
 }
 
-TEST(ScenePicture, AreasAndGoalsAreSeenWhereTheyAre) {
+TEST(ScenePicture, AreasAndGoalsAreDrawnAtTheirPlaces) {
     ExperimentStage stage;
     Image const plain = draw(stage.world);
     std::vector<Area> const placing{{Box{{-0.9, -0.5}, {1, 1}}, {}}};

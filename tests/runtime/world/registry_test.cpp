@@ -82,7 +82,7 @@ TEST(RegistryRules, TwoEffectsWithTheSameKindOfConnectionsAreRefusedByName) {
     expectRefusal(registry, {"'electricity'", "'fencing'", "'wire'"});
 }
 
-TEST(RegistryRules, AHandOverOfAnotherPropertyDoesNotHelp) {
+TEST(RegistryRules, AHandOverOfAnotherPropertyIsNotSufficient) {
     Registry registry;
     registry.component<WritesHeatA>();
     registry.component<WritesHeatB>();

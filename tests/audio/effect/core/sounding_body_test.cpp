@@ -165,7 +165,7 @@ TEST(Impact, ContactTimeIsThatOfHertz) {
     }
 }
 
-TEST(Impact, HarderThingsAndImpactsAreShorterAndBrighter) {
+TEST(Impact, IsShorterAndBrighterForHarderAndFasterBodies) {
     double const gentle = contactTime(Material::steel, Material::stone, 0.1, 0, 1, 0.5);
     double const hard = contactTime(Material::steel, Material::stone, 0.1, 0, 1, 5);
     double const soft = contactTime(Material::rubber, Material::stone, 0.1, 0, 1, 5);

@@ -52,7 +52,7 @@ TEST_F(Building, APartIsTakenWithOneClickAndPlacedWithAnother) {
     EXPECT_EQ(placed()[0].placement.part, "spanner");
 }
 
-TEST_F(Building, PartsSnapToTheGridUnlessAsked) {
+TEST_F(Building, PartsSnapToTheGridUnlessCtrlIsHeld) {
     Vec2 const between{-1.812, 1.518};
     dragFromToolbox("steel bar", between);
     expectPlaced(0, {-1.8, 1.5}, 0);
@@ -188,7 +188,7 @@ TEST_F(Building, SmallOverlapsAreCorrected) {
     EXPECT_TRUE(player.session().check(placed()[1].placement, placed()[1].number).ok);
 }
 
-TEST_F(Building, PuttingAllBackAsksOnce) {
+TEST_F(Building, PuttingAllBackNeedsASecondRequest) {
     dragFromToolbox("steel bar", free);
     dragFromToolbox("spanner", {-1.8, 2.0});
     player.key(SDLK_BACKSPACE);

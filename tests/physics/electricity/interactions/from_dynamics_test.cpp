@@ -59,7 +59,7 @@ TEST(ElectricityContacts, FollowTheThesissFrames) {
     EXPECT_EQ(chain, (std::vector<std::string>{"contact ended", "removeConnection", "disconnected", "off"}));
 }
 
-TEST(ElectricityContacts, AWoodenBarDoesNotClose) {
+TEST(ElectricityContacts, AWoodenBarDoesNotConnect) {
     CircuitWorld circuit;
     drawSwitch(circuit);
     circuit.touch({{"wooden bar", "contact 1"}, {"wooden bar", "contact 2"}});

@@ -197,7 +197,7 @@ TEST_F(ExperimentOne, AnotherConductorClosesTheContact) {
     EXPECT_TRUE(session_->solved());
 }
 
-TEST_F(ExperimentOne, AWoodenBarDoesNot) {
+TEST_F(ExperimentOne, AWoodenBarDoesNotCloseTheContact) {
     open("a wooden bar in its place");
     runTo(600);
     EXPECT_TRUE(touching("wooden bar 1", "object 1"));

@@ -166,7 +166,7 @@ TEST_F(ExperimentTwo, ANonConductorOnTheContactSilencesIt) {
     EXPECT_TRUE(events("on", {"electromagnet"}).empty());
 }
 
-TEST_F(ExperimentTwo, AConductorOnTheContactDoesNot) {
+TEST_F(ExperimentTwo, AConductorOnTheContactDoesNotSilenceIt) {
     open(file, "a copper clip on the contact", true);
     std::vector<std::uint64_t> const frames = rings(900);
     ASSERT_GT(frames.size(), 20U);

@@ -157,7 +157,7 @@ TEST(ScenePick, AgreesWithThePicture) {
     EXPECT_GT(misses, 5000);
 }
 
-TEST(SceneBounds, CoverExactlyWhatIsThere) {
+TEST(SceneBounds, CoverExactlyAllObjects) {
     World world(everything());
     EXPECT_TRUE(sceneFocus(world).empty());
     body(world, "bar", {boxPiece(2, 0.2)}, {1, 2}, std::numbers::pi / 2);
