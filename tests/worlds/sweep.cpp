@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
     program.add_option("--threads", arguments.trial.threads, "Numbers of threads, for example 1,2,5")
         ->delimiter(',');
     program.add_option("--slow-frame", arguments.slowFrame,
-                       "Report frames that take more seconds of processor time than this");
+                       "Seconds of processor time from which on a frame is told");
     program.add_option("--keep", arguments.keep, "Folder for the levels that fail");
     CLI11_PARSE(program, argc, argv);
 

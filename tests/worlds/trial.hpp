@@ -40,15 +40,15 @@ struct Outcome {
     nlohmann::json level; ///< as it was run: without the values that the reader refused
     bool played = false;
     std::vector<Failure> failures;
-    double slowest = 0; ///< s of processor time of the slowest frame on one thread, except in worlds that
-                        ///< report a failure of their engine
+    double slowest = 0; ///< s of processor time of the slowest frame on one thread, leaving out worlds that
+                        ///< say that their engine gave up
     std::string slowestEngine;
 };
 
-/// Reads a level, removes refused values (a refusal must name a place) until it is accepted, and runs it on
-/// every engine and number of threads, with its first solution if it has one. A failure is: a signal, an
-/// exception other than a refusal of the file, a property that is not a finite number, state hashes that
-/// depend on threads, too much processor time, a file that the reader accepts but the schema refuses.
+/// Reads a level, takes away what is refused (a refusal must name a place) until it is accepted, and runs it
+/// on every engine and number of threads, with its first solution if it has one. A failure is: a signal, an
+/// exception that is no refusal of the file, a property that is not a finite number, state hashes that depend
+/// on threads, too much processor time, a file that the schema refuses but the reader accepts.
 [[nodiscard]] Outcome tryOut(nlohmann::json level, nlohmann::json const& schema, TrialOptions const& options);
 
 /// For people: one line.

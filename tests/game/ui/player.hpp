@@ -176,7 +176,7 @@ public:
     render::Image look(std::string const& name) {
         going_ = app_->frame(1.0 / 60, true);
         render::Image image = window().readPixels();
-        // Packing takes longer than drawing, and up to seconds: done only with TREMBLER_PICTURES.
+        // Packing takes longer than drawing, and up to seconds: only with TREMBLER_PICTURES.
         if (std::getenv("TREMBLER_PICTURES") != nullptr) {
             writePng(image, pictureFolder() / (name + ".png"));
         }

@@ -35,7 +35,7 @@ TEST(AccuracyReport, MarkdownIsATableAndTextNamesBeatenLevels) {
     EXPECT_NE(text.find("expensive cannot tell little"), std::string::npos);
 }
 
-TEST(AccuracyReport, LimitsOfAllLevelsAreStatedOnce) {
+TEST(AccuracyReport, WhatNoLevelCanRepresentIsStatedOnce) {
     std::vector<Ladder> all{threeRungs()};
     for (Rung& rung : all[0].rungs) {
         rung.cannotTell = "the future";

@@ -271,7 +271,7 @@ TEST(SceneView, ReturnsTheLabelsOfObjects) {
     world.store().column<Look>().set(crate, {trembler::Pattern::wood, "", "XII"});
     ObjectId const battery = body(world, "battery", {boxPiece(0.4, 0.4)}, {0, 0});
     world.store().column<Look>().set(battery, {trembler::Pattern::gold, "", "+"});
-    world.store().column<ElectricalSource>().set(battery, {}); // already drawn with a sign
+    world.store().column<ElectricalSource>().set(battery, {}); // carries the sign already
     body(world, "ball", {circlePiece(0.3)}, {0, 3});
     auto const labels = SceneView().labels(world);
     ASSERT_EQ(labels.size(), 1U);
