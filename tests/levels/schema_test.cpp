@@ -18,7 +18,7 @@ std::string contentOf(std::filesystem::path const& path) {
     return text.str();
 }
 
-TEST(Schema, IsPublishedAsThePropertiesStateIt) {
+TEST(Schema, IsThePublishedFile) {
     EXPECT_EQ(contentOf(sourceFolder() / "levels/level.schema.json"),
               levelSchema(levelKit().registry).dump(2) + "\n")
         << "stale: run `trembler schema > levels/level.schema.json`";

@@ -21,7 +21,7 @@ protected:
     }
     void TearDown() override { fs::remove_all(folder); }
 
-    /// A tone of half a second, in the format that libsndfile calls so.
+    /// A tone of half a second, in the format of this name in libsndfile.
     void write(std::string const& name, int form, int rate, int channels) const {
         SF_INFO info{};
         info.samplerate = rate;
@@ -63,8 +63,8 @@ TEST_F(SampleFilesTest, ReadsOggWavAndFlac) {
     EXPECT_TRUE(told.empty());
 }
 
-TEST_F(SampleFilesTest, TellsOnceWhatCannotBePlayed) {
-    std::ofstream(folder / "noise.ogg") << "this is no recording";
+TEST_F(SampleFilesTest, ReportsOnceWhyARecordingCannotBePlayed) {
+    std::ofstream(folder / "noise.ogg") << "this is not a recording";
     write("cut.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 1);
     fs::resize_file(folder / "cut.wav", 20);
     write("empty.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 1);
@@ -79,7 +79,7 @@ TEST_F(SampleFilesTest, TellsOnceWhatCannotBePlayed) {
     EXPECT_EQ(told.size(), 5U);
 }
 
-TEST_F(SampleFilesTest, StaysInItsFolders) {
+TEST_F(SampleFilesTest, ReadsNoFileOutsideItsFolders) {
     write("secret.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 1);
     SampleFiles source({folder / "inner"});
     EXPECT_EQ(source.find("../secret.wav"), nullptr);

@@ -98,7 +98,7 @@ TEST_F(Outputs, HaveNames) {
     EXPECT_EQ(runProgram({"play", "--pictures", ""}).status, 2);
 }
 
-TEST_F(Outputs, SayWhyTheyCannotBeWritten) {
+TEST_F(Outputs, ThatCannotBeWrittenAreReportedWithTheReason) {
     std::string const input = level();
     fs::create_directory(folder / "a folder");
     for (std::string const& option : options()) {
@@ -117,7 +117,7 @@ TEST_F(Outputs, SayWhyTheyCannotBeWritten) {
     }
 }
 
-TEST_F(Outputs, ThatDoNotFitLeaveWhatWasThere) {
+TEST_F(Outputs, ThatExceedTheDiskLeaveTheOldFile) {
     std::string const input = level();
     auto const before = names();
     for (std::string const& option : options()) {
@@ -134,7 +134,7 @@ TEST_F(Outputs, ThatDoNotFitLeaveWhatWasThere) {
     }
 }
 
-TEST_F(Outputs, ReplaceWhatWasThereAndKeepItsPermissionsAndLinks) {
+TEST_F(Outputs, ReplaceTheOldFileAndKeepItsPermissionsAndLinks) {
     std::string const input = level();
     write(at("old"), std::string(1U << 20U, 'x'));
     fs::permissions(folder / "old", fs::perms::owner_read | fs::perms::owner_write);
@@ -146,7 +146,7 @@ TEST_F(Outputs, ReplaceWhatWasThereAndKeepItsPermissionsAndLinks) {
     EXPECT_EQ(names(), (std::vector<std::string>{"level.json", "link", "old"}));
 }
 
-/// Ends the program as soon as it holds a file of the folder open for writing.
+/// Kills the program as soon as it has opened a file of the folder for writing.
 void endWhenItWrites(int process, fs::path const& folder, int signal) {
     fs::path const files = "/proc/" + std::to_string(process) + "/fd";
     for (int tries = 0; tries < 60'000; ++tries) {
@@ -168,7 +168,7 @@ void endWhenItWrites(int process, fs::path const& folder, int signal) {
     ::kill(process, SIGKILL);
 }
 
-TEST_F(Outputs, OfAnInterruptedRunAreAsBefore) {
+TEST_F(Outputs, OfAnInterruptedRunLeaveTheOldFiles) {
     std::string const input = level();
     write(at("old"), "precious");
     auto const before = names();
@@ -201,7 +201,8 @@ TEST_F(Outputs, ToAFullDeviceFail) {
 
 TEST_F(Outputs, HaveOneConvention) {
     std::string const input = level();
-    // A hyphen, or no name where it may be left out, is the terminal; words make way.
+    // A hyphen, or a missing name where it may be left out, is the terminal; messages then go to standard
+    // error.
     for (auto const& more : std::vector<std::vector<std::string>>{{"--json"}, {"--json", "-"}}) {
         Ran const ran = runProgram(run(input, more));
         EXPECT_EQ(json::parse(ran.out)["frames"], 30);
@@ -213,7 +214,7 @@ TEST_F(Outputs, HaveOneConvention) {
     Ran const recorded = runProgram(run(input, {"--record", "-"}), {.folder = folder});
     EXPECT_EQ(json::parse(recorded.out)["name"], "recorded");
     EXPECT_FALSE(fs::exists(folder / "-"));
-    // A file leaves the terminal to words.
+    // With an output file, messages go to standard output.
     Ran const filed = runProgram(run(input, {"--json", at("report.json")}));
     EXPECT_TRUE(contains(filed.out, "state hash")) << filed.out;
     EXPECT_EQ(json::parse(contentsOf(at("report.json")))["frames"], 30);

@@ -59,7 +59,7 @@ struct Pipe {
         ::_exit(126);
     }
     std::string const program = TREMBLER_BINARY_DIR "/trembler";
-    std::vector<char*> argv{const_cast<char*>(program.c_str())}; // NOLINT: exec takes them so
+    std::vector<char*> argv{const_cast<char*>(program.c_str())}; // NOLINT: the type that exec requires
     for (std::string const& argument : arguments) {
         argv.push_back(const_cast<char*>(argument.c_str())); // NOLINT
     }
@@ -68,7 +68,7 @@ struct Pipe {
     ::_exit(127);
 }
 
-/// Reads both to their ends, so that neither fills up.
+/// Reads both pipes to their ends at the same time, so that neither fills up.
 void readBoth(int outEnd, int errEnd, Ran& ran) {
     std::array<::pollfd, 2> ends{{{outEnd, POLLIN, 0}, {errEnd, POLLIN, 0}}};
     while (ends[0].fd >= 0 || ends[1].fd >= 0) {

@@ -19,7 +19,7 @@ Table parsed(std::string const& text) {
     std::string line;
     while (std::getline(lines, line)) {
         std::vector<std::string> cells(1);
-        for (char const c : line) { // nothing here is quoted
+        for (char const c : line) { // no cell is quoted here
             if (c == ',') {
                 cells.emplace_back();
             } else {
@@ -51,7 +51,7 @@ protected:
                                                                       R"("objects": [)" + objects + "]}",
                                                                   "watch.json"));
     }
-    /// Runs what is open and returns the table as text.
+    /// Runs the open level and returns the table as text.
     std::string watched(std::vector<std::string> const& what, int frames, std::uint64_t every = 1) {
         std::ostringstream out;
         watch::WatchTable table(gameData().registry, world(), what, every, out);
@@ -76,7 +76,7 @@ std::string const ball =
     R"({"name": "ball", "at": [1, 40], "properties": {"shape": [{"form": "circle", "radius": 0.1}],
         "mass": 2, "velocity": [3, 0], "angular_velocity_deg": 90}})";
 
-TEST_F(WatchTest, AFallingBallGainsWhatGravityGives) {
+TEST_F(WatchTest, AFallingBallGainsTheSpeedThatGravityCauses) {
     open(level(R"("world": {"gravity": [0, -9.81]}, )", ball));
     Table const table = parsed(watched(
         {"ball.position", "ball.velocity", "ball.angle_deg", "ball.gravity_force.force", "world.gravity"},
@@ -108,18 +108,18 @@ TEST_F(WatchTest, ADividerHasTheVoltsOfItsResistances) {
     Table const table = parsed(watched({"upper.current", "lower.current", "upper.power",
                                         "lower.electrical_quantities.potential", "upper.on"},
                                        5));
-    for (auto const& [header, volts] :
-         std::map<std::string, double>{{"upper.current [A]", 3},
-                                       {"lower.current [A]", 3},
-                                       {"upper.power [W]", 18},
-                                       {"lower.electrical_quantities.potential [V]", 1.5}, // of its middle
-                                       {"upper.on", 1}}) {
+    for (auto const& [header, volts] : std::map<std::string, double>{
+             {"upper.current [A]", 3},
+             {"lower.current [A]", 3},
+             {"upper.power [W]", 18},
+             {"lower.electrical_quantities.potential [V]", 1.5}, // at the middle of the divider
+             {"upper.on", 1}}) {
         EXPECT_NEAR(number(table.at(header).back()), volts, 1e-9) << header;
-        EXPECT_EQ(table.at(header).front(), "") << "nothing is known before the first frame";
+        EXPECT_EQ(table.at(header).front(), "") << "unknown before the first frame";
     }
 }
 
-// Nobody else reads what a joint bears, so it is computed because it is watched.
+// No component reads the force of a joint, so it is computed only because it is watched.
 TEST_F(WatchTest, AJointBearsTheWeightThatHangsOnIt) {
     LevelFile hanging = level(R"("world": {"gravity": [0, -9.81]}, "joints": [
         {"name": "pin", "form": "hinge", "a": "ball", "at": [1, 40.5]}], )",
@@ -160,7 +160,7 @@ TEST_F(WatchTest, ChangesNothingAndDependsOnNoOrderAndNoThreads) {
     EXPECT_FALSE(tables[0].at("flotation device A.buoyancy_force.force.y [N]").back().empty());
 }
 
-TEST_F(WatchTest, WhatIsGoneIsAnEmptyCell) {
+TEST_F(WatchTest, ARemovedObjectHasEmptyCells) {
     open("1-switched-electromagnet.json");
     std::ostringstream out;
     watch::WatchTable table(gameData().registry, world(), {"switch.position", "switch.mass"}, 1, out);
@@ -179,7 +179,7 @@ TEST_F(WatchTest, WhatIsGoneIsAnEmptyCell) {
     }
 }
 
-TEST_F(WatchTest, WordsThatMeanNothingAreToldWithWhatIsNear) {
+TEST_F(WatchTest, UnknownNamesAreReportedWithSimilarOnes) {
     open("4-raft.json");
     step();
     auto const says = [&](std::string const& what, std::string const& part) {
@@ -199,7 +199,7 @@ TEST_F(WatchTest, WordsThatMeanNothingAreToldWithWhatIsNear) {
     says("king of hearts.position", "there is no object 'king of hearts'");
 }
 
-// By descriptions alone: whatever a program has can be read in a world full of things.
+// Every described field can be read in a world with objects of all kinds.
 TEST_F(WatchTest, EveryFieldOfTheProgramCanBeRead) {
     auto const fields = watch::watchedFields(gameData().registry);
     EXPECT_GT(fields.size(), 80U);

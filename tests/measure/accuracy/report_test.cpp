@@ -1,4 +1,4 @@
-// What is reported is what was measured.
+// Reports contain the measured figures.
 #include "measure/accuracy/report.hpp"
 #include "tests/measure/accuracy/three_rungs.hpp"
 
@@ -22,7 +22,7 @@ TEST(AccuracyReport, JsonHasEveryRung) {
     EXPECT_EQ(levels[0].at("front"), true);
 }
 
-TEST(AccuracyReport, MarkdownIsATableAndTextSaysWhoIsBeaten) {
+TEST(AccuracyReport, MarkdownIsATableAndTextNamesBeatenLevels) {
     std::vector<Ladder> all{threeRungs()};
     markFront(all[0]);
     std::string const markdown = asMarkdown(all, "pictures");

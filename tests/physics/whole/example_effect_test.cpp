@@ -142,7 +142,7 @@ TEST(ExampleEffect, BlowsASailUpToTheSpeedOfTheWind) {
     EXPECT_NE(notationText(registry).find("(Dynamics <- Wind) Interaction"), std::string::npos);
 }
 
-TEST(ExampleEffect, IsAbsentWhereNothingCallsForIt) {
+TEST(ExampleEffect, IsAbsentWithoutItsProperties) {
     Registry registry;
     registerEverything(registry);
     registerWind(registry);

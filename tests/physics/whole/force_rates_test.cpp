@@ -100,7 +100,7 @@ TEST_F(EffectRates, OfGravityAreTheMeanMotionOnAnOrbit) {
         world().setDetail("gravity", level);
         run(2);
         // No force acts in the first frames, in which the planet flies straight on and gets farther away.
-        // What is told in a frame is in force in the next one.
+        // Rates stated in a frame hold in the next one.
         Vec2 const apart = world().find<Position>(planet)->value - world().find<Position>(star)->value;
         run(1);
         EXPECT_NEAR(rates().greatest, std::sqrt(125 / std::pow(length(apart), 3)), 2e-5) << level;
@@ -113,7 +113,7 @@ TEST_F(EffectRates, OfGravityAreTheMeanMotionOnAnOrbit) {
 }
 
 // Opposite poles, one in the other, are a spring of stiffness µ0/4π q² / s³.
-TEST_F(EffectRates, OfMagnetsAreTheirSwing) {
+TEST_F(EffectRates, OfMagnetsAreTheirOscillation) {
     auto const pole = [&](char const* name, Vec2 at, PoleSet which) {
         ObjectId const id = body(name, circlePiece(0.05), at, 2);
         give(id, MagneticStrength{.strength = 500, .susceptibility = 0});
@@ -137,8 +137,8 @@ TEST_F(EffectRates, OfMagnetsAreTheirSwing) {
     EXPECT_EQ(rates().unforeseen, rates().greatest);
 }
 
-// A pole far out on a bar turns it more easily than it moves it.
-TEST_F(EffectRates, OfMagnetsCountTheirTurning) {
+// A pole far out on a bar turns the bar more easily than it moves it.
+TEST_F(EffectRates, OfMagnetsIncludeTheirRotation) {
     auto const bar = [&](char const* name, Vec2 at) {
         ObjectId const id = body(name, boxPiece(0.4, 0.02), at, 1);
         give(id, MagneticStrength{.strength = 300, .susceptibility = 0});
@@ -160,8 +160,9 @@ TEST_F(EffectRates, OfMagnetsCountTheirTurning) {
     EXPECT_LE(told, 1.8 * turning);
 }
 
-// A float of draught d bobs with ω² = g / d; one that does not lean says no more than √3 of it.
-TEST_F(EffectRates, OfFloatsAreTheirBobbing) {
+// A float of draught d oscillates with ω² = g / d; for an upright one the stated rate is at most √3 times
+// that.
+TEST_F(EffectRates, OfFloatingBodiesAreTheirOscillation) {
     for (double const g : {9.81, 1.62}) {
         World one(registry);
         Store& all = one.store();
@@ -200,7 +201,7 @@ TEST_F(EffectRates, OfTheHandAreItsSpring) {
 }
 
 // I dω/dt = τ (1 - ω/ω0): it nears its idling speed at the rate τ / (I ω0).
-TEST_F(EffectRates, OfMotorsAreHowFastTheyRunUp) {
+TEST_F(EffectRates, OfMotorsAreTheirRatesOfRunningUp) {
     ObjectId const rotor = body("rotor", circlePiece(0.5), {0, 0}, 8); // I = 1 kg m²
     ObjectId const plus = store().create("plus");
     ObjectId const minus = store().create("minus");
@@ -214,7 +215,7 @@ TEST_F(EffectRates, OfMotorsAreHowFastTheyRunUp) {
     ASSERT_EQ(connectInitially(store(), rotor, minus), std::nullopt);
     run(3);
     EXPECT_NEAR(rates().greatest, 0.25, 1e-12);
-    EXPECT_EQ(rates().swinging, 0) << "it runs up, and swings by nothing";
+    EXPECT_EQ(rates().swinging, 0) << "a motor that runs up does not oscillate";
     store().column<ElectricMotor>().set(rotor, {3, 0, {}});
     run(2);
     EXPECT_EQ(rates(), (ForceRates{})) << "a constant torque";

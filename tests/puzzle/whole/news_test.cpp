@@ -12,7 +12,7 @@
 namespace trembler {
 namespace {
 
-TEST(News, OfEveryPartReachWhoeverLooksOnceAFrame) {
+TEST(News, OfEveryPartReachReadersThatRunOncePerFrame) {
     Registry registry;
     registerEffects(registry);
     std::set<std::string_view> telling;

@@ -97,9 +97,9 @@ TEST(SoundingBody, FewerModesAreTheFirstOfMore) {
     }));
 }
 
-TEST(SoundingBody, NeverRadiatesMoreThanItHas) {
-    // Radiated power over stored energy, 2 p² 4π/(ρc) / (½ M v²), cannot exceed the rate at which the energy
-    // goes.
+TEST(SoundingBody, NeverRadiatesMoreEnergyThanItHas) {
+    // Radiated power over stored energy, 2 p² 4π/(ρc) / (½ M v²), cannot exceed the rate at which the mode
+    // loses energy.
     for (Material const material : {Material::steel, Material::wood, Material::glass, Material::rubber}) {
         double const mass = 2;
         SoundingBody const plate = modelOf(boxPiece(0.4, 0.4), material, mass);
@@ -131,7 +131,7 @@ TEST(SoundingBody, AcousticsOverrideSizeAndMaterial) {
     EXPECT_NEAR(organ.modes()[2].frequency, 2640, 1e-6);
 }
 
-TEST(SoundingBody, WhatIsBuiltInAnswersOnlyAroundTheImpact) {
+TEST(SoundingBody, AFixedBodyVibratesOnlyAroundTheImpact) {
     SoundingBody const floor = modelOf(boxPiece(8, 0.3), Material::stone, 600, 8, nullptr, true);
     SoundingBody const slab = modelOf(boxPiece(8, 0.3), Material::stone, 600, 8);
     EXPECT_GT(floor.modes()[0].frequency, 100);
@@ -165,7 +165,7 @@ TEST(Impact, ContactTimeIsThatOfHertz) {
     }
 }
 
-TEST(Impact, HarderThingsAndImpactsAreShorterAndBrighter) {
+TEST(Impact, IsShorterAndBrighterForHarderAndFasterBodies) {
     double const gentle = contactTime(Material::steel, Material::stone, 0.1, 0, 1, 0.5);
     double const hard = contactTime(Material::steel, Material::stone, 0.1, 0, 1, 5);
     double const soft = contactTime(Material::rubber, Material::stone, 0.1, 0, 1, 5);
@@ -177,7 +177,7 @@ TEST(Impact, HarderThingsAndImpactsAreShorterAndBrighter) {
     EXPECT_GT(tilt(hard), 10 * tilt(soft));
 }
 
-TEST(Impact, SpectrumFollowsThatOfHalfASine) {
+TEST(Impact, SpectrumFollowsTheSpectrumOfAHalfSine) {
     // |F(f)| / J of a half sine of duration T, by integration; at its maxima the envelope must meet it.
     double const contact = 0.002;
     auto const exact = [&](double f) {

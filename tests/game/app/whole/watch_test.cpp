@@ -19,7 +19,7 @@ protected:
     }
 };
 
-TEST_F(Watching, WritesATableOfWhatIsNamed) {
+TEST_F(Watching, WritesATableOfTheNamedNumbers) {
     std::string const file = at("run.csv");
     Ran const ran = runProgram(run({"--watch", "switch.position", "--watch",
                                     "electromagnet.electrical_state.on", "--every", "10", "--csv", file}));
@@ -29,17 +29,17 @@ TEST_F(Watching, WritesATableOfWhatIsNamed) {
               "frame,time [s],switch.position.x [m],switch.position.y [m],electromagnet.electrical_state.on");
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5) << "a heading, and frames 0, 10, 20 and 30";
     EXPECT_TRUE(contains(table, "\n0,0,-2.1,2.1,\n")) << table;
-    // To the terminal just as well; words make way.
+    // A table on the terminal; messages then go to standard error.
     Ran const shown = runProgram(run({"--watch", "switch.position", "--csv", "-"}));
     EXPECT_TRUE(shown.out.starts_with("frame,time [s],")) << shown.out;
     EXPECT_TRUE(contains(shown.err, "state hash")) << shown.err;
 }
 
-TEST_F(Watching, TellsWhatANameMayHaveMeant) {
+TEST_F(Watching, ReportsNamesSimilarToAnUnknownOne) {
     Ran const ran = runProgram(run({"--watch", "swicth.position", "--csv", at("run.csv")}));
     EXPECT_EQ(ran.status, 2);
     EXPECT_TRUE(contains(ran.err, "did you mean 'switch'?")) << ran.err;
-    EXPECT_TRUE(names().empty()) << "and leaves nothing behind";
+    EXPECT_TRUE(names().empty()) << "no file is left";
     EXPECT_EQ(runProgram(run({"--watch", "switch.position"})).status, 2) << "where to?";
     EXPECT_EQ(runProgram(run({"--csv", at("run.csv")})).status, 2) << "what?";
     EXPECT_EQ(runProgram(run({"--watch", "switch.position", "--csv", at("run.csv"), "--every", "0"})).status,
@@ -55,8 +55,8 @@ TEST_F(Watching, AnInputIsNeverReplacedByATable) {
     EXPECT_EQ(contentsOf(input), before);
 }
 
-// What a recording may change is told by the program that refuses the rest.
-TEST_F(Watching, ASolutionWithOtherPhysicsIsNoInput) {
+// The message about a refused change lists the changes that a recording may contain.
+TEST_F(Watching, ASolutionWithOtherPhysicsIsRefused) {
     write(at("pull.json"), "{\"name\": \"pull\", \"changes\": [\n"
                            "  {\"frame\": 2, \"setting\": {\"gravity\": {\"value\": 1}}}]}\n");
     Ran const ran = runProgram(run({"--solution", at("pull.json")}));

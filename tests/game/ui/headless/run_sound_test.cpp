@@ -70,7 +70,7 @@ protected:
     fs::path folder;
 };
 
-// The power within a share of a frequency, on either side.
+// The power within a relative distance of a frequency, on either side.
 double powerAround(std::span<float const> samples, double frequency, double share) {
     std::vector<double> const power = trembler::test::powerSpectrum(samples);
     double const step = 48000.0 / (2 * static_cast<double>(power.size()));
@@ -169,7 +169,7 @@ TEST_F(RunSoundTest, ALevelsOwnRecordingIsHeard) {
     double const played = tone(hear(level(), "", 60, nullptr, {folder}, &told));
     EXPECT_TRUE(told.empty());
     double const missing = tone(hear(level(), "", 60, nullptr, {}, &told));
-    EXPECT_EQ(told.size(), 1U) << "what is missing is told once";
+    EXPECT_EQ(told.size(), 1U) << "a missing recording is reported once";
     EXPECT_GT(played, 10 * missing);
 }
 

@@ -6,7 +6,7 @@
 namespace trembler {
 namespace {
 
-TEST(GoalReader, WantsExactlyOneKind) {
+TEST(GoalReader, RequiresExactlyOneKind) {
     EXPECT_TRUE(isRefused("{}",
                           "/goals: states no condition; expected exactly one of the keys 'inside', "
                           "'touching', 'on', 'off', 'moved', 'count', 'all', 'any', 'not' or 'sequence'"));
@@ -17,7 +17,7 @@ TEST(GoalReader, WantsExactlyOneKind) {
                           "one of the keys 'inside', 'touching'"));
 }
 
-TEST(GoalReader, ReadsWhatEveryKindCanHave) {
+TEST(GoalReader, ReadsTheKeysOfAllKinds) {
     EXPECT_TRUE(isRefused(R"({"on": "lamp", "for": -1})", "/goals/for: is -1"));
     EXPECT_TRUE(isRefused(R"({"on": "lamp", "for": 3601})", "/goals/for: is 3601"));
     EXPECT_TRUE(isRefused(R"({"on": "lamp", "text": 3})", "/goals/text: is 3"));
@@ -26,7 +26,7 @@ TEST(GoalReader, ReadsWhatEveryKindCanHave) {
                           "/goals/all/1/id: there is already a goal with the id 'a'"));
 }
 
-TEST(GoalReader, KnowsWhatSelectorsCanName) {
+TEST(GoalReader, ChecksTheNamesOfSelectors) {
     EXPECT_TRUE(isRefused(R"({"on": "lmap"})", "/goals/on: there is no object 'lmap', did you mean 'lamp'?"));
     EXPECT_TRUE(isRefused(R"({"on": []})", "/goals/on: is empty"));
     EXPECT_TRUE(isRefused(R"({"on": ["lamp", 3]})", "/goals/on/1: is 3"));
@@ -37,7 +37,7 @@ TEST(GoalReader, KnowsWhatSelectorsCanName) {
     EXPECT_EQ(refusalOf(R"({"touching": [["crate", {"part": "iron ball"}], {"part": "iron ball"}]})"), "");
 }
 
-TEST(GoalReader, GivesConditionsTheirKindsAndPlaces) {
+TEST(GoalReader, SetsTheKindsAndPlacesOfConditions) {
     LevelFile level;
     level.objects.resize(1);
     level.objects[0].name = "bell";

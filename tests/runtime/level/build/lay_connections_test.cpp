@@ -77,7 +77,7 @@ TEST(LayConnections, AStatedKindDecides) {
     EXPECT_EQ(Site::ends<Links>(*world, "both 1"), Names{"both 2"});
 }
 
-TEST(LayConnections, WhatSeveralEffectsCouldConnectIsRefusedAtItsPlace) {
+TEST(LayConnections, APairThatSeveralEffectsCouldConnectIsRefusedAtItsPlace) {
     Site site;
     std::string const text = site.problemOf(R"(["tag 1", "tag 2"], ["both 2", "both 1"])");
     expectWords(
@@ -85,7 +85,7 @@ TEST(LayConnections, WhatSeveralEffectsCouldConnectIsRefusedAtItsPlace) {
                R"({"between": ["both 1", "both 2"], "kind": one of 'pipe')", "'string'"});
 }
 
-TEST(LayConnections, WhatNoEffectCanConnectIsRefusedAtItsPlace) {
+TEST(LayConnections, APairThatNoEffectCanConnectIsRefusedAtItsPlace) {
     Site site;
     expectWords(site.problemOf(R"(["air", "both 1"])"),
                 {"/connections/0: nothing can connect 'air' and 'both 1'", "no string: only what has a tag",
@@ -134,7 +134,7 @@ TEST(LayConnections, FormsAndKindsAreCheckedAsTheyAreRead) {
     }
 }
 
-TEST(LayConnections, AnEditorsKindIsCheckedToo) {
+TEST(LayConnections, AKindThatAnEditorStatesIsCheckedToo) {
     Site site;
     LevelFile level = sample::read(site.registry, Site::levelWith(""));
     level.connections.push_back({"tag 1", "tag 2", "", "rope"});
@@ -147,7 +147,7 @@ TEST(LayConnections, AnEditorsKindIsCheckedToo) {
     }
 }
 
-TEST(LayConnections, SurviveWriting) {
+TEST(LayConnections, AreWrittenAndReadBack) {
     Site site;
     LevelFile const level = sample::read(
         site.registry,

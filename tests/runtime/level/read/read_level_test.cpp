@@ -182,7 +182,7 @@ TEST_F(ReadLevel, RefusesWrongStructureWithItsPath) {
     }
 }
 
-TEST_F(ReadLevel, TellsAllProblemsAtOnceInTheOrderOfTheFile) {
+TEST_F(ReadLevel, ReportsAllProblemsAtOnceInTheOrderOfTheFile) {
     auto const problems = problemsWith("\"objects\": [{\"name\": \"a\", \"at\": [1]},\n {\"properties\": "
                                        "{\"weight\": -1}}],\n \"hints\": 3");
     ASSERT_EQ(problems.size(), 4U);
@@ -192,7 +192,7 @@ TEST_F(ReadLevel, TellsAllProblemsAtOnceInTheOrderOfTheFile) {
     EXPECT_SAYS(problems[3], ":4:");
 }
 
-TEST_F(ReadLevel, KeepsCountWhereThereIsTooMuchToTell) {
+TEST_F(ReadLevel, CountsTheProblemsBeyondTheLimit) {
     std::string hints = "1";
     for (int i = 1; i < 500; ++i) {
         hints += ", 1";
