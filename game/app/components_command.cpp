@@ -13,6 +13,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace trembler {
 namespace {
@@ -37,10 +38,11 @@ int describe(ComponentsArguments const& arguments) {
     Registry registry;
     registerEffects(registry);
     registry.check();
+    std::optional<GameData> gameData; // the plays point into its registry
     std::vector<LevelUse> plays;
     if (arguments.levels) {
-        GameData const gameData;
-        plays = playAllForCalls(gameData, playSeconds);
+        gameData.emplace();
+        plays = playAllForCalls(*gameData, playSeconds);
     }
     if (json != nullptr) {
         json->stream() << printed(arguments.levels ? activationJson(plays) : notationJson(registry));
