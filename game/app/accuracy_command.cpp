@@ -1,5 +1,6 @@
 // trembler accuracy: measures the error and the cost of every detail level.
 #include "game/app/commands.hpp"
+#include "game/app/inputs.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/outputs.hpp"
 #include "game/app/progress.hpp"
@@ -58,6 +59,7 @@ void makeFolder(std::string const& option, std::string const& folder) {
 int report(AccuracyArguments const& arguments) {
     GameData const gameData;
     Outputs outputs;
+    readsAll(outputs, gameData);
     // Opened now, so that a bad path fails before the measurements.
     OutputFile* const json = outputs.add("--json", arguments.json);
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);

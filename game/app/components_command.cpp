@@ -1,6 +1,7 @@
 // trembler components and trembler schema: descriptions of all components and properties, and the components
 // that each level's scene activates.
 #include "game/app/commands.hpp"
+#include "game/app/inputs.hpp"
 #include "game/app/outputs.hpp"
 #include "measure/activation/report.hpp"
 #include "puzzle/data/effects.hpp"
@@ -33,15 +34,18 @@ struct ComponentsArguments {
 
 int describe(ComponentsArguments const& arguments) {
     Outputs outputs;
+    std::optional<GameData> gameData; // the plays point into its registry
+    if (arguments.levels) {
+        gameData.emplace();
+        readsAll(outputs, *gameData);
+    }
     OutputFile* const json = outputs.add("--json", arguments.json);
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
     Registry registry;
     registerEffects(registry);
     registry.check();
-    std::optional<GameData> gameData; // the plays point into its registry
     std::vector<LevelUse> plays;
-    if (arguments.levels) {
-        gameData.emplace();
+    if (gameData) {
         plays = playAllForCalls(*gameData, playSeconds);
     }
     if (json != nullptr) {

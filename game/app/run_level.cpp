@@ -1,6 +1,7 @@
 #include "audio/effect/properties/acoustics.hpp"
 #include "game/app/budget_report.hpp"
 #include "game/app/commands.hpp"
+#include "game/app/inputs.hpp"
 #include "game/app/numbers.hpp"
 #include "game/app/progress.hpp"
 #include "game/app/run_arguments.hpp"
@@ -58,15 +59,13 @@ void setSubsteps(LevelFile& level, int substeps) {
 /// Registers every file that the run reads or may read.
 void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const& gameData,
                 LevelFile const& level) {
+    readsAll(outputs, gameData);
     outputs.reads(arguments.level);
     if (!arguments.solution.empty() && level.findSolution(arguments.solution) == nullptr) {
         outputs.reads(arguments.solution);
     }
     std::vector<PropertySet const*> sets;
     for (PartDefinition const* part : gameData.parts.all()) {
-        if (part->document) {
-            outputs.reads(part->document->file());
-        }
         sets.push_back(&part->properties);
     }
     for (LevelObject const& object : level.objects) {

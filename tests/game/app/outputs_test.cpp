@@ -60,16 +60,33 @@ TEST_F(Outputs, NeverReplaceASolutionThatIsRead) {
     EXPECT_EQ(runProgram(run(input, {"--solution", solution, "--record", at("other.json")})).status, 1);
 }
 
-TEST_F(Outputs, NeverReplaceAPart) {
-    fs::path const home = folder / "home";
-    fs::create_directories(home / "levels");
-    fs::copy(fs::path(TREMBLER_SOURCE_DIR) / "assets", home / "assets", fs::copy_options::recursive);
-    fs::path const part = fs::directory_iterator(home / "assets" / "parts")->path();
-    std::string const before = contentsOf(part);
-    Ran const ran = runProgram(run(level(), {"--trace", part.string()}),
-                               {.environment = {{"TREMBLER_HOME", home.string()}}});
-    EXPECT_EQ(ran.status, 2);
-    EXPECT_EQ(contentsOf(part), before);
+TEST_F(Outputs, NeverReplaceAPartOrALevelOfTheProgram) {
+    std::string const input = level();
+    fs::path const data = home();
+    fs::path const part = data / "assets" / "parts" / "steel_bar.json";
+    ASSERT_TRUE(fs::exists(part));
+    std::vector<std::vector<std::string>> const commands{
+        run(input, {"--trace"}),
+        run(input, {"--json"}),
+        {"screenshot", input, "--out"},
+        {"accuracy", "gravity", "--brief", "--json"},
+        {"accuracy", "gravity", "--brief", "--markdown"},
+        {"components", "--levels", "--json"},
+        {"components", "--levels", "--markdown"},
+    };
+    for (fs::path const& file : {part, data / "levels" / "level.json"}) {
+        std::string const before = contentsOf(file);
+        for (std::vector<std::string> command : commands) {
+            std::string const what = command.front() + " " + command.back() + " " + file.string();
+            command.push_back(file.string());
+            Ran const ran = runProgram(command, {.environment = {{"TREMBLER_HOME", data.string()}}});
+            EXPECT_EQ(ran.status, 2) << what;
+            // A program without the window refuses the whole command.
+            EXPECT_TRUE(contains(ran.err, "not overwritten") || contains(ran.err, "made without"))
+                << what << ": " << ran.err;
+            EXPECT_EQ(contentsOf(file), before) << what;
+        }
+    }
 }
 
 TEST_F(Outputs, TwoNeverShareAFile) {
