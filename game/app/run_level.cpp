@@ -81,16 +81,6 @@ void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const&
     }
 }
 
-/// The circuits at the end of the run, as a netlist.
-std::string netlistOf(Session const& session) {
-    std::string netlist = spiceNetlist(session.world().store(), session.level().title);
-    if (netlist.empty()) {
-        throw std::invalid_argument("--export-spice: the level has no circuit with a resistance, an EMF, a "
-                                    "rated power or a fuse, so there are no volts to compute");
-    }
-    return netlist;
-}
-
 std::string jsonOf(RunReport const& report, budget::BudgetMode const* mode) {
     nlohmann::ordered_json all = toJson(report);
     if (mode != nullptr) {
@@ -148,7 +138,7 @@ int runLevel(RunArguments const& arguments) {
     OutputFile* const spice = outputs.add("--export-spice", arguments.spice);
     OutputFile* const record = outputs.add("--record", arguments.record);
     OutputFile* const csv = outputs.add("--csv", arguments.csv);
-    outputs.claim("--sound", arguments.sound);
+    outputs.claimFile("--sound", arguments.sound, "a file whose name ends in .wav");
 
     Session session(gameData.registry, gameData.parts, std::move(level), options);
     if (arguments.record) {
@@ -190,8 +180,14 @@ int runLevel(RunArguments const& arguments) {
     if (account != nullptr) {
         account->stream() << frameAccount(session);
     }
-    if (spice != nullptr) {
-        spice->stream() << netlistOf(session);
+    // Circuits may come about while the level runs, so only now is it known whether there is a netlist.
+    std::string const netlist =
+        spice == nullptr ? "" : spiceNetlist(session.world().store(), session.level().title);
+    bool const withoutNetlist = spice != nullptr && netlist.empty();
+    if (withoutNetlist) {
+        outputs.drop(*spice);
+    } else if (spice != nullptr) {
+        spice->stream() << netlist;
     }
     if (record != nullptr) {
         record->stream() << escapedJson(writeSolution(session.record("recorded")).dump(2)) << "\n";
@@ -205,6 +201,10 @@ int runLevel(RunArguments const& arguments) {
     outputs.finish();
     if (json == nullptr || !json->isStandardOutput()) {
         outputs.words() << toWords(report) << (budgeted != nullptr ? budgetInWords(*budgeted) : "");
+    }
+    if (withoutNetlist) {
+        throw std::invalid_argument("--export-spice: the level has no circuit with a resistance, an EMF, a "
+                                    "rated power or a fuse, so there are no volts to compute");
     }
     return report.solved ? exitSolved : exitNotSolved;
 }

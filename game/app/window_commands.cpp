@@ -56,9 +56,7 @@ int takeScreenshot(ScreenshotArguments const&) {
 #else
 
 int play(PlayArguments const& arguments) {
-    if (arguments.pictures.empty()) {
-        throw std::invalid_argument("--pictures: the folder's name is empty");
-    }
+    checkFolderName("--pictures", arguments.pictures);
     GameData const gameData;
     ui::PlayOptions options;
     options.level = arguments.level;
