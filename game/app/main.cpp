@@ -1,6 +1,5 @@
 // trembler: the program.
 #include "game/app/commands.hpp"
-#include "game/app/outputs.hpp"
 #include "game/app/standard_streams.hpp"
 
 #include <exception>
@@ -24,7 +23,6 @@ int runCommand(int argc, char** argv) {
         "\n"
         "Each command has its own --help."};
     program.set_version_flag("--version", "Trembler " TREMBLER_VERSION);
-    program.footer(trembler::outputConvention);
     program.require_subcommand(1);
     trembler::addPlayCommand(program, result);
     trembler::addRunCommand(program, result);

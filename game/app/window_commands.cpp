@@ -6,6 +6,7 @@
 #include "runtime/level/json/limits.hpp"
 
 #ifndef TREMBLER_HEADLESS
+#include "game/app/inputs.hpp"
 #include "game/ui/app/play.hpp"
 #include "game/ui/headless/screenshot.hpp"
 #include "render/gl/png.hpp"
@@ -55,9 +56,7 @@ int takeScreenshot(ScreenshotArguments const&) {
 #else
 
 int play(PlayArguments const& arguments) {
-    if (arguments.pictures.empty()) {
-        throw std::invalid_argument("--pictures: the folder's name is empty");
-    }
+    checkFolderName("--pictures", arguments.pictures);
     GameData const gameData;
     ui::PlayOptions options;
     options.level = arguments.level;
@@ -93,6 +92,7 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
     options.picture.overlays.contacts = arguments.contacts;
     options.picture.card = !arguments.bare;
     Outputs outputs;
+    readsAll(outputs, gameData);
     outputs.reads(arguments.level);
     outputs.reads(arguments.solution);
     OutputFile* const file = outputs.add("--out", arguments.out, OutputFile::Content::binary);

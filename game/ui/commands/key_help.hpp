@@ -3,6 +3,8 @@
 
 #include "game/ui/commands/key_bindings.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 #include <vector>
 
@@ -39,5 +41,8 @@ struct HelpLine {
 [[nodiscard]] std::string gesturesMarkdown(std::span<Gesture const> gestures);
 /// The same as keysMarkdown() for a terminal.
 [[nodiscard]] std::string keysText(KeyBindings const& bindings);
+/// The same for programs: {"commands": [{"id", "group", "does", "keys": ["Ctrl+Z"], "held"}]}, with the names
+/// of keys that profiles use.
+[[nodiscard]] nlohmann::ordered_json keysJson(KeyBindings const& bindings);
 
 } // namespace trembler::ui

@@ -51,7 +51,7 @@ std::optional<std::string> suggestion(std::string_view word, std::span<std::stri
 
 std::string didYouMean(std::string_view word, std::span<std::string const> known) {
     auto const near = suggestion(word, known);
-    return near ? fmt::format(", did you mean '{}'?", *near) : std::string();
+    return near ? fmt::format(" (did you mean '{}'?)", *near) : std::string();
 }
 
 std::string listed(std::span<std::string const> words) {

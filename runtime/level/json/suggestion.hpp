@@ -18,7 +18,7 @@ namespace trembler {
 [[nodiscard]] std::optional<std::string> suggestion(std::string_view word,
                                                     std::span<std::string const> known);
 
-/// ", did you mean 'friction'?" or nothing.
+/// " (did you mean 'friction'?)" or nothing.
 [[nodiscard]] std::string didYouMean(std::string_view word, std::span<std::string const> known);
 
 /// "'a', 'b' or 'c'", shortened where there are very many.

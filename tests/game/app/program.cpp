@@ -156,4 +156,12 @@ std::string InAFolder::level(std::string const& name) const {
     return at(name);
 }
 
+fs::path InAFolder::home() const {
+    fs::path const made = folder / "home";
+    fs::create_directories(made / "levels");
+    fs::copy(fs::path(TREMBLER_SOURCE_DIR) / "assets", made / "assets", fs::copy_options::recursive);
+    fs::copy_file(levelFile("experiments/1-switched-electromagnet.json"), made / "levels" / "level.json");
+    return made;
+}
+
 } // namespace trembler::test

@@ -35,7 +35,7 @@ TEST(ReadGoals, ReportsErrorsWithTheirPlaces) {
     } catch (InputError const& error) {
         ASSERT_EQ(error.diagnostics().size(), 1U);
         EXPECT_EQ(error.diagnostics()[0].path, "/goals/all/0/on");
-        EXPECT_EQ(error.diagnostics()[0].message, "there is no object 'bel', did you mean 'bell'?");
+        EXPECT_EQ(error.diagnostics()[0].message, "there is no object 'bel' (did you mean 'bell'?)");
     }
     Problems problems;
     auto const none = readGoals(levelWith(nlohmann::json::object()), problems);

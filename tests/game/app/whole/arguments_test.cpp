@@ -72,6 +72,10 @@ TEST_F(Arguments, ThatCannotBeReadAreReportedWithTheReason) {
     Ran const none = runProgram({"run", at("none.json")});
     EXPECT_EQ(none.status, 2);
     EXPECT_NE(none.err.find("No such file or directory"), std::string::npos) << none.err;
+    Ran const unverified = runProgram({"verify", at("none.json")});
+    EXPECT_EQ(unverified.status, 2);
+    EXPECT_EQ(unverified.out, "");
+    EXPECT_EQ(unverified.err, none.err);
     write(at("a file"), "");
     Ran const inside = runProgram({"run", at("a file/level.json")});
     EXPECT_NE(inside.err.find("Not a directory"), std::string::npos) << inside.err;

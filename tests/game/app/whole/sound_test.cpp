@@ -59,6 +59,12 @@ TEST_F(Sound, DoesNotReplaceARecordingOrTheTerminal) {
     EXPECT_EQ(terminal.status, 2);
     EXPECT_NE(terminal.err.find(".wav"), std::string::npos) << terminal.err;
     EXPECT_EQ(terminal.out, "");
+    for (std::string const& name : {std::string("-"), std::string(), at("none/x.wav"), at("x.mp3")}) {
+        Ran const ran = runProgram({"run", at("level.json"), "--sound", name});
+        EXPECT_EQ(ran.status, 2) << name;
+        EXPECT_NE(ran.err.find("--sound"), std::string::npos) << ran.err;
+        EXPECT_EQ(ran.err.find("is the terminal"), std::string::npos) << ran.err;
+    }
     // The level's own recording, which it plays.
     std::string text = contentsOf(at("level.json"));
     std::size_t const name = text.find("\"properties\"");

@@ -38,7 +38,8 @@ TEST_F(Watching, WritesATableOfTheNamedNumbers) {
 TEST_F(Watching, ReportsNamesSimilarToAnUnknownOne) {
     Ran const ran = runProgram(run({"--watch", "swicth.position", "--csv", at("run.csv")}));
     EXPECT_EQ(ran.status, 2);
-    EXPECT_TRUE(contains(ran.err, "did you mean 'switch'?")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "there is no object 'swicth' (did you mean 'switch'?); there are: "))
+        << ran.err;
     EXPECT_TRUE(names().empty()) << "no file is left";
     EXPECT_EQ(runProgram(run({"--watch", "switch.position"})).status, 2) << "where to?";
     EXPECT_EQ(runProgram(run({"--csv", at("run.csv")})).status, 2) << "what?";

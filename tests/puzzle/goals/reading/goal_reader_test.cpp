@@ -27,7 +27,8 @@ TEST(GoalReader, ReadsTheKeysOfAllKinds) {
 }
 
 TEST(GoalReader, ChecksTheNamesOfSelectors) {
-    EXPECT_TRUE(isRefused(R"({"on": "lmap"})", "/goals/on: there is no object 'lmap', did you mean 'lamp'?"));
+    EXPECT_TRUE(
+        isRefused(R"({"on": "lmap"})", "/goals/on: there is no object 'lmap' (did you mean 'lamp'?)"));
     EXPECT_TRUE(isRefused(R"({"on": []})", "/goals/on: is empty"));
     EXPECT_TRUE(isRefused(R"({"on": ["lamp", 3]})", "/goals/on/1: is 3"));
     EXPECT_TRUE(isRefused(R"({"on": "it"})", "/goals/on: 'it' refers to no object here"));

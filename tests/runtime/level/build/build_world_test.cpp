@@ -70,10 +70,10 @@ TEST_F(BuildWorld, CreatesObjectsInCanonicalOrderWithTheirEffectiveProperties) {
 
 TEST_F(BuildWorld, PlacesProblemsWhereThePropertyIsStated) {
     EXPECT_SAYS(problemOf(R"("objects": [{"name": "a", "part": "thng"}])"),
-                "/objects/0/part: there is no part 'thng', did you mean 'thing'?");
+                "/objects/0/part: there is no part 'thng' (did you mean 'thing'?)");
     EXPECT_SAYS(problemOf(R"("toolbox": [{"part": "thng"}])"), "/toolbox/0/part: there is no part");
     EXPECT_SAYS(problemOf(R"("objects": [{"name": "abc", "properties": {"cake": {"eater": "abd"}}}])"),
-                "/objects/0/properties/cake/eater: there is no object 'abd', did you mean 'abc'?");
+                "/objects/0/properties/cake/eater: there is no object 'abd' (did you mean 'abc'?)");
     EXPECT_SAYS(problemOf(R"("objects": [{"name": "a", "properties": {"cake": {"guests": ["a", "q"]}}}])"),
                 "/objects/0/properties/cake/guests/1: there is no object 'q'");
     EXPECT_SAYS(problemOf(R"("joints": [{"a": "q"}])"), "/joints/0/a: there is no object 'q'");

@@ -113,13 +113,13 @@ TEST(LayConnections, FormsAndKindsAreCheckedAsTheyAreRead) {
     };
     for (Case const& c : {
              Case{R"({"between": ["tag 1", "tag 2"], "kind": "pip"})",
-                  {"/connections/0/kind: there is no kind of connection 'pip', did you mean 'pipe'?",
+                  {"/connections/0/kind: there is no kind of connection 'pip' (did you mean 'pipe'?)",
                    "'pipe' or 'string'"}},
              Case{R"({"between": ["tag 1", "tag 2"]})", {"/connections/0", "kind", "'pipe' or 'string'"}},
              Case{R"({"kind": "pipe"})", {"/connections/0", "between"}},
              Case{R"({"between": ["tag 1"], "kind": "string"})", {"/connections/0/between", "a pair"}},
              Case{R"({"between": ["tag 1", "tga 2"], "kind": "string"})",
-                  {"/connections/0/between/1: there is no object 'tga 2', did you mean 'tag 2'?"}},
+                  {"/connections/0/between/1: there is no object 'tga 2' (did you mean 'tag 2'?)"}},
              Case{R"({"between": ["tag 1", "tag 1"], "kind": "string"})", {"/connections/0", "with itself"}},
              Case{R"({"between": ["tag 1", "tag 2"], "kind": "string", "colour": 1})",
                   {"/connections/0/colour", "unknown key 'colour'"}},

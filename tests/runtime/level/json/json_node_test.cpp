@@ -147,7 +147,7 @@ TEST(JsonNode, ChoicesAreNumberedAndMisspeltOnesGetASuggestion) {
     }
     Text const misspelt("\"cirlce\"");
     EXPECT_FALSE(misspelt.root.choice(names));
-    EXPECT_EQ(misspelt.only(), "f.json:1:1: is \"cirlce\", did you mean 'circle'?; expected 'circle', 'box' "
+    EXPECT_EQ(misspelt.only(), "f.json:1:1: is \"cirlce\" (did you mean 'circle'?); expected 'circle', 'box' "
                                "or 'capsule'");
     Text const number("1");
     EXPECT_FALSE(number.root.choice(names)) << "a file states a choice by name, not by number";
@@ -206,7 +206,7 @@ TEST(MemberReader, ReportsMissingAndUnknownMembers) {
     reader.finish();
     EXPECT_EQ(text.said(), (std::vector<std::string>{
                                "f.json:1:1: 'at' is missing; expected a place",
-                               "f.json:1:13: /densty: unknown key 'densty', did you mean 'density'?; "
+                               "f.json:1:13: /densty: unknown key 'densty' (did you mean 'density'?); "
                                "expected 'at', 'density', 'mass' or 'read elsewhere'",
                                "f.json:1:47: /: unknown key ''; expected 'at', 'density', 'mass' or 'read "
                                "elsewhere'"}));

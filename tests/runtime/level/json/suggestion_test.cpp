@@ -89,7 +89,7 @@ TEST(Suggestion, IsTheNearestAndTheFirstOfEquals) {
     EXPECT_EQ(suggestion("mas", known), "mask");
     EXPECT_EQ(suggestion("mass", known), "mass");
     EXPECT_EQ(suggestion("mass", {}), std::nullopt);
-    EXPECT_EQ(didYouMean("masz", known), ", did you mean 'mask'?");
+    EXPECT_EQ(didYouMean("masz", known), " (did you mean 'mask'?)");
     EXPECT_EQ(didYouMean("velocity", known), "");
     std::vector<std::string> const longWord{std::string(101, 'x')};
     EXPECT_EQ(suggestion(std::string(100, 'x'), longWord), longWord[0]);

@@ -73,8 +73,8 @@ TEST_F(ReadLevel, ReadsEverySection) {
 
 TEST_F(ReadLevel, PrintsPlacePathProblemAndExpectation) {
     EXPECT_EQ(sample::only(problemsWithProperty("\"weigth\": 3")),
-              "test.json:2:42: /objects/0/properties/weigth: unknown property 'weigth', did you mean "
-              "'weight'?; expected 'angular_velocity_deg', 'cake', 'joint', 'tag', 'velocity' or "
+              "test.json:2:42: /objects/0/properties/weigth: unknown property 'weigth' (did you mean "
+              "'weight'?); expected 'angular_velocity_deg', 'cake', 'joint', 'tag', 'velocity' or "
               "'weight'");
     EXPECT_EQ(sample::only(problemsWithProperty("\"weight\": 0")),
               "test.json:2:52: /objects/0/properties/weight: is 0; expected a number above 0 and at "
