@@ -22,6 +22,7 @@ public:
     Watch(std::string asked, std::string object, WatchedField field)
         : asked_(std::move(asked)), object_(std::move(object)), field_(std::move(field)) {}
 
+    [[nodiscard]] std::string const& asked() const { return asked_; }
     [[nodiscard]] std::string const& object() const { return object_; }
     [[nodiscard]] WatchedField const& field() const { return field_; }
     /// Headings of its columns; a whole vector has two: "ball.position.x [m]".

@@ -30,6 +30,8 @@ struct Registration {
     bool (*faithful)(Store const&) = nullptr;
     std::string_view missing{}; ///< why this program cannot construct it, and how to get it; empty if it can
     std::string (*why)(Store const&) = nullptr; ///< why a scene calls for which detail level, in words
+    /// The property that it offers but always leaves empty, because only other detail levels compute it.
+    PropertyInfo const* leftEmpty = nullptr;
 };
 
 /// A declared hand-over (7.1.5): two resolvers may write one property, as each object belongs to one of them
@@ -97,6 +99,9 @@ public:
         }
         if constexpr (requires(Store const& store) { C::why(store); }) {
             made.why = [](Store const& store) { return std::string(C::why(store)); };
+        }
+        if constexpr (requires { typename C::LeavesEmpty; }) {
+            made.leftEmpty = &propertyInfo<typename C::LeavesEmpty>();
         }
         if constexpr (requires { C::period; }) {
             made.period = C::period;
