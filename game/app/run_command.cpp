@@ -53,9 +53,12 @@ void addRunCommand(CLI::App& program, int& result) {
     addFile(*command, "--record", arguments->record,
             "Write the run, with all that was changed in it, as a solution for --solution");
     command
-        ->add_option("--watch", arguments->watch,
-                     "OBJECT.FIELD: a column of the table --csv, for example lamp.current, ball.position or "
-                     "world.gravity; any field of any property. Unknown names are reported with similar ones")
+        ->add_option(
+            "--watch", arguments->watch,
+            "OBJECT.FIELD: a column of the table --csv, for example lamp.current, ball.position or "
+            "world.gravity; elements of lists by number (ball.shape.0.radius), their number as count "
+            "(world.contacts.current.count), components as .x and .y (world.gravity.y). An unknown name is "
+            "reported with similar names")
         ->allow_extra_args(false);
     addNumber(*command, "--every", arguments->every, 1, limits::frames,
               "Frames between rows of the table --csv")

@@ -18,6 +18,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <iostream>
+
 namespace trembler {
 namespace {
 
@@ -176,6 +178,11 @@ int runLevel(RunArguments const& arguments) {
     }
     RunReport const report = trembler::run(session, arguments.level, run);
     progress.clear();
+    if (table) {
+        for (std::string const& sentence : table->withoutValue(session.world())) {
+            std::cerr << "trembler: " << visible(sentence) << "\n";
+        }
+    }
     budget::BudgetMode const* const budgeted = arguments.budget ? &mode : nullptr;
     if (account != nullptr) {
         account->stream() << frameAccount(session);

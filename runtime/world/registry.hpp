@@ -28,9 +28,10 @@ struct Registration {
     /// Whether this detail level computes the physics that a scene states, however roughly: levels that do
     /// differ in accuracy only. nullptr: in any scene.
     bool (*faithful)(Store const&) = nullptr;
-    std::string_view
-        missing{}; ///< why this program cannot construct it, and what to install; empty if it can
+    std::string_view missing{}; ///< why this program cannot construct it, and how to get it; empty if it can
     std::string (*why)(Store const&) = nullptr; ///< in words, why a scene needs its detail level
+    /// The property that it offers but always leaves empty, because only other detail levels compute it.
+    PropertyInfo const* leftEmpty = nullptr;
 };
 
 /// A declared hand-over (7.1.5): two resolvers may write one property if each object belongs to one of them
@@ -102,6 +103,9 @@ public:
         }
         if constexpr (requires(Store const& store) { C::why(store); }) {
             made.why = [](Store const& store) { return std::string(C::why(store)); };
+        }
+        if constexpr (requires { typename C::LeavesEmpty; }) {
+            made.leftEmpty = &propertyInfo<typename C::LeavesEmpty>();
         }
         if constexpr (requires { C::period; }) {
             made.period = C::period;

@@ -18,6 +18,11 @@ struct TouchingPair {
     ObjectId b;
     EventId event; ///< "contact begun", or "contact ended" in Contacts::ended; none without tracing
 
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "a", .unit = "", .meaning = "one object"}, self.a);
+        visit(FieldInfo{.key = "b", .unit = "", .meaning = "the other"}, self.b);
+    }
     friend constexpr bool operator<(TouchingPair const& x, TouchingPair const& y) {
         return x.a != y.a ? x.a < y.a : x.b < y.b;
     }
@@ -44,6 +49,17 @@ struct Contacts {
     /// its beginning, and the pairs that touched only in between, in any part. With the event of the first
     /// part that reports the pair.
     static void gather(Contacts& frame, Contacts const& part, PartSpan span);
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "current", .unit = "", .meaning = "pairs that touch"}, self.current);
+        visit(FieldInfo{.key = "begun", .unit = "", .meaning = "pairs that began to touch in the frame"},
+              self.begun);
+        visit(FieldInfo{.key = "ended", .unit = "", .meaning = "pairs that ceased to touch in the frame"},
+              self.ended);
+        visit(FieldInfo{.key = "brief", .unit = "", .meaning = "pairs that touched within the frame only"},
+              self.brief);
+    }
 };
 
 /// The geometry and the impulses of a pair's contact.

@@ -20,6 +20,17 @@ struct Impact {
     Vec2 normal;        ///< unit, in the world, from a to b
     double impulse = 0; ///< N s, along the normal, beyond the pressure there before
     double since = 0;   ///< s, from the beginning of the frame, or of the part that reports it
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "a", .unit = "", .meaning = "one object"}, self.a);
+        visit(FieldInfo{.key = "b", .unit = "", .meaning = "the other"}, self.b);
+        visit(FieldInfo{.key = "point", .unit = "m", .meaning = "where they hit, in the world"}, self.point);
+        visit(FieldInfo{.key = "normal", .unit = "", .meaning = "from the one to the other"}, self.normal);
+        visit(FieldInfo{.key = "impulse", .unit = "N s", .meaning = "along the normal"}, self.impulse);
+        visit(FieldInfo{.key = "since", .unit = "s", .meaning = "since the beginning of the frame"},
+              self.since);
+    }
 };
 
 /// Computed only while a component or a subscription reads it. Steady pressure is no impact, and neither is a
@@ -33,6 +44,12 @@ struct Impacts {
     std::vector<Impact> impacts; ///< ascending by pair, then by time
 
     static void gather(Impacts& frame, Impacts const& part, PartSpan span);
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "impacts", .unit = "", .meaning = "ascending by pair, then by time"},
+              self.impacts);
+    }
 };
 
 inline constexpr double faintestImpact = 0.02; ///< m/s, change of the relative speed

@@ -24,6 +24,7 @@ public:
                 "it may take part in. Looks only at circuits that have changed.",
         .rank = 1};
     using Activation = NeedsAny<Conductor>;
+    using LeavesEmpty = ElectricalQuantities;
     static constexpr Coverage memory =
         leftOut("the analyses of unchanged circuits; recomputed, they give the same results");
     /// In worlds that never had a return; see neverHadReturns().

@@ -31,6 +31,7 @@ public:
                                             "object twice. Looks only at circuits that have changed.",
                                         .rank = 2};
     using Activation = NeedsAny<Conductor>;
+    using LeavesEmpty = ElectricalQuantities;
     static constexpr Coverage memory =
         leftOut("the analyses of unchanged circuits; recomputed, they give the same results");
     /// If no object has a resistance, an EMF, a rating or a fuse.

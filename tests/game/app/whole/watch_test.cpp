@@ -48,6 +48,23 @@ TEST_F(Watching, ReportsNamesSimilarToAnUnknownOne) {
     EXPECT_TRUE(contains(runProgram({"run", "--help"}).out, "--watch"));
 }
 
+TEST_F(Watching, AColumnWithoutAnyValueIsReported) {
+    std::vector<std::string> const what{"--watch", "electromagnet.current", "--watch", "switch.position",
+                                        "--watch", "switch.shape.99.width", "--csv",   at("run.csv")};
+    Ran const empty = runProgram(run(what));
+    EXPECT_LT(empty.status, 2) << empty.err;
+    EXPECT_TRUE(contains(empty.err, "'electromagnet.current' had no value in any row: the detail level "
+                                    "two-wire of electricity leaves it empty; --detail electricity=nodal"))
+        << empty.err;
+    EXPECT_TRUE(contains(empty.err, "'switch.shape.99.width' had no value in any row\n")) << empty.err;
+    EXPECT_FALSE(contains(empty.err, "switch.position")) << empty.err;
+    std::vector<std::string> nodal = run(what);
+    nodal.insert(nodal.end(), {"--detail", "electricity=nodal"});
+    Ran const filled = runProgram(nodal);
+    EXPECT_FALSE(contains(filled.err, "electromagnet.current")) << filled.err;
+    EXPECT_TRUE(contains(filled.err, "'switch.shape.99.width'")) << filled.err;
+}
+
 TEST_F(Watching, AnInputIsNeverReplacedByATable) {
     std::string const input = level();
     std::string const before = contentsOf(input);
