@@ -74,11 +74,11 @@ public:
         [[nodiscard]] bool wanted() const {
             return self_.provides_.template get<P>().readers() > 0;
         }
-        /// Whether a component that the scene calls for reads one of its resolver properties. Subscriptions,
+        /// Whether a component that the scene activates reads one of its resolver properties. Subscriptions,
         /// and components that are there for subscriptions only, do not count: the world's state may depend
         /// on this, but not on wanted().
         template <class P>
-        [[nodiscard]] bool calledFor() const {
+        [[nodiscard]] bool hasOwnReaders() const {
             return self_.provides_.template get<P>().ownReaders() > 0;
         }
         /// Calls f(call, origin) for every pending call of kind C, always in the same order. An object in a

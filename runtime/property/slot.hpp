@@ -23,7 +23,7 @@ public:
     void touch() { ++version_; }
     /// How many constructed components and subscriptions read it. At 0, its provider need not compute it.
     [[nodiscard]] int readers() const { return ownReaders_ + onlookers_; }
-    /// Of these, the components that the scene itself calls for. They follow from the world's state, unlike
+    /// Of these, the components that the scene itself activates. They follow from the world's state, unlike
     /// subscriptions and the components that are there for subscriptions only, which must change nothing.
     [[nodiscard]] int ownReaders() const { return ownReaders_; }
     void setReaders(int own, int onlookers) {
