@@ -32,8 +32,8 @@ public:
     }
     /// Back to the initial value: no component provides the property any more.
     virtual void reset() = 0;
-    /// Whether it tells news (see TellsNews), which frames of several parts must gather.
-    [[nodiscard]] virtual bool tellsNews() const { return false; }
+    /// Whether it reports news (see ReportsNews), which frames of several parts must gather.
+    [[nodiscard]] virtual bool reportsNews() const { return false; }
     /// A frame begins: discards the news gathered in the last one.
     virtual void beginFrame() {}
     /// A part of a frame of several parts is done: adds its news, if the property was written in it.
@@ -59,7 +59,7 @@ public:
     /// The value for observers of whole frames: the news of all parts of the last frame, if the property
     /// tells news and the frame had several parts, else the current value.
     [[nodiscard]] P const& ofFrame() const {
-        if constexpr (TellsNews<P>) {
+        if constexpr (ReportsNews<P>) {
             if (gathered_) {
                 return *gathered_;
             }
@@ -70,13 +70,13 @@ public:
         value_ = P{};
         touch();
     }
-    [[nodiscard]] bool tellsNews() const override { return TellsNews<P>; }
+    [[nodiscard]] bool reportsNews() const override { return ReportsNews<P>; }
     void beginFrame() override {
         gathered_.reset();
         seen_ = version();
     }
     void endPart(double begin, double share) override {
-        if constexpr (TellsNews<P>) {
+        if constexpr (ReportsNews<P>) {
             if (version() == seen_) {
                 return; // not written in this part, so there are no news in it
             }
@@ -100,7 +100,7 @@ public:
 
 private:
     struct Nothing {};
-    using Gathered = std::conditional_t<TellsNews<P>, P, Nothing>;
+    using Gathered = std::conditional_t<ReportsNews<P>, P, Nothing>;
 
     P value_;
     std::optional<Gathered> gathered_; // in a frame of several parts, once it has been written in one of them

@@ -125,7 +125,7 @@ public:
         return Subscription(wants_, property);
     }
     /// The value of a resolver or derived property, or nullptr if no component has ever been bound to it. Of
-    /// a property that tells news (see TellsNews), the news of the whole last frame; during step(), of the
+    /// a property that reports news (see ReportsNews), the news of the whole last frame; during step(), of the
     /// part.
     template <Property P>
     [[nodiscard]] P const* find() const {
@@ -195,7 +195,7 @@ private:
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each
     ComponentGraph graph_;       // of the entries: component n is entry n
     std::optional<std::size_t> divider_; // the entry that decides in how many parts a frame is computed
-    std::vector<SlotBase*> news_;        // the slots of properties that tell news
+    std::vector<SlotBase*> news_;        // the slots of properties that report news
     Moment now_;
     std::uint64_t ticks_ = 0; // at the end of the part that is under way or was the last
     bool underWay_ = false;   // during step()
