@@ -164,7 +164,7 @@ void DynamicsResolver::drainLoads(Access& access, DynamicsColumns const& columns
         });
     });
     simulation_.endLoads();
-    access.forCalls<TellRate>([&](TellRate const& call, CallOrigin const&) { simulation_.noteRate(call); });
+    access.forCalls<StateRate>([&](StateRate const& call, CallOrigin const&) { simulation_.noteRate(call); });
     provideIfOther(access, simulation_.rates());
 }
 

@@ -1,4 +1,4 @@
-// How fast the forces vary that act on bodies: the summary of all calls of TellRate.
+// How fast the forces vary that act on bodies: the summary of all calls of StateRate.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
