@@ -40,9 +40,9 @@ std::string cell(ComponentUse const& use) {
     return use.atEnd == Activity::active ? fmt::format("**{}**", use.updates) : std::to_string(use.updates);
 }
 
-constexpr std::string_view intro = R"(# Only what a scene calls for
+constexpr std::string_view intro = R"(# Only what a scene activates
 
-A component is constructed only if objects in the scene call for it, and has a turn only if something that it reads has
+A component is constructed only if objects in the scene activate it, and has a turn only if something that it reads has
 changed. This page counts both, for every level in the repository:
 
     build/trembler components --levels --markdown >docs/measurements/activation.md

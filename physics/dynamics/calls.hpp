@@ -65,7 +65,7 @@ struct AddDrag {
 /// object would swing if the force alone held it, k being the change of the force per distance (N/m), or the
 /// rate at which the object would come to rest if the force alone slowed it down. A factor of two does not
 /// matter. A force without such a call does not vary. Dynamics summarises these calls in ForceRates.
-struct TellRate {
+struct StateRate {
     static constexpr CallText text{"tellRate", "(object, rate, foreseen, swings)",
                                    "Says how fast (1/s) a force on the object varies as it moves, whether "
                                    "the force is one that allows for "
@@ -94,7 +94,7 @@ struct AddImpulse {
 
 struct DynamicsRole {
     static constexpr std::string_view name = "Dynamics";
-    using Calls = CallList<AddForce, AddForceToPoint, AddTorque, AddDrag, TellRate, AddImpulse>;
+    using Calls = CallList<AddForce, AddForceToPoint, AddTorque, AddDrag, StateRate, AddImpulse>;
 };
 
 } // namespace trembler

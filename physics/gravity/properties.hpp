@@ -68,7 +68,7 @@ struct GravityForce {
     struct Entry {
         ObjectId object;
         Vec2 force;      ///< N, at the centre of mass
-        double rate = 0; ///< 1/s, at which the force varies as the object moves; see TellRate
+        double rate = 0; ///< 1/s, at which the force varies as the object moves; see StateRate
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);

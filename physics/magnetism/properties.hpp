@@ -192,7 +192,7 @@ struct MagneticForce {
     };
     struct Rate {
         ObjectId object;
-        double rate = 0; ///< 1/s, at which the forces on the object vary as it moves; see TellRate
+        double rate = 0; ///< 1/s, at which the forces on the object vary as it moves; see StateRate
     };
     std::vector<Entry> forces;
     std::vector<Rate> rates; ///< of objects with a mass, ascending

@@ -17,7 +17,7 @@ namespace trembler {
 /// whole step would make a light rotor oscillate.
 [[nodiscard]] double motorTorque(ElectricMotor const& motor, double speed, double inertia, double step);
 
-/// 1/s: how fast that torque brings a free rotor to its idling speed; see TellRate. 0 where it is constant.
+/// 1/s: how fast that torque brings a free rotor to its idling speed; see StateRate. 0 where it is constant.
 [[nodiscard]] double motorRate(ElectricMotor const& motor, double inertia, double step);
 
 /// Torque (N m) of a generator: constant and against its rotation, but never more than the torque that stops

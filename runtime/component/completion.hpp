@@ -51,11 +51,11 @@ template <template <class...> class List, class... P, class Other>
 inline constexpr bool disjoint<List<P...>, Other> = (!listed<P, Other> && ...);
 
 template <class... P>
-[[nodiscard]] bool isCalledForBy(Store const& store, ObjectId id, NeedsAll<P...> const&) {
+[[nodiscard]] bool isActivatedBy(Store const& store, ObjectId id, NeedsAll<P...> const&) {
     return (store.has<P>(id) && ...);
 }
 template <class... P>
-[[nodiscard]] bool isCalledForBy(Store const& store, ObjectId id, NeedsAny<P...> const&) {
+[[nodiscard]] bool isActivatedBy(Store const& store, ObjectId id, NeedsAny<P...> const&) {
     return (store.has<P>(id) || ...);
 }
 
@@ -165,7 +165,7 @@ public:
             requires(Access & access) { Self::complete(access); },
             "a completion has 'static void complete(Access&)': it is handed what it declares");
         static_assert(detail::disjoint<AddsList, typename Self::Activation>,
-                      "a completion is not called for by what it adds itself");
+                      "a completion is not activated by what it adds itself");
         static CompletionInfo const info = [] {
             CompletionInfo made{.type = typeid(Self), .text = Self::text};
             made.reads = detail::infos(ReadsList{});
@@ -175,7 +175,7 @@ public:
                 typename Access::Columns columns{Access::template Pointers<ReadsList>::of(store),
                                                  Access::template Pointers<AddsList>::of(store)};
                 for (ObjectId const object : objects) { // ascending, see Store::complete()
-                    if (detail::isCalledForBy(store, object, typename Self::Activation{})) {
+                    if (detail::isActivatedBy(store, object, typename Self::Activation{})) {
                         Access access(columns, object);
                         Self::complete(access);
                     }

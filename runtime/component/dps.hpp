@@ -19,7 +19,7 @@ class Dps : public Component {
     static_assert(!detail::anyDerived<ReadsList>, "a derived property set never reads another one (5.5)");
     // Properties derived from states are states. Properties derived from news may hold for one part only.
     static_assert(detail::allSayWhatAFrameMakes<
-                  std::conditional_t<detail::anyTellsNews<ReadsList>, DerivesList, Derives<>>>);
+                  std::conditional_t<detail::anyReportsNews<ReadsList>, DerivesList, Derives<>>>);
 
 public:
     class Access final : public detail::AccessBase {

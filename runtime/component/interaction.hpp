@@ -122,15 +122,15 @@ public:
     void run(FrameContext const& context) final {
         bool const stood = !source_.empty();
         source_.clearHeld();
-        newTold_.assign(1, {});
+        newHeld_.assign(1, {});
         openSinks(context, 1, Phase::interaction);
         {
             Access access(*this, context);
             static_cast<Self&>(*this).apply(access);
         }
-        told_.clear();
-        for (auto& chunk : newTold_) {
-            told_.merge(chunk);
+        held_.clear();
+        for (auto& chunk : newHeld_) {
+            held_.merge(chunk);
         }
         if (stood || !source_.empty()) { // otherwise the resolver's calls have not changed
             ++source_.version;
@@ -172,7 +172,7 @@ protected:
 private:
     // A held call is an event only when it is new: "this will be done for every frame from now on and will
     // not be mentioned again" (6.8.3). Later equal calls have the first one's id.
-    using TellKey = std::pair<std::string_view, std::vector<ObjectId>>;
+    using HeldKey = std::pair<std::string_view, std::vector<ObjectId>>;
 
     template <class C>
     EventId trace(C const& c, EventId cause, EventSink& sink, std::size_t chunk) {
@@ -183,16 +183,16 @@ private:
                     return {};
                 }
             }
-            TellKey key{C::text.name, {objects.begin(), objects.end()}};
+            HeldKey key{C::text.name, {objects.begin(), objects.end()}};
             EventId id;
-            if (auto const known = told_.find(key); known != told_.end()) {
+            if (auto const known = held_.find(key); known != held_.end()) {
                 id = known->second;
-            } else if (auto const here = newTold_[chunk].find(key); here != newTold_[chunk].end()) {
+            } else if (auto const here = newHeld_[chunk].find(key); here != newHeld_[chunk].end()) {
                 id = here->second;
             } else {
                 id = sink.record(C::text.name, objects, std::array{cause});
             }
-            newTold_[chunk].emplace(std::move(key), id);
+            newHeld_[chunk].emplace(std::move(key), id);
             return id;
         } else {
             return sink.record(C::text.name, objects, std::array{cause});
@@ -202,7 +202,7 @@ private:
         if (source_.chunks.size() < chunks) {
             source_.chunks.resize(chunks);
         }
-        newTold_.resize(std::max(chunks, newTold_.size()));
+        newHeld_.resize(std::max(chunks, newHeld_.size()));
         if (sinks_.size() < chunks && context.tracing) {
             for (std::size_t chunk = sinks_.size(); chunk < chunks; ++chunk) {
                 sinks_.emplace_back(context.store, context.when, context.component,
@@ -214,8 +214,8 @@ private:
     bool first_ = true; // not last: members of Self must not use the padding after it, see copyMemory()
     detail::Bindings<ReadsList> reads_;
     CallSource<Role> source_;
-    std::map<TellKey, EventId> told_; // held calls of the last apply, while tracing
-    std::vector<std::map<TellKey, EventId>> newTold_;
+    std::map<HeldKey, EventId> held_; // held calls of the last apply, while tracing
+    std::vector<std::map<HeldKey, EventId>> newHeld_;
 };
 
 } // namespace trembler

@@ -76,9 +76,9 @@ public:
         }
         /// Whether a component that the scene needs reads this resolver property. Subscriptions, and
         /// components constructed for subscriptions only, do not count: the world's state may depend on
-        /// calledFor(), but not on wanted().
+        /// hasOwnReaders(), but not on wanted().
         template <class P>
-        [[nodiscard]] bool calledFor() const {
+        [[nodiscard]] bool hasOwnReaders() const {
             return self_.provides_.template get<P>().ownReaders() > 0;
         }
         /// Calls f(call, origin) for every pending call of kind C, always in the same order. An object in a

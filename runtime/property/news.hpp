@@ -25,7 +25,7 @@ struct PartSpan {
 /// It adds the news of a part to those of the frame's earlier parts, in order. For the first part `frame` has
 /// its initial value. In a frame of one part it is not called.
 template <class P>
-concept TellsNews = requires(P& frame, P const& part, PartSpan span) {
+concept ReportsNews = requires(P& frame, P const& part, PartSpan span) {
     P::gather(frame, part, span);
 };
 
@@ -34,7 +34,7 @@ concept TellsNews = requires(P& frame, P const& part, PartSpan span) {
 ///
 ///     static constexpr std::string_view standing = "the state, or why no part's news is lost";
 template <class P>
-concept TellsWhatStands = requires {
+concept ReportsState = requires {
     { P::standing } -> std::convertible_to<std::string_view>;
 };
 
@@ -46,7 +46,7 @@ template <class P>
 struct SaysWhatAFrameMakes {
     static constexpr bool value = true;
     static_assert(
-        TellsNews<P> != TellsWhatStands<P>,
+        ReportsNews<P> != ReportsState<P>,
         "a property that is offered either tells news, 'static void gather(P& frame, P const& part, "
         "PartSpan span)', or what stands, 'static constexpr std::string_view standing = why'");
 };
@@ -57,9 +57,9 @@ template <template <class...> class List, class... P>
 inline constexpr bool allSayWhatAFrameMakes<List<P...>> = (SaysWhatAFrameMakes<P>::value && ...);
 
 template <class List>
-inline constexpr bool anyTellsNews = false;
+inline constexpr bool anyReportsNews = false;
 template <template <class...> class List, class... P>
-inline constexpr bool anyTellsNews<List<P...>> = (TellsNews<P> || ...);
+inline constexpr bool anyReportsNews<List<P...>> = (ReportsNews<P> || ...);
 
 } // namespace detail
 

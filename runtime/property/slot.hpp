@@ -33,8 +33,8 @@ public:
     }
     /// Sets the initial value when no component provides the property any more.
     virtual void reset() = 0;
-    /// Whether it reports news (see TellsNews), which must be gathered in frames of several parts.
-    [[nodiscard]] virtual bool tellsNews() const { return false; }
+    /// Whether it reports news (see ReportsNews), which must be gathered in frames of several parts.
+    [[nodiscard]] virtual bool reportsNews() const { return false; }
     /// To be called when a frame begins: discards the news gathered in the last frame.
     virtual void beginFrame() {}
     /// To be called after each part of a frame of several parts: adds its news, if the property was written
@@ -61,7 +61,7 @@ public:
     /// The value for observers of whole frames: the news of all parts of the last frame, if the property
     /// reports news and the frame had several parts, else the current value.
     [[nodiscard]] P const& ofFrame() const {
-        if constexpr (TellsNews<P>) {
+        if constexpr (ReportsNews<P>) {
             if (gathered_) {
                 return *gathered_;
             }
@@ -72,13 +72,13 @@ public:
         value_ = P{};
         touch();
     }
-    [[nodiscard]] bool tellsNews() const override { return TellsNews<P>; }
+    [[nodiscard]] bool reportsNews() const override { return ReportsNews<P>; }
     void beginFrame() override {
         gathered_.reset();
         seen_ = version();
     }
     void endPart(double begin, double share) override {
-        if constexpr (TellsNews<P>) {
+        if constexpr (ReportsNews<P>) {
             if (version() == seen_) {
                 return; // not written in this part, so it has no news
             }
@@ -102,7 +102,7 @@ public:
 
 private:
     struct Nothing {};
-    using Gathered = std::conditional_t<TellsNews<P>, P, Nothing>;
+    using Gathered = std::conditional_t<ReportsNews<P>, P, Nothing>;
 
     P value_;
     std::optional<Gathered> gathered_; // in a frame of several parts, once it has been written in one of them

@@ -39,7 +39,7 @@ private:
         }
     }
 
-    [[nodiscard]] bool isCalledFor(ComponentGraph::Component const& component) const {
+    [[nodiscard]] bool isActivated(ComponentGraph::Component const& component) const {
         auto const inhabited = [this](std::size_t property) { return inhabited_[property]; };
         auto const& all = component.neededAll;
         auto const& any = component.neededAny;
@@ -56,7 +56,7 @@ private:
         for (std::size_t number = 0; number < waitsFor.size(); ++number) {
             ComponentGraph::Component const& component = graph_.components[number];
             bool const calls = component.info->kind == ComponentKind::interaction;
-            waitsFor[number] = component.reads.size() + (calls ? 1 : 0) + (isCalledFor(component) ? 0 : 1);
+            waitsFor[number] = component.reads.size() + (calls ? 1 : 0) + (isActivated(component) ? 0 : 1);
             if (waitsFor[number] == 0) {
                 ready.push_back(number);
             }
@@ -195,7 +195,7 @@ private:
         if (choice.reason != ChoiceReason::undecided) {
             return; // it was removed
         }
-        if (!isCalledFor(component)) {
+        if (!isActivated(component)) {
             choice.reason = ChoiceReason::noObjects;
             auto const& all = component.neededAll;
             auto const lacking =

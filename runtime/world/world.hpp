@@ -126,8 +126,8 @@ public:
         return Subscription(wants_, property);
     }
     /// The value of a resolver or derived property, or nullptr if no component has ever been bound to it. Of
-    /// a property that reports news (see TellsNews), the news of the whole last frame; during step(), of the
-    /// current part.
+    /// a property that reports news (see ReportsNews), the news of the whole last frame; during step(), of
+    /// the current part.
     template <Property P>
     [[nodiscard]] P const* find() const {
         auto const* const slot = store_.findSlot<P>();

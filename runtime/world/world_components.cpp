@@ -90,7 +90,7 @@ void World::bindAll() {
     }
     news_.clear();
     for (SlotBase* slot : store_.slots()) {
-        if (slot->tellsNews()) {
+        if (slot->reportsNews()) {
             news_.push_back(slot);
         }
         std::string_view const key = slot->info().text.key;

@@ -4,7 +4,7 @@ namespace trembler {
 namespace {
 
 template <class C>
-void gather(SoundResolver::Access& access, std::vector<Told<C>>& into) {
+void gather(SoundResolver::Access& access, std::vector<Received<C>>& into) {
     access.forCalls<C>([&](C const& call, CallOrigin const& origin) {
         into.push_back({call, origin.cause});
     });

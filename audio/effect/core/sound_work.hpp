@@ -9,16 +9,16 @@ namespace trembler {
 
 /// A call and the event that led to it.
 template <class C>
-struct Told {
+struct Received {
     C call;
     EventId cause;
 };
 /// The calls of a frame, in the order in which they are drained.
 struct SoundCalls {
-    std::vector<Told<Strike>> strikes;
-    std::vector<Told<Rub>> rubs;
-    std::vector<Told<PlaySample>> plays;
-    std::vector<Told<HoldSample>> holds;
+    std::vector<Received<Strike>> strikes;
+    std::vector<Received<Rub>> rubs;
+    std::vector<Received<PlaySample>> plays;
+    std::vector<Received<HoldSample>> holds;
 
     [[nodiscard]] bool empty() const {
         return strikes.empty() && rubs.empty() && plays.empty() && holds.empty();
@@ -54,8 +54,9 @@ private:
     void fit(SoundColumns const& columns, Sounds& sounds);
     void findExcited(SoundColumns const& columns, SoundCalls const& calls, Sounds& sounds);
     [[nodiscard]] Excited* excited(ObjectId object);
-    void strike(SoundColumns const& columns, Told<Strike> const& told, double duration, Sounds& sounds);
-    void rub(SoundColumns const& columns, Told<Rub> const& told, double duration, Sounds& sounds);
+    void strike(SoundColumns const& columns, Received<Strike> const& received, double duration,
+                Sounds& sounds);
+    void rub(SoundColumns const& columns, Received<Rub> const& received, double duration, Sounds& sounds);
     void dieAway(double duration, Sounds& sounds);
     static void place(SoundColumns const& columns, Sounds& sounds);
 

@@ -87,7 +87,8 @@ bool DynamicsResolver::compute(Access& access, DynamicsColumns const& columns) {
             }
             drainImpulses(access);
             simulation_.engine().noteImpacts(access.wanted<Impacts>());
-            simulation_.engine().findTouchesAtEnd(simulation_.readsTouches() || access.calledFor<Contacts>());
+            simulation_.engine().findTouchesAtEnd(simulation_.readsTouches() ||
+                                                  access.hasOwnReaders<Contacts>());
             return simulation_.step(access.duration(), columns, access.provided<Contacts>().current);
         } catch (EngineFailure const& failure) {
             giveUp(access, failure);
@@ -163,7 +164,7 @@ void DynamicsResolver::drainLoads(Access& access, DynamicsColumns const& columns
         });
     });
     simulation_.endLoads();
-    access.forCalls<TellRate>([&](TellRate const& call, CallOrigin const&) { simulation_.noteRate(call); });
+    access.forCalls<StateRate>([&](StateRate const& call, CallOrigin const&) { simulation_.noteRate(call); });
     provideIfOther(access, simulation_.rates());
 }
 

@@ -84,7 +84,7 @@ void Simulation::makeEngine(DynamicsSettings const& settings, DynamicsColumns co
     jointsNew_ = contactsNew_ = true;
 }
 
-void Simulation::noteRate(TellRate const& call) {
+void Simulation::noteRate(StateRate const& call) {
     if (!bodies_.moves(bodies_.slotOf(call.object)) || !std::isfinite(call.rate)) {
         return;
     }

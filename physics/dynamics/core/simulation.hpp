@@ -41,7 +41,7 @@ public:
         rates_ = {};
     }
     void endLoads();
-    void noteRate(TellRate const& call);
+    void noteRate(StateRate const& call);
     /// The summary of all calls of noteRate() since startLoads().
     [[nodiscard]] ForceRates const& rates() const { return rates_; }
     /// Computes the motion for `duration` (s), given the pairs that touch; returns false if all bodies are at

@@ -32,7 +32,7 @@ public:
                 }
                 caller.call(AddForce{forces[i].object, forces[i].force});
                 if (forces[i].rate > 0) {
-                    caller.call(TellRate{forces[i].object, forces[i].rate});
+                    caller.call(StateRate{forces[i].object, forces[i].rate});
                 }
             }
         });

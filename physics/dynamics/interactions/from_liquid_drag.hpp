@@ -26,7 +26,7 @@ public:
                 caller.call(AddDrag{e.object, e.point, e.xx, e.xy, e.yy, e.angular}, e.event);
                 if (e.rate > 0) {
                     // Here looking ahead is a resistance, which is stable with any step.
-                    caller.call(TellRate{
+                    caller.call(StateRate{
                         .object = e.object, .rate = e.rate, .foreseen = foreseen, .swings = !foreseen});
                 }
                 if (!(e.push == Vec2{})) {

@@ -25,7 +25,7 @@ public:
         auto const& fixed = access.read<Fixed>();
         bool const foreseen = access.read<MagneticForce>().foreseen;
         for (MagneticForce::Rate const& one : access.read<MagneticForce>().rates) {
-            access.call(TellRate{one.object, one.rate, foreseen});
+            access.call(StateRate{one.object, one.rate, foreseen});
         }
         access.forChunks(forces.size(), [&](Caller& caller, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {

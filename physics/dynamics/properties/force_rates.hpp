@@ -1,4 +1,4 @@
-// How fast the forces on bodies vary: the summary of all calls of TellRate.
+// How fast the forces on bodies vary: the summary of all calls of StateRate.
 #pragma once
 
 #include "runtime/property/coverage.hpp"

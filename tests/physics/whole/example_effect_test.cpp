@@ -104,7 +104,7 @@ public:
     void apply(Access& access) {
         for (WindForce::Entry const& entry : access.read<WindForce>().forces) {
             access.call(AddForce{entry.object, entry.force});
-            access.call(TellRate{entry.object, entry.rate});
+            access.call(StateRate{entry.object, entry.rate});
         }
     }
 };

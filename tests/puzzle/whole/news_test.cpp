@@ -18,7 +18,7 @@ TEST(News, OfEveryPartReachReadersThatRunOncePerFrame) {
     std::set<std::string_view> telling;
     for (Registration const& registration : registry.components()) {
         for (PropertyInfo const* const offer : registration.info->offers) {
-            if (offer->makeSlot()->tellsNews()) {
+            if (offer->makeSlot()->reportsNews()) {
                 telling.insert(offer->text.key);
             }
         }

@@ -72,8 +72,8 @@ TEST(Notation, PrintsEmptySetsDerivedPropertiesAndCalls) {
     std::string const box = kit.box("(Dynamics <- Gravity) Interaction");
     EXPECT_EQ(under(box, "Properties read"), "{Position, F_G}");
     EXPECT_EQ(under(box, "Calls"), "Dynamics Resolver");
-    EXPECT_EQ(under(kit.box("Buoyancy Resolver"), "Called for by"), "objects with all of {Liquid}");
-    EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Called for by"), "objects with any of {Magnetic poles}");
+    EXPECT_EQ(under(kit.box("Buoyancy Resolver"), "Activated by"), "objects with all of {Liquid}");
+    EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Activated by"), "objects with any of {Magnetic poles}");
 }
 
 TEST(Notation, MarksEqualReadAndWriteSets) {

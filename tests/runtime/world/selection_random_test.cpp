@@ -47,7 +47,7 @@ public:
         for (bool more = true; more;) {
             more = false;
             for (std::size_t number = 0; number < infos_.size(); ++number) {
-                if (!all.contains(number) && !out.contains(number) && isCalledFor(number) &&
+                if (!all.contains(number) && !out.contains(number) && isActivated(number) &&
                     hasAllItReads(number, all) && hasResolver(number, all)) {
                     all.insert(number);
                     more = true;
@@ -56,7 +56,7 @@ public:
         }
         return all;
     }
-    [[nodiscard]] bool isCalledFor(std::size_t number) const {
+    [[nodiscard]] bool isActivated(std::size_t number) const {
         auto const there = [&](PropertyInfo const* p) {
             return scene_.inhabited.contains(std::string(p->text.key));
         };
@@ -254,15 +254,15 @@ void expectTrueReasons(std::vector<ComponentInfo const*> const& infos, MadeUpSce
             RC_ASSERT(std::none_of(rivals.begin(), rivals.end(), suits));
             break;
         case ChoiceReason::noObjects:
-            RC_ASSERT(!definition.isCalledFor(number));
+            RC_ASSERT(!definition.isActivated(number));
             RC_ASSERT((choice.property == nullptr ||
                        !scene.inhabited.contains(std::string(choice.property->text.key))));
             break;
         case ChoiceReason::noResolver:
-            RC_ASSERT((definition.isCalledFor(number) && !definition.hasResolver(number, chosen)));
+            RC_ASSERT((definition.isActivated(number) && !definition.hasResolver(number, chosen)));
             break;
         case ChoiceReason::noProvider:
-            RC_ASSERT((definition.isCalledFor(number) && !candidates.contains(number)));
+            RC_ASSERT((definition.isActivated(number) && !candidates.contains(number)));
             RC_ASSERT(std::find(info.reads.begin(), info.reads.end(), choice.property) != info.reads.end());
             for (std::size_t const other : candidates) {
                 auto const& offers = infos[other]->offers;

@@ -27,7 +27,7 @@ public:
     void apply(Access& access) {
         auto const& all = access.read<Varying>();
         for (std::size_t row = 0; row < all.size(); ++row) {
-            access.call(TellRate{all.owners()[row], all.values()[row].rate, all.values()[row].foreseen});
+            access.call(StateRate{all.owners()[row], all.values()[row].rate, all.values()[row].foreseen});
         }
     }
 };

@@ -125,7 +125,7 @@ public:
             Vec2 const then = access.read<Position>()[id].value +
                               access.read<ForceLag>().ofTurn() * access.read<Velocity>()[id].value;
             access.call(AddForce{id, (-rate * rate * access.read<Mass>()[id].value) * then});
-            access.call(TellRate{.object = id, .rate = rate, .foreseen = true, .swings = true});
+            access.call(StateRate{.object = id, .rate = rate, .foreseen = true, .swings = true});
         }
     }
 };
