@@ -20,13 +20,13 @@ struct LoudspeakerOptions {
 /// Listens to one world at a time and changes nothing in it. Used by one thread at a time.
 class Loudspeaker {
 public:
-    using Tell = std::function<void(std::string const&)>;
+    using Report = std::function<void(std::string const&)>;
 
-    /// Opens the machine's sound device. Where there is none it reports that through `tell` and goes on
+    /// Opens the machine's sound device. Where there is none it reports that through `report` and goes on
     /// without.
-    explicit Loudspeaker(LoudspeakerOptions options, Tell tell = {});
+    explicit Loudspeaker(LoudspeakerOptions options, Report report = {});
     /// Plays to that output instead.
-    Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Tell tell = {});
+    Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Report report = {});
     ~Loudspeaker();
     Loudspeaker(Loudspeaker const&) = delete;
     Loudspeaker& operator=(Loudspeaker const&) = delete;

@@ -25,7 +25,7 @@ public:
                                                 "disconnects them when it no longer does."};
     using Activation = NeedsAll<SoundSensor>;
     /// The connections that it has made, and will take back.
-    void hashMemory(StateHash& hash) const { hash.members(told_); }
+    void hashMemory(StateHash& hash) const { hash.members(connected_); }
     void apply(Access& access);
 
 private:
@@ -36,9 +36,9 @@ private:
         friend auto operator<=>(Link const&, Link const&) = default;
     };
     [[nodiscard]] static std::vector<Link> possible(Access& access);
-    static void recall(Access& access, std::vector<Link> const& possible, std::vector<Link>& told);
+    static void recall(Access& access, std::vector<Link> const& possible, std::vector<Link>& connected);
 
-    std::vector<Link> told_; // ascending
+    std::vector<Link> connected_; // ascending
 };
 
 } // namespace trembler

@@ -63,8 +63,8 @@ private:
 
     Simulation simulation_;
     bool begun_ = false;
-    Contacts next_;                                   // kept for its memory
-    std::set<std::pair<ObjectId, std::string>> told_; // refusals that the trace knows
+    Contacts next_;                                       // kept for its memory
+    std::set<std::pair<ObjectId, std::string>> recorded_; // refusals that the trace knows
     bool pointForces_ = false;
     bool contactNews_ = false;
     bool impactNews_ = false;

@@ -22,13 +22,13 @@ struct CircuitQuantities {
 [[nodiscard]] CircuitQuantities quantitiesOf(Circuit const& circuit, SufficientLevel const& level);
 
 /// An event for the trace: `what` happened to `object` in the circuit of that number.
-using TellOfCircuit = std::function<EventId(std::string_view what, ObjectId object, std::uint32_t circuit)>;
+using ReportOfCircuit = std::function<EventId(std::string_view what, ObjectId object, std::uint32_t circuit)>;
 
-/// Replaces the results of the circuits that were looked at, and removes circuits that are gone. `tell` is
+/// Replaces the results of the circuits that were looked at, and removes circuits that are gone. `report` is
 /// called for sources that are shorted and for islands that float, where they were not before, and for
 /// overloaded fuses.
 void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuantities>& found,
-                     StateUpdate const& update, std::uint64_t frame, TellOfCircuit const& tell);
+                     StateUpdate const& update, std::uint64_t frame, ReportOfCircuit const& report);
 
 /// The end of the update() of a detail level that knows quantities: writes state and quantities, where they
 /// are new.

@@ -28,11 +28,11 @@ public:
                                             "disconnects any previous colliding objects."};
     using Activation = NeedsAll<Conductor>;
     /// The connections that it has made, and will take back.
-    void hashMemory(StateHash& hash) const { hash.members(told_); }
+    void hashMemory(StateHash& hash) const { hash.members(connected_); }
     void apply(Access& access);
 
 private:
-    std::vector<TouchingPair> told_; // ascending
+    std::vector<TouchingPair> connected_; // ascending
     std::vector<TouchingPair> touching_;
 };
 

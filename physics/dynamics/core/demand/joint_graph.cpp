@@ -105,17 +105,17 @@ private:
                 parent.force += node.force;
                 parent.pulls += node.pulls;
             } else {
-                tell(at, root);
+                setLoads(at, root);
             }
             at = node.from;
         }
         if (root != ground_) {
-            tell(root, root);
+            setLoads(root, root);
         }
     }
 
     // Everything that `top` ties together is known: `finished_`, children before their parents.
-    void tell(std::size_t top, std::size_t root) {
+    void setLoads(std::size_t top, std::size_t root) {
         double const total = nodes_[top].mass;
         Vec2 const moment = nodes_[top].moment;
         Vec2 const force = nodes_[top].force;

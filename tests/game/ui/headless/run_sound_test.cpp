@@ -34,7 +34,7 @@ protected:
     }
     Wav hear(LevelFile level, std::string const& solution, std::uint64_t frames,
              std::uint64_t* hash = nullptr, std::vector<fs::path> const& recordings = {},
-             std::vector<std::string>* told = nullptr) {
+             std::vector<std::string>* reports = nullptr) {
         Session session(gameData().registry, gameData().parts, std::move(level));
         if (!solution.empty()) {
             Solution const* const recorded = session.level().findSolution(solution);
@@ -50,8 +50,8 @@ protected:
             RunSound sound(
                 file, how,
                 [&](std::string const& what) {
-                    if (told != nullptr) {
-                        told->push_back(what);
+                    if (reports != nullptr) {
+                        reports->push_back(what);
                     }
                 },
                 options);
@@ -165,11 +165,11 @@ TEST_F(RunSoundTest, ALevelsOwnRecordingIsHeard) {
     auto const tone = [](Wav const& heard) {
         return std::abs(toneIn(std::span(heard.left).subspan(24000, 12000), 48000, 3137));
     };
-    std::vector<std::string> told;
-    double const played = tone(hear(level(), "", 60, nullptr, {folder}, &told));
-    EXPECT_TRUE(told.empty());
-    double const missing = tone(hear(level(), "", 60, nullptr, {}, &told));
-    EXPECT_EQ(told.size(), 1U) << "what is missing is told once";
+    std::vector<std::string> reports;
+    double const played = tone(hear(level(), "", 60, nullptr, {folder}, &reports));
+    EXPECT_TRUE(reports.empty());
+    double const missing = tone(hear(level(), "", 60, nullptr, {}, &reports));
+    EXPECT_EQ(reports.size(), 1U) << "what is missing is reported once";
     EXPECT_GT(played, 10 * missing);
 }
 
