@@ -6,25 +6,26 @@
 namespace trembler {
 namespace {
 
-std::unique_ptr<Output> openOutput(LoudspeakerOptions const& options, Loudspeaker::Tell const& tell) {
+std::unique_ptr<Output> openOutput(LoudspeakerOptions const& options, Loudspeaker::Report const& report) {
     std::string why;
     if (std::unique_ptr<Output> found = OpenAlOutput::open(options.synthesiser, why)) {
         return found;
     }
-    if (tell) {
-        tell("There will be no sound: " + why + ".");
+    if (report) {
+        report("There will be no sound: " + why + ".");
     }
     return std::make_unique<NullOutput>();
 }
 
 } // namespace
 
-Loudspeaker::Loudspeaker(LoudspeakerOptions options, Tell tell)
-    : Loudspeaker(options, openOutput(options, tell), tell) {}
+Loudspeaker::Loudspeaker(LoudspeakerOptions options, Report report)
+    : Loudspeaker(options, openOutput(options, report), report) {}
 
-Loudspeaker::Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Tell tell)
+Loudspeaker::Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Report report)
     : options_(std::move(options)), output_(std::move(output)),
-      recordings_(options_.sampleFolders, std::move(tell)), synthesiser_(options_.synthesiser, &recordings_) {
+      recordings_(options_.sampleFolders, std::move(report)),
+      synthesiser_(options_.synthesiser, &recordings_) {
     output_->set(options_.output);
 }
 

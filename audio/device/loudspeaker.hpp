@@ -20,7 +20,7 @@ struct LoudspeakerOptions {
 /// Listens to one world at a time and changes nothing in it. Used by one thread at a time.
 class Loudspeaker {
 public:
-    using Tell = std::function<void(std::string const&)>;
+    using Report = std::function<void(std::string const&)>;
 
     /// Opens the machine's sound device. If there is none, reports that through `tell` and stays silent.
     explicit Loudspeaker(LoudspeakerOptions options, Tell tell = {});

@@ -24,8 +24,8 @@ bool staysInside(fs::path const& file) {
 
 } // namespace
 
-SampleFiles::SampleFiles(std::vector<fs::path> folders, Tell tell)
-    : folders_(std::move(folders)), tell_(std::move(tell)) {}
+SampleFiles::SampleFiles(std::vector<fs::path> folders, Report report)
+    : folders_(std::move(folders)), report_(std::move(report)) {}
 
 std::shared_ptr<SampleData const> SampleFiles::find(std::string const& file) {
     auto const at = known_.find(file);
@@ -39,8 +39,8 @@ std::shared_ptr<SampleData const> SampleFiles::read(std::string const& file) con
     constexpr double longest = 600;    // s
     constexpr sf_count_t chunk = 4096; // frames
     auto const refuse = [&](std::string const& why) -> std::shared_ptr<SampleData const> {
-        if (tell_) {
-            tell_(fmt::format("the recording \"{}\" cannot be played: {}", file, why));
+        if (report_) {
+            report_(fmt::format("the recording \"{}\" cannot be played: {}", file, why));
         }
         return nullptr;
     };

@@ -13,7 +13,7 @@ namespace trembler {
 /// sound file or longer than ten minutes is reported once, in words, and is then silent.
 class SampleFiles final : public SampleSource {
 public:
-    using Tell = std::function<void(std::string const&)>;
+    using Report = std::function<void(std::string const&)>;
 
     /// Searches `folders` in order. `tell` may be empty.
     explicit SampleFiles(std::vector<std::filesystem::path> folders, Tell tell = {});
@@ -24,7 +24,7 @@ private:
     [[nodiscard]] std::shared_ptr<SampleData const> read(std::string const& file) const;
 
     std::vector<std::filesystem::path> folders_;
-    Tell tell_;
+    Report report_;
     std::map<std::string, std::shared_ptr<SampleData const>> known_;
 };
 

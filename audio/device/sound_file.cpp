@@ -21,7 +21,8 @@ struct SoundFile::Handle {
     SNDFILE* file;
 };
 
-SoundFile::SoundFile(std::filesystem::path file, LoudspeakerOptions const& options, Loudspeaker::Tell tell)
+SoundFile::SoundFile(std::filesystem::path file, LoudspeakerOptions const& options,
+                     Loudspeaker::Report report)
     : name_(std::move(file)) {
     if (name_.extension() != ".wav") {
         throw std::invalid_argument(
@@ -34,7 +35,7 @@ SoundFile::SoundFile(std::filesystem::path file, LoudspeakerOptions const& optio
         throw std::runtime_error(fmt::format("{}: {}", name_.string(), why));
     }
     output_ = output.get();
-    loudspeaker_ = std::make_unique<Loudspeaker>(options, std::move(output), std::move(tell));
+    loudspeaker_ = std::make_unique<Loudspeaker>(options, std::move(output), std::move(report));
     SF_INFO info{};
     info.samplerate = options.synthesiser.rate;
     info.channels = 2;

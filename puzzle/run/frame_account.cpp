@@ -34,7 +34,7 @@ struct Frame {
     std::array<std::vector<Deed>, headings.size()> work; ///< by phase
     std::size_t repeats = 0;                             ///< events that have been described before
 
-    [[nodiscard]] bool tellsAnything() const {
+    [[nodiscard]] bool hasContent() const {
         return !notes.empty() ||
                std::any_of(work.begin(), work.end(), [](auto const& deeds) { return !deeds.empty(); });
     }
@@ -265,7 +265,7 @@ std::string frameAccount(Session const& session) {
         if (number > world.frame()) {
             break;
         }
-        if (number == 0 || frame.tellsAnything()) {
+        if (number == 0 || frame.hasContent()) {
             skipped(number);
             text += describe(number, frame);
             next = number + 1;

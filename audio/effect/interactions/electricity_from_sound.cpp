@@ -41,7 +41,7 @@ std::vector<ElectricityFromSound::Link> ElectricityFromSound::possible(Access& a
 
 // A newly constructed interaction reads from the graph which of the possible connections exist.
 void ElectricityFromSound::recall(Access& access, std::vector<Link> const& possible,
-                                  std::vector<Link>& told) {
+                                  std::vector<Link>& connected) {
     std::map<std::pair<ObjectId, ObjectId>, std::int32_t> left;
     for (Link const& link : possible) {
         std::pair const ends{link.a, link.b};
@@ -52,7 +52,7 @@ void ElectricityFromSound::recall(Access& access, std::vector<Link> const& possi
                 .first;
         if (at->second > 0) {
             --at->second;
-            told.push_back(link);
+            connected.push_back(link);
         }
     }
 }
@@ -60,7 +60,7 @@ void ElectricityFromSound::recall(Access& access, std::vector<Link> const& possi
 void ElectricityFromSound::apply(Access& access) {
     std::vector<Link> links = possible(access);
     if (access.firstTime()) {
-        recall(access, links, told_);
+        recall(access, links, connected_);
     }
     Loudness const& loudness = access.read<Loudness>();
     auto const& sensors = access.read<SoundSensor>();
@@ -78,8 +78,10 @@ void ElectricityFromSound::apply(Access& access) {
     };
     std::vector<Link> ended;
     std::vector<Link> begun;
-    std::set_difference(told_.begin(), told_.end(), links.begin(), links.end(), std::back_inserter(ended));
-    std::set_difference(links.begin(), links.end(), told_.begin(), told_.end(), std::back_inserter(begun));
+    std::set_difference(connected_.begin(), connected_.end(), links.begin(), links.end(),
+                        std::back_inserter(ended));
+    std::set_difference(links.begin(), links.end(), connected_.begin(), connected_.end(),
+                        std::back_inserter(begun));
     for (Link const& link : ended) {
         if (conductors.has(link.a) && conductors.has(link.b)) { // else the graph has already removed it
             access.call(RemoveConnection{{link.a, link.b}}, causeOf(link.sensor));
@@ -88,7 +90,7 @@ void ElectricityFromSound::apply(Access& access) {
     for (Link const& link : begun) {
         access.call(AddConnection{{link.a, link.b}}, causeOf(link.sensor));
     }
-    told_ = std::move(links);
+    connected_ = std::move(links);
 }
 
 } // namespace trembler

@@ -36,9 +36,9 @@ private:
         friend auto operator<=>(Link const&, Link const&) = default;
     };
     [[nodiscard]] static std::vector<Link> possible(Access& access);
-    static void recall(Access& access, std::vector<Link> const& possible, std::vector<Link>& told);
+    static void recall(Access& access, std::vector<Link> const& possible, std::vector<Link>& connected);
 
-    std::vector<Link> told_; // ascending
+    std::vector<Link> connected_; // ascending
 };
 
 } // namespace trembler

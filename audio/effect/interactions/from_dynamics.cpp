@@ -84,11 +84,11 @@ EventId touchOf(Contacts const& contacts, ObjectId a, ObjectId b) {
 } // namespace
 
 void SoundFromDynamics::apply(Access& access) {
-    tellImpacts(access);
-    tellRubbing(access);
+    callStrikes(access);
+    callRubs(access);
 }
 
-void SoundFromDynamics::tellImpacts(Access& access) {
+void SoundFromDynamics::callStrikes(Access& access) {
     Scene const scene(access);
     Contacts const& contacts = access.read<Contacts>();
     for (Impact const& impact : access.read<Impacts>().impacts) {
@@ -100,7 +100,7 @@ void SoundFromDynamics::tellImpacts(Access& access) {
         double const contact =
             contactTime(scene.material(impact.a), scene.material(impact.b), scene.roundness(impact.a),
                         scene.roundness(impact.b), 1 / inverse, impact.impulse * inverse);
-        auto const tell = [&](ObjectId object, ObjectId other, Vec2 direction) {
+        auto const call = [&](ObjectId object, ObjectId other, Vec2 direction) {
             if (scene.sounds(object)) {
                 access.call(Strike{object, other, scene.toLocal(object, impact.point),
                                    scene.directionToLocal(object, direction), impact.impulse, contact,
@@ -113,12 +113,12 @@ void SoundFromDynamics::tellImpacts(Access& access) {
                 access.call(PlaySample{object, share * share}, cause);
             }
         };
-        tell(impact.a, impact.b, -impact.normal);
-        tell(impact.b, impact.a, impact.normal);
+        call(impact.a, impact.b, -impact.normal);
+        call(impact.b, impact.a, impact.normal);
     }
 }
 
-void SoundFromDynamics::tellRubbing(Access& access) {
+void SoundFromDynamics::callRubs(Access& access) {
     Scene const scene(access);
     double const step = access.read<ContactPatches>().step;
     if (!(step > 0)) {
@@ -150,15 +150,15 @@ void SoundFromDynamics::tellRubbing(Access& access) {
         }
         EventId const cause =
             access.tracing() ? touchOf(access.read<Contacts>(), patch.a, patch.b) : EventId{};
-        auto const tell = [&](ObjectId object, ObjectId other, Vec2 direction) {
+        auto const call = [&](ObjectId object, ObjectId other, Vec2 direction) {
             if (scene.sounds(object)) {
                 access.call(Rub{object, other, scene.toLocal(object, point),
                                 scene.directionToLocal(object, direction), force, speed / bump},
                             cause);
             }
         };
-        tell(patch.a, patch.b, -patch.normal);
-        tell(patch.b, patch.a, patch.normal);
+        call(patch.a, patch.b, -patch.normal);
+        call(patch.b, patch.a, patch.normal);
     }
 }
 

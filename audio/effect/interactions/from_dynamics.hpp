@@ -33,8 +33,8 @@ public:
     void apply(Access& access);
 
 private:
-    void tellImpacts(Access& access);
-    void tellRubbing(Access& access);
+    void callStrikes(Access& access);
+    void callRubs(Access& access);
 };
 
 } // namespace trembler

@@ -78,7 +78,7 @@ bool DynamicsResolver::compute(Access& access, DynamicsColumns const& columns) {
     for (;;) {
         try {
             for (Refusal const& refusal : simulation_.follow(columns)) {
-                if (access.tracing() && told_.insert({refusal.object, refusal.why}).second) {
+                if (access.tracing() && recorded_.insert({refusal.object, refusal.why}).second) {
                     access.event("refused: " + refusal.why, {refusal.object}, {});
                 }
             }
@@ -190,7 +190,7 @@ void DynamicsResolver::drainImpulses(Access& access) {
 }
 
 void DynamicsResolver::refuse(Access& access, ObjectId object, std::string const& why, EventId cause) {
-    if (access.tracing() && told_.insert({object, why}).second) {
+    if (access.tracing() && recorded_.insert({object, why}).second) {
         access.event("refused: " + why, {object}, {cause});
     }
 }

@@ -22,12 +22,12 @@ struct CircuitQuantities {
 [[nodiscard]] CircuitQuantities quantitiesOf(Circuit const& circuit, SufficientLevel const& level);
 
 /// An event for the trace: `what` happened to `object` in the circuit of that number.
-using TellOfCircuit = std::function<EventId(std::string_view what, ObjectId object, std::uint32_t circuit)>;
+using ReportOfCircuit = std::function<EventId(std::string_view what, ObjectId object, std::uint32_t circuit)>;
 
 /// Replaces the results of the analysed circuits, and removes circuits that no longer exist. `tell` is called
 /// for newly shorted sources, for newly floating islands, and for overloaded fuses.
 void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuantities>& found,
-                     StateUpdate const& update, std::uint64_t frame, TellOfCircuit const& tell);
+                     StateUpdate const& update, std::uint64_t frame, ReportOfCircuit const& report);
 
 /// The end of the update() of a detail level with quantities: writes state and quantities if they are new.
 template <class Access>

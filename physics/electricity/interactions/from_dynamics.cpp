@@ -28,7 +28,7 @@ void ElectricityFromDynamics::apply(Access& access) {
     Contacts const& contacts = access.read<Contacts>();
     auto const& conductors = access.read<Conductor>();
     if (access.firstTime()) {
-        gatherPairs(access.read<ElectricityGraph>(), access.caller(), told_);
+        gatherPairs(access.read<ElectricityGraph>(), access.caller(), connected_);
     }
     touching_.clear();
     for (TouchingPair const& pair : contacts.current) {
@@ -44,19 +44,19 @@ void ElectricityFromDynamics::apply(Access& access) {
             access.call(RemoveConnection{{pair.a, pair.b}}, endOf(pair, contacts.ended));
         }
     };
-    auto before = told_.begin();
+    auto before = connected_.begin();
     auto now = touching_.begin();
-    while (before != told_.end() || now != touching_.end()) {
-        if (now == touching_.end() || (before != told_.end() && *before < *now)) {
+    while (before != connected_.end() || now != touching_.end()) {
+        if (now == touching_.end() || (before != connected_.end() && *before < *now)) {
             end(*before++);
-        } else if (before == told_.end() || *now < *before) {
+        } else if (before == connected_.end() || *now < *before) {
             begin(*now++);
         } else {
             ++before;
             ++now;
         }
     }
-    told_.swap(touching_);
+    connected_.swap(touching_);
 }
 
 } // namespace trembler

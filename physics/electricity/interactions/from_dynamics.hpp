@@ -31,7 +31,7 @@ public:
     void apply(Access& access);
 
 private:
-    std::vector<TouchingPair> told_; // ascending
+    std::vector<TouchingPair> connected_; // ascending
     std::vector<TouchingPair> touching_;
 };
 

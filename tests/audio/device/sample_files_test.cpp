@@ -40,11 +40,11 @@ protected:
     }
     [[nodiscard]] SampleFiles files() {
         return SampleFiles({"/nowhere at all", folder},
-                           [this](std::string const& what) { told.push_back(what); });
+                           [this](std::string const& what) { reports.push_back(what); });
     }
 
     fs::path folder;
-    std::vector<std::string> told;
+    std::vector<std::string> reports;
 };
 
 TEST_F(SampleFilesTest, ReadsOggWavAndFlac) {
@@ -60,7 +60,7 @@ TEST_F(SampleFilesTest, ReadsOggWavAndFlac) {
         EXPECT_NEAR(test::peakNear(data->samples, data->rate, 1000, 30), 1000, 1) << name;
         EXPECT_EQ(source.find(name), data) << "read once";
     }
-    EXPECT_TRUE(told.empty());
+    EXPECT_TRUE(reports.empty());
 }
 
 TEST_F(SampleFilesTest, ReportsOnceWhyARecordingCannotBePlayed) {
@@ -73,10 +73,10 @@ TEST_F(SampleFilesTest, ReportsOnceWhyARecordingCannotBePlayed) {
     for (std::string const name : {"gone.ogg", "noise.ogg", "cut.wav", "empty.wav", "inner"}) {
         EXPECT_EQ(source.find(name), nullptr) << name;
         EXPECT_EQ(source.find(name), nullptr) << name;
-        ASSERT_FALSE(told.empty());
-        EXPECT_NE(told.back().find(name), std::string::npos) << told.back();
+        ASSERT_FALSE(reports.empty());
+        EXPECT_NE(reports.back().find(name), std::string::npos) << reports.back();
     }
-    EXPECT_EQ(told.size(), 5U);
+    EXPECT_EQ(reports.size(), 5U);
 }
 
 TEST_F(SampleFilesTest, ReadsNoFileOutsideItsFolders) {

@@ -130,8 +130,8 @@ TEST(ExampleEffect, BlowsASailUpToTheSpeedOfTheWind) {
     for (int frame = 0; frame < 60 * 600; ++frame) {
         world.step();
         if (frame == 1) {
-            double const told = 2 * 0.5 * 1.2 * 2 * 10 / world.find<Mass>(boat)->value;
-            EXPECT_NEAR(world.find<ForceRates>()->greatest, told, 1e-3 * told);
+            double const stated = 2 * 0.5 * 1.2 * 2 * 10 / world.find<Mass>(boat)->value;
+            EXPECT_NEAR(world.find<ForceRates>()->greatest, stated, 1e-3 * stated);
         }
     }
     // m dv/dt = c (w - v)²  gives  v = w (1 - 1 / (1 + c w t / m)),  c = half density times drag area.

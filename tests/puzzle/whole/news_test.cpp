@@ -15,17 +15,17 @@ namespace {
 TEST(News, OfEveryPartReachReadersThatRunOncePerFrame) {
     Registry registry;
     registerEffects(registry);
-    std::set<std::string_view> telling;
+    std::set<std::string_view> reporting;
     for (Registration const& registration : registry.components()) {
         for (PropertyInfo const* const offer : registration.info->offers) {
             if (offer->makeSlot()->reportsNews()) {
-                telling.insert(offer->text.key);
+                reporting.insert(offer->text.key);
             }
         }
     }
     for (std::string_view const key :
          {"player_commands", "population_changes", "contacts", "impacts", "overloaded_joints"}) {
-        EXPECT_TRUE(telling.contains(key)) << key;
+        EXPECT_TRUE(reporting.contains(key)) << key;
     }
 }
 

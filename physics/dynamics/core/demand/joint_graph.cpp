@@ -105,12 +105,12 @@ private:
                 parent.force += node.force;
                 parent.pulls += node.pulls;
             } else {
-                tell(at, root);
+                setLoads(at, root);
             }
             at = node.from;
         }
         if (root != ground_) {
-            tell(root, root);
+            setLoads(root, root);
         }
     }
 

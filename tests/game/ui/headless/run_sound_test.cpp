@@ -34,7 +34,7 @@ protected:
     }
     Wav hear(LevelFile level, std::string const& solution, std::uint64_t frames,
              std::uint64_t* hash = nullptr, std::vector<fs::path> const& recordings = {},
-             std::vector<std::string>* told = nullptr) {
+             std::vector<std::string>* reports = nullptr) {
         Session session(gameData().registry, gameData().parts, std::move(level));
         if (!solution.empty()) {
             Solution const* const recorded = session.level().findSolution(solution);
@@ -50,8 +50,8 @@ protected:
             RunSound sound(
                 file, how,
                 [&](std::string const& what) {
-                    if (told != nullptr) {
-                        told->push_back(what);
+                    if (reports != nullptr) {
+                        reports->push_back(what);
                     }
                 },
                 options);
