@@ -10,6 +10,9 @@ namespace trembler {
 
 /// Besides the properties that the thesis lists (6.11.4) it reads where the object is: with a period, F_B and
 /// its centre stay as they are in the object while that moves on, and the force with it.
+///
+/// It reports no rate: Liquid Drag derives the rate of F_B together with the resistance that looks ahead for
+/// it, and (Dynamics <- Liquid Drag) reports it with that resistance. Whether F_B is foreseen depends on it.
 class DynamicsFromBuoyancy final
     : public Interaction<DynamicsFromBuoyancy, DynamicsRole,
                          Reads<BuoyancyForce, CentreOfBuoyancy, Position, Rotation>> {
