@@ -11,6 +11,9 @@ namespace trembler {
 /// In addition to the properties that the thesis lists (6.11.4) it reads the object's place: with a period,
 /// F_B and its centre in the object's frame stay constant while the object, and with it the point of the
 /// force, moves.
+///
+/// It reports no rate: Liquid Drag derives the rate of F_B together with the resistance that looks ahead for
+/// it, and (Dynamics <- Liquid Drag) reports it with that resistance. Whether F_B is foreseen depends on it.
 class DynamicsFromBuoyancy final
     : public Interaction<DynamicsFromBuoyancy, DynamicsRole,
                          Reads<BuoyancyForce, CentreOfBuoyancy, Position, Rotation>> {
