@@ -22,10 +22,10 @@ class Loudspeaker {
 public:
     using Report = std::function<void(std::string const&)>;
 
-    /// Opens the machine's sound device. If there is none, reports that through `tell` and stays silent.
-    explicit Loudspeaker(LoudspeakerOptions options, Tell tell = {});
+    /// Opens the machine's sound device. If there is none, reports that through `report` and stays silent.
+    explicit Loudspeaker(LoudspeakerOptions options, Report report = {});
     /// Plays to the given output instead.
-    Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Tell tell = {});
+    Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Report report = {});
     ~Loudspeaker();
     Loudspeaker(Loudspeaker const&) = delete;
     Loudspeaker& operator=(Loudspeaker const&) = delete;

@@ -15,8 +15,8 @@ class SampleFiles final : public SampleSource {
 public:
     using Report = std::function<void(std::string const&)>;
 
-    /// Searches `folders` in order. `tell` may be empty.
-    explicit SampleFiles(std::vector<std::filesystem::path> folders, Tell tell = {});
+    /// Searches `folders` in order. `report` may be empty.
+    explicit SampleFiles(std::vector<std::filesystem::path> folders, Report report = {});
 
     [[nodiscard]] std::shared_ptr<SampleData const> find(std::string const& file) override;
 

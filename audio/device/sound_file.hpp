@@ -18,7 +18,7 @@ class SoundFile {
 public:
     /// Throws std::invalid_argument if the name does not end in .wav, OutputError if the file cannot be
     /// written, and std::runtime_error if this OpenAL cannot play into memory.
-    SoundFile(std::filesystem::path file, LoudspeakerOptions const& options, Loudspeaker::Tell tell = {});
+    SoundFile(std::filesystem::path file, LoudspeakerOptions const& options, Loudspeaker::Report report = {});
     ~SoundFile();
     SoundFile(SoundFile const&) = delete;
     SoundFile& operator=(SoundFile const&) = delete;

@@ -25,7 +25,7 @@ public:
                                                 "disconnects them when it no longer does."};
     using Activation = NeedsAll<SoundSensor>;
     /// The connections that it has made and will remove.
-    void hashMemory(StateHash& hash) const { hash.members(told_); }
+    void hashMemory(StateHash& hash) const { hash.members(connected_); }
     void apply(Access& access);
 
 private:

@@ -64,8 +64,8 @@ private:
 
     Simulation simulation_;
     bool begun_ = false;
-    Contacts next_;                                   // a member to reuse its memory
-    std::set<std::pair<ObjectId, std::string>> told_; // refusals that are in the trace
+    Contacts next_;                                       // a member to reuse its memory
+    std::set<std::pair<ObjectId, std::string>> recorded_; // refusals that are in the trace
     bool pointForces_ = false;
     bool contactNews_ = false;
     bool impactNews_ = false;

@@ -24,8 +24,8 @@ struct CircuitQuantities {
 /// An event for the trace: `what` happened to `object` in the circuit of that number.
 using ReportOfCircuit = std::function<EventId(std::string_view what, ObjectId object, std::uint32_t circuit)>;
 
-/// Replaces the results of the analysed circuits, and removes circuits that no longer exist. `tell` is called
-/// for newly shorted sources, for newly floating islands, and for overloaded fuses.
+/// Replaces the results of the analysed circuits, and removes circuits that no longer exist. `report` is
+/// called for newly shorted sources, for newly floating islands, and for overloaded fuses.
 void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuantities>& found,
                      StateUpdate const& update, std::uint64_t frame, ReportOfCircuit const& report);
 

@@ -27,7 +27,7 @@ public:
                                             "disconnects any previous colliding objects."};
     using Activation = NeedsAll<Conductor>;
     /// The connections that it has made and will remove.
-    void hashMemory(StateHash& hash) const { hash.members(told_); }
+    void hashMemory(StateHash& hash) const { hash.members(connected_); }
     void apply(Access& access);
 
 private:

@@ -143,10 +143,10 @@ TEST(Loudspeaker, AnotherWorldBeginsInSilence) {
 }
 
 TEST(Loudspeaker, ReportsAMissingDeviceOnceAndContinues) {
-    std::vector<std::string> told;
-    Loudspeaker loudspeaker({}, [&](std::string const& what) { told.push_back(what); });
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_NE(told[0].find("no sound"), std::string::npos);
+    std::vector<std::string> reports;
+    Loudspeaker loudspeaker({}, [&](std::string const& what) { reports.push_back(what); });
+    ASSERT_EQ(reports.size(), 1U);
+    EXPECT_NE(reports[0].find("no sound"), std::string::npos);
     EXPECT_FALSE(loudspeaker.output().audible());
     ListeningRoom room;
     addFloor(room);

@@ -252,7 +252,7 @@ void noteCalls(World& world, Registry const& registry, std::map<std::string, Cal
         channel.forCalls<AddForceToPoint>(force);
         channel.forCalls<AddTorque>(force);
         channel.forCalls<AddDrag>(force);
-        channel.forCalls<TellRate>([&made](auto const&, CallOrigin const&) { made.rate = true; });
+        channel.forCalls<StateRate>([&made](auto const&, CallOrigin const&) { made.rate = true; });
     }
 }
 

@@ -115,7 +115,7 @@ private:
     }
 
     // All nodes that `top` joins are in `finished_`, children before their parents.
-    void tell(std::size_t top, std::size_t root) {
+    void setLoads(std::size_t top, std::size_t root) {
         double const total = nodes_[top].mass;
         Vec2 const moment = nodes_[top].moment;
         Vec2 const force = nodes_[top].force;
