@@ -5,8 +5,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace trembler {
+namespace {
+
+// A rating may be so small that the quotient is no finite number.
+double finiteRatio(double value, double rating) {
+    return std::min(value / rating, std::numeric_limits<double>::max());
+}
+
+} // namespace
 
 void NodalElectricity::update(Access& access) {
     ElectricityColumns const columns{access.read<ElectricityGraph>(), access.read<Conductor>(),
@@ -127,10 +136,10 @@ void NodalElectricity::solve(Circuit const& circuit, NodalColumns const& columns
     for (auto& entry : found.entries) {
         found.circuit.floating = found.circuit.floating && entry.floating;
         if (RatedPower const* const rated = columns.ratings.find(entry.object)) {
-            entry.brightness = entry.power / rated->power;
+            entry.brightness = finiteRatio(entry.power, rated->power);
         }
         if (Fuse const* const fuse = columns.fuses.find(entry.object); fuse != nullptr && !fuse->blown) {
-            entry.overload = entry.current / fuse->current;
+            entry.overload = finiteRatio(entry.current, fuse->current);
         }
     }
     auto& shorted = found.circuit.shorted;

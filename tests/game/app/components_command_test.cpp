@@ -12,12 +12,12 @@ using nlohmann::json;
 
 class ComponentsCommand : public InAFolder {};
 
-TEST_F(ComponentsCommand, PrintsAndWritesWhatLevelsCallFor) {
+TEST_F(ComponentsCommand, PrintsAndWritesWhatLevelsActivate) {
     RunAs const how{.environment = {{"TREMBLER_HOME", home().string()}}};
     Ran const printed = runProgram({"components", "--levels", "--json"}, how);
     ASSERT_EQ(printed.status, 0) << printed.err;
     json const all = json::parse(printed.out);
-    ASSERT_EQ(all["plays"].size(), 1U) << printed.out;
+    ASSERT_FALSE(all["plays"].empty()) << printed.out; // one for each of its solutions
     EXPECT_EQ(all["plays"][0]["level"], "levels/level.json");
     std::vector<std::string> active;
     for (json const& component : all["plays"][0]["components"]) {

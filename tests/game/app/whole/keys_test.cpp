@@ -28,7 +28,8 @@ TEST_F(ProgramKeys, ArePrintedForPeopleAndForThePage) {
     Ran const list = runProgram({"keys", "--json"});
     EXPECT_EQ(list.status, 0) << list.err;
     bool redo = false;
-    for (nlohmann::json const& command : nlohmann::json::parse(list.out)["commands"]) {
+    nlohmann::json const keys = nlohmann::json::parse(list.out);
+    for (nlohmann::json const& command : keys.at("commands")) {
         if (command["id"] == "redo") {
             redo = true;
             EXPECT_EQ(command["keys"], (std::vector<std::string>{"Ctrl+Shift+Z", "Ctrl+Y"}));
