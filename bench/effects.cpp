@@ -194,7 +194,7 @@ struct Case {
     bool bouncing;
     std::function<void(Scene&)> base; ///< properties of both worlds
     std::function<void(Scene&)> more; ///< additional properties of one world
-    /// Part of the component's title; it must have run, as proof that something was measured.
+    /// Part of the title of the measured component, which must have run.
     std::string component;
 };
 

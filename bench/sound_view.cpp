@@ -1,11 +1,10 @@
-// What the rings of sound cost that the window draws in every run: each level with its first recorded
-// solution, once as nobody listens and once with its sounds wanted and their rings collected, as SoundView
-// does it.
+// The cost of the rings of sound that the window draws in every run: each level with its first recorded
+// solution, once without readers of its sounds and once with a subscription and the rings, as in SoundView.
 //
 //     bench_sound_view [LEVEL...]
-//
-// Both worlds take turns frame by frame, and the hashes must be the same. Of each frame the median of several
-// runs, as the machine is shared. Prints Markdown, the level with the greatest cost last.
+// The two worlds alternate frame by frame, and their hashes must be equal. The time of each frame is the
+// median of several runs, because the machine is shared. Prints Markdown, the level with the greatest cost
+// last.
 #include "audio/effect/hearing/rings.hpp"
 #include "bench/measure.hpp"
 #include "puzzle/data/game_data.hpp"
@@ -31,7 +30,7 @@ struct Cost {
     std::string level;
     double silent = 0;     // mean
     double heard = 0;      // mean
-    double worst = 0;      // of a frame: what listening adds
+    double worst = 0;      // of a frame: the additional time
     std::size_t rings = 0; // at most
     [[nodiscard]] double added() const { return heard - silent; }
 };

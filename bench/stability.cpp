@@ -3,8 +3,8 @@
 //
 //   bench_stability --markdown > table.md
 //
-// --case TEXT selects the cases whose name contains it. With --substeps only these are tried, and all figures
-// shown. Progress goes to standard error.
+// --case TEXT selects the cases whose name contains it. With --substeps only this number is tried, and all
+// figures are shown. Progress goes to standard error.
 #include "measure/stability/hard_case.hpp"
 
 #include <CLI/CLI.hpp>

@@ -82,7 +82,7 @@ std::size_t BoxTree::count(Bounds const& where) const {
             continue;
         }
         if (isInside(node.bounds, where) || (isSomething(node.common) && node.common.meets(where))) {
-            sum += node.last - node.first; // all of them do
+            sum += node.last - node.first; // all of its boxes meet it
         } else if (node.second != 0) {
             open.push_back(node.second);
             open.push_back(at + 1);

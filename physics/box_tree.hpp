@@ -1,4 +1,4 @@
-// Which of many boxes lie where: found in a time that grows with the logarithm of their number.
+// Finds boxes by place, in a time that grows with the logarithm of their number.
 #pragma once
 
 #include "runtime/math/vec2.hpp"
@@ -30,8 +30,8 @@ struct Bounds {
 /// The bounds of some points; there must be one.
 [[nodiscard]] Bounds boundsOf(std::vector<Vec2> const& points);
 
-/// Boxes that stay where they are, halved along their longer extent until few are left (a bounding volume
-/// hierarchy). Takes n log n to make. May be asked by several threads.
+/// A bounding volume hierarchy of boxes that do not move: nodes are halved along their longer extent until
+/// few boxes are left. Takes n log n to build. Reads are thread-safe.
 class BoxTree {
 public:
     BoxTree() = default;
@@ -40,20 +40,20 @@ public:
     void find(Bounds const& where, std::vector<std::uint32_t>& found) const {
         findIf([&](Bounds const& box) { return box.meets(where); }, found);
     }
-    /// The numbers of all boxes of which `meets(box)` is true, ascending. It must be true of every box that
-    /// encloses one of which it is. `found` is emptied first.
+    /// The numbers of all boxes for which `meets(box)` is true, ascending. If it is true for a box, it must
+    /// be true for every box that encloses this one. `found` is emptied first.
     template <class Meets>
     void findIf(Meets&& meets, std::vector<std::uint32_t>& found) const;
-    /// Calls `visit(number)` for the boxes of which `meets(box)` is true, as above, in a fixed order, until
-    /// it returns false. Returns whether it never did.
+    /// Calls `visit(number)` for the boxes for which `meets(box)` is true, as above, in a fixed order, until
+    /// `visit` returns false. Returns false if it did.
     template <class Meets, class Visit>
     bool visitIf(Meets&& meets, Visit&& visit) const;
-    /// How many boxes meet a box, touching included. In a crowd, where boxes lie inside of each other, this
-    /// takes much less than to find them.
+    /// How many boxes meet a box, touching included. If many boxes lie inside each other, this is much faster
+    /// than finding them.
     [[nodiscard]] std::size_t count(Bounds const& where) const;
-    /// The lowest number from `first` to below `end` of a box that meets another, touching included, and that
-    /// `holds` for; nothing if there is none. `holds` is asked in ascending order and no further than needed,
-    /// so that in a crowd, where all boxes meet, the first answer ends it.
+    /// The lowest number from `first` to below `end` of a box that meets `where`, touching included, and for
+    /// which `holds` is true; nothing if there is none. `holds` is called in ascending order and no further
+    /// than needed, so that the search is short even if all boxes meet.
     [[nodiscard]] std::optional<std::uint32_t>
     findFirst(Bounds const& where, std::uint32_t first, std::uint32_t end,
               std::function<bool(std::uint32_t)> const& holds) const;
@@ -61,7 +61,7 @@ public:
 private:
     struct Node {
         Bounds bounds;
-        Bounds common;             // to all its boxes; its corners the wrong way round if there is nothing
+        Bounds common;             // encloses all its boxes; lower above upper if there are none
         std::uint32_t lowest = 0;  // and
         std::uint32_t highest = 0; // number of a box in it
         std::uint32_t first = 0;   // in order_

@@ -3,8 +3,8 @@
 
 namespace trembler {
 
-/// How deep everything is, in m: an area times this is a volume. One number in one place, for masses from
-/// densities and for displaced liquid alike.
+/// The depth of all objects, in m: an area times this is a volume. Used for masses from densities and for
+/// displaced liquids alike.
 inline constexpr double worldDepth = 0.1;
 
 } // namespace trembler

@@ -1,5 +1,5 @@
-// How a thing is drawn, where that does not follow from its material. It has no consequences: no component
-// reads it.
+// How an object is drawn if that does not follow from its material. No component reads it, so it does not
+// affect the simulation.
 #pragma once
 
 #include "physics/material.hpp"
@@ -12,8 +12,8 @@ namespace trembler {
 
 class Registry;
 
-/// The pattern of a surface: its material's own, or one that it only pretends to be made of.
-enum class Pattern : int {
+/// The pattern of a surface: of its own material, or of another one.
+enum class LookPattern : int {
     own,
     steel,
     iron,
@@ -28,12 +28,12 @@ enum class Pattern : int {
     gold
 };
 template <>
-inline constexpr std::array<std::string_view, 12> choiceNames<Pattern>{"own",     "steel", "iron",   "copper",
-                                                                       "wood",    "glass", "rubber", "stone",
-                                                                       "plastic", "brick", "water",  "gold"};
+inline constexpr std::array<std::string_view, 12> choiceNames<LookPattern>{
+    "own",    "steel", "iron",    "copper", "wood",  "glass",
+    "rubber", "stone", "plastic", "brick",  "water", "gold"};
 
 /// Of any pattern but `own`: the material that it is taken from.
-[[nodiscard]] constexpr Material materialOf(Pattern pattern) {
+[[nodiscard]] constexpr Material materialOf(LookPattern pattern) {
     return static_cast<Material>(static_cast<int>(pattern) - 1);
 }
 
@@ -43,7 +43,7 @@ struct Look {
         "Look", "look",
         "How the object is drawn, where that does not follow from its material. "
         "It has no other consequences."};
-    Pattern pattern = Pattern::own;
+    LookPattern pattern = LookPattern::own;
     std::string colour; ///< "#rrggbb", or empty: the pattern's own
     std::string label;  ///< drawn on the object; at most four characters
 
@@ -59,7 +59,7 @@ struct Look {
     friend bool operator==(Look const&, Look const&) = default;
 };
 
-/// Makes the property and DrawnAs known, with the rule that a colour is one.
+/// Registers the property and DrawnAs, with the rule that a colour must be valid.
 void registerLook(Registry& registry);
 
 } // namespace trembler

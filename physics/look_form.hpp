@@ -1,5 +1,5 @@
-// As what a thing is drawn, where that is not to follow from what it is. It has no consequences: no component
-// reads it.
+// The form in which an object is drawn if it must not follow from its properties. No component reads it, so
+// it does not affect the simulation.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -9,11 +9,11 @@
 
 namespace trembler {
 
-/// The forms that any body can be drawn in. Windings and the poles of magnets are no matter of choice: they
-/// show where the object's coil and poles are.
+/// The forms in which any body can be drawn. Windings and the poles of magnets cannot be chosen: they show
+/// the object's coil and poles.
 enum class LookForm : int {
-    own,     ///< by what the object is in electricity and made of
-    plain,   ///< its body and nothing else
+    own,     ///< from the object's electrical properties and material
+    plain,   ///< its body only
     bulb,    ///< its largest piece as glass with a filament, the others as a socket
     plus,    ///< the sign of a source
     minus,   ///< the sign of a battery's other pole
@@ -25,7 +25,7 @@ template <>
 inline constexpr std::array<std::string_view, 8> choiceNames<LookForm>{"own",   "plain",   "bulb",  "plus",
                                                                        "minus", "battery", "earth", "flash"};
 
-/// A property of its own and not a member of Look: an object without it has the hash that it always had.
+/// A separate property and not a member of Look, so that the hash of objects without it has not changed.
 struct DrawnAs {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{

@@ -1,4 +1,4 @@
-// The material of a thing, and the numbers that follow from it where nothing else is stated.
+// The material of an object, and the numbers that follow from it unless others are stated.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -16,9 +16,9 @@ inline constexpr std::array<std::string_view, 11> choiceNames<Material>{
 
 /// Each effect takes its own properties from it: Dynamics density, friction and restitution, Electricity
 /// whether it conducts, Magnetism how strongly magnets pull it, Sound how it rings and how much sound it
-/// absorbs. Properties that an object states itself, or states that it is without ("conductor": false),
-/// always go first. How it looks follows from it too, unless its Look says otherwise; nothing else follows
-/// from a look.
+/// absorbs. Properties that an object states, or that it states not to have ("conductor": false), always have
+/// precedence. The material also determines the look, unless the object states a Look; a Look affects nothing
+/// else.
 struct MadeOf {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
@@ -42,18 +42,18 @@ struct MaterialFacts {
     double friction = 0;
     double restitution = 0;
     bool conducts = false;
-    double saturation = 0; ///< A/m, the magnetisation that a strong magnet brings about; 0: none
+    double saturation = 0; ///< A/m, the magnetisation by a strong magnet; 0: none
 };
 
 /// Densities as in Fletcher and Rossing, The Physics of Musical Instruments (1998), Chapter 22, and for
 /// materials that do not ring as in the CRC Handbook of Chemistry and Physics; iron is cast, wood is spruce
-/// or pine along the grain, "gold" is the look of bells, and is taken for bronze. Saturation of iron as in
+/// or pine along the grain, "gold" is the look of bells, with the numbers of bronze. Saturation of iron as in
 /// Cullity and Graham, Introduction to Magnetic Materials (2009), Chapter 4; steel with some carbon has a
 /// little less. Friction and restitution depend on both surfaces, their wear and the speed more than on the
-/// material: they are middling values for dry, worn surfaces, chosen by hand.
+/// material: they are medium values for dry, worn surfaces, chosen by hand.
 [[nodiscard]] MaterialFacts const& materialFacts(Material material);
 
-/// Makes the property known.
+/// Registers the property.
 void registerMaterial(Registry& registry);
 
 } // namespace trembler

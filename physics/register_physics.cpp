@@ -1,16 +1,11 @@
 #include "physics/register_physics.hpp"
 
-#include "physics/buoyancy/properties/liquid.hpp"
-#include "physics/buoyancy/properties/settings.hpp"
 #include "physics/buoyancy/register.hpp"
 #include "physics/dynamics/register.hpp"
 #include "physics/electricity/register.hpp"
-#include "physics/gravity/properties.hpp"
 #include "physics/gravity/register.hpp"
 #include "physics/look.hpp"
-#include "physics/magnetism/properties.hpp"
 #include "physics/magnetism/register.hpp"
-#include "physics/motor/properties.hpp"
 #include "physics/motor/register.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/registry.hpp"
@@ -22,25 +17,18 @@
 namespace trembler {
 namespace {
 
-template <class... Properties>
-void registerOnly(Registry& registry) {
-    (registry.property<Properties>(), ...);
-}
-
 struct Effect {
     char const* name;
     void (*registerAll)(Registry&);
-    void (*registerProperties)(Registry&);
 };
 
 // The order is part of the simulation.
 constexpr Effect effects[] = {
-    {"electricity", registerElectricity, knowElectricity},
-    {"gravity", registerGravity, registerOnly<GravityField, GravityLaw>},
-    {"magnetism", registerMagnetism,
-     registerOnly<MagneticStrength, MagneticPoles, Magnet, Electromagnet, MagnetismSettings>},
-    {"buoyancy", registerBuoyancy, registerOnly<Liquid, BuoyancySettings>},
-    {"motor", registerMotors, registerOnly<ElectricMotor, Generator>},
+    {.name = "electricity", .registerAll = registerElectricity},
+    {.name = "gravity", .registerAll = registerGravity},
+    {.name = "magnetism", .registerAll = registerMagnetism},
+    {.name = "buoyancy", .registerAll = registerBuoyancy},
+    {.name = "motor", .registerAll = registerMotors},
 };
 
 } // namespace
@@ -65,7 +53,13 @@ void registerEverything(Registry& registry, std::set<std::string> const& without
     registerRuntime(registry);
     registerDynamics(registry);
     for (Effect const& effect : effects) {
-        (without.contains(effect.name) ? effect.registerProperties : effect.registerAll)(registry);
+        if (!without.contains(effect.name)) {
+            effect.registerAll(registry);
+            continue;
+        }
+        Registry leftOut;
+        effect.registerAll(leftOut);
+        registry.makeKnown(leftOut);
     }
     registerMaterial(registry);
     registerLook(registry);

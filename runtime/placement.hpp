@@ -1,5 +1,5 @@
-// Positions, angles and velocities: properties that a level file states of every placed object, whatever its
-// physics.
+// Positions, angles and velocities: properties that a level file states for every placed object, independent
+// of its physics.
 #pragma once
 
 #include "runtime/property/description.hpp"

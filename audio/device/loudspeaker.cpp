@@ -6,25 +6,26 @@
 namespace trembler {
 namespace {
 
-std::unique_ptr<Output> openOutput(LoudspeakerOptions const& options, Loudspeaker::Tell const& tell) {
+std::unique_ptr<Output> openOutput(LoudspeakerOptions const& options, Loudspeaker::Report const& report) {
     std::string why;
     if (std::unique_ptr<Output> found = OpenAlOutput::open(options.synthesiser, why)) {
         return found;
     }
-    if (tell) {
-        tell("There will be no sound: " + why + ".");
+    if (report) {
+        report("There will be no sound: " + why + ".");
     }
     return std::make_unique<NullOutput>();
 }
 
 } // namespace
 
-Loudspeaker::Loudspeaker(LoudspeakerOptions options, Tell tell)
-    : Loudspeaker(options, openOutput(options, tell), tell) {}
+Loudspeaker::Loudspeaker(LoudspeakerOptions options, Report report)
+    : Loudspeaker(options, openOutput(options, report), report) {}
 
-Loudspeaker::Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Tell tell)
+Loudspeaker::Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Report report)
     : options_(std::move(options)), output_(std::move(output)),
-      recordings_(options_.sampleFolders, std::move(tell)), synthesiser_(options_.synthesiser, &recordings_) {
+      recordings_(options_.sampleFolders, std::move(report)),
+      synthesiser_(options_.synthesiser, &recordings_) {
     output_->set(options_.output);
 }
 
@@ -33,7 +34,8 @@ Loudspeaker::~Loudspeaker() = default;
 void Loudspeaker::enter(World const& world) {
     startAfresh();
     if (dynamic_cast<NullOutput const*>(output_.get()) == nullptr) {
-        sounds_ = world.want<Sounds>(); // even if its address is that of the world before, which may be gone
+        sounds_ =
+            world.want<Sounds>(); // even if the address is the same: the world before may no longer exist
         world_ = &world;
     }
 }
@@ -74,8 +76,7 @@ void Loudspeaker::set(OutputSettings const& settings) {
     output_->set(settings);
 }
 
-// Walls seldom change and listeners move slowly: a look every second, or after a step of half a metre, will
-// do.
+// Walls rarely change and listeners move slowly, so the room is computed every second, or after half a metre.
 void Loudspeaker::followRoom(World const& world, Listener const& listener) {
     constexpr double step = 0.5;           // m
     constexpr std::uint64_t patience = 60; // frames

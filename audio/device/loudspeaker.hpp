@@ -1,4 +1,4 @@
-// From a world to the player's ears, with one call a frame.
+// Plays the sounds of a world, with one call per frame.
 #pragma once
 
 #include "audio/device/output.hpp"
@@ -14,31 +14,32 @@ class World;
 struct LoudspeakerOptions {
     SynthesiserOptions synthesiser;
     OutputSettings output;
-    std::vector<std::filesystem::path> sampleFolders; ///< where recordings are looked for, in order
+    std::vector<std::filesystem::path> sampleFolders; ///< searched for recordings, in order
 };
 
 /// Listens to one world at a time and changes nothing in it. Used by one thread at a time.
 class Loudspeaker {
 public:
-    using Tell = std::function<void(std::string const&)>;
+    using Report = std::function<void(std::string const&)>;
 
-    /// Opens the machine's sound device. Where there is none it reports that through `tell` and goes on
-    /// without.
-    explicit Loudspeaker(LoudspeakerOptions options, Tell tell = {});
-    /// Plays to that output instead.
-    Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Tell tell = {});
+    /// Opens the machine's sound device. If there is none, reports that through `report` and stays silent.
+    explicit Loudspeaker(LoudspeakerOptions options, Report report = {});
+    /// Plays to the given output instead.
+    Loudspeaker(LoudspeakerOptions options, std::unique_ptr<Output> output, Report report = {});
     ~Loudspeaker();
     Loudspeaker(Loudspeaker const&) = delete;
     Loudspeaker& operator=(Loudspeaker const&) = delete;
 
-    /// Begins, once, to listen to a world, which may be running already, instead of the one before, which may
-    /// be gone. Where there is no device to hear it by, the world is not asked for its sounds.
+    /// Begins to listen to a world, which may be running already, instead of the previous one, which may no
+    /// longer exist. To be called once for each world. Without a sound device the world's sounds are not
+    /// requested.
     void enter(World const& world);
-    /// Stops listening, if it does: the world goes on without being heard, or is gone.
+    /// Stops listening, if it does. The world may continue without sound, or no longer exist.
     void leave();
-    /// After every step() of the world: plays new sounds.
+    /// To be called after every step() of the world: plays new sounds.
     void frame(World const& world, Listener const& listener);
-    /// Instead, for every sixtieth of a second in which the world stands still: bodies that ring die away.
+    /// To be called instead for every sixtieth of a second in which the world is paused: ringing bodies
+    /// decay.
     void pause(Listener const& listener);
 
     void set(OutputSettings const& settings);
@@ -55,8 +56,8 @@ private:
     SampleFiles recordings_;
     Synthesiser synthesiser_;
     Subscription sounds_;          // of the world that it listens to
-    World const* world_ = nullptr; // that one: compared, never looked into, as it may be gone
-    std::optional<Vec2> roomAt_;   // where the room was last looked at
+    World const* world_ = nullptr; // the same: only compared, never dereferenced, as it may no longer exist
+    std::optional<Vec2> roomAt_;   // where the room was last computed
     std::uint64_t roomFrame_ = 0;
 };
 

@@ -21,7 +21,7 @@ struct OpenAlExtensions {
     }
 };
 
-/// The effects extension of a context; loaded() is false where there is none.
+/// The effects extension of a context; loaded() is false if there is none.
 struct OpenAlEffects {
     LPALGENEFFECTS genEffects = nullptr;
     LPALDELETEEFFECTS deleteEffects = nullptr;
@@ -32,7 +32,7 @@ struct OpenAlEffects {
     LPALAUXILIARYEFFECTSLOTI sloti = nullptr;
     LPALAUXILIARYEFFECTSLOTF slotf = nullptr;
 
-    /// Of the current context.
+    /// The extension of the current context.
     [[nodiscard]] static OpenAlEffects of(ALCdevice* device);
     [[nodiscard]] bool loaded() const { return genEffects != nullptr; }
 };

@@ -7,7 +7,7 @@
 namespace trembler {
 namespace {
 
-constexpr std::uint64_t restStream = ~std::uint64_t{0}; // voices without a place of their own
+constexpr std::uint64_t restStream = ~std::uint64_t{0}; // voices without a separate place
 
 } // namespace
 
@@ -120,7 +120,7 @@ void OpenAlOutput::stop() {
     streams_.stop();
 }
 
-// Voices too faint for places of their own, all in one, attenuated by hand.
+// Plays the voices that are too faint for separate places as one stream, attenuated here.
 void OpenAlOutput::playRest(std::span<Voice const* const> voices, Listener const& listener) {
     if (voices.empty() && !streams_.has(restStream)) {
         return;

@@ -1,4 +1,4 @@
-// Streams through OpenAL Soft: every stream has its place in space, one after another block is queued.
+// Plays streams through OpenAL Soft: every stream has its place in space, and is queued block by block.
 #pragma once
 
 #include "audio/device/openal.hpp"
@@ -12,15 +12,15 @@
 
 namespace trembler {
 
-/// The world is the plane z = 0; the listener hovers in front of it. Pressures fall with distance (inverse,
-/// clamped at 1 m). Pitch is left alone: the Doppler effect is in the streams already, where it shifts each
-/// mode without resampling a queue that must not run dry.
+/// The world is the plane z = 0; the listener is in front of it. Pressures decrease with distance (inverse,
+/// clamped at 1 m). Pitch is not changed: the streams already contain the Doppler effect, as shifting each
+/// mode needs no resampling of a queue that must not run empty.
 class OpenAlOutput final : public Output {
 public:
     /// The default device of this machine, or nullptr, with the reason in `why`, if there is none.
     [[nodiscard]] static std::unique_ptr<OpenAlOutput> open(SynthesiserOptions const& format,
                                                             std::string& why);
-    /// A device that plays into memory; see rendered(). Nullptr where OpenAL cannot do that.
+    /// A device that plays into memory; see rendered(). Nullptr if OpenAL does not support this.
     [[nodiscard]] static std::unique_ptr<OpenAlOutput> loopback(SynthesiserOptions const& format,
                                                                 std::string& why);
     ~OpenAlOutput() override;
@@ -38,7 +38,7 @@ public:
     /// Blocks that came too late, or too early, for the device.
     [[nodiscard]] std::uint64_t slips() const { return leftOut_ + streams_.slips(); }
 
-    /// Streams that have a place of their own at a time; the faintest beyond them come from everywhere.
+    /// The greatest number of streams with separate places; fainter streams have no direction.
     static constexpr std::size_t mostPlaces = 64;
     /// Full scale, in Pa at the listener: 100 dB.
     static constexpr double fullScale = 2;

@@ -18,7 +18,7 @@ void OpenAlReverb::make(ALCdevice* device) {
         return;
     }
     effects_.effecti(effect_, AL_EFFECT_TYPE, AL_EFFECT_EAXREVERB);
-    // Nothing of the direct sound: its distance must not change the echo, which fills the room evenly.
+    // No early reflections: the distance of a source must not change the echo, which fills the room evenly.
     effects_.effectf(effect_, AL_EAXREVERB_REFLECTIONS_GAIN, 0);
     effects_.effectf(effect_, AL_EAXREVERB_ROOM_ROLLOFF_FACTOR, 0);
     apply();
@@ -32,9 +32,9 @@ void OpenAlReverb::apply() {
     double const volume = std::clamp(room_.volume, 1.0, 1e5);
     effects_.effectf(effect_, AL_EAXREVERB_DECAY_TIME,
                      static_cast<float>(std::clamp(room_.reverberation, 0.1, 20.0)));
-    // High notes die away sooner, as air and rough walls swallow them.
+    // High frequencies decay faster, as air and rough walls absorb them.
     effects_.effectf(effect_, AL_EAXREVERB_DECAY_HFRATIO, 0.6F);
-    // The first echo comes after a mean free path, 4 V/S.
+    // The first echo arrives after a mean free path, 4 V/S.
     double const delay = room_.surface > 0 ? 4 * volume / room_.surface / 343 : 0.01;
     effects_.effectf(effect_, AL_EAXREVERB_LATE_REVERB_DELAY,
                      static_cast<float>(std::clamp(delay, 0.0, 0.1)));

@@ -1,4 +1,4 @@
-// The echo of the room, by the effects extension of OpenAL.
+// The echo of the room, computed by the effects extension of OpenAL.
 #pragma once
 
 #include "audio/device/openal.hpp"
@@ -6,16 +6,16 @@
 
 namespace trembler {
 
-/// Without the extension it does nothing and slot() is 0. Every function needs its context to be current.
+/// Without the extension it does nothing and slot() is 0. For every function the context must be current.
 class OpenAlReverb {
 public:
-    /// Once, when the context has been made.
+    /// To be called once, after the context was created.
     void make(ALCdevice* device);
-    /// Before the context goes.
+    /// To be called before the context is destroyed.
     void destroy();
 
     void set(RoomAcoustics const& room);
-    /// Whether the room is to be heard at all.
+    /// Switches the echo on or off.
     void switchTo(bool on);
     /// The auxiliary slot that sources send to; 0 for none.
     [[nodiscard]] ALuint slot() const { return slot_; }

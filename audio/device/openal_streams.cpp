@@ -81,7 +81,7 @@ void OpenAlStreams::queue(Source& source, std::span<float const> samples) {
                      rate_);
         alSourceQueueBuffers(source.id, 1, &buffer);
     };
-    if (state != AL_PLAYING) { // it begins, or has run dry
+    if (state != AL_PLAYING) { // it begins, or its queue ran empty
         slips_ += state == AL_STOPPED ? 1 : 0;
         reclaim(source);
         std::vector<float> const silence(samples.size(), 0);

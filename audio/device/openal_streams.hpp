@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// Where a source stands: in the world, or relative to the listener. In m.
+/// The place of a source: in the world, or relative to the listener. In m.
 struct SourcePlace {
     double x = 0;
     double y = 0;
@@ -18,32 +18,32 @@ struct SourcePlace {
     bool relative = false;
 };
 
-/// Every function but has() and slips() needs the context to be current in which the sources are.
+/// For every function except has() and slips() the context of the sources must be current.
 class OpenAlStreams {
 public:
     /// Blocks of `block` samples, `rate` samples in a second. `fullScale` is the pressure, in Pa, that is
-    /// played as loud as can be.
+    /// played at the greatest amplitude.
     OpenAlStreams(int block, int rate, double fullScale);
 
-    /// The effect slot that sources send to which are made from now on; 0 for none.
+    /// Sets the effect slot of sources created from now on; 0 for none.
     void sendTo(ALuint slot) { slot_ = slot; }
-    /// Blocks of silence before a stream begins, so that its queue does not run dry at once.
+    /// Sets the number of silent blocks before a stream begins, so that its queue does not run empty at once.
     void setCushion(int blocks) { cushion_ = blocks; }
 
-    /// Whether so much is waiting to be played already that the next block is better left out.
+    /// Whether so many blocks are queued that the next block should be left out.
     [[nodiscard]] bool ahead();
-    /// Queues the next block of a stream. Does nothing if OpenAL gives no source for it.
+    /// Queues the next block of a stream. Does nothing if OpenAL has no source for it.
     void queue(std::uint64_t stream, SourcePlace const& place, std::span<float const> samples);
-    /// After the last queue() of a block. Streams that were not queued in it have ended: they play the rest
-    /// of their queue, and then give their source back.
+    /// To be called after the last queue() of a block. Streams that were not queued in it have ended: they
+    /// play the rest of their queue, and then release their source.
     void retire();
     [[nodiscard]] bool has(std::uint64_t stream) const { return sources_.contains(stream); }
-    /// How often a stream has run dry.
+    /// How often the queue of a stream has run empty.
     [[nodiscard]] std::uint64_t slips() const { return slips_; }
 
-    /// Silence, at once.
+    /// Stops all sound at once.
     void stop();
-    /// Silence, and all sources and buffers go; before the context goes.
+    /// Stops all sound and deletes all sources and buffers. To be called before the context is destroyed.
     void destroy();
 
 private:

@@ -1,4 +1,4 @@
-// Where rendered streams go: loudspeakers, a buffer of a test, or nowhere.
+// The output of rendered streams: loudspeakers, a buffer of a test, or none.
 #pragma once
 
 #include "audio/synth/room.hpp"
@@ -11,7 +11,7 @@ namespace trembler {
 /// How streams are played.
 struct OutputSettings {
     double volume = 0.8; ///< 0 to 1
-    bool hrtf = false;   ///< for headphones: directions by the shapes of the ears
+    bool hrtf = false;   ///< for headphones: directions by head-related transfer functions
     bool reverb = true;
     friend bool operator==(OutputSettings const&, OutputSettings const&) = default;
 };
@@ -28,9 +28,9 @@ public:
     virtual void play(std::span<Voice const> voices, Listener const& listener) = 0;
     virtual void set(OutputSettings const& settings) = 0;
     virtual void set(RoomAcoustics const& room) = 0;
-    /// Silence, at once: another world.
+    /// Stops all sound at once, for another world.
     virtual void stop() = 0;
-    /// For people to read.
+    /// For display.
     [[nodiscard]] virtual std::string name() const = 0;
     /// Whether it can be heard.
     [[nodiscard]] virtual bool audible() const = 0;

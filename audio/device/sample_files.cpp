@@ -16,7 +16,7 @@ struct Close {
     void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
-// A file's name comes out of a level, which comes from anywhere.
+// A file's name comes from a level, which may be from an untrusted source.
 bool staysInside(fs::path const& file) {
     return file.is_relative() &&
            std::none_of(file.begin(), file.end(), [](fs::path const& part) { return part == ".."; });
@@ -24,8 +24,8 @@ bool staysInside(fs::path const& file) {
 
 } // namespace
 
-SampleFiles::SampleFiles(std::vector<fs::path> folders, Tell tell)
-    : folders_(std::move(folders)), tell_(std::move(tell)) {}
+SampleFiles::SampleFiles(std::vector<fs::path> folders, Report report)
+    : folders_(std::move(folders)), report_(std::move(report)) {}
 
 std::shared_ptr<SampleData const> SampleFiles::find(std::string const& file) {
     auto const at = known_.find(file);
@@ -39,8 +39,8 @@ std::shared_ptr<SampleData const> SampleFiles::read(std::string const& file) con
     constexpr double longest = 600;    // s
     constexpr sf_count_t chunk = 4096; // frames
     auto const refuse = [&](std::string const& why) -> std::shared_ptr<SampleData const> {
-        if (tell_) {
-            tell_(fmt::format("the recording \"{}\" cannot be played: {}", file, why));
+        if (report_) {
+            report_(fmt::format("the recording \"{}\" cannot be played: {}", file, why));
         }
         return nullptr;
     };
@@ -68,7 +68,7 @@ std::shared_ptr<SampleData const> SampleFiles::read(std::string const& file) con
     auto const channels = static_cast<std::size_t>(info.channels);
     auto const most = static_cast<std::size_t>(longest * info.samplerate);
     std::vector<float> frames(static_cast<std::size_t>(chunk) * channels);
-    // The length in the header may be anything; the samples that can be read count.
+    // The length in the header may be wrong; the samples that can be read count.
     for (sf_count_t got = 0; (got = sf_readf_float(handle.get(), frames.data(), chunk)) > 0;) {
         if (data->samples.size() + static_cast<std::size_t>(got) > most) {
             return refuse("it is longer than ten minutes");

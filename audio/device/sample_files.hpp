@@ -9,14 +9,14 @@
 
 namespace trembler {
 
-/// Reads each file once and keeps it. Several channels become one. A file that is missing, broken, not of
-/// sound or longer than ten minutes is reported once, in words, and silent from then on.
+/// Reads each file once and keeps it. Several channels are mixed to one. A file that is missing, damaged, no
+/// sound file or longer than ten minutes is reported once, in words, and is then silent.
 class SampleFiles final : public SampleSource {
 public:
-    using Tell = std::function<void(std::string const&)>;
+    using Report = std::function<void(std::string const&)>;
 
-    /// Looks through `folders` in order. `tell` may be empty.
-    explicit SampleFiles(std::vector<std::filesystem::path> folders, Tell tell = {});
+    /// Searches `folders` in order. `report` may be empty.
+    explicit SampleFiles(std::vector<std::filesystem::path> folders, Report report = {});
 
     [[nodiscard]] std::shared_ptr<SampleData const> find(std::string const& file) override;
 
@@ -24,7 +24,7 @@ private:
     [[nodiscard]] std::shared_ptr<SampleData const> read(std::string const& file) const;
 
     std::vector<std::filesystem::path> folders_;
-    Tell tell_;
+    Report report_;
     std::map<std::string, std::shared_ptr<SampleData const>> known_;
 };
 

@@ -21,7 +21,8 @@ struct SoundFile::Handle {
     SNDFILE* file;
 };
 
-SoundFile::SoundFile(std::filesystem::path file, LoudspeakerOptions const& options, Loudspeaker::Tell tell)
+SoundFile::SoundFile(std::filesystem::path file, LoudspeakerOptions const& options,
+                     Loudspeaker::Report report)
     : name_(std::move(file)) {
     if (name_.extension() != ".wav") {
         throw std::invalid_argument(
@@ -34,11 +35,11 @@ SoundFile::SoundFile(std::filesystem::path file, LoudspeakerOptions const& optio
         throw std::runtime_error(fmt::format("{}: {}", name_.string(), why));
     }
     output_ = output.get();
-    loudspeaker_ = std::make_unique<Loudspeaker>(options, std::move(output), std::move(tell));
+    loudspeaker_ = std::make_unique<Loudspeaker>(options, std::move(output), std::move(report));
     SF_INFO info{};
     info.samplerate = options.synthesiser.rate;
     info.channels = 2;
-    // Whole numbers: a file of floating-point samples would carry the time of its making.
+    // Integer samples: a file of floating-point samples would contain the time of its creation.
     info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
     SNDFILE* const opened = sf_open_fd(file_->descriptor(), SFM_WRITE, &info, SF_FALSE);
     if (opened == nullptr) { // a pipe, for example: the length in the header is written last

@@ -9,8 +9,8 @@
 
 namespace trembler {
 
-/// An impact. Impacts add up: each excites every mode by its own amount, and so sound energies are summed,
-/// whatever the order of the calls. Two bodies that hit make two calls, one for each.
+/// An impact. Impacts add up: each excites every mode by its own amount, so sound energies are summed in any
+/// order of calls. Two bodies that collide make two calls, one for each.
 struct Strike {
     static constexpr CallText text{"strike", "(object, other, point, normal, impulse, contact, since)",
                                    "Excites the object's modes as an impact by the other one does, once."};
@@ -18,7 +18,7 @@ struct Strike {
     ObjectId object;
     ObjectId other;
     Vec2 point;         ///< m, in the object's frame
-    Vec2 normal;        ///< unit, in the object's frame: which way the object is pushed
+    Vec2 normal;        ///< unit, in the object's frame: the direction in which the object is pushed
     double impulse = 0; ///< N s
     double contact = 0; ///< s, how long the impact lasts
     double since = 0;   ///< s, from the beginning of the frame to the impact
@@ -66,7 +66,7 @@ struct Strike {
     [[nodiscard]] std::pair<ObjectId, ObjectId> key() const { return {object, other}; }
 };
 
-/// Rubbing or rolling: a noise of small impacts for as long as it is held. Their energies add up.
+/// Rubbing or rolling: a noise of small impacts while the call is held. Their energies add up.
 struct Rub {
     static constexpr CallText text{"rub", "(object, other, point, normal, force, bandwidth)",
                                    "Excites the object's modes with the noise of one surface on another."};
@@ -116,13 +116,14 @@ struct Rub {
     [[nodiscard]] double magnitude() const { return force; }
 };
 
-/// Plays the object's recording from its beginning. Several in one frame are one go, as loud as all together.
+/// Plays the object's recording from its beginning. Several calls in one frame play it once, as loud as all
+/// together.
 struct PlaySample {
     static constexpr CallText text{"playSample", "(object, share)",
                                    "Plays the object's recording once, at that share of its full power."};
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId object;
-    double share = 1; ///< of its sound power; sums count as 1 at the most
+    double share = 1; ///< of its sound power; sums count as 1 at most
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "object", .unit = "", .meaning = "what has the recording", .required = true},
@@ -136,7 +137,7 @@ struct PlaySample {
     [[nodiscard]] ObjectId key() const { return object; }
 };
 
-/// Keeps the object's recording going, over and over, while any interaction makes this call.
+/// Repeats the object's recording while any interaction makes this call.
 struct HoldSample {
     static constexpr CallText text{"holdSample", "(object)",
                                    "Plays the object's recording over and over while anybody holds it."};

@@ -16,7 +16,7 @@
 namespace trembler {
 namespace {
 
-// A level comes from anywhere: its recordings are files beside it or among the program's own, nothing else.
+// A level may be from an untrusted source: its recordings must be files in its folder or in the program's.
 std::optional<std::string> checkSample(Store const& store, ObjectId id) {
     constexpr std::array<std::string_view, 3> endings{".ogg", ".wav", ".flac"};
     std::string const& file = store.findColumn<Sample>()->find(id)->file;

@@ -6,8 +6,8 @@ namespace trembler {
 
 class Registry;
 
-/// Registers properties, rules for files and components of sound. After dynamics and electricity, whose
-/// effects it reads; each may be left out, and components that need them are then absent.
+/// Registers properties, rules for files and components of sound. To be called after dynamics and
+/// electricity, which it reads; if one of them is left out, components that need it are absent.
 void registerSound(Registry& registry);
 
 } // namespace trembler

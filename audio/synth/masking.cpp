@@ -71,8 +71,8 @@ Hearing hearingAt(double frequency) {
             table[i].threshold + t * (table[i + 1].threshold - table[i].threshold)};
 }
 
-// Adds the power that a tone masks in every bin. In decibels maskingShare() is a straight line over each
-// stretch, so from bin to bin its share changes by a constant factor.
+// Adds the power that a tone masks in every bin. In decibels maskingShare() is piecewise linear, so from bin
+// to bin its share changes by a constant factor.
 void Masker::mask(Tone const& tone) {
     double const level = levelOf(tone.power);
     int const last = binOf(tone.bark + reachAbove);
@@ -98,7 +98,7 @@ void Masker::findAudible(std::span<Tone const> tones, std::vector<std::uint8_t>&
     dropped_.fill(0);
     order_.resize(tones.size());
     std::iota(order_.begin(), order_.end(), 0U);
-    // Ties go by index, so that nothing depends on how the sorting is done.
+    // Ties are ordered by index, so that the result does not depend on the sorting algorithm.
     auto const louder = [&](std::uint32_t a, std::uint32_t b) {
         return tones[a].power != tones[b].power ? tones[a].power > tones[b].power : a < b;
     };
@@ -107,11 +107,11 @@ void Masker::findAudible(std::span<Tone const> tones, std::vector<std::uint8_t>&
     std::nth_element(order_.begin(), middle, order_.end(), louder);
     std::sort(order_.begin(), middle, louder);
     std::sort(middle, order_.end());
-    // The loudest from the top down: a tone that stands out from those kept already is kept, too.
+    // From the loudest tone down: a tone that is audible beside those already kept is kept, too.
     for (std::size_t n = 0; n < order_.size(); ++n) {
         Tone const& tone = tones[order_[n]];
         auto const bin = static_cast<std::size_t>(binOf(tone.bark));
-        // A critical band is heard as a whole, so each of its quarters may lose a quarter of the masked
+        // The ear hears a critical band as a whole, so each of its quarters may lose a quarter of the masked
         // power.
         if (dropped_[bin] + tone.power <= std::max(masked_[bin] / binsPerBark, tone.threshold)) {
             dropped_[bin] += tone.power;

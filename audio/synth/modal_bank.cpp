@@ -53,7 +53,7 @@ void turn(Group* groups, float const* noise, Lanes* sums, int from, int to) {
     }
 }
 
-// Several groups at a time hide that each sample waits for the one before.
+// Computes several groups at a time, as each sample of a group depends on the previous one.
 template <bool driven, class Group>
 void turnAll(std::vector<Group>& groups, float const* noise, Lanes* sums, int from, int to) {
     std::size_t at = 0;
@@ -157,7 +157,7 @@ void ModalBank::leap(Oscillator& mode, int samples) const {
     mode.state *= mode.leap;
 }
 
-// A mode that is not heard: its state at the end of the block without the samples in between.
+// Advances an inaudible mode to the end of the block without computing the samples in between.
 void ModalBank::skip(Oscillator& mode, std::size_t index, int samples) const {
     if (mode.state != 0.0) {
         leap(mode, samples);

@@ -1,4 +1,4 @@
-// The modes of one body as damped oscillators that make samples.
+// The modes of one body as damped oscillators that generate samples.
 #pragma once
 
 #include "audio/effect/properties/sounds.hpp"
@@ -11,29 +11,28 @@
 
 namespace trembler {
 
-/// Each mode is a complex number that turns and shrinks with every sample; its imaginary part is heard. A
-/// impact adds to its real part, so that the pressure begins at zero. Used by one thread at a time.
+/// Each mode is a complex number that rotates and decreases with every sample; its imaginary part is the
+/// sound. An impact adds to its real part, so that the pressure begins at zero. Used by one thread at a time.
 class ModalBank {
 public:
     explicit ModalBank(double rate) : rate_(rate) {}
 
     /// Sets the modes: their frequencies times `pitch`, their decays plus `damping` (1/s). A mode keeps its
-    /// phase and its strength; modes that are no longer there fall silent. Modes above half the sampling rate
-    /// stay silent.
+    /// phase and its strength; removed modes become silent. Modes above half the sampling rate stay silent.
     void tune(std::span<Sounds::Ring const> rings, double pitch, double damping);
-    /// Adds to each mode (Pa) at a sample of the next block. Impacts add up.
+    /// Adds amplitudes (Pa) to the modes at a sample of the next block. Impacts add up.
     void strike(std::span<double const> amplitudes, double scale, int sample);
     /// Drives each mode with a white noise (Pa/√s) through the next block.
     void scrape(std::span<double const> amplitudes, double scale);
 
     [[nodiscard]] std::size_t size() const { return modes_.size(); }
-    /// The strength that a mode has at most in the next block, as a mean square in Pa².
+    /// The greatest strength of a mode in the next block, as a mean square in Pa².
     [[nodiscard]] double power(std::size_t mode) const;
     [[nodiscard]] double bark(std::size_t mode) const { return modes_[mode].bark; }
     [[nodiscard]] double threshold(std::size_t mode) const { return modes_[mode].threshold; }
 
-    /// Adds the next block to `out`. Modes that are not `audible` go on silently and can come back later, in
-    /// phase. `seed` decides the noise. Returns the number of modes rendered.
+    /// Adds the next block to `out`. Modes that are not `audible` continue silently and can become audible
+    /// later, in phase. `seed` determines the noise. Returns the number of modes rendered.
     std::size_t render(std::span<float> out, std::span<std::uint8_t const> audible, std::uint64_t seed);
 
 private:
@@ -46,7 +45,7 @@ private:
         std::complex<double> state;
         std::complex<double> step; // of one sample
         std::complex<double> leap; // of leapSamples
-        int leapSamples = 0;       // 0: not worked out
+        int leapSamples = 0;       // 0: not computed
     };
     struct Impact {
         int sample = 0;
@@ -69,7 +68,7 @@ private:
     std::vector<Oscillator> modes_;
     std::vector<Impact> impacts_; // ascending by sample
     bool driven_ = false;
-    std::vector<Group> groups_;         // kept for their memory
+    std::vector<Group> groups_;         // members to reuse their memory
     std::vector<std::uint32_t> packed_; // which modes are in the groups
     std::vector<Lanes> sums_;
     std::vector<float> noise_;

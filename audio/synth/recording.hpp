@@ -1,4 +1,4 @@
-// Recorded samples, as the loudspeaker plays them.
+// Recorded samples for the loudspeaker.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@ struct SampleData {
     std::vector<float> samples; ///< between -1 and 1
     double rootMeanSquare = 0;  ///< of all samples; see finish()
 
-    /// Works out the root mean square.
+    /// Computes the root mean square.
     void finish();
 };
 
-/// Where recordings come from. One that cannot be had is nullptr, and silent.
+/// A source of recordings. A recording that is not available is nullptr, and silent.
 class SampleSource {
 public:
     virtual ~SampleSource() = default;
@@ -33,7 +33,7 @@ public:
 
     /// Adds the next block to `out`, which runs at `rate` Hz, with a root mean square of `pressure` (Pa) over
     /// the recording as a whole. `pitch` above 1 is faster and higher. Interpolates by Catmull and Rom's
-    /// cubic. From `fade` on it dies away within the block.
+    /// cubic. If `fade` is true, it fades out within the block.
     void render(std::span<float> out, double rate, double pressure, double pitch, bool fade);
     [[nodiscard]] bool ended() const { return ended_; }
 

@@ -17,11 +17,12 @@ constexpr double airLoss = 0.012; // 1/m
 
 struct Hit {
     double distance = farthest;
-    double absorption = 1; // nothing there: all of it is lost
+    double absorption = 1; // no wall: all sound is lost
 };
 
-// Where a ray first enters a convex obstacle, as a distance; beyond `farthest` if it does not. From inside it
-// does not meet the obstacle: one that the listener stands in front of must not wall it in.
+// The distance at which a ray enters a convex obstacle; beyond `farthest` if it does not. A ray from inside
+// does not meet the obstacle: the listener is in front of the plane, so an obstacle behind it does not
+// enclose it.
 double entry(Obstacle const& obstacle, Vec2 from, Vec2 direction) {
     double enter = 0;
     double leave = farthest;
@@ -82,7 +83,7 @@ RoomAcoustics roomAround(std::span<Obstacle const> walls, std::map<ObjectId, Mat
     double const depth = std::sqrt(room.area);
     room.volume = room.area * depth;
     room.surface = around * depth + 2 * room.area;
-    room.absorption = swallowed / around; // front and back are like the walls
+    room.absorption = swallowed / around; // front and back count like the walls
     double const absorbing = room.surface * room.absorption;
     room.reverberation = 0.161 * room.volume / (absorbing + airLoss * room.volume);
     room.echo = 16 * pi * (1 - room.absorption) / absorbing;

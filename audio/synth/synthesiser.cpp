@@ -8,9 +8,9 @@
 namespace trembler {
 namespace {
 
-constexpr double fading = 40; // 1/s, by which the sound of objects that are gone dies away
+constexpr double fading = 40; // 1/s, decay of the sound of destroyed objects
 constexpr std::uint64_t recordingStream = std::uint64_t{1} << 63U; // above all objects
-// A stream that falls below the others goes on for a while, as ending and beginning again takes longer.
+// A stream that becomes inaudible continues for a while, as ending and beginning again takes longer.
 constexpr int patience = 6; // blocks
 
 } // namespace
@@ -29,7 +29,7 @@ double Synthesiser::pitchOf(Vec2 at, Vec2 velocity) const {
     if (!options_.doppler) {
         return 1;
     }
-    // Only the part of a velocity along the line between the two counts.
+    // Only the part of the velocities along the line between source and listener counts.
     constexpr double fastest = 0.9 * speedOfSound;
     Vec2 const towards = listener_.at - at;
     double const distance = std::hypot(length(towards), listener_.height);
@@ -89,7 +89,7 @@ void Synthesiser::hearImpacts(Sounds const& sounds) {
         int const sample = std::clamp(static_cast<int>(impact.since * options_.rate), 0, options_.block - 1);
         voice.bank.strike(amplitudes.subspan(impact.first, impact.count), scale, sample);
         int const length = static_cast<int>(std::lround(impact.clickTime * options_.rate / voice.pitch));
-        if (impact.clickPressure > 0 && length >= 2) { // shorter ones are above hearing
+        if (impact.clickPressure > 0 && length >= 2) { // shorter clicks are inaudible
             voice.clicks.push_back({sample, length, scale * impact.clickPressure});
         }
     }
@@ -166,7 +166,8 @@ void Synthesiser::renderBody(ObjectId object, BodyVoice& voice, std::span<float>
     std::uint64_t const seed = blocks_ * 0x100000001B3U + packed(object);
     counts_.rendered += voice.bank.render(out, voice.audible, seed);
     for (Click& click : voice.clicks) {
-        // One period of a sine, which may go on into the next block. Each sample follows from the two before.
+        // One period of a sine, which may continue in the next block. Each sample is computed from the two
+        // before.
         int const begin = std::max(0, click.sample);
         int const end = std::min(options_.block, click.sample + click.length);
         double const step = 2 * pi / click.length;
@@ -204,7 +205,7 @@ std::span<Voice const> Synthesiser::render() {
     for (auto& [object, voice] : bodies_) {
         voice.unheard = voice.anyAudible ? 0 : voice.unheard + 1;
         if (voice.unheard > patience) {
-            renderBody(object, voice, std::span(unheard_)); // goes on, unheard
+            renderBody(object, voice, std::span(unheard_)); // continues, inaudible
             continue;
         }
         renderBody(object, voice, newStream(packed(object), object, voice.at, voice.velocity, voice.power));

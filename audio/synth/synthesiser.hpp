@@ -1,4 +1,4 @@
-// From the sounds of a world to samples: one mono stream per sounding object.
+// Computes samples from the sounds of a world: one mono stream per sounding object.
 #pragma once
 
 #include "audio/effect/properties/sounds.hpp"
@@ -23,9 +23,9 @@ struct SynthesiserOptions {
     int block = 800;     ///< samples: a frame of the world
     bool masking = true; ///< leave out tones that cannot be heard beside the rest
     bool doppler = true;
-    /// Impacts and noises louder than `comfortable` (dB at 1 m) are rendered with that share of their
-    /// decibels above it. 1: as they are. A girder that falls is 70 dB louder than a die that rolls;
-    /// loudspeakers in a living room are to play both.
+    /// For impacts and noises louder than `comfortable` (dB at 1 m), the decibels above it are multiplied by
+    /// this. 1: no change. A falling girder is 70 dB louder than a rolling die; loudspeakers in a living room
+    /// must play both.
     double compression = 0.35;
     double comfortable = 70;
 };
@@ -46,22 +46,21 @@ struct SynthesiserCounts {
     std::size_t rendered = 0; ///< of these; the others are masked
 };
 
-/// Its output follows from its inputs and their order alone: equal worlds make equal samples. Used by one
+/// Its output depends on its inputs and their order alone: equal worlds make equal samples. Used by one
 /// thread at a time.
 class Synthesiser {
 public:
     explicit Synthesiser(SynthesiserOptions options = {}, SampleSource* recordings = nullptr);
 
-    /// Takes over the new sounds of a frame; a frame that it knows already, as in a paused world, is not
-    /// taken twice.
+    /// Adds the new sounds of a frame; a frame that was added before, as in a paused world, is ignored.
     void hear(Sounds const& sounds, Listener const& listener);
     /// The next block, ascending by stream. Struck bodies ring on even if hear() is not called in between.
     std::span<Voice const> render();
-    /// Forgets everything: another world.
+    /// Resets everything, for another world.
     void clear();
 
     [[nodiscard]] SynthesiserOptions const& options() const { return options_; }
-    /// Of the last block.
+    /// The counts of the last block.
     [[nodiscard]] SynthesiserCounts const& counts() const { return counts_; }
 
 private:
@@ -78,7 +77,7 @@ private:
         Vec2 at;
         Vec2 velocity;
         double pitch = 1;
-        double attenuation = 1; // of power, on the way to the listener
+        double attenuation = 1; // factor on power, on the way to the listener
         bool gone = false;
         std::vector<std::uint8_t> audible;
         bool anyAudible = false;
@@ -93,7 +92,7 @@ private:
         double pressure = 0;
         double pitch = 1;
         bool gone = false;
-        bool listed = false; // in the world, even if only since a moment ago
+        bool listed = false; // whether it is in the sounds of the last frame
     };
 
     void hearBodies(Sounds const& sounds);
@@ -115,7 +114,7 @@ private:
     std::map<ObjectId, BodyVoice> bodies_;
     std::map<std::uint64_t, RecordingVoice> recordingVoices_; // by serial
     Masker masker_;
-    std::vector<Tone> tones_;           // kept for its memory
+    std::vector<Tone> tones_;           // a member to reuse its memory
     std::vector<std::uint8_t> audible_; // likewise
     std::vector<float> samples_;        // of all voices
     std::vector<float> unheard_;        // stays silent: masked modes are not rendered

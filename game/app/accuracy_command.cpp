@@ -1,5 +1,6 @@
 // trembler accuracy: measures the error and the cost of every detail level.
 #include "game/app/commands.hpp"
+#include "game/app/inputs.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/outputs.hpp"
 #include "game/app/progress.hpp"
@@ -44,10 +45,8 @@ std::string fromMeasurements(std::optional<std::string> const& plot) {
 }
 
 void makeFolder(std::string const& option, std::string const& folder) {
+    checkFolderName(option, folder);
     std::error_code error;
-    if (folder.empty()) {
-        throw OutputError(option + ": the folder's name is empty");
-    }
     fs::create_directories(folder, error);
     if (!fs::is_directory(folder)) {
         throw OutputError(fmt::format("{} {}: the folder cannot be made: {}", option, folder,
@@ -58,6 +57,7 @@ void makeFolder(std::string const& option, std::string const& folder) {
 int report(AccuracyArguments const& arguments) {
     GameData const gameData;
     Outputs outputs;
+    readsAll(outputs, gameData);
     // Opened now, so that a bad path fails before the measurements.
     OutputFile* const json = outputs.add("--json", arguments.json);
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
@@ -95,13 +95,14 @@ void addAccuracyCommand(CLI::App& program, int& result) {
     CLI::App* const command = program.add_subcommand(
         "accuracy", "Measure how far every detail level is off and what it costs, scene by scene");
     command->add_option("EFFECT", arguments->effects, "Effects, for example gravity (default: all)");
-    addOptionalFile(*command, "--json", arguments->json, "Write one JSON object instead of the table");
+    addOptionalFile(*command, "--json", arguments->json,
+                    "Write one JSON object; on the terminal it replaces the table");
     command
         ->add_option("--plot,--out", arguments->plot,
                      "Folder for plots of the error over the time per frame, one SVG per ladder")
         ->type_name("DIR");
     addOptionalFile(*command, "--markdown", arguments->markdown,
-                    "Write the table as the page docs/measurements/accuracy.md instead");
+                    "Write the page docs/measurements/accuracy.md; on the terminal it replaces the table");
     addNumber(*command, "--runs", arguments->runs, 1, 100,
               "Measure everything so many times and keep the least times, against what else the machine does "
               "(default: 1)");

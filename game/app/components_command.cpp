@@ -1,6 +1,7 @@
 // trembler components and trembler schema: descriptions of all components and properties, and the components
 // that each level's scene activates.
 #include "game/app/commands.hpp"
+#include "game/app/inputs.hpp"
 #include "game/app/mods/mods.hpp"
 #include "game/app/outputs.hpp"
 #include "measure/activation/report.hpp"
@@ -14,6 +15,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace trembler {
@@ -35,17 +37,22 @@ struct ComponentsArguments {
 
 int describe(ComponentsArguments const& arguments) {
     Outputs outputs;
-    OutputFile* const json = outputs.add("--json", arguments.json);
-    OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
+    std::vector<lua::Mod> mods = modsIn(arguments.mods);
+    readsAll(outputs, mods);
     Registry registry;
     registerEffects(registry);
-    std::vector<lua::Mod> mods = modsIn(arguments.mods);
     registerModsIn(registry, mods);
     registry.check();
-    std::vector<LevelUse> plays;
+    std::optional<GameData> gameData; // the plays point into its registry
     if (arguments.levels) {
-        GameData const gameData(std::move(mods));
-        plays = playAllForCalls(gameData, playSeconds);
+        gameData.emplace(std::move(mods));
+        readsAll(outputs, *gameData);
+    }
+    OutputFile* const json = outputs.add("--json", arguments.json);
+    OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
+    std::vector<LevelUse> plays;
+    if (gameData) {
+        plays = playAllForCalls(*gameData, playSeconds);
     }
     if (json != nullptr) {
         json->stream() << printed(arguments.levels ? activationJson(plays) : notationJson(registry));
@@ -53,10 +60,10 @@ int describe(ComponentsArguments const& arguments) {
     if (markdown != nullptr) {
         markdown->stream() << (arguments.levels ? activationMarkdown(plays) : notationMarkdown(registry));
     }
-    if (json == nullptr && markdown == nullptr) {
+    outputs.finish();
+    if (!outputs.terminalTaken()) {
         std::cout << (arguments.levels ? activationText(plays) : notationText(registry));
     }
-    outputs.finish();
     return exitSolved;
 }
 
@@ -66,10 +73,12 @@ void addComponentsCommand(CLI::App& program, int& result) {
     auto const arguments = std::make_shared<ComponentsArguments>();
     CLI::App* const command = program.add_subcommand(
         "components", "Print every component in the thesis's notation, and the schedule");
-    addOptionalFile(*command, "--json", arguments->json, "Write them as one JSON object instead");
-    addOptionalFile(*command, "--markdown", arguments->markdown, "Write them as Markdown tables instead");
+    addOptionalFile(*command, "--json", arguments->json,
+                    "Write them as one JSON object; on the terminal it replaces the text");
+    addOptionalFile(*command, "--markdown", arguments->markdown,
+                    "Write them as Markdown tables; on the terminal they replace the text");
     command->add_flag("--levels", arguments->levels,
-                      "What every level calls for instead: which components are absent, asleep and active, "
+                      "What every level activates instead: which components are absent, asleep and active, "
                       "and their updates");
     command
         ->add_option(
@@ -83,10 +92,16 @@ void addComponentsCommand(CLI::App& program, int& result) {
 }
 
 void addSchemaCommand(CLI::App& program, int& result) {
+    auto const json = std::make_shared<OutputTarget>();
     CLI::App* const command = program.add_subcommand("schema", "Print the JSON Schema of a level file");
-    command->callback([&result] {
+    addOptionalFile(*command, "--json", *json, "Write it to FILE (default: the terminal)");
+    command->footer(outputConvention);
+    command->callback([json, &result] {
         result = guarded([&] {
-            std::cout << printed(publishedSchema());
+            Outputs outputs;
+            OutputFile* const file = outputs.add("--json", *json);
+            (file == nullptr ? std::cout : file->stream()) << printed(publishedSchema());
+            outputs.finish();
             return exitSolved;
         });
     });

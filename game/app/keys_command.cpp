@@ -1,10 +1,14 @@
-// trembler keys: lists every command of the window with its keys; docs/players.md is made from this list.
+// trembler keys: lists every command of the window with its keys, and what the mouse does; docs/players.md is
+// made from these lists.
 #include "game/app/commands.hpp"
 #include "game/app/outputs.hpp"
 
 #ifndef TREMBLER_HEADLESS
 #include "game/ui/app/command_lists.hpp"
 #include "game/ui/commands/key_help.hpp"
+#include "runtime/file/visible_text.hpp"
+
+#include <nlohmann/json.hpp>
 #endif
 
 #include <iostream>
@@ -15,7 +19,9 @@ namespace trembler {
 namespace {
 
 struct KeysArguments {
+    OutputTarget json;
     OutputTarget markdown;
+    OutputTarget mouse;
 };
 
 #ifdef TREMBLER_HEADLESS
@@ -29,14 +35,23 @@ int printKeys(KeysArguments const&) {
 
 int printKeys(KeysArguments const& arguments) {
     Outputs outputs;
+    OutputFile* const json = outputs.add("--json", arguments.json);
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
+    OutputFile* const mouse = outputs.add("--mouse", arguments.mouse);
     ui::KeyBindings const bindings(ui::commandLists());
+    if (json != nullptr) {
+        json->stream() << escapedJson(ui::keysJson(bindings).dump(2)) << "\n";
+    }
     if (markdown != nullptr) {
         markdown->stream() << ui::keysMarkdown(bindings);
-    } else {
-        std::cout << ui::keysText(bindings);
+    }
+    if (mouse != nullptr) {
+        mouse->stream() << ui::gesturesMarkdown(ui::allGestures());
     }
     outputs.finish();
+    if (!outputs.terminalTaken()) {
+        std::cout << ui::keysText(bindings);
+    }
     return exitSolved;
 }
 
@@ -48,7 +63,12 @@ void addKeysCommand(CLI::App& program, int& result) {
     auto const arguments = std::make_shared<KeysArguments>();
     CLI::App* const command =
         program.add_subcommand("keys", "Print what can be done in the window, and the usual keys for it");
-    addOptionalFile(*command, "--markdown", arguments->markdown, "Write them as Markdown tables instead");
+    addOptionalFile(*command, "--json", arguments->json,
+                    "Write them as one JSON object; on the terminal it replaces the text");
+    addOptionalFile(*command, "--markdown", arguments->markdown,
+                    "Write them as Markdown tables; on the terminal they replace the text");
+    addOptionalFile(*command, "--mouse", arguments->mouse,
+                    "Write what the mouse does as Markdown tables; on the terminal they replace the text");
     command->footer(outputConvention);
     command->callback([arguments, &result] { result = guarded([&] { return printKeys(*arguments); }); });
 }

@@ -1,6 +1,5 @@
 // trembler: the program.
 #include "game/app/commands.hpp"
-#include "game/app/outputs.hpp"
 #include "game/app/standard_streams.hpp"
 
 #include <exception>
@@ -16,15 +15,14 @@ int runCommand(int argc, char** argv) {
         "  trembler play                                          the game\n"
         "  trembler play levels/first/1-first-contact.json        one level\n"
         "  trembler run LEVEL --solution NAME                     replay a recorded solution, no window\n"
-        "  trembler run LEVEL --trace account.jsonl               and write down what led to what\n"
-        "  trembler run LEVEL --sound it.wav                      and write what it sounds like\n"
+        "  trembler run LEVEL --trace account.jsonl               write every event with its causes\n"
+        "  trembler run LEVEL --sound it.wav                      write its sound\n"
         "  trembler verify                                        check every level\n"
-        "  trembler components                                    what there is, and in which order it runs\n"
+        "  trembler components                                    all components and their schedule\n"
         "  trembler accuracy                                      what accuracy costs, effect by effect\n"
         "\n"
         "Each command has its own --help."};
     program.set_version_flag("--version", "Trembler " TREMBLER_VERSION);
-    program.footer(trembler::outputConvention);
     program.require_subcommand(1);
     trembler::addPlayCommand(program, result);
     trembler::addRunCommand(program, result);

@@ -66,21 +66,46 @@ void takeBack(std::string& argument, OutputTarget& target, char const* name) {
     }
 }
 
+void takeBack(std::vector<std::string>& arguments, OutputTarget& target) {
+    if (arguments.empty() && target && !target->empty() && *target != terminal) {
+        arguments.push_back(*target);
+        target = terminal;
+    }
+}
+
+void checkFolderName(std::string const& option, std::string const& folder) {
+    if (folder.empty()) {
+        throw OutputError(option + ": the folder's name is empty");
+    }
+    if (folder == terminal) {
+        throw OutputError(fmt::format("{0} {1}: the terminal is no folder; a folder of this name is ./{1}",
+                                      option, folder));
+    }
+}
+
 void Outputs::reads(fs::path const& file) {
     inputs_.push_back({"", file, nullptr});
 }
 
-void Outputs::claim(std::string const& option, OutputTarget const& target) {
+void Outputs::claimFile(std::string const& option, OutputTarget const& target, std::string const& expected) {
     if (!target) {
         return;
     }
-    std::string const what = option + " " + *target;
-    if (target->empty()) {
-        throw OutputError(option + ": the file's name is empty; \"-\" is the terminal");
+    if (*target == terminal) {
+        throw OutputError(
+            fmt::format("{} {}: cannot go to the terminal; expected {}", option, *target, expected));
     }
-    bool const toTerminal = *target == terminal;
+    claim(option, *target, "expected " + expected);
+}
+
+void Outputs::claim(std::string const& option, std::string const& target, std::string const& expected) {
+    std::string const what = option + " " + target;
+    if (target.empty()) {
+        throw OutputError(fmt::format("{}: the file's name is empty; {}", option, expected));
+    }
+    bool const toTerminal = target == terminal;
     for (Claim const& input : inputs_) {
-        if (!toTerminal && sameFile(*target, input.path)) {
+        if (!toTerminal && sameFile(target, input.path)) {
             throw OutputError(
                 fmt::format("{}: this is the input {}, which is not overwritten", what, input.path.string()));
         }
@@ -88,27 +113,36 @@ void Outputs::claim(std::string const& option, OutputTarget const& target) {
     for (Claim const& other : outputs_) {
         bool const same = toTerminal
                               ? other.path == terminal
-                              : other.path != terminal && sameFile(*target, other.path) && !isDevice(*target);
+                              : other.path != terminal && sameFile(target, other.path) && !isDevice(target);
         if (same) {
             throw OutputError(
                 fmt::format("{}: {} writes there, too; expected a file of its own", what, other.what));
         }
     }
     terminalTaken_ = terminalTaken_ || toTerminal;
-    outputs_.push_back({what, *target, nullptr});
+    outputs_.push_back({what, target, nullptr});
 }
 
 OutputFile* Outputs::add(std::string const& option, OutputTarget const& target, OutputFile::Content content) {
     if (!target) {
         return nullptr;
     }
-    claim(option, target);
+    claim(option, *target, "\"-\" is the terminal");
     try {
         outputs_.back().file = std::make_unique<OutputFile>(*target, content);
     } catch (OutputError const& error) {
         throw OutputError(option + " " + error.what());
     }
     return outputs_.back().file.get();
+}
+
+void Outputs::drop(OutputFile const& output) {
+    for (Claim& claimed : outputs_) {
+        if (claimed.file.get() == &output) {
+            claimed.file.reset();
+            return;
+        }
+    }
 }
 
 std::ostream& Outputs::words() const {

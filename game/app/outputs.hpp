@@ -2,8 +2,9 @@
 // which file.
 //
 // - An output option takes a file's name; "-" is the terminal (standard output). Where the name may be left
-//   out (addOptionalFile), a missing name means "-".
-// - If an output goes to the terminal, messages for people go to standard error.
+//   out (addOptionalFile), a missing name means "-". An option for a folder takes no "-".
+// - If an output goes to the terminal, messages for people go to standard error, or are left out if the
+//   output takes their place, as --json does. An output to a file leaves the messages as they are.
 // - An empty name, a file that is also an input, and two outputs to one file are refused before any work.
 // - A file is written beside its target and put in its place at the end (runtime/file/output_file.hpp).
 //
@@ -38,14 +39,21 @@ CLI::Option* addOptionalFile(CLI::App& command, std::string const& option, Outpu
                              std::string const& meaning);
 
 /// The sentence about outputs in every command's --help.
-inline constexpr char const* outputConvention = "FILE can be \"-\": the terminal (standard output); words "
-                                                "for people then go to standard error. A file is "
-                                                "complete or, if anything fails, as it was before.";
+inline constexpr char const* outputConvention = "FILE can be \"-\": the terminal (standard output). Words "
+                                                "for people then go to standard error, or are left "
+                                                "out if the option replaces them; with any other FILE they "
+                                                "are printed as usual. A file is complete or, if "
+                                                "anything fails, as it was before.";
 
 /// After an option whose FILE may be left out, the parser takes a command's own argument for that FILE:
 /// "--json LEVEL". Moves it back to `argument` if that is empty. Throws CLI::RequiredError if the argument is
 /// missing altogether.
 void takeBack(std::string& argument, OutputTarget& target, char const* name);
+/// The same for arguments of which there may be none.
+void takeBack(std::vector<std::string>& arguments, OutputTarget& target);
+
+/// Throws OutputError if the name that an option states for a folder is empty or "-".
+void checkFolderName(std::string const& option, std::string const& folder);
 
 class Outputs {
 public:
@@ -55,12 +63,15 @@ public:
     /// file is an input or another output, or cannot be written.
     OutputFile* add(std::string const& option, OutputTarget const& target,
                     OutputFile::Content content = OutputFile::Content::text);
-    /// The same checks for an output that other code opens and writes.
-    void claim(std::string const& option, OutputTarget const& target);
+    /// The same checks for an output that other code opens and writes. It cannot go to the terminal:
+    /// `expected` is the kind of file that the message asks for instead.
+    void claimFile(std::string const& option, OutputTarget const& target, std::string const& expected);
+    /// Leaves the target of an output as it was, and does not write it.
+    void drop(OutputFile const& output);
     /// Whether any output goes to the terminal.
     [[nodiscard]] bool terminalTaken() const { return terminalTaken_; }
-    /// The stream for messages to people: standard error if an output goes to the terminal, else standard
-    /// output.
+    /// The stream for messages to people that no output replaces: standard error if an output goes to the
+    /// terminal, else standard output.
     [[nodiscard]] std::ostream& words() const;
     /// Throws OutputError, naming the option, if a write has failed so far.
     void check();
@@ -74,6 +85,9 @@ private:
         std::filesystem::path path;
         std::unique_ptr<OutputFile> file;
     };
+
+    /// Throws OutputError if the target is an input or another output; `expected` states a right name.
+    void claim(std::string const& option, std::string const& target, std::string const& expected);
 
     std::vector<Claim> inputs_;
     std::vector<Claim> outputs_;

@@ -20,16 +20,18 @@ void addRunCommand(CLI::App& program, int& result) {
                         "Name of a solution recorded in the level, or a file with one");
     addNumber(*command, "--threads", arguments->threads, 1, 256, "Threads; the result never depends on them")
         ->default_str("1");
-    addOptionalFile(*command, "--json", arguments->json, "Write one JSON object instead of words");
+    addOptionalFile(*command, "--json", arguments->json,
+                    "Write one JSON object; on the terminal it replaces the words");
     addFile(*command, "--trace", arguments->trace, "Write every event and its causes, one JSON line each");
     addFile(*command, "--account", arguments->account,
             "Write what is new in each frame, in the form of the thesis's accounts (Markdown)");
     command
         ->add_option_function<std::string>(
             "--sound", [arguments](std::string const& file) { arguments->sound = file; },
-            "Write what it sounds like to a .wav file, as heard in front of the middle of the level; "
-            "needs no sound device")
-        ->type_name("FILE");
+            "Write what it sounds like to a .wav file, never to the terminal, as heard in front of the "
+            "middle "
+            "of the level; needs no sound device")
+        ->type_name("FILE.wav");
     addNumber(*command, "--hash-every", arguments->hashEvery, 1, limits::frames,
               "Also print the state's hash at every Nth frame");
     command
@@ -56,7 +58,9 @@ void addRunCommand(CLI::App& program, int& result) {
         ->add_option(
             "--watch", arguments->watch,
             "OBJECT.FIELD: a column of the table --csv, for example lamp.current, ball.position or "
-            "world.gravity; any field of any property. A name that is none is told with those near it")
+            "world.gravity; elements of lists by number (ball.shape.0.radius), their number as count "
+            "(world.contacts.current.count), components as .x and .y (world.gravity.y). An unknown name is "
+            "reported with similar names")
         ->allow_extra_args(false);
     addNumber(*command, "--every", arguments->every, 1, limits::frames,
               "Frames between rows of the table --csv")

@@ -1,6 +1,7 @@
 #include "audio/effect/properties/acoustics.hpp"
 #include "game/app/budget_report.hpp"
 #include "game/app/commands.hpp"
+#include "game/app/inputs.hpp"
 #include "game/app/mods/mods.hpp"
 #include "game/app/numbers.hpp"
 #include "game/app/progress.hpp"
@@ -17,6 +18,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <iostream>
 
 namespace trembler {
 namespace {
@@ -59,21 +62,13 @@ void setSubsteps(LevelFile& level, int substeps) {
 /// Registers every file that the run reads or may read.
 void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const& gameData,
                 LevelFile const& level) {
+    readsAll(outputs, gameData);
     outputs.reads(arguments.level);
     if (!arguments.solution.empty() && level.findSolution(arguments.solution) == nullptr) {
         outputs.reads(arguments.solution);
     }
-    for (lua::Mod const& mod : gameData.mods) {
-        outputs.reads(mod.folder / "mod.json");
-        for (lua::Manifest const& script : mod.interactions) {
-            outputs.reads(script.file);
-        }
-    }
     std::vector<PropertySet const*> sets;
     for (PartDefinition const* part : gameData.parts.all()) {
-        if (part->document) {
-            outputs.reads(part->document->file());
-        }
         sets.push_back(&part->properties);
     }
     for (LevelObject const& object : level.objects) {
@@ -87,16 +82,6 @@ void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const&
             }
         }
     }
-}
-
-/// The circuits at the end of the run, as a netlist.
-std::string netlistOf(Session const& session) {
-    std::string netlist = spiceNetlist(session.world().store(), session.level().title);
-    if (netlist.empty()) {
-        throw std::invalid_argument("--export-spice: the level has no circuit with a resistance, an EMF, a "
-                                    "rated power or a fuse, so there are no volts to compute");
-    }
-    return netlist;
 }
 
 std::string jsonOf(RunReport const& report, budget::BudgetMode const* mode) {
@@ -157,7 +142,7 @@ int runLevel(RunArguments const& arguments) {
     OutputFile* const spice = outputs.add("--export-spice", arguments.spice);
     OutputFile* const record = outputs.add("--record", arguments.record);
     OutputFile* const csv = outputs.add("--csv", arguments.csv);
-    outputs.claim("--sound", arguments.sound);
+    outputs.claimFile("--sound", arguments.sound, "a file whose name ends in .wav");
 
     Session session(gameData.registry, gameData.parts, std::move(level), options);
     if (arguments.record) {
@@ -196,12 +181,23 @@ int runLevel(RunArguments const& arguments) {
     RunReport const report = trembler::run(session, arguments.level, run);
     progress.clear();
     tellScriptMessages(gameData);
+    if (table) {
+        for (std::string const& sentence : table->withoutValue(session.world())) {
+            std::cerr << "trembler: " << visible(sentence) << "\n";
+        }
+    }
     budget::BudgetMode const* const budgeted = arguments.budget ? &mode : nullptr;
     if (account != nullptr) {
         account->stream() << frameAccount(session);
     }
-    if (spice != nullptr) {
-        spice->stream() << netlistOf(session);
+    // Circuits may come about while the level runs, so only now is it known whether there is a netlist.
+    std::string const netlist =
+        spice == nullptr ? "" : spiceNetlist(session.world().store(), session.level().title);
+    bool const withoutNetlist = spice != nullptr && netlist.empty();
+    if (withoutNetlist) {
+        outputs.drop(*spice);
+    } else if (spice != nullptr) {
+        spice->stream() << netlist;
     }
     if (record != nullptr) {
         record->stream() << escapedJson(writeSolution(session.record("recorded")).dump(2)) << "\n";
@@ -215,6 +211,10 @@ int runLevel(RunArguments const& arguments) {
     outputs.finish();
     if (json == nullptr || !json->isStandardOutput()) {
         outputs.words() << toWords(report) << (budgeted != nullptr ? budgetInWords(*budgeted) : "");
+    }
+    if (withoutNetlist) {
+        throw std::invalid_argument("--export-spice: the level has no circuit with a resistance, an EMF, a "
+                                    "rated power or a fuse, so there are no volts to compute");
     }
     return report.solved ? exitSolved : exitNotSolved;
 }

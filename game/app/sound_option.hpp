@@ -3,6 +3,7 @@
 
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/run/runner.hpp"
+#include "runtime/file/output_file.hpp"
 #ifndef TREMBLER_HEADLESS
 #include "game/ui/headless/run_sound.hpp"
 #endif
@@ -33,18 +34,29 @@ inline std::vector<std::filesystem::path> sampleFoldersOf(GameData const&, std::
 
 #else
 
-/// Writes the sound of a run into a .wav file. Throws std::invalid_argument for another file extension,
-/// OutputError if the file cannot be written and std::runtime_error if OpenAL is not available. `run` must
-/// not outlive it.
+/// Writes the sound of a run into a .wav file. Throws std::invalid_argument for another file extension and
+/// OutputError if the file cannot be written, both with the option's name, and std::runtime_error if OpenAL
+/// is not available. `run` must not outlive it.
 class RunSound {
 public:
-    RunSound(std::string const& file, std::string const& level, GameData const& gameData, RunOptions& run)
+    RunSound(std::string const& file, std::string const& level, GameData const& gameData, RunOptions& run) try
         : quiet_(::setenv("ALSOFT_DRIVERS", "null", 1)),
           sound_(
               file, {.synthesiser = {}, .output = {}, .sampleFolders = ui::sampleFolders(gameData, level)},
-              [](std::string const& what) { std::cerr << "trembler: " << what << "\n"; }, run) {}
+              [](std::string const& what) { std::cerr << "trembler: " << what << "\n"; }, run) {
+    } catch (OutputError const& error) {
+        throw OutputError(std::string("--sound ") + error.what());
+    } catch (std::invalid_argument const& error) {
+        throw std::invalid_argument(std::string("--sound ") + error.what());
+    }
     /// Puts the file in its final place. Throws OutputError.
-    void finish() { sound_.finish(); }
+    void finish() {
+        try {
+            sound_.finish();
+        } catch (OutputError const& error) {
+            throw OutputError(std::string("--sound ") + error.what());
+        }
+    }
 
 private:
     /// Keeps OpenAL from contacting a sound server, which would create folders in the user's home: nothing is

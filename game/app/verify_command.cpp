@@ -1,14 +1,21 @@
 // trembler verify: checks whether every level is valid.
 #include "game/app/commands.hpp"
+#include "game/app/inputs.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/outputs.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/json/json_document.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <unistd.h>
 
@@ -46,13 +53,38 @@ struct VerifyArguments {
     std::vector<std::string> paths;
     std::vector<std::string> detail;
     std::vector<std::string> mods; // folders in which mods are looked for
+    OutputTarget json;
 };
+
+/// Whether a file holds a level, valid or not.
+bool isLevel(fs::path const& file) {
+    try {
+        return JsonDocument::load(file)->root().contains("objects");
+    } catch (InputError const&) {
+        return false;
+    }
+}
+
+/// Throws InputError if the file is not there or may not be read.
+void checkReadable(fs::path const& file) {
+    std::error_code error;
+    (void)fs::file_size(file, error);
+    if (!error && ::access(file.c_str(), R_OK) != 0) {
+        error = std::error_code(errno, std::generic_category());
+    }
+    if (error) {
+        Diagnostic problem;
+        problem.file = file.string();
+        problem.message = "cannot be read: " + error.message();
+        throw InputError({problem});
+    }
+}
 
 /// A failure of the mods that a level names is one of the level.
 std::vector<std::string> verifyOne(GameDataByMods& data, fs::path const& level,
-                                   std::vector<std::string> const& detail) {
+                                   std::map<std::string, std::string> const& detail) {
     try {
-        return verifyWithScripts(data.dataFor(level), level, detailOf(detail));
+        return verifyWithScripts(data.dataFor(level), level, detail);
     } catch (InputError const& error) {
         std::vector<std::string> failures;
         for (Diagnostic const& diagnostic : error.diagnostics()) {
@@ -62,10 +94,16 @@ std::vector<std::string> verifyOne(GameDataByMods& data, fs::path const& level,
     }
 }
 
-int verifyAll(VerifyArguments const& arguments) {
-    GameData const gameData; // without mods
-    GameDataByMods data(arguments.mods);
-    std::vector<std::string> const& paths = arguments.paths;
+/// Registers a level and the mods that it names as inputs.
+void readsLevel(Outputs& outputs, GameDataByMods& data, fs::path const& level) {
+    outputs.reads(level);
+    try {
+        readsAll(outputs, data.dataFor(level).mods);
+    } catch (InputError const&) { // verifyOne() reports it
+    }
+}
+
+std::vector<fs::path> levelsOf(GameData const& gameData, std::vector<std::string> const& paths) {
     std::vector<fs::path> levels;
     for (std::string const& path : paths) {
         std::vector<fs::path> const found = levelsUnder(path);
@@ -86,17 +124,52 @@ int verifyAll(VerifyArguments const& arguments) {
         throw std::invalid_argument(
             fmt::format("there is no level in {}", (gameData.home / "levels").string()));
     }
+    for (fs::path const& level : levels) {
+        checkReadable(level);
+    }
+    return levels;
+}
+
+int verifyAll(VerifyArguments const& arguments) {
+    GameData const gameData; // without mods
+    GameDataByMods data(arguments.mods);
+    std::vector<fs::path> const levels = levelsOf(gameData, arguments.paths);
+    Outputs outputs;
+    readsAll(outputs, gameData);
+    for (fs::path const& level : levels) {
+        readsLevel(outputs, data, level);
+    }
+    // In `--json LEVEL LEVEL` the parser takes the first level for the FILE.
+    if (arguments.json && isLevel(*arguments.json)) {
+        outputs.reads(*arguments.json);
+    }
+    OutputFile* const json = outputs.add("--json", arguments.json);
+    auto const detail = detailOf(arguments.detail);
+    nlohmann::ordered_json entries = nlohmann::ordered_json::array();
     bool valid = true;
     for (fs::path const& level : levels) {
-        std::vector<std::string> const failures = verifyOne(data, level, arguments.detail);
-        for (std::string const& failure : failures) {
-            std::cout << failure << "\n";
+        std::vector<std::string> const failures = verifyOne(data, level, detail);
+        std::string const name = gameData.shortName(level);
+        if (!outputs.terminalTaken()) {
+            for (std::string const& failure : failures) {
+                std::cout << failure << "\n";
+            }
+            if (failures.empty()) {
+                std::cout << visible(name) << ": valid\n" << std::flush;
+            }
         }
-        if (failures.empty()) {
-            std::cout << visible(gameData.shortName(level)) << ": valid\n" << std::flush;
-        }
+        entries.push_back({{"level", name}, {"valid", failures.empty()}, {"failures", failures}});
         valid = valid && failures.empty();
     }
+    if (json != nullptr) {
+        nlohmann::ordered_json all;
+        all["valid"] = valid;
+        all["levels"] = std::move(entries);
+        json->stream() << escapedJson(
+                              all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
+                       << "\n";
+    }
+    outputs.finish();
     return valid ? exitSolved : exitNotSolved;
 }
 
@@ -107,17 +180,24 @@ void addVerifyCommand(CLI::App& program, int& result) {
     CLI::App* const command = program.add_subcommand(
         "verify",
         "Check levels: valid, not solved by an empty toolbox (unless it is a demonstration), every recorded "
-        "solution does what it says, and always in the same way; no script fails. A line per failure, exit "
-        "status 1 if any.");
+        "solution does what it says, and always in the same way; no script fails. A line per failure. Exit "
+        "status: 0 all valid, 1 not all valid, 2 bad input or output.");
     command->add_option("PATH", arguments->paths,
-                        "Level files or folders (default: all levels, those of the mods that come with the "
-                        "program included)");
+                        "Level files or folders (default: all levels, including those of the mods that come "
+                        "with the program)");
+    addOptionalFile(*command, "--json", arguments->json,
+                    "Write one JSON object with the failures of each level; on the terminal it replaces the "
+                    "words. If there is no other PATH, the name after --json is the PATH");
     command
         ->add_option("--detail", arguments->detail,
                      "EFFECT=LEVEL: check them with this detail level, for example dynamics=ode")
         ->allow_extra_args(false); // otherwise the option would take the path for its value
     addModFolders(*command, arguments->mods);
-    command->callback([arguments, &result] { result = guarded([&] { return verifyAll(*arguments); }); });
+    command->footer(outputConvention);
+    command->callback([arguments, &result] {
+        takeBack(arguments->paths, arguments->json);
+        result = guarded([&] { return verifyAll(*arguments); });
+    });
 }
 
 } // namespace trembler

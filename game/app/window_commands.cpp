@@ -7,6 +7,7 @@
 #include "runtime/level/json/limits.hpp"
 
 #ifndef TREMBLER_HEADLESS
+#include "game/app/inputs.hpp"
 #include "game/ui/app/play.hpp"
 #include "game/ui/headless/screenshot.hpp"
 #include "render/gl/png.hpp"
@@ -61,9 +62,7 @@ int takeScreenshot(ScreenshotArguments const&) {
 #else
 
 int play(PlayArguments const& arguments) {
-    if (arguments.pictures.empty()) {
-        throw std::invalid_argument("--pictures: the folder's name is empty");
-    }
+    checkFolderName("--pictures", arguments.pictures);
     // A level whose mods are missing is refused before a window opens.
     auto const data = gameDataFor(arguments.level, arguments.mods);
     // The window may show other levels, too, which have none of these mods.
@@ -113,6 +112,7 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
     options.picture.overlays.contacts = arguments.contacts;
     options.picture.card = !arguments.bare;
     Outputs outputs;
+    readsAll(outputs, gameData);
     outputs.reads(arguments.level);
     outputs.reads(arguments.solution);
     OutputFile* const file = outputs.add("--out", arguments.out, OutputFile::Content::binary);

@@ -6,12 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 namespace trembler::watch {
 namespace {
 
-/// Reads one field of the visited value; for a list, from the entries of one object.
+/// Reads one field of the visited value; in a list, of one element or of the entries of one object.
 class Reader final : public FieldVisitor {
 public:
     Reader(WatchedField const& field, World const& world, ObjectId object, std::vector<Cell>& cells)
@@ -33,7 +34,9 @@ public:
         }
     }
     void vector(FieldInfo const& info, Vec2& value) override {
-        if (isIt(info)) {
+        if (isIt(info) && field_.component >= 0) {
+            put(0, field_.component == 0 ? value.x : value.y);
+        } else if (isIt(info)) {
             put(0, value.x);
             put(1, value.y);
         }
@@ -44,9 +47,8 @@ public:
         }
     }
     void object(FieldInfo const& info, ObjectId& value) override {
-        if (inEntry_ && !ownerSeen_) {
-            ownerSeen_ = true;
-            mine_ = value == object_;
+        if (owner_ == Owner::sought) {
+            owner_ = value == object_ ? Owner::asked : Owner::other;
         } else if (isIt(info) && value.valid()) {
             cells_[0] = world_.store().nameOf(value);
         }
@@ -57,22 +59,40 @@ public:
         }
     }
     void list(FieldInfo const& info, ListField& list) override {
-        if (inEntry_ || info.key != field_.list) {
-            return;
+        if (isIt(info)) {
+            put(0, static_cast<double>(list.size()));
+        } else if (depth_ < field_.lists.size() && info.key == field_.lists[depth_].key && isOwn()) {
+            ListStep const& step = field_.lists[depth_];
+            ++depth_;
+            if (step.ofObject) {
+                visitEntries(list);
+            } else if (step.element < list.size()) {
+                list.visitElement(step.element, *this);
+            }
+            --depth_;
         }
-        inEntry_ = true;
-        for (std::size_t i = 0; i < list.size() && !done_; ++i) {
-            ownerSeen_ = mine_ = false;
-            list.visitElement(i, *this);
-            done_ = mine_ && !field_.adds;
-        }
-        inEntry_ = false;
     }
 
 private:
+    enum class Owner {
+        none,   ///< not in an entry
+        sought, ///< at the beginning of an entry
+        asked,  ///< in an entry of the object
+        other,  ///< in another object's entry
+    };
+
+    void visitEntries(ListField& list) {
+        bool done = false;
+        for (std::size_t i = 0; i < list.size() && !done; ++i) {
+            owner_ = Owner::sought;
+            list.visitElement(i, *this);
+            done = owner_ == Owner::asked && !field_.adds;
+        }
+        owner_ = Owner::none;
+    }
+    [[nodiscard]] bool isOwn() const { return owner_ == Owner::none || owner_ == Owner::asked; }
     [[nodiscard]] bool isIt(FieldInfo const& info) const {
-        return field_.list.empty() ? !inEntry_ && info.key == field_.key
-                                   : inEntry_ && mine_ && info.key == field_.key;
+        return depth_ == field_.lists.size() && info.key == field_.key && isOwn();
     }
     void put(std::size_t column, double value) {
         double const* const before = field_.adds ? std::get_if<double>(&cells_[column]) : nullptr;
@@ -83,10 +103,8 @@ private:
     World const& world_;
     ObjectId object_;
     std::vector<Cell>& cells_;
-    bool inEntry_ = false;
-    bool ownerSeen_ = false;
-    bool mine_ = false;
-    bool done_ = false;
+    std::size_t depth_ = 0; // of field_.lists that have been entered
+    Owner owner_ = Owner::none;
 };
 
 /// Whether an object of this name can have the field, as far as is known at the start of the run.
@@ -145,16 +163,96 @@ std::vector<std::string> namesOf(std::vector<WatchedField const*> const& fields)
     return names;
 }
 
+/// The name of a field without its numbers, as WatchedField::name() has it: "shape.2.width" is
+/// "shape.0.width" and the element 2.
+struct Address {
+    std::string name;
+    std::vector<std::size_t> elements;
+};
+
+Address addressOf(std::string_view word) {
+    Address address;
+    for (std::size_t begin = 0; begin <= word.size();) {
+        std::size_t const end = std::min(word.find('.', begin), word.size());
+        std::string_view const step = word.substr(begin, end - begin);
+        std::size_t element = 0;
+        auto const [stop, error] = std::from_chars(step.data(), step.data() + step.size(), element);
+        bool const isNumber = error == std::errc{} && stop == step.data() + step.size();
+        if (isNumber) {
+            address.elements.push_back(element);
+        }
+        address.name += begin == 0 ? "" : ".";
+        address.name += isNumber ? "0" : step;
+        begin = end + 1;
+    }
+    return address;
+}
+
+/// The component that a word names in its last step: 0 for ".x", 1 for ".y", else -1.
+int componentOf(std::string_view word) {
+    return word.ends_with(".x") ? 0 : word.ends_with(".y") ? 1 : -1;
+}
+
+/// The fields that a word names, among those that the object may have.
+std::vector<WatchedField const*> fieldsOf(World const& world, std::vector<WatchedField> const& fields,
+                                          std::string const& object, std::string const& word) {
+    bool const isThere = world.store().find(object).valid();
+    std::vector<WatchedField const*> named;
+    std::vector<WatchedField const*> known;
+    for (WatchedField const& field : fields) {
+        bool const mayConcern =
+            field.property->kind == PropertyKind::object || field.ofWorld() == (object == "world");
+        if (mayConcern && field.isNamed(word)) {
+            named.push_back(&field);
+        } else if (field.isKnownAs(word) && (isThere ? concerns(world, field, object) : mayConcern)) {
+            known.push_back(&field);
+        }
+    }
+    return named.empty() ? known : named;
+}
+
+/// Refuses a word that names no field, with the names of fields that may be meant.
+[[noreturn]] void refuse(World const& world, std::vector<WatchedField> const& fields,
+                         std::string const& object, std::string_view word) {
+    std::string_view const last = word.substr(word.rfind('.') + 1); // all of it if there is no dot
+    std::vector<std::string> names;
+    std::vector<std::string> numbered;
+    std::vector<std::string> near;
+    std::vector<std::string> words;
+    for (WatchedField const& field : fields) {
+        if (!concerns(world, field, object)) {
+            continue;
+        }
+        std::string const name = field.name();
+        (field.numbered() ? numbered : names).push_back(name);
+        words.insert(words.end(), {name, field.spokenName()});
+        if (!field.numbered()) {
+            words.push_back(field.key);
+        }
+        if (name.starts_with(fmt::format("{}.", word)) || field.key == last) {
+            near.push_back(name);
+        }
+    }
+    names.insert(names.end(), numbered.begin(), numbered.end());
+    std::string const hint = near.empty() ? didYouMean(word, words) : fmt::format("; see {}", listed(near));
+    throw std::invalid_argument(
+        fmt::format("'{}' has nothing called '{}'{}; it has: {}", object, word, hint, listed(names)));
+}
+
 } // namespace
+
+std::size_t Watch::columns() const {
+    return field_.type == FieldType::vector && field_.component < 0 ? 2 : 1;
+}
 
 std::vector<std::string> Watch::headers() const {
     std::string const unit = field_.unit.empty() ? "" : fmt::format(" [{}]", field_.unit);
-    return field_.type == FieldType::vector ? std::vector{asked_ + ".x" + unit, asked_ + ".y" + unit}
-                                            : std::vector{asked_ + unit};
+    return columns() == 2 ? std::vector{asked_ + ".x" + unit, asked_ + ".y" + unit}
+                          : std::vector{asked_ + unit};
 }
 
 std::vector<Cell> Watch::read(World const& world) const {
-    std::vector<Cell> cells(field_.type == FieldType::vector ? 2 : 1);
+    std::vector<Cell> cells(columns());
     ObjectId const id = world.store().find(object_);
     Reader reader(field_, world, id, cells);
     if (field_.property->kind == PropertyKind::object) {
@@ -172,36 +270,30 @@ std::vector<Cell> Watch::read(World const& world) const {
 Watch find(World const& world, std::vector<WatchedField> const& fields, std::string_view what) {
     std::string const object = objectIn(world, what);
     std::string_view const word = what.substr(std::min(object.size() + 1, what.size()));
-    bool const isThere = world.store().find(object).valid();
-    std::vector<WatchedField const*> named;
-    std::vector<WatchedField const*> known;
-    std::vector<std::string> names;
-    std::vector<std::string> words;
-    for (WatchedField const& field : fields) {
-        bool const concerned = concerns(world, field, object);
-        bool const mayConcern =
-            field.property->kind == PropertyKind::object || field.ofWorld() == (object == "world");
-        if (field.isNamed(word) && mayConcern) {
-            named.push_back(&field);
-        } else if (field.isKnownAs(word) && (concerned || (!isThere && mayConcern))) {
-            known.push_back(&field);
-        }
-        if (concerned) {
-            names.push_back(field.name());
-            words.insert(words.end(), {field.name(), field.spokenName(), field.key});
-        }
+    Address address = addressOf(word);
+    std::vector<WatchedField const*> found = fieldsOf(world, fields, object, address.name);
+    int component = -1;
+    if (found.empty() && componentOf(word) >= 0) {
+        component = componentOf(word);
+        found = fieldsOf(world, fields, object, address.name.substr(0, address.name.size() - 2));
+        std::erase_if(found, [](WatchedField const* field) { return field->type != FieldType::vector; });
     }
-    auto const& found = named.empty() ? known : named;
-    if (found.size() == 1) {
-        return {std::string(what), object, *found.front()};
+    if (found.empty()) {
+        refuse(world, fields, object, word);
     }
-    if (!found.empty()) {
-        auto const all = namesOf(found);
+    if (found.size() > 1) {
         throw std::invalid_argument(
-            fmt::format("'{}' of '{}' may mean any of these: {}", word, object, listed(all)));
+            fmt::format("'{}' of '{}' may mean any of these: {}", word, object, listed(namesOf(found))));
     }
-    throw std::invalid_argument(fmt::format("'{}' has nothing called '{}'{}; it has: {}", object, word,
-                                            didYouMean(word, words), listed(names)));
+    WatchedField field = *found.front();
+    field.component = component;
+    auto element = address.elements.begin();
+    for (ListStep& step : field.lists) {
+        if (!step.ofObject && element != address.elements.end()) {
+            step.element = *element++;
+        }
+    }
+    return {std::string(what), object, std::move(field)};
 }
 
 } // namespace trembler::watch

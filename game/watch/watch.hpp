@@ -22,15 +22,18 @@ public:
     Watch(std::string asked, std::string object, WatchedField field)
         : asked_(std::move(asked)), object_(std::move(object)), field_(std::move(field)) {}
 
+    [[nodiscard]] std::string const& asked() const { return asked_; }
     [[nodiscard]] std::string const& object() const { return object_; }
     [[nodiscard]] WatchedField const& field() const { return field_; }
-    /// Headings of its columns; a vector has two: "ball.position.x [m]".
+    /// Headings of its columns; a whole vector has two: "ball.position.x [m]".
     [[nodiscard]] std::vector<std::string> headers() const;
     /// One cell per column for the current frame; empty while the object does not exist, lacks the property,
-    /// or the value is unknown.
+    /// or the value is unknown, or the list has no element of that number.
     [[nodiscard]] std::vector<Cell> read(World const& world) const;
 
 private:
+    [[nodiscard]] std::size_t columns() const;
+
     std::string asked_;
     std::string object_;
     WatchedField field_;
@@ -38,8 +41,9 @@ private:
 
 /// Resolves "OBJECT.FIELD" in a built world: FIELD is a property with a single value, as "mass"; a property
 /// and one of its fields, as "magnetic_force.force"; or a field alone, as "current", if only one property of
-/// the object has it. The object "world" has the properties of the world as a whole. Throws
-/// std::invalid_argument that suggests similar names or lists all of them.
+/// the object has it. Elements of lists have numbers from 0: "shape.0.width"; "shape.count" is the number of
+/// elements; ".x" and ".y" after a vector are one of its components. The object "world" has the properties of
+/// the world as a whole. Throws std::invalid_argument that suggests similar names or lists all of them.
 [[nodiscard]] Watch find(World const& world, std::vector<WatchedField> const& fields, std::string_view what);
 
 } // namespace trembler::watch

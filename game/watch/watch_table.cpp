@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 
 namespace trembler::watch {
@@ -31,7 +32,7 @@ struct Written {
 
 WatchTable::WatchTable(Registry const& registry, World const& world, std::vector<std::string> const& what,
                        std::uint64_t every, std::ostream& out)
-    : every_(every), out_(out) {
+    : registry_(registry), every_(every), out_(out) {
     std::vector<WatchedField> const fields = watchedFields(registry);
     std::string line = "frame,time [s]";
     for (std::string const& one : what) {
@@ -43,6 +44,7 @@ WatchTable::WatchTable(Registry const& registry, World const& world, std::vector
             subscriptions_.push_back(world.want(*watch.field().property));
         }
     }
+    filled_.resize(watches_.size());
     out_ << line << "\n";
 }
 
@@ -51,12 +53,50 @@ void WatchTable::look(World const& world) {
         return;
     }
     std::string line = fmt::format("{},{}", world.frame(), world.time());
-    for (Watch const& watch : watches_) {
-        for (Cell const& cell : watch.read(world)) {
+    for (std::size_t i = 0; i < watches_.size(); ++i) {
+        for (Cell const& cell : watches_[i].read(world)) {
             line += "," + std::visit(Written{}, cell);
+            filled_[i] = filled_[i] || !std::holds_alternative<std::monostate>(cell);
         }
     }
     out_ << line << "\n";
+}
+
+std::vector<std::string> WatchTable::withoutValue(World const& world) const {
+    std::vector<std::string> sentences;
+    for (std::size_t i = 0; i < watches_.size(); ++i) {
+        if (!filled_[i]) {
+            sentences.push_back(fmt::format("'{}' had no value in any row{}", watches_[i].asked(),
+                                            whyEmpty(world, *watches_[i].field().property)));
+        }
+    }
+    return sentences;
+}
+
+std::string WatchTable::whyEmpty(World const& world, PropertyInfo const& property) const {
+    ComponentText const* present = nullptr; // of the component that leaves it empty
+    std::vector<std::string> levels;        // of those that compute it
+    std::vector<ComponentStatus> const all = world.status();
+    for (Registration const& registration : registry_.components()) {
+        auto const& offers = registration.info->offers;
+        if (std::find(offers.begin(), offers.end(), &property) == offers.end()) {
+            continue;
+        }
+        if (registration.leftEmpty != &property) {
+            if (registration.missing.empty()) {
+                levels.emplace_back(registration.info->text.level);
+            }
+        } else if (std::any_of(all.begin(), all.end(), [&](ComponentStatus const& status) {
+                       return status.info == registration.info && status.activity != Activity::absent;
+                   })) {
+            present = &registration.info->text;
+        }
+    }
+    if (present == nullptr || levels.empty()) {
+        return "";
+    }
+    return fmt::format(": the detail level {} of {} leaves it empty; --detail {}={} computes it",
+                       present->level, present->effect, present->effect, fmt::join(levels, " or "));
 }
 
 } // namespace trembler::watch

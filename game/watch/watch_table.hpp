@@ -13,7 +13,7 @@ namespace trembler::watch {
 /// Rows of comma-separated values (RFC 4180): frame, time in s, and a column per number. The first line names
 /// the columns with their units; an unknown value is an empty cell. Numbers have as many digits as are needed
 /// to read them back exactly. While the table lives, watched derived properties are computed even if nothing
-/// else reads them; nothing else in the run changes. Not thread-safe.
+/// else reads them; nothing else in the run changes. The registry must outlive it. Not thread-safe.
 class WatchTable {
 public:
     /// Writes the first line. `what` lists "OBJECT.FIELD" texts; throws as find() does. `world` must be at
@@ -22,9 +22,16 @@ public:
                std::uint64_t every, std::ostream& out);
     /// Call at the start and after every frame: writes a row if one is due.
     void look(World const& world);
+    /// A sentence for each watch that had no value in any row so far, with the detail levels that compute it
+    /// if the present one does not.
+    [[nodiscard]] std::vector<std::string> withoutValue(World const& world) const;
 
 private:
+    [[nodiscard]] std::string whyEmpty(World const& world, PropertyInfo const& property) const;
+
+    Registry const& registry_;
     std::vector<Watch> watches_;
+    std::vector<bool> filled_; // for each watch: whether it had a value
     std::vector<Subscription> subscriptions_;
     std::uint64_t every_;
     std::ostream& out_;

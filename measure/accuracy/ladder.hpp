@@ -16,10 +16,10 @@ struct Rung {
     std::string level;
     /// µs per frame of the effect's components, median over the frames; the least of several runs.
     double microseconds = 0;
-    double error = 0;       ///< in the ladder's unit; 0: exact
-    std::string cannotTell; ///< what the level cannot represent, however long it computes
-    bool onFront = false;   ///< Pareto front: no other level is faster and at least as accurate
-    std::string beatenBy;   ///< the first level of the ladder that beats it, "" on the front
+    double error = 0;            ///< in the ladder's unit; 0: exact
+    std::string cannotRepresent; ///< what the level cannot represent, however long it computes
+    bool onFront = false;        ///< Pareto front: no other level is faster and at least as accurate
+    std::string beatenBy;        ///< the first level of the ladder that beats it, "" on the front
 };
 
 struct Ladder {
@@ -65,7 +65,7 @@ void markFront(Ladder& ladder);
 
 /// What a level cannot represent, however long it computes; "" if nothing is known. Settings such as "4
 /// substeps" are looked up by the name of the setting.
-[[nodiscard]] std::string whatCannotTell(std::string const& effect, std::string const& level);
+[[nodiscard]] std::string whatLevelCannotRepresent(std::string const& effect, std::string const& level);
 
 /// "1 substep", "4 substeps"; "automatic substeps" for 0.
 [[nodiscard]] std::string substepsName(int substeps);

@@ -80,8 +80,8 @@ std::vector<Ladder> climb(GameData const& gameData, std::vector<std::string> con
             }
             ladder.effect = plan.effect;
             for (Rung& rung : ladder.rungs) {
-                if (rung.cannotTell.empty()) {
-                    rung.cannotTell = whatCannotTell(ladder.effect, rung.level);
+                if (rung.cannotRepresent.empty()) {
+                    rung.cannotRepresent = whatLevelCannotRepresent(ladder.effect, rung.level);
                 }
             }
             markFront(ladder);

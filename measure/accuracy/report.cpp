@@ -52,13 +52,13 @@ std::string placeText(Ladder const& ladder, Rung const& rung) {
 
 // What none of a ladder's levels can represent, if it is the same for all of them, so that it is reported
 // once; otherwise "".
-std::string cannotTellOfAll(Ladder const& ladder) {
+std::string cannotRepresentOfAll(Ladder const& ladder) {
     if (ladder.rungs.empty()) {
         return "";
     }
-    std::string const& first = ladder.rungs.front().cannotTell;
+    std::string const& first = ladder.rungs.front().cannotRepresent;
     bool const same = std::all_of(ladder.rungs.begin(), ladder.rungs.end(),
-                                  [&](Rung const& rung) { return rung.cannotTell == first; });
+                                  [&](Rung const& rung) { return rung.cannotRepresent == first; });
     return same ? first : "";
 }
 
@@ -75,7 +75,7 @@ frames, in µs, of all components of the effect, on one thread, and the least of
 only adds to it. Errors are the same on every machine (the simulation is deterministic); times belong to the machine
 that this was made on and are good for comparing within a table.
 
-*Front* marks who is on the Pareto front: no other level of the table is faster and at least as accurate. What is
+*Front* marks the levels on the Pareto front: no other level of the table is faster and at least as accurate. What is
 beaten has no use in that scene, and the text below the table says why it is there; times within 5 % count as the same.
 Tables without that column are no choice between levels, but a study of what one thing does to the error.
 
@@ -107,9 +107,9 @@ std::string asText(std::vector<Ladder> const& ladders) {
         }
         std::string last;
         for (Rung const& rung : ladder.rungs) {
-            if (!rung.cannotTell.empty() && rung.cannotTell != last) {
-                text += fmt::format("  {} cannot tell {}\n", rung.level, rung.cannotTell);
-                last = rung.cannotTell;
+            if (!rung.cannotRepresent.empty() && rung.cannotRepresent != last) {
+                text += fmt::format("  {} cannot represent {}\n", rung.level, rung.cannotRepresent);
+                last = rung.cannotRepresent;
             }
         }
         text += "\n";
@@ -131,7 +131,7 @@ nlohmann::ordered_json asJson(std::vector<Ladder> const& ladders) {
                               {"error", error},
                               {"front", rung.onFront},
                               {"beaten_by", rung.beatenBy},
-                              {"cannot_tell", rung.cannotTell}});
+                              {"cannot_tell", rung.cannotRepresent}});
         }
         all.push_back({{"effect", ladder.effect},
                        {"scene", ladder.scene},
@@ -157,7 +157,7 @@ std::string asMarkdown(std::vector<Ladder> const& ladders, std::string const& pi
         }
         text += fmt::format("### {}\n\nError: {}. Reference: {}.\n\n", capitalised(ladder.scene),
                             ladder.error, ladder.reference);
-        std::string const common = cannotTellOfAll(ladder);
+        std::string const common = cannotRepresentOfAll(ladder);
         std::string heading = fmt::format("| level | µs per frame | error ({}) |", ladder.unit);
         std::string rule = "|---|---|---|";
         if (ladder.rivals) {
@@ -165,7 +165,7 @@ std::string asMarkdown(std::vector<Ladder> const& ladders, std::string const& pi
             rule += "---|";
         }
         if (common.empty()) {
-            heading += " what it cannot tell |";
+            heading += " what it cannot represent |";
             rule += "---|";
         }
         text += heading + "\n" + rule + "\n";
@@ -178,13 +178,13 @@ std::string asMarkdown(std::vector<Ladder> const& ladders, std::string const& pi
                 addCell(text, placeText(ladder, rung));
             }
             if (common.empty()) {
-                addCell(text, rung.cannotTell);
+                addCell(text, rung.cannotRepresent);
             }
             text += "\n";
         }
         text += "\n";
         if (!common.empty()) {
-            text += "None of them can tell " + common + ".\n\n";
+            text += "None of them can represent " + common + ".\n\n";
         }
         if (!ladder.remark.empty()) {
             text += ladder.remark + "\n\n";

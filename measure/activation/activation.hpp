@@ -40,12 +40,13 @@ struct LevelUse {
 inline constexpr std::uint64_t framesPerSecond = 60;
 
 /// Plays a level, without player input if `solution` is null, on one thread for `seconds` whole seconds, at
-/// least one. Throws InputError if the level or the solution is invalid.
+/// least one. The result points into the registry of `gameData`, which must outlive it. Throws InputError if
+/// the level or the solution is invalid.
 [[nodiscard]] LevelUse playForCalls(GameData const& gameData, LevelFile const& level,
                                     Solution const* solution, int seconds);
 
 /// Plays every level with every recorded solution, in order of path; a level without solutions is played
-/// without player input.
+/// without player input. The results point into the registry of `gameData`, which must outlive them.
 [[nodiscard]] std::vector<LevelUse> playAllForCalls(GameData const& gameData, int seconds);
 
 } // namespace trembler

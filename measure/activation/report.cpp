@@ -40,9 +40,9 @@ std::string cell(ComponentUse const& use) {
     return use.atEnd == Activity::active ? fmt::format("**{}**", use.updates) : std::to_string(use.updates);
 }
 
-constexpr std::string_view intro = R"(# Only what a scene calls for
+constexpr std::string_view intro = R"(# Only what a scene activates
 
-A component is constructed only if objects in the scene call for it, and has a turn only if something that it reads has
+A component is constructed only if objects in the scene activate it, and has a turn only if something that it reads has
 changed. This page counts both, for every level in the repository:
 
     build/trembler components --levels --markdown >docs/measurements/activation.md
@@ -120,8 +120,8 @@ std::string activationMarkdown(std::vector<LevelUse> const& plays) {
     std::vector<LevelUse const*> const first = firstOfEach(plays);
     text += fmt::format("\n## Component by component\n\nThe first play of each level: turns in {} frames; "
                         "**bold** if the component is active at the end, plain if it is\nasleep, nothing if "
-                        "it is absent. Sound's components are there for who listens: a microphone in the "
-                        "level, or a loudspeaker,\nwhich none of these runs has.\n\n",
+                        "it is absent. Sound's components are constructed only if something listens: a "
+                        "microphone in the level, or a loudspeaker,\nwhich none of these runs has.\n\n",
                         plays.front().frames);
     char number = 'A';
     for (LevelUse const* const play : first) {

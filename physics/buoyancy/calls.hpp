@@ -1,4 +1,4 @@
-// The interaction functions of the Buoyancy resolver, whichever detail level is behind it.
+// The interaction functions of the Buoyancy resolver, for any detail level.
 #pragma once
 
 #include "runtime/component/call.hpp"
@@ -9,8 +9,8 @@
 
 namespace trembler {
 
-/// The thesis's setLinearGravity(vector) (6.13.2). With "set" the last caller would win; accelerations add up
-/// instead, as in nature: a planet's and a lift's.
+/// The thesis's setLinearGravity(vector) (6.13.2). Accelerations add up, as those of a planet and of a lift
+/// do; with "set" the last caller would win.
 struct SetLinearGravity {
     static constexpr CallText text{
         "setLinearGravity", "(field, vector)",

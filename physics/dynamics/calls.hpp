@@ -1,4 +1,4 @@
-// The interaction functions of the Dynamics resolver, whichever engine is behind it.
+// The interaction functions of the Dynamics resolver, for any engine.
 #pragma once
 
 #include "runtime/component/call.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// Forces below this, in N, are not worth a line in a trace.
+/// Forces below this, in N, are left out of traces.
 inline constexpr double negligibleForce = 1e-3;
 
 struct AddForce {
@@ -128,12 +128,12 @@ struct AddDrag {
     [[nodiscard]] double magnitude() const { return xx + yy + angular; }
 };
 
-/// A force stands for a frame, or for as long as its effect lets it, while what it depends on moves on. An
-/// interaction that adds one says how fast it varies: the angular frequency ω = √(k/m) with which the object
-/// would swing if the force alone held it, k being how much the force changes per way (N/m), or the rate at
-/// which it would come to rest if the force alone slowed it down. A factor of two does not matter. A force
-/// without such a call does not vary. Dynamics sums these calls up in ForceRates.
-struct TellRate {
+/// A force is held for a frame, or for its effect's period, while the objects on which it depends move. An
+/// interaction that adds a force states how fast it varies: the angular frequency ω = √(k/m) with which the
+/// object would swing if the force alone held it, k being the change of the force per distance (N/m), or the
+/// rate at which the object would come to rest if the force alone slowed it down. A factor of two does not
+/// matter. A force without such a call does not vary. Dynamics summarises these calls in ForceRates.
+struct StateRate {
     static constexpr CallText text{"tellRate", "(object, rate, foreseen, swings)",
                                    "Says how fast (1/s) a force on the object varies as it moves, whether "
                                    "the force is one that allows for "
@@ -142,8 +142,8 @@ struct TellRate {
     static constexpr double negligible = 0;
     ObjectId object;
     double rate = 0;       ///< 1/s, >= 0
-    bool foreseen = false; ///< the force is that of where the object will be, or acts against its motion
-    bool swings = true;    ///< it depends on where the object is; shorter parts of a frame follow it better
+    bool foreseen = false; ///< the force is computed for the object's later place, or acts against its motion
+    bool swings = true;    ///< it depends on the object's place; shorter parts of a frame follow it better
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object", .required = true}, self.object);
@@ -155,18 +155,19 @@ struct TellRate {
                         .required = true},
               self.rate);
         visit(
-            FieldInfo{.key = "foreseen",
-                      .unit = "",
-                      .meaning =
-                          "whether it is the force of where the object will be, or acts against its motion"},
+            FieldInfo{
+                .key = "foreseen",
+                .unit = "",
+                .meaning =
+                    "whether the force is computed for the object's later place, or acts against its motion"},
             self.foreseen);
-        visit(FieldInfo{.key = "swings", .unit = "", .meaning = "whether it depends on where the object is"},
+        visit(FieldInfo{.key = "swings", .unit = "", .meaning = "whether it depends on the object's place"},
               self.swings);
     }
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }
     [[nodiscard]] std::uint64_t key() const { return packed(object); }
     [[nodiscard]] double value() const { return rate; }
-    [[nodiscard]] double magnitude() const { return 0; } ///< nothing happens by it, so it is no event
+    [[nodiscard]] double magnitude() const { return 0; } ///< no effect, so no event
 };
 
 struct AddImpulse {
@@ -199,7 +200,7 @@ struct AddImpulse {
 
 struct DynamicsRole {
     static constexpr std::string_view name = "Dynamics";
-    using Calls = CallList<AddForce, AddForceToPoint, AddTorque, AddDrag, TellRate, AddImpulse>;
+    using Calls = CallList<AddForce, AddForceToPoint, AddTorque, AddDrag, StateRate, AddImpulse>;
 };
 
 } // namespace trembler

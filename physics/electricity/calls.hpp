@@ -13,10 +13,10 @@ namespace trembler {
 
 /// The common part of the calls that change connections. Their algebra is the counted set: the calls of one
 /// frame and one caller on one pair of objects are added up before they take effect, so their order does not
-/// matter; the pair is connected while any caller's count is above zero (CallerCounts). So the graph knows
-/// which caller connects two objects: the thesis's doubled vertices, without their cost. A removal of a
-/// connection that the caller has not added takes nothing away: its count is zero afterwards, not below, and
-/// no other caller's changes. The connections that an interaction has added go when the interaction goes.
+/// matter; the pair is connected while any caller's count is above zero (CallerCounts). So the graph stores
+/// which caller connects two objects: this replaces the thesis's doubled vertices, without their cost. The
+/// removal of a connection that the caller has not added has no effect: the caller's count stays zero, and no
+/// other caller's count changes. When an interaction is removed, so are the connections that it has added.
 struct ConnectionKey {
     static constexpr Algebra algebra = Algebra::countedSet;
     ObjectId a;
@@ -30,7 +30,7 @@ struct ConnectionKey {
     [[nodiscard]] auto key() const { return a < b ? std::pair{a, b} : std::pair{b, a}; }
 };
 
-/// One more reason for two objects to be connected.
+/// Adds one to the caller's count of a connection.
 struct AddConnection : ConnectionKey {
     using MembersOf = ConnectionKey;
     static constexpr CallText text{
@@ -40,7 +40,7 @@ struct AddConnection : ConnectionKey {
     [[nodiscard]] int delta() const { return 1; }
 };
 
-/// One reason less.
+/// Subtracts one from the caller's count of a connection.
 struct RemoveConnection : ConnectionKey {
     using MembersOf = ConnectionKey;
     static constexpr CallText text{
@@ -50,10 +50,10 @@ struct RemoveConnection : ConnectionKey {
     [[nodiscard]] int delta() const { return -1; }
 };
 
-/// Connects two conductors for as long as the call is held: one more reason, whose end needs no call. An
-/// interaction that finds out anew in each turn who is connected, and keeps no account of what it has added,
-/// uses this in place of the two above. It counts as one of the caller's connections between the two, however
-/// often the caller holds it.
+/// Connects two conductors for as long as the call is held: one more reason, whose end needs no call. Used
+/// instead of the two calls above by interactions that compute the connections anew in each turn and keep no
+/// account of those that they have added. It counts as one of the caller's connections between the two,
+/// however often the caller holds it.
 struct HoldConnection : ConnectionKey {
     using MembersOf = ConnectionKey;
     static constexpr CallText text{
@@ -63,8 +63,8 @@ struct HoldConnection : ConnectionKey {
     static constexpr bool hashedOnlyIfMade = true;
 };
 
-/// Raises the EMF of a source, as induction does; several calls add up. An object without an EMF takes no
-/// part, as nothing is known of its volts.
+/// Raises the EMF of a source, as induction does; several calls add up. The call has no effect on an object
+/// without an EMF, as its voltage is unknown.
 struct AddVoltage {
     static constexpr CallText text{
         "addVoltage", "(object, voltage)",
@@ -90,9 +90,8 @@ struct AddVoltage {
     [[nodiscard]] double magnitude() const { return std::abs(voltage); }
 };
 
-/// Takes away one of the wires that the level has laid between two objects, in whichever order they are
-/// named, and nothing that an interaction has connected. Several cuts add up; one where no wire is left
-/// changes nothing.
+/// Removes one of the wires that the level states between two objects, named in either order, but no
+/// connection by an interaction. Several cuts add up; a cut has no effect if no wire is left.
 struct CutWire {
     static constexpr CallText text{
         "cutWire", "(object, object)",

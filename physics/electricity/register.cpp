@@ -24,7 +24,7 @@ P const* find(Store const& store, ObjectId id) {
     return column == nullptr ? nullptr : column->find(id);
 }
 
-// As stated, or as it follows from the material: rules look at objects before they are completed.
+// As stated, or from the material: rules check objects before they are completed.
 std::optional<Conductor> conductorOf(Store const& store, ObjectId id) {
     if (Conductor const* const stated = find<Conductor>(store, id)) {
         return *stated;
@@ -64,7 +64,7 @@ std::optional<std::string> checkConducts(Store const& store, ObjectId id) {
     return std::nullopt;
 }
 
-// One that is neither 0 nor within the range that the solver is made for.
+// Refuses a resistance that is neither 0 nor within the solver's range.
 std::optional<std::string> checkOhm(Store const& store, ObjectId id, double ohm, std::string_view what) {
     if (ohm != 0 && (ohm < leastResistance || ohm > greatestResistance)) {
         return fmt::format("the {} of '{}' is {} ohm; expected 0, or {} to {} ohm", what, store.nameOf(id),
@@ -96,19 +96,11 @@ std::optional<std::string> checkRating(Store const& store, ObjectId id) {
     }
     auto const* const resistances = store.findColumn<Resistance>();
     if (resistances != nullptr && resistances->has(id)) {
-        return std::nullopt; // the stated value counts, not one that follows
+        return std::nullopt; // the stated value is checked, not one that follows from it
     }
     RatedPower const& rated = (*store.findColumn<RatedPower>())[id];
     return checkOhm(store, id, rated.voltage * rated.voltage / rated.power,
                     "resistance that follows from the rating");
-}
-
-// Connections of a level that has no electricity: they may be stated, and nothing flows.
-void layNothing(Store& /*store*/, ObjectId /*a*/, ObjectId /*b*/) {}
-
-template <class... Properties>
-void makeKnown(Registry& registry) {
-    (registry.property<Properties>(), ...);
 }
 
 } // namespace
@@ -125,7 +117,8 @@ void registerElectricity(Registry& registry) {
     registry.property<ElectricalDevice>();
     registry.completion<ConductorCompletion>();
     registry.completion<VertexCompletion>();
-    registry.connector(wireConnector(layWire));
+    registry.connector({"wire", "electricity", "a wire between two conductors, which the scissors can cut",
+                        refuseWire, layWire});
     registry.rule({&propertyInfo<ElectricalSource>(), checkTerminal<ElectricalSource>});
     registry.rule({&propertyInfo<ElectricalReturn>(), checkTerminal<ElectricalReturn>});
     registry.rule({&propertyInfo<Resistance>(), checkResistance});
@@ -133,12 +126,6 @@ void registerElectricity(Registry& registry) {
     registry.rule({&propertyInfo<RatedPower>(), checkRating});
     registry.rule({&propertyInfo<Fuse>(), checkConducts<Fuse>});
     registry.rule({&propertyInfo<CurrentCapacity>(), checkConducts<CurrentCapacity>});
-}
-
-void knowElectricity(Registry& registry) {
-    makeKnown<Conductor, ElectricalSource, ElectricalReturn, ElectricalDevice, Resistance, Emf, RatedPower,
-              Fuse, CurrentCapacity>(registry);
-    registry.connector(wireConnector(layNothing));
 }
 
 } // namespace trembler

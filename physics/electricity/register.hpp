@@ -1,4 +1,4 @@
-// Electricity: connections between conductors, and which objects are on because of them.
+// Electricity: connections between conductors, and the objects that they switch on.
 #pragma once
 
 namespace trembler {
@@ -8,9 +8,5 @@ class Registry;
 /// Registers the Electricity resolver, its detail levels (single-cable, two-wire, nodal, flow) and the
 /// interactions on electricity. After dynamics.
 void registerElectricity(Registry& registry);
-
-/// Its properties, and the connections of a level, in which nothing flows: a program without electricity
-/// reads every level and part.
-void knowElectricity(Registry& registry);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// The input of both levels of gravity between masses.
+// The input of the levels of gravity between masses.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
@@ -13,10 +13,10 @@ namespace trembler {
 void gatherMasses(Column<Mass> const& masses, Column<Position> const& positions, GravityForce& forces,
                   inverse_square::Points& points);
 
-/// Sources of the field and receivers of weight 1 are the same points but for the weights.
+/// Makes receivers of weight 1 from the sources; only the weights differ.
 void weighReceivers(inverse_square::Points const& sources, inverse_square::Points& receivers);
 
-/// The sums of the sources' pulls on each receiver.
+/// The sums over all sources at each receiver.
 struct MassSums {
     std::vector<Vec2> fields;      ///< kg/m²
     std::vector<double> stiffness; ///< kg/m³, see inverse_square::addAllPairs()
@@ -27,8 +27,8 @@ struct MassSums {
     }
 };
 
-/// From sums to forces, F = G m g, and to how fast they vary, ω² = G Σ m / (r² + s²)^(3/2): between two
-/// masses that is Kepler's mean motion, but for the mass of the receiver itself.
+/// Computes the forces from the sums, F = G m g, and how fast they vary, ω² = G Σ m / (r² + s²)^(3/2): for
+/// two masses that is Kepler's mean motion without the receiver's own mass.
 void weighFields(GravityLaw const& law, inverse_square::Points const& points, MassSums const& sums,
                  GravityForce& forces);
 

@@ -7,7 +7,7 @@
 
 namespace trembler {
 
-/// The world's gravity: Mars is one number in one place (3.3.3).
+/// The world's gravity: a level on Mars changes one number (3.3.3).
 struct GravityField {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
@@ -61,14 +61,14 @@ struct GravityLaw {
     }
 };
 
-/// F_G. One entry per object with a mass, ascending: fixed objects have their weight too.
+/// F_G. One entry per object with a mass, ascending, including fixed objects.
 struct GravityForce {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"F_G", "gravity_force", "The force due to gravity on each object."};
     struct Entry {
         ObjectId object;
         Vec2 force;      ///< N, at the centre of mass
-        double rate = 0; ///< 1/s, at which the force varies as the object moves; see TellRate
+        double rate = 0; ///< 1/s, at which the force varies as the object moves; see StateRate
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);

@@ -10,8 +10,8 @@ void RealGravity::update(Access& access) {
     gatherMasses(access.read<Mass>(), access.read<Position>(), forces, sources_);
     weighReceivers(sources_, receivers_);
     sums_.clear(sources_.size());
-    // Every object sums over all others by itself: twice the work of sharing each pair, but the order of
-    // additions, and so every bit, is the same on any number of threads.
+    // The sum at each object is computed separately: twice the work of computing each pair once, but the
+    // order of additions, and so every bit, is the same on any number of threads.
     access.forRanges(sources_.size(), [&](std::size_t begin, std::size_t end) {
         inverse_square::addAllPairs(sources_, receivers_, begin, end, law.softening * law.softening,
                                     sums_.fields, sums_.stiffness);

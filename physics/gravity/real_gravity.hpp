@@ -18,9 +18,10 @@ public:
                                         .effect = "gravity",
                                         .level = "real",
                                         .work = "Exports the sum of the attractions of all other masses.",
-                                        .rank = 0}; // a world that states a law of gravity means it
+                                        .rank = 0}; // a world that states a law of gravity needs this level
     using Activation = NeedsAll<GravityLaw, Mass, Position>;
-    static constexpr int longestPeriod = 4; // a force that stands for longer is another force
+    static constexpr int longestPeriod =
+        4; // held for longer, the force is no longer an approximation of the same physics
     static constexpr Coverage memory = leftOut("refilled in each update");
     void update(Access& access);
 

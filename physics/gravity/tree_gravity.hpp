@@ -12,9 +12,9 @@ namespace trembler {
 
 class Store;
 
-/// The law of Real Gravity with far clusters taken as wholes (see inverse_square::Tree): O(n log n) instead
-/// of O(n²). GravityLaw's opening angle says which are far; docs/measurements/accuracy.md has the errors.
-/// Action equals reaction only as nearly as the forces are right.
+/// The law of Real Gravity with far clusters summed as wholes (see inverse_square::Tree): O(n log n) instead
+/// of O(n²). GravityLaw's opening angle defines which clusters are far; docs/measurements/accuracy.md has the
+/// errors. Action equals reaction only within these errors.
 class TreeGravity final : public Dps<TreeGravity, Reads<GravityLaw, Position, Mass>, Derives<GravityForce>> {
 public:
     static constexpr ComponentText text{
@@ -22,12 +22,13 @@ public:
         .effect = "gravity",
         .level = "tree",
         .work = "Exports the sum of the attractions of all other masses, far clusters of them as wholes.",
-        .rank = -1}; // where it suits it is cheaper than Real Gravity
+        .rank = -1}; // cheaper than Real Gravity in scenes that it suits
     using Activation = NeedsAll<GravityLaw, Mass, Position>;
-    static constexpr int longestPeriod = 4; // a force that stands for longer is another force
+    static constexpr int longestPeriod =
+        4; // held for longer, the force is no longer an approximation of the same physics
     static constexpr Coverage memory = leftOut("refilled in each update");
-    /// From here on it is three times as fast as Real Gravity; it overtakes it at about 500
-    /// (bench_many_bodies).
+    /// The number of masses from which it is three times as fast as Real Gravity; it is faster from about 500
+    /// on (bench_many_bodies).
     static constexpr std::size_t worthwhile = 2000;
     static bool suits(Store const& store);
     void update(Access& access);

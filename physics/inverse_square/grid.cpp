@@ -23,7 +23,8 @@ std::uint32_t columnOf(std::uint64_t key) {
 
 } // namespace
 
-// A point outside of all squares is farther than the cutoff from every source: any square out there will do.
+// A point outside of all squares is farther than the cutoff from every source, so any empty square is
+// correct.
 std::uint32_t Grid::cell(double offset) const {
     double const at = std::floor(offset * inverse_) + firstCell;
     if (!(at > 0)) {

@@ -1,4 +1,4 @@
-// Inverse-square sums that end at a cutoff: O(n) times the neighbours within it.
+// Inverse-square sums with a cutoff: O(n) times the number of neighbours within it.
 #pragma once
 
 #include "physics/inverse_square/kernels.hpp"
@@ -10,21 +10,22 @@
 
 namespace trembler::inverse_square {
 
-/// Squares as wide as the cutoff; a receiver looks at its own and the eight around it. Only squares that hold
-/// something take memory, however wide the world. The sums of one receiver run through its neighbours in an
-/// order made from their places alone, so no bit depends on threads or on the order of objects.
+/// Squares as wide as the cutoff; a receiver sums over its own square and the eight around it. Empty squares
+/// take no memory, however wide the world is. The sums of one receiver are in an order that depends on the
+/// places of its neighbours alone, so no bit depends on threads or on the order of objects.
 ///
-/// A cutoff loses the far field: the part that is left out of n like poles at the density p per m² grows with
-/// n. For such scenes there is the tree.
+/// A cutoff loses the far field: the missing part of the field of n like poles at the density p per m² grows
+/// with n. Use the tree for such scenes.
 class Grid {
 public:
     /// `cutoff` > 0, m. O(n log n).
     void build(Points const& sources, double cutoff);
     void setReceivers(Points const& receivers);
     /// Adds the sums of the rows in [begin, end) of the ordered receivers to `totals`, whose order is the
-    /// receivers' as given: pairs nearer than `inner` (< cutoff, m) in full, and smoothly less from there to
-    /// nothing at the cutoff. To `stiffness`, where it is given, it adds how much the sums vary (see
-    /// addAllPairs()), the weakening on the way to the cutoff left out. Different ranges at the same time.
+    /// receivers' as given: pairs nearer than `inner` (< cutoff, m) in full, with a smooth decrease from
+    /// there to zero at the cutoff. To `stiffness`, if not empty, it adds how much the sums vary (see
+    /// addAllPairs()), without the decrease near the cutoff. Different ranges may be computed at the same
+    /// time.
     void add(std::size_t begin, std::size_t end, double inner, double softening2, std::span<Vec2> totals,
              std::span<double> stiffness = {}) const;
 

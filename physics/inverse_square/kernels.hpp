@@ -1,4 +1,4 @@
-// The innermost loops of inverse-square sums: four receivers at a time, one source after the other.
+// The innermost loops of inverse-square sums: four receivers at a time, source by source.
 #pragma once
 
 #include "physics/inverse_square/points.hpp"
@@ -7,8 +7,8 @@
 
 namespace trembler::inverse_square {
 
-/// So many receivers go through the sources together. Each adds up its own sum, source by source in their
-/// order, so every bit is that of a plain loop whatever the width of the processor's vectors.
+/// The number of receivers that are summed together. Each has its own sum, source by source in their order,
+/// so every bit is that of a plain loop, for any width of the processor's vectors.
 inline constexpr std::size_t blockSize = 4;
 
 struct alignas(32) Block {
@@ -21,7 +21,7 @@ struct alignas(32) Block {
     double stiffness[blockSize]; ///< see addAllPairs()
 };
 
-/// Sources far away, taken as a whole: moments about a centre up to the second.
+/// A far cluster of sources: moments about a centre up to the second.
 struct Cluster {
     double x = 0; ///< m, the centre
     double y = 0;
@@ -34,8 +34,8 @@ struct Cluster {
     double absolute = 0; ///< Σ |w|
 };
 
-/// Takes the sums smoothly to zero between `inner` and `outer` (m): with t = (outer² - r²) / (outer² -
-/// inner²), held between 0 and 1, by the factor t² (3 - 2 t).
+/// Reduces the sums smoothly to zero between `inner` and `outer` (m), by the factor t² (3 - 2 t) with t =
+/// (outer² - r²) / (outer² - inner²), clamped to 0 and 1.
 struct Window {
     double outerSquared = 0;
     double inverseSpan = 0;
@@ -58,21 +58,21 @@ struct Kernels {
     void (*addClusters)(std::span<Cluster const>, double softening2, Block&);
 };
 
-/// Everything that this processor can run, narrowest first; there is always one.
+/// All implementations that this processor can run, narrowest first; at least one.
 [[nodiscard]] std::span<Kernels const> availableKernels();
-/// The widest of them.
+/// The widest available implementation.
 [[nodiscard]] Kernels const& kernels();
 
 /// Adds the contributions of all sources at receiver i to totals[i], for i in [begin, end): O(sources ·
-/// receivers). And to stiffness[i], where it is given, how much these vary with the receiver's place, signs
-/// left out:
+/// receivers). Adds to stiffness[i], if not empty, how much these vary with the receiver's place, without
+/// signs:
 ///     |f_i| Σ |w_j| / (r_ij² + s²)^(3/2).
-/// That is the derivative across r; the one along r is between once and minus twice as much.
+/// That is the derivative across r; the one along r is between 1 and -2 times as much.
 void addAllPairs(Points const& sources, Points const& receivers, std::size_t begin, std::size_t end,
                  double softening2, std::span<Vec2> totals, std::span<double> stiffness = {});
 
-/// Receivers into a block: row(k) among the receivers and totalRow(k) among the totals, for k in [0, count),
-/// 0 < count <= blockSize. The last one fills up the block.
+/// Copies receivers into a block: row(k) among the receivers and totalRow(k) among the totals, for k in [0,
+/// count), 0 < count <= blockSize. The rest of the block repeats the last receiver.
 template <class Row, class TotalRow>
 void fillBlock(Block& block, Points const& receivers, std::span<Vec2 const> totals, std::size_t count,
                Row&& row, TotalRow&& totalRow) {

@@ -1,5 +1,5 @@
-// Points that attract or repel as the inverse square of the distance, as arrays that a processor can take
-// several of at a time. Gravity and magnetism sum over them.
+// Points that attract or repel with the inverse square of the distance, as arrays for vector instructions.
+// Gravity and magnetism sum over them.
 #pragma once
 
 #include "runtime/math/vec2.hpp"

@@ -6,7 +6,7 @@
 namespace trembler::inverse_square {
 namespace {
 
-// Every second bit is free for the other coordinate.
+// Spreads the bits of v, with every second bit free for the other coordinate.
 std::uint64_t spread(std::uint32_t v) {
     std::uint64_t bits = v;
     bits = (bits | (bits << 16U)) & 0x0000FFFF0000FFFFULL;

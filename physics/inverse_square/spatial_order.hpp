@@ -1,5 +1,5 @@
-// An order of points along a curve that fills the plane: neighbours in it are near one another. It is made
-// from the points alone, never from the order in which they are given.
+// An order of points along a curve that fills the plane: neighbours in it are near one another. It depends on
+// the points alone, not on their order in the input.
 #pragma once
 
 #include "physics/inverse_square/points.hpp"
@@ -16,8 +16,8 @@ struct Ordered {
 
 /// Keys after Morton (1966): the bits of both coordinates in turn, coarsest first. Ascending by key; points
 /// of one key by place, weight and owner, so only identical points may change places. Coordinates are
-/// distinguished to 2^-32 of the greater extent of all points. O(n log n); `order` is written again and lends
-/// its memory. At most 2^32 points.
+/// distinguished to 2^-32 of the greater extent of all points. O(n log n); `order` is overwritten and its
+/// memory reused. At most 2^32 points.
 void orderAlongCurve(Points const& points, std::vector<Ordered>& order);
 
 /// Ascending by key, then by the points' place, weight and owner.

@@ -7,11 +7,11 @@ namespace trembler::inverse_square {
 namespace {
 
 constexpr std::uint32_t leafSize = 8;
-constexpr std::uint32_t notWorthACluster = 2; // so few sources cost less than their moments
+constexpr std::uint32_t notWorthACluster = 2; // this few sources cost less than their moments
 
 } // namespace
 
-// The clusters that a group takes as wholes, and the points that it takes one by one.
+// The clusters that a group sums as wholes, and the points that it sums one by one.
 struct Tree::Lists {
     std::vector<Cluster> far;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> near; // ranges of sources
@@ -140,7 +140,8 @@ void Tree::setReceivers(Points const& receivers, bool ownElsewhere) {
     }
 }
 
-// No cluster may hold a source that a receiver must not feel; inside the box none is taken as a whole anyway.
+// No cluster may contain sources of a receiver's own object. Clusters inside the box are never summed as
+// wholes anyway.
 void Tree::ownOutside(std::size_t begin, std::size_t end, Box const& box,
                       std::vector<std::uint32_t>& own) const {
     own.clear();

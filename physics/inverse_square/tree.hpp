@@ -1,4 +1,4 @@
-// Inverse-square sums in O(n log n): a quadtree whose far parts are taken as wholes.
+// Inverse-square sums in O(n log n): a quadtree whose far parts are summed as wholes.
 #pragma once
 
 #include "physics/inverse_square/kernels.hpp"
@@ -11,18 +11,18 @@
 
 namespace trembler::inverse_square {
 
-/// After Barnes and Hut (1986), with three differences: clusters keep moments up to the second about the
-/// centre of their absolute weights, so that weights of both signs that cancel in the sum still act;
-/// receivers walk through the tree in groups of neighbours (Barnes 1990); and a cluster counts as far if its
-/// *radius*, from its centre to its farthest point, is less than the opening angle times the distance from
-/// its centre to the group's box. With an angle of 1 or less no receiver can lie inside a cluster that it
-/// takes as a whole. At the angle 0 every pair is added up.
+/// After Barnes and Hut (1986), with three differences: clusters have moments up to the second about the
+/// centre of their absolute weights, so that weights of both signs that cancel in the sum still have an
+/// effect; groups of neighbouring receivers walk through the tree together (Barnes 1990); and a cluster
+/// counts as far if its *radius*, from its centre to its farthest point, is less than the opening angle times
+/// the distance from its centre to the group's box. With an angle of 1 or less no receiver can lie inside a
+/// cluster that it sums as a whole. With the angle 0 every pair is summed.
 ///
-/// Built from the points' places, weights and owners alone: the same for any order of objects. A group's sums
-/// belong to it alone, so no bit depends on threads.
+/// The tree depends on the points' places, weights and owners alone, not on the order of objects. Each group
+/// has its own sums, so no bit depends on threads.
 class Tree {
 public:
-    /// Rows of receivers that walk together. A chunk of forRanges() holds a whole number of groups.
+    /// The number of receivers that walk together. A chunk of forRanges() is a whole number of groups.
     static constexpr std::size_t groupSize = 32;
 
     /// O(n log n).
@@ -31,8 +31,8 @@ public:
     /// per receiver.
     void setReceivers(Points const& receivers, bool ownElsewhere);
     /// Adds the sums of the rows in [begin, end) of the ordered receivers to `totals`, whose order is the
-    /// receivers' as given, and to `stiffness`, where it is given, how much they vary (see addAllPairs());
-    /// `begin` is a multiple of groupSize. Different ranges at the same time.
+    /// receivers' as given, and to `stiffness`, if not empty, how much they vary (see addAllPairs()); `begin`
+    /// is a multiple of groupSize. Different ranges may be computed at the same time.
     void add(std::size_t begin, std::size_t end, double openingAngle, double softening2,
              std::span<Vec2> totals, std::span<double> stiffness = {}) const;
 

@@ -8,9 +8,8 @@
 
 namespace trembler {
 
-/// Both calls are held, and together they are one "or": a magnet is on while any interaction enables it, even
-/// if others disable it, so two interactions can never contradict one another. A magnet without any call is
-/// off.
+/// Both calls are held and combined by "or": a magnet is on while any interaction enables it, even if others
+/// disable it, so interactions cannot contradict each other. A magnet without any call is off.
 struct EnableMagnet {
     static constexpr CallText text{"enableMagnet", "(object)",
                                    "Switches the electromagnet on for as long as the call is held."};
@@ -25,8 +24,8 @@ struct EnableMagnet {
     [[nodiscard]] std::uint64_t key() const { return packed(object); }
 };
 
-/// Gives the reason why it is off: without the call the magnet would be off as well, but a trace could not
-/// say why.
+/// States the reason why a magnet is off: without the call it would be off as well, but a trace would not
+/// contain the reason.
 struct DisableMagnet {
     static constexpr CallText text{"disableMagnet", "(object)",
                                    "Leaves the electromagnet off unless anybody enables it."};

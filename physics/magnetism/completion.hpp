@@ -14,8 +14,9 @@
 
 namespace trembler {
 
-/// A piece that a strong magnet has saturated has poles of its magnetisation times its cross-section (Cullity
-/// and Graham 2009, Chapter 1). The cross-section is that of a square of the same area, as deep as the world.
+/// A piece saturated by a strong magnet has poles whose strength is its magnetisation times its cross-section
+/// (Cullity and Graham 2009, Chapter 1). The cross-section is that of a square of the same area, as deep as
+/// the world.
 struct SusceptibilityCompletion final
     : Completion<SusceptibilityCompletion, Reads<MadeOf, Without, Shape>, Adds<MagneticStrength>> {
     static constexpr CompletionText text{.name = "Susceptibility",

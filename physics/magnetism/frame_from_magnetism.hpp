@@ -1,4 +1,4 @@
-// (Frame <- Magnetic Forces): magnets that are strong for their mass ask for parts of a frame.
+// (Frame <- Magnetic Forces): magnets that are strong for their mass request frames in parts.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
@@ -12,8 +12,8 @@
 
 namespace trembler {
 
-/// Dynamics asks on behalf of all forces, but receives them a frame later. Between magnets that pass through
-/// each other one frame is enough to gain energy.
+/// Dynamics requests parts for all forces, but receives these a frame later. Magnets that pass through each
+/// other can gain energy in that one frame.
 class FrameFromMagneticForces final
     : public Interaction<FrameFromMagneticForces, FrameRole, Reads<MagneticForce, Fixed>> {
 public:
@@ -30,7 +30,7 @@ public:
         for (MagneticForce::Rate const& one : access.read<MagneticForce>().rates) {
             most = std::max(most, fixed.has(one.object) ? 0.0 : one.rate);
         }
-        if (most > 0 && longestPart(most) < frameDuration) { // a whole frame need not be asked for
+        if (most > 0 && longestPart(most) < frameDuration) { // a whole frame need not be requested
             access.call(SplitFrame{longestPart(most)});
         }
     }

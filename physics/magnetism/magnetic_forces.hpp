@@ -19,10 +19,10 @@ public:
                 "forces and exports the accumulated value.",
         .rank = 1};
 
-    // Every receiver sums over all others by itself, so no bit depends on threads.
+    // The sum at each receiver is computed separately, so no bit depends on threads.
     void sum(Access& access, MagneticSum, inverse_square::Points const& sources,
              inverse_square::Points const& receivers, MagneticTotals totals) {
-        constexpr std::size_t receiversToARange = 64; // as each of them is a sum over all sources
+        constexpr std::size_t receiversToARange = 64; // few, as each has a sum over all sources
         auto const sumUp = [&](std::size_t begin, std::size_t end) {
             inverse_square::addAllPairs(sources, receivers, begin, end, magneticSoftening * magneticSoftening,
                                         totals.forces, totals.stiffness);

@@ -14,7 +14,7 @@ double magneticCutoff(MagnetismSettings const& settings, Column<MagneticStrength
         pole = std::max(pole, strength.strength);
         other = std::max({other, strength.strength, strength.susceptibility});
     }
-    // Nothing magnetic at all leaves a length that is as good as any.
+    // Without magnetic objects any length is correct.
     double const full = std::sqrt(magneticConstant * pole * other / settings.forceThreshold);
     return std::max(full, magneticSoftening) / fullShareOfCutoff;
 }

@@ -1,4 +1,4 @@
-// The forces between magnets that are near one another.
+// The forces between magnets within a cutoff.
 #pragma once
 
 #include "physics/inverse_square/grid.hpp"
@@ -10,18 +10,18 @@ namespace trembler {
 
 class Store;
 
-/// Poles act in full up to this share of the cutoff, and smoothly less from there on.
+/// Forces are complete up to this share of the cutoff, and decrease smoothly beyond.
 inline constexpr double fullShareOfCutoff = 0.8;
 
-/// The cutoff in m: the one set, or the one that follows from the threshold. The force between the two
-/// strongest magnets of the world falls to the threshold F at √(µ0/4π q1 q2 / F); up to there every pair acts
-/// in full. Strengths count as they are stated: a magnet that is switched off now may be on in the next
-/// frame, and the cutoff must not move.
+/// The cutoff in m: the stated one, or the one that follows from the threshold. The force between the two
+/// strongest magnets of the world decreases to the threshold F at √(µ0/4π q1 q2 / F); up to there the forces
+/// of all pairs are complete. Stated strengths count: a magnet that is off now may be on in the next frame,
+/// and the cutoff must not change.
 [[nodiscard]] double magneticCutoff(MagnetismSettings const& settings,
                                     Column<MagneticStrength> const& strengths);
 
-/// The forces of MagneticForces, cut off. Forces end smoothly and are central, so they have a potential and
-/// crossing the cutoff neither gives nor takes energy. The many weak pulls from afar are left out.
+/// The forces of MagneticForces, cut off. Forces decrease smoothly and are central, so they have a potential,
+/// and crossing the cutoff does not change the energy. The many weak forces of far magnets are left out.
 class MagneticGrid final : public MagneticLevel<MagneticGrid> {
 public:
     static constexpr ComponentText text{
@@ -29,15 +29,15 @@ public:
         .effect = "magnetism",
         .level = "grid",
         .work = "Adds up the forces that magnets within a cutoff length exert.",
-        .rank = 2}; // never picked automatically: the error has no bound that follows from the scene
+        .rank = 2}; // never chosen automatically: the scene implies no bound of the error
 
-    /// Unless the world states a cutoff or a threshold that takes away forces which matter.
+    /// Unless the world states a cutoff or a threshold that removes relevant forces.
     static bool faithful(Store const& store);
     void sum(Access& access, MagneticSum sum, inverse_square::Points const& sources,
              inverse_square::Points const& receivers, MagneticTotals totals);
 
 private:
-    std::array<inverse_square::Grid, magneticSums> grids_; // each keeps its memory
+    std::array<inverse_square::Grid, magneticSums> grids_; // members to reuse their memory
 };
 
 } // namespace trembler

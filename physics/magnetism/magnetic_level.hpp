@@ -1,4 +1,4 @@
-// The common part of the detail levels of the magnetic forces: everything except the way of adding up.
+// The common part of the detail levels of the magnetic forces: everything except the summation.
 #pragma once
 
 #include "physics/dynamics/properties/force_lag.hpp"
@@ -17,15 +17,16 @@ using MagneticBase =
 } // namespace detail
 
 /// `Self` adds `text` and void sum(Access&, MagneticSum, sources, receivers, totals) which adds the
-/// contributions of the sources at each receiver to `totals`, see inverse_square::Points. `More` are
-/// properties that it reads besides. It is absent where there is no Dynamics, which reports by how much
-/// forces lag: without it forces have no consequences.
+/// contributions of the sources at each receiver to `totals`, see inverse_square::Points. `More` are further
+/// properties that it reads. It is absent without Dynamics, which provides the lag of forces: without it
+/// forces have no effect.
 template <class Self, class... More>
 class MagneticLevel : public detail::MagneticBase<Self, More...> {
 public:
     using Access = typename detail::MagneticBase<Self, More...>::Access;
     using Activation = NeedsAll<Magnet, MagneticStrength, Position>;
-    static constexpr int longestPeriod = 4; // a force that stands for longer is another force
+    static constexpr int longestPeriod =
+        4; // held for longer, the force is no longer an approximation of the same physics
     static constexpr Coverage memory = leftOut("refilled in each update");
 
     void update(Access& access) {

@@ -13,7 +13,7 @@ Vec2 poleForce(Vec2 r, double q1, double q2) {
 
 namespace {
 
-// Obstacles on the way are not known, and beyond the magnet it would be pulled back.
+// Obstacles on the path are not known, and beyond the magnet the object would be pulled back.
 constexpr double farthestShift = magneticSoftening / 2;
 
 Vec2 shortened(Vec2 shift) {
@@ -23,7 +23,7 @@ Vec2 shortened(Vec2 shift) {
 
 } // namespace
 
-// Shapes hardly ever change, and their centres of mass take a while to compute: once will do.
+// Shapes rarely change, and their centres of mass are expensive to compute, so they are stored.
 void MagneticPoints::findSpreads(MagneticColumns const& columns) {
     std::uint64_t const version = columns.shapes.version() + columns.strengths.structureVersion();
     if (version == spreadsVersion_) {
@@ -65,7 +65,7 @@ void MagneticPoints::gather(MagneticColumns const& columns, double lag) {
             double const now = rotation == nullptr ? 0 : rotation->angle;
             double const angle = spin == nullptr ? now : now + lag * spin->value;
             Vec2 const shift = velocity == nullptr ? Vec2{} : shortened(lag * velocity->value);
-            // It is its centre of mass that goes straight on.
+            // The centre of mass moves in a straight line.
             MassProperties const& spread = spreads_[columns.strengths.row(id)];
             Vec2 const centre = spread.centre;
             Mass const* const mass = columns.masses.find(id);

@@ -1,5 +1,5 @@
 // The poles that act in a world and the objects that they attract, as points, with their sums turned into
-// F_M. All detail levels of magnetism start and end here.
+// F_M. All detail levels of magnetism use it for input and output.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
@@ -27,11 +27,11 @@ struct MagneticColumns {
     Column<Magnet> const& magnets;
 };
 
-/// Which acts on which. Each is one inverse-square sum.
+/// The kinds of sources and receivers. Each is one inverse-square sum.
 enum class MagneticSum : std::size_t {
     polesOnPoles, ///< like poles repel
-    softOnPoles,  ///< the pull that a pole exerts acts back on it
-    polesOnSoft,  ///< a soft object is drawn to either pole, as if of the opposite sign
+    softOnPoles,  ///< the reaction of a soft object on a pole
+    polesOnSoft,  ///< a soft object is attracted by any pole, as if it had the opposite sign
 };
 inline constexpr std::size_t magneticSums = 3;
 
@@ -43,25 +43,25 @@ struct MagneticTotals {
 
 class MagneticPoints {
 public:
-    /// Forces stand for a frame. An engine that integrates them in n substeps lets them lag by (1 - 1/n)/2 of
-    /// it behind the places that they belong to, which feeds oscillations, and all energy that they have
-    /// grows. So points are taken where their objects will be by `lag` (s): a body that only they act on then
-    /// drifts, is pulled, and drifts on, which is symplectic.
+    /// Forces are held for a frame. In an engine that integrates them in n substeps they lag by (1 - 1/n)/2
+    /// of a frame, which makes the energy of oscillations grow. So points are placed where their objects will
+    /// be after `lag` (s): for a body with magnetic forces only, drift, kick and drift then alternate, which
+    /// is symplectic.
     void gather(MagneticColumns const& columns, double lag);
 
-    /// Whether anything acts at all.
+    /// Whether any pole acts.
     [[nodiscard]] bool active() const { return !poles_.empty(); }
-    /// With µ0/4π and all signs in the receivers' weights, so that the sum is the force in N.
+    /// The receivers' weights include µ0/4π and all signs, so that the sum is the force in N.
     [[nodiscard]] inverse_square::Points const& sources(MagneticSum sum) const;
     [[nodiscard]] inverse_square::Points const& receivers(MagneticSum sum) const;
-    /// Where the sum belongs: in the order of the receivers. polesOnPoles and softOnPoles add up in one.
+    /// The totals of a sum, in the order of the receivers. polesOnPoles and softOnPoles share one.
     [[nodiscard]] MagneticTotals totals(MagneticSum sum);
 
     /// Entries ascending by object, north before south, and how fast the forces on each object vary: a force
     /// on a pole, of stiffness k and at a distance a from the centre of mass, swings a body of mass m and
     /// moment of inertia I with ω² = k (1/m + a²/I); the sum over all poles of a body is at least the square
     /// of its fastest swing, and at most three times as much. `switching`: events by object index, empty
-    /// without tracing; with it, the strongest pull is looked for among all sources, O(n²).
+    /// without tracing; with it, the strongest pull is searched among all sources, O(n²).
     void exportForces(std::span<EventId const> switching, MagneticForce& into) const;
 
 private:
@@ -74,7 +74,7 @@ private:
 
     std::vector<ObjectId> poleObjects_; // ascending
     std::vector<ObjectId> softObjects_;
-    std::vector<Vec2> poleShifts_; // m, from where the body is to where it was taken to be
+    std::vector<Vec2> poleShifts_; // m, from the body's place to its assumed place
     std::vector<Vec2> softShifts_;
     inverse_square::Points poles_;         // weight: strength in A m, north positive
     inverse_square::Points unsignedPoles_; // the same without signs

@@ -1,4 +1,4 @@
-// The forces between very many magnets: far clusters of poles as wholes.
+// The forces between very many magnets: far clusters of poles are summed as wholes.
 #pragma once
 
 #include "physics/inverse_square/tree.hpp"
@@ -10,9 +10,9 @@ namespace trembler {
 
 class Store;
 
-/// The forces of MagneticForces by a tree (see inverse_square::Tree). Clusters hold poles of both signs:
-/// poles that cancel in the sum still act by their dipole and their second moments. The settings' opening
-/// angle says which clusters are far; docs/measurements/accuracy.md has the errors.
+/// The forces of MagneticForces by a tree (see inverse_square::Tree). Clusters contain poles of both signs:
+/// poles that cancel in the sum still act by their dipole and second moments. The settings' opening angle
+/// defines which clusters are far; docs/measurements/accuracy.md has the errors.
 class MagneticTree final : public MagneticLevel<MagneticTree> {
 public:
     static constexpr ComponentText text{
@@ -21,8 +21,8 @@ public:
         .level = "tree",
         .work = "Adds up the forces that magnets exert, far clusters of poles as wholes.",
         .rank = 0};
-    /// So many objects with poles: three times as fast as all pairs; it overtakes them at about 300
-    /// (bench_many_bodies).
+    /// The number of objects with poles from which it is three times as fast as all pairs; it is faster from
+    /// about 300 on (bench_many_bodies).
     static constexpr std::size_t worthwhile = 1500;
     static bool suits(Store const& store);
 
@@ -30,7 +30,7 @@ public:
              inverse_square::Points const& receivers, MagneticTotals totals);
 
 private:
-    std::array<inverse_square::Tree, magneticSums> trees_; // each keeps its memory
+    std::array<inverse_square::Tree, magneticSums> trees_; // members to reuse their memory
 };
 
 } // namespace trembler

@@ -17,7 +17,7 @@ void MagneticsResolver::advance(Access& access) {
     });
     double const frames = access.duration() / frameDuration;
     cooling_ = false;
-    // First find the changes, so that a frame without any leaves the column's version alone.
+    // Finds the changes first, so that a frame without changes does not change the column's version.
     struct Change {
         ObjectId object;
         Magnet magnet;
@@ -39,7 +39,7 @@ void MagneticsResolver::advance(Access& access) {
                 auto const reason = disabled.find(id);
                 EventId const cause = reason == disabled.end() ? EventId{} : reason->second;
                 EventId const event = magnet.on ? access.event("magnet off", {id}, {cause}) : EventId{};
-                // Fewer than half a step left is none: rounding must not add a frame.
+                // Less than half a step counts as zero, as rounding must not add a frame.
                 double const step = frames / coil.coolDown;
                 double const level = magnet.level - step < step / 2 ? 0 : magnet.level - step;
                 changes.push_back({id, {false, level}, event});

@@ -17,7 +17,7 @@ public:
         .work = "Switches electromagnets as requested by the interaction functions: "
                 "on at once, off over a few frames of cooling down."};
     using Activation = NeedsAny<Magnet>;
-    static constexpr Coverage memory = leftOut("whether any magnet cools down, which Magnet on/off says");
+    static constexpr Coverage memory = leftOut("whether any magnet cools down, as Magnet on/off states");
 
     [[nodiscard]] bool restless() const { return cooling_; }
     void advance(Access& access);

@@ -45,7 +45,7 @@ enum class PoleSet : int { none, north, south, both };
 template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<PoleSet>{"none", "north", "south", "both"};
 
-/// Zero poles: something that magnets can move. One: a monopole, cheaper. Two: a conventional magnet.
+/// Zero poles: an object that magnets can move. One: a monopole, cheaper. Two: a conventional magnet.
 struct MagneticPoles {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Magnetic poles", "magnetic_poles",
@@ -116,7 +116,8 @@ struct MagnetismSettings {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Magnetism settings", "magnetism",
                                        "How exactly magnetic forces are computed.", PropertyPlace::world};
-    /// From here on the two settings of the grid are a matter of accuracy; beyond, they take magnetism away.
+    /// The limits within which the grid's two settings affect accuracy only; beyond them, relevant forces are
+    /// missing.
     static constexpr double leastCutoff = 1;          ///< m
     static constexpr double greatestThreshold = 0.01; ///< N
     double cutoff = 0;
@@ -170,7 +171,7 @@ struct MagnetSwitching {
     std::vector<EventId> byIndex; ///< by object index
 };
 
-/// F_M. Forces at poles, or at the centre of an object that has none; ascending by object.
+/// F_M. Forces at poles, or at the centre of an object without poles; ascending by object.
 struct MagneticForce {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"F_M", "magnetic_force", "The magnetic forces on each object."};
@@ -178,7 +179,7 @@ struct MagneticForce {
         ObjectId object;
         Vec2 point;    ///< m, in the world
         Vec2 force;    ///< N
-        EventId cause; ///< that switched on the magnet with the strongest pull; none without tracing
+        EventId cause; ///< switched on the magnet with the strongest pull; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);
@@ -193,10 +194,10 @@ struct MagneticForce {
     };
     struct Rate {
         ObjectId object;
-        double rate = 0; ///< 1/s, at which the forces on it vary as it moves; see TellRate
+        double rate = 0; ///< 1/s, at which the forces on the object vary as it moves; see StateRate
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
-            visit(FieldInfo{.key = "object", .unit = "", .meaning = "that moves"}, self.object);
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object that moves"}, self.object);
             visit(FieldInfo{.key = "rate",
                             .unit = "1/s",
                             .meaning = "at which the forces on it vary as it moves"},
@@ -205,7 +206,7 @@ struct MagneticForce {
     };
     std::vector<Entry> forces;
     std::vector<Rate> rates; ///< of objects with a mass, ascending
-    bool foreseen = false;   ///< whether forces are those of where things will be when they act
+    bool foreseen = false;   ///< whether forces are computed for the objects' later places
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {

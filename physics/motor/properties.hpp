@@ -6,15 +6,15 @@
 
 namespace trembler {
 
-/// While the object is part of a working circuit it is turned, like the rotor of a direct-current motor: with
-/// its whole torque at rest, with less the faster it turns, and with none at its idling speed.
+/// While the object is part of a working circuit a torque turns it, like the rotor of a direct-current motor:
+/// the whole torque at rest, less the faster it turns, and none at its idling speed.
 struct ElectricMotor {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Electric motor", "electric_motor",
                                        "Turns the object while it has electricity."};
     double torque = 0;    ///< N m at rest; above zero: anticlockwise
-    double idleSpeed = 0; ///< rad/s, either way round the same; 0: none, the torque is constant
-    ObjectId against;     ///< bears the reaction, and speed is relative to it; invalid: the world
+    double idleSpeed = 0; ///< rad/s, in either direction; 0: none, the torque is constant
+    ObjectId against;     ///< receives the reaction, and speed is relative to it; invalid: the world
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -39,12 +39,12 @@ struct ElectricMotor {
 };
 
 /// While the object turns it is connected to a source of electricity, and so "emits" power (6.10.4); while a
-/// current flows through it, it is hard to turn. Induction is another effect's business.
+/// current flows through it, it resists turning. Induction is not part of this effect.
 struct Generator {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Generator", "generator", "Gives electricity while the object turns."};
     ObjectId source;    ///< the electrical source that it is connected to while it turns
-    double speed = 1;   ///< rad/s, either way, from which on it does
+    double speed = 1;   ///< rad/s, in either direction, from which on it is connected
     double braking = 0; ///< N m against its turning while current flows through it
 
     template <class Self, class Visitor>

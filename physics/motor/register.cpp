@@ -1,7 +1,7 @@
 #include "physics/motor/register.hpp"
 
-#include "physics/motor/from_electricity.hpp"
-#include "physics/motor/from_rotation.hpp"
+#include "physics/motor/dynamics_from_motors.hpp"
+#include "physics/motor/electricity_from_rotation.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/registry.hpp"
 
@@ -16,7 +16,7 @@ P const* find(Store const& store, ObjectId id) {
     return column == nullptr ? nullptr : column->find(id);
 }
 
-// Current must be able to reach it, and it must be able to turn.
+// The object must be a conductor and a movable body.
 std::optional<std::string> checkTurns(Store const& store, ObjectId id, PropertyText const& text) {
     if (find<Conductor>(store, id) == nullptr) {
         return fmt::format("'{}' is no conductor, so no current can flow through it; expected the property "

@@ -1,4 +1,4 @@
-// How hard something is to turn.
+// The moment of inertia of rotors.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
@@ -7,8 +7,8 @@
 
 namespace trembler {
 
-/// Moment of inertia (kg m²) about its centre of mass; infinite for a fixed object, 0 for one that is no
-/// body. Masses of parts that are joined to it do not count, so it is never too large.
+/// Moment of inertia (kg m²) about its centre of mass; infinite for a fixed object, 0 for an object without a
+/// body. Masses of joined parts do not count, so it is never too large.
 [[nodiscard]] double inertiaOf(ObjectId object, Column<Mass> const& masses, Column<Shape> const& shapes,
                                Column<Fixed> const& fixed);
 

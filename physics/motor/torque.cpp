@@ -7,7 +7,7 @@ namespace trembler {
 
 namespace {
 
-// N m s: of the line's fall with the speed.
+// N m s: the decrease of the torque per speed.
 double slopeOf(ElectricMotor const& motor, double inertia, double step) {
     return std::min(std::abs(motor.torque) / motor.idleSpeed, inertia / step);
 }

@@ -1,4 +1,4 @@
-// The torques of motors and generators, in numbers only.
+// Formulas for the torques of motors and generators.
 #pragma once
 
 #include "physics/motor/properties.hpp"
@@ -11,17 +11,17 @@ namespace trembler {
 [[nodiscard]] double reducedInertia(double a, double b);
 
 /// Torque (N m) of a motor that turns at `speed` (rad/s, relative to its mount): a straight line from its
-/// torque at rest down to zero at its idling speed and on below it, as of a direct-current motor with
-/// permanent magnets. `inertia` (kg m²) is that of its rotor. The line is never steeper than the one that
-/// brings a free rotor to its idling speed within `step` (s): a torque that stands for a whole step would
-/// otherwise throw a light rotor to and fro.
+/// torque at rest to zero at its idling speed and to negative values beyond, as for a direct-current motor
+/// with permanent magnets. `inertia` (kg m²) is that of its rotor. The line is never steeper than the one
+/// that brings a free rotor to its idling speed within `step` (s): otherwise a torque that is held for a
+/// whole step would make a light rotor oscillate.
 [[nodiscard]] double motorTorque(ElectricMotor const& motor, double speed, double inertia, double step);
 
-/// 1/s: how fast that torque brings a free rotor to its idling speed; see TellRate. 0 where it is constant.
+/// 1/s: how fast that torque brings a free rotor to its idling speed; see StateRate. 0 where it is constant.
 [[nodiscard]] double motorRate(ElectricMotor const& motor, double inertia, double step);
 
-/// Torque (N m) with which a generator resists: constant and against its turning, but never more than the
-/// torque that stops it within `step` (s).
+/// Torque (N m) of a generator: constant and against its rotation, but never more than the torque that stops
+/// it within `step` (s).
 [[nodiscard]] double brakingTorque(Generator const& generator, double speed, double inertia, double step);
 
 } // namespace trembler

@@ -1,6 +1,5 @@
 #include "puzzle/data/effects.hpp"
 
-#include "audio/effect/properties/acoustics.hpp"
 #include "audio/effect/register.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/world/registry.hpp"
@@ -26,10 +25,9 @@ void registerEffects(Registry& registry, std::set<std::string> const& without) {
         registerSound(registry);
         return;
     }
-    registry.property<Acoustics>();
-    registry.property<Sample>();
-    registry.property<Ear>();
-    registry.property<SoundSensor>();
+    Registry leftOut;
+    registerSound(leftOut);
+    registry.makeKnown(leftOut);
 }
 
 } // namespace trembler

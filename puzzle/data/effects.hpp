@@ -1,4 +1,4 @@
-// Every effect that the game knows.
+// All effects of the game.
 #pragma once
 
 #include <set>
@@ -8,11 +8,11 @@ namespace trembler {
 
 class Registry;
 
-/// All that the game can do without: those of physics (see dispensableEffects()), and sound.
+/// The effects that the game can run without: those of physics (see dispensableEffects()), and sound.
 [[nodiscard]] std::set<std::string> dispensableGameEffects();
 
 /// Registers the runtime's own components, physics and sound, in the order in which conflicting resolvers
-/// run. Of an effect in `without` only the properties are known, see registerEverything().
+/// run. Of an effect in `without` only the properties are registered, see registerEverything().
 void registerEffects(Registry& registry, std::set<std::string> const& without = {});
 
 } // namespace trembler

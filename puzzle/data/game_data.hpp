@@ -1,4 +1,4 @@
-// What every command starts from: all components, all parts, and where the files are.
+// The data that every command needs: all components, all parts, and the places of the files.
 #pragma once
 
 #include "lua/attach/live_script.hpp"
@@ -14,9 +14,9 @@
 
 namespace trembler {
 
-/// The folder that holds assets/ and levels/: $TREMBLER_HOME if set, else the first one upwards from the
-/// running program that has both, itself or in its share/trembler (an installed program's), else the one that
-/// the program was built from.
+/// The folder that holds assets/ and levels/: $TREMBLER_HOME if set, else the first folder upwards from the
+/// running program that has both, or whose share/trembler has both (an installed program), else the folder
+/// that the program was built from.
 [[nodiscard]] std::filesystem::path homeFolder();
 
 struct GameData {

@@ -1,4 +1,4 @@
-// Watches a running world and reports which goals are met. Changes nothing in the world.
+// Observes a running world and reports which goals are met. Changes nothing in the world.
 #pragma once
 
 #include "puzzle/goals/judging/condition_state.hpp"
@@ -9,10 +9,10 @@
 
 namespace trembler {
 
-/// One goal as the player sees it. A level whose condition is "all" or a "sequence" has one for each of the
-/// condition's children, any other has one.
+/// One goal as the player sees it. A level whose condition is "all" or a "sequence" has one goal for each
+/// child of the condition, any other level has one.
 struct GoalStatus {
-    std::string id;                     ///< as stated, else "goal 1", "goal 2" ...
+    std::string id;                     ///< the stated id, else "goal 1", "goal 2" ...
     std::string text;                   ///< for the player
     bool met = false;                   ///< at present
     std::optional<std::uint64_t> frame; ///< in which it was met for the first time
@@ -21,21 +21,21 @@ struct GoalStatus {
 
 class GoalJudge {
 public:
-    /// Finds the objects of the goals in a world that buildWorld() made from the level and that has done no
-    /// frame yet. Throws InputError if the goals are wrong or can never be met, for example if an object of
-    /// wood is to be on, or one without a shape is to touch something.
+    /// Finds the objects of the goals in a world that buildWorld() made from the level, before its first
+    /// frame. Throws InputError if the goals are wrong or can never be met, for example if a wooden object
+    /// must be on, or an object without a shape must touch another.
     GoalJudge(LevelFile const& level, World const& world);
     ~GoalJudge();
     GoalJudge(GoalJudge const&) = delete;
     GoalJudge& operator=(GoalJudge const&) = delete;
 
-    /// Looks at the world. To be called after every part of a frame (World::step()), so that nothing that
-    /// comes and goes within a frame is missed. The result depends on the world's data alone. Once the level
-    /// is solved it stays as it is.
+    /// Reads the world. To be called after every part of a frame (World::step()), so that no state that lasts
+    /// less than a frame is missed. The result depends on the world's data alone. Once the level is solved,
+    /// the result no longer changes.
     void update(World const& world);
 
     [[nodiscard]] std::vector<GoalStatus> const& status() const { return status_; }
-    /// Whether the condition as a whole has held in any frame so far. False for a level without goals.
+    /// Whether the whole condition has held in any frame so far. False for a level without goals.
     [[nodiscard]] bool solved() const { return solvedFrame_.has_value(); }
     [[nodiscard]] std::optional<std::uint64_t> solvedFrame() const { return solvedFrame_; }
     /// The goals that were met for the first time in the last update.
@@ -43,8 +43,8 @@ public:
     /// Whether the last update was the one in which the level was solved.
     [[nodiscard]] bool newlySolved() const { return newlySolved_; }
 
-    /// The recorded events that make a goal true (contacts, electrical states, magnetic forces), ascending.
-    /// To be called right after an update. Empty without a trace.
+    /// The traced events that make a goal true (contacts, electrical states, magnetic forces), ascending. To
+    /// be called directly after an update. Empty without a trace.
     [[nodiscard]] std::vector<EventId> causes(World const& world, std::size_t goal) const;
     /// The same for the condition as a whole.
     [[nodiscard]] std::vector<EventId> causes(World const& world) const;

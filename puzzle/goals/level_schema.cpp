@@ -31,7 +31,8 @@ Json conditionSchema(std::string const& key, Json body) {
     return goal_schema::strictObject(std::move(members), {key});
 }
 
-/// The schemas of all kinds, in the order of the table, except that kinds with the same body are neighbours.
+/// The schemas of all kinds, in the order of the table, except that kinds with equal bodies follow one
+/// another.
 Json conditionSchemas() {
     std::vector<Json> bodies;
     std::vector<std::vector<std::string>> keys; // for each body

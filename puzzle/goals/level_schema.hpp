@@ -1,5 +1,5 @@
-// The JSON Schema of level files, goals included: what `trembler schema` prints and levels/level.schema.json
-// holds.
+// The JSON Schema of level files, goals included: the output of `trembler schema` and
+// levels/level.schema.json.
 #pragma once
 
 #include "runtime/world/registry.hpp"
@@ -8,8 +8,8 @@
 
 namespace trembler {
 
-/// A schema whose "$defs" hold "condition" and what it needs. Refers to the definitions "name" and "area" of
-/// the level's schema.
+/// A schema whose "$defs" hold "condition" and the definitions that it needs. Refers to the definitions
+/// "name" and "area" of the level's schema.
 [[nodiscard]] nlohmann::ordered_json goalSchema();
 
 /// The whole schema of a level file.

@@ -1,4 +1,4 @@
-// Reading a level's "goals".
+// Reads a level's "goals".
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"
@@ -6,9 +6,9 @@
 namespace trembler {
 
 /// Reads the condition under "goals"; nothing if the level has none. A condition is an object with exactly
-/// one of the keys of conditionKinds(), under which stands what that kind reads, and, where wanted, "for"
-/// (seconds without a break), "id" and "text". Problems go to `problems`, with their places; if there are
-/// any, the condition may be incomplete, and the kinds of some null.
+/// one of the keys of conditionKinds(), whose value that kind reads, and optionally "for" (seconds without a
+/// break), "id" and "text". Problems are added to `problems`, with their places; if there are any, the
+/// condition may be incomplete, and some kinds in it may be null.
 [[nodiscard]] std::optional<Condition> readGoals(LevelFile const& level, Problems& problems);
 /// The same, but throws InputError if anything is wrong.
 [[nodiscard]] std::optional<Condition> readGoals(LevelFile const& level);

@@ -17,16 +17,16 @@
 namespace trembler {
 namespace {
 
-// The thesis's four sections, in its order; the note stands first and has no heading.
+// The headings of the thesis's four sections, in its order; the first section, the note, has none.
 constexpr std::array<std::string_view, 3> headings{"Work for Resolvers", "Work for Derived Property Sets",
                                                    "Work for Interactions"};
 
-// What one component does in one frame, with all that it does it to.
+// One action of one component in one frame, with all objects that it affects.
 struct Deed {
     std::string who; ///< "Dynamics Resolver"
     std::string what;
     std::vector<std::string> objects; ///< "switch", or "floor and switch"
-    bool lasting = false;             ///< a call that is held
+    bool lasting = false;             ///< a held call
 };
 
 struct Frame {
@@ -34,7 +34,7 @@ struct Frame {
     std::array<std::vector<Deed>, headings.size()> work; ///< by phase
     std::size_t repeats = 0;                             ///< events that have been described before
 
-    [[nodiscard]] bool tellsAnything() const {
+    [[nodiscard]] bool hasContent() const {
         return !notes.empty() ||
                std::any_of(work.begin(), work.end(), [](auto const& deeds) { return !deeds.empty(); });
     }
@@ -73,7 +73,7 @@ private:
         }
         return nullptr;
     }
-    // The resolver that carries out an interaction's calls, if it is there.
+    // The resolver that executes an interaction's calls, if the world has one.
     [[nodiscard]] ComponentStatus const* resolverOf(ComponentInfo const& interaction) const {
         for (ComponentStatus const& status : status_) {
             if (status.info->kind == ComponentKind::resolver && status.info->role == interaction.role &&
@@ -86,7 +86,7 @@ private:
     void add(Event const& event) {
         Frame& frame = frames_[event.frame];
         if (event.phase == Phase::goal) {
-            frame.notes.push_back(visible(event.event)); // goals are named by files
+            frame.notes.push_back(visible(event.event)); // the name of a goal comes from a file
             return;
         }
         if (!seen_.insert({event.phase, event.component, event.event, event.objects}).second) {
@@ -99,7 +99,8 @@ private:
         bool const held = resolver != nullptr && isHeldCall(*resolver->info, event.event);
         add(frame, event.phase, info == nullptr ? event.component : title(*info),
             (call ? "calls " : "") + event.event, event.objects, held);
-        // The resolver carries it out in its next advance: its own event says so, or else this does.
+        // The resolver executes the call in its next advance. If it records no event of its own for it, this
+        // entry describes it.
         std::uint64_t const then = event.part < event.parts ? event.frame : event.frame + 1;
         if (resolver != nullptr && resolver->period == 1 && !answered_.contains({event.id, then})) {
             add(frames_[then], Phase::resolver, title(*resolver->info), "carries out " + event.event,
@@ -127,7 +128,8 @@ private:
     World const& world_;
     std::vector<ComponentStatus> status_;
     std::map<std::uint64_t, Frame> frames_;
-    std::set<std::pair<EventId, std::uint64_t>> answered_; ///< a cause, and a frame in which it had an effect
+    std::set<std::pair<EventId, std::uint64_t>>
+        answered_; ///< pairs of a cause and a frame in which it had an effect
     std::set<std::tuple<Phase, std::string, std::string, std::vector<std::string>>> seen_;
 };
 
@@ -198,7 +200,7 @@ std::string usedComponents(World const& world) {
     return text;
 }
 
-// What a frame is about, in a few words.
+// A short summary of a frame, for its heading.
 std::string headline(std::uint64_t number, Frame const& frame) {
     if (number == 0) {
         return "Setup";
@@ -263,7 +265,7 @@ std::string frameAccount(Session const& session) {
         if (number > world.frame()) {
             break;
         }
-        if (number == 0 || frame.tellsAnything()) {
+        if (number == 0 || frame.hasContent()) {
             skipped(number);
             text += describe(number, frame);
             next = number + 1;

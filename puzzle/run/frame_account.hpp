@@ -7,12 +7,12 @@
 
 namespace trembler {
 
-/// The account of what a session's world, which must trace, has gone through so far, as Markdown: the objects
-/// and what is set up, the resolvers, derived property sets and interactions that were used, and then every
-/// frame in which something new happens, in the thesis's sections, each of which is left out where it has
-/// nothing to say. "New" is what has not been described before: what happens again to the same objects is
-/// left out, and so are the frames in which nothing else does. An interaction's call is work for its resolver
-/// in the frame after it, which is described as that resolver's own event where it has one.
+/// The account of a session's world so far, as Markdown. The world must trace. The account lists the objects
+/// and the setup, the resolvers, derived property sets and interactions that were used, and then every frame
+/// with a new event, in the thesis's sections; empty sections are left out. An event is new if it has not
+/// been described before for the same objects. Repeated events, and frames with no others, are left out. An
+/// interaction's call is work for its resolver in the next frame; if the resolver recorded an event of its
+/// own for it, that event is described.
 [[nodiscard]] std::string frameAccount(Session const& session);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// What `trembler run` says of a run, in words and as JSON.
+// The report of `trembler run`, in words and as JSON.
 #pragma once
 
 #include "runtime/world/world.hpp"
@@ -17,10 +17,10 @@ struct GoalReport {
     std::string id;
     std::string text;
     bool met = false;
-    std::optional<std::uint64_t> frame; ///< when it was met
+    std::optional<std::uint64_t> frame; ///< in which it was met
 };
 
-/// A state hash on the way.
+/// The state hash after a frame.
 struct HashAt {
     std::uint64_t frame = 0;
     std::uint64_t hash = 0;
@@ -29,9 +29,9 @@ struct HashAt {
 struct RunReport {
     std::string level;
     std::uint64_t frames = 0;
-    double wallSeconds = 0; ///< for people to read; it never reaches the world
+    double wallSeconds = 0; ///< for people to read; does not affect the world
     int threads = 1;
-    std::uint32_t parts = 1; ///< the most in which a frame was computed
+    std::uint32_t parts = 1; ///< the greatest number of parts of a frame
     bool solved = false;
     std::optional<std::uint64_t> solvedFrame;
     std::vector<GoalReport> goals;
@@ -45,9 +45,9 @@ struct RunReport {
 
 /// 16 hex digits.
 [[nodiscard]] std::string hashText(std::uint64_t hash);
-/// The object that --json prints; its keys are a contract.
+/// The object that --json prints; other programs rely on its keys.
 [[nodiscard]] nlohmann::ordered_json toJson(RunReport const& report);
-/// A few lines for people.
+/// A summary for people, a few lines.
 [[nodiscard]] std::string toWords(RunReport const& report);
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// Running a level without anybody watching: `trembler run`, `trembler verify` and the tests.
+// Runs a level without a window, for `trembler run`, `trembler verify` and the tests.
 #pragma once
 
 #include "puzzle/run/run_report.hpp"
@@ -12,14 +12,14 @@ namespace trembler {
 struct RunOptions {
     std::uint64_t frames = 600; ///< at most
     bool stopWhenSolved = false;
-    std::uint64_t hashEvery = 0;   ///< 0: only the last
-    std::ostream* trace = nullptr; ///< where the account goes, JSON lines
-    /// Called after every frame with the frames done, for a sign of progress.
+    std::uint64_t hashEvery = 0;   ///< frames; 0: only the last
+    std::ostream* trace = nullptr; ///< receives the trace, as JSON lines
+    /// Called after every frame with the number of frames computed, to show progress.
     std::function<void(std::uint64_t)> progress;
-    /// For onlookers, who change nothing: called before the first frame, and after every one.
+    /// For observers, which must change nothing: called before the first frame and after every frame.
     std::function<void(Session&)> enter;
     std::function<void(World const&)> frame;
-    /// Called directly before every frame; may change things as a player might.
+    /// Called directly before every frame; may change the session as a player can.
     std::function<void(Session&)> before;
 };
 

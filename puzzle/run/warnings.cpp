@@ -24,7 +24,8 @@ std::vector<std::string> warningsOf(World const& world) {
         std::string names;
         for (std::size_t i = 0; i < std::min(most, state->stopped.size()); ++i) {
             std::string const name = world.store().nameOf(state->stopped[i]);
-            names += fmt::format("{}{}", i == 0 ? "" : ", ", name.empty() ? "an object that is gone" : name);
+            names += fmt::format("{}{}", i == 0 ? "" : ", ",
+                                 name.empty() ? "an object that no longer exists" : name);
         }
         if (state->stopped.size() > most) {
             names += fmt::format(" and {} more", state->stopped.size() - most);

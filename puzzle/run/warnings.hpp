@@ -1,4 +1,4 @@
-// What a player or an author should know of a world that went on all the same.
+// Warnings about a running world for players and authors: the world is still computed, but not as intended.
 #pragma once
 
 #include "runtime/world/world.hpp"
@@ -8,8 +8,8 @@
 
 namespace trembler {
 
-/// A line each; none, as a rule. Of the world as it stands: which engine had to give up, and what stands
-/// still.
+/// One line for each warning about the present world: an engine that gave up, or an object that is held
+/// still. Usually none.
 [[nodiscard]] std::vector<std::string> warningsOf(World const& world);
 
 } // namespace trembler

@@ -7,7 +7,7 @@
 
 namespace trembler {
 
-/// A line of states with a cursor. Changing after undo forgets what was undone. Not thread-safe.
+/// A sequence of states with a cursor. A change after undo discards the undone states. Not thread-safe.
 template <class State>
 class History {
 public:

@@ -1,4 +1,4 @@
-// Which object is meant, across the runs of a session.
+// Identifies an object across the runs of a session.
 #pragma once
 
 #include "runtime/object/origin.hpp"
@@ -8,14 +8,15 @@
 
 namespace trembler {
 
-/// An object's id ends with its run, and another part may bear its name once the player places otherwise.
-/// This is what stays: the number of a placed part, or the place in the level's file. Session::lasting()
-/// makes it, Session::find() looks for the object in the world as it is now.
+/// An object's id is valid for one run only, and after an edit another part may have its name. This
+/// identifies the object across runs: by the number of a placed part, or by its place in the level's file.
+/// Session::lasting() makes it, Session::find() finds the object in the present world.
 struct LastingObject {
     Origin::Kind kind = Origin::Kind::program;
     /// Of a placement: PlacedPart::number. Of an object or a joint: its index in the level. Otherwise 0.
     std::uint64_t number = 0;
-    /// Of any other object, a birth say: its name, which follows from its maker's; else empty.
+    /// Of any other object, for example one created during the run: its name, which follows from its maker's
+    /// name. Otherwise empty.
     std::string name;
 
     friend bool operator==(LastingObject const&, LastingObject const&) = default;

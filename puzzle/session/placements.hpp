@@ -1,4 +1,4 @@
-// What the player has placed: the list, its undo and redo, and what the toolbox still holds.
+// The parts that the player has placed: the list, its undo and redo, and the remaining parts of the toolbox.
 #pragma once
 
 #include "puzzle/session/history.hpp"
@@ -14,8 +14,7 @@
 
 namespace trembler {
 
-/// A part that the player placed. The number names it for as long as the session lives, through undo and
-/// redo.
+/// A part that the player placed. The number identifies it for the session's life, through undo and redo.
 struct PlacedPart {
     int number = 0;
     Placement placement;
@@ -28,14 +27,14 @@ struct ToolboxSlot {
     int left = 0;
 };
 
-/// Whether a part may stand somewhere; if not, why, in words for the player.
+/// Whether a part may be placed somewhere; if not, why, in words for the player.
 struct Verdict {
     bool ok = true;
     std::string why;
 };
 
-/// An edit has two steps: with(), moved(), without() and those() say what the list would be, and keep() makes
-/// it so. Between the two the caller can find out that no world can be built from it. Not thread-safe.
+/// An edit has two steps: with(), moved(), without() and those() return the edited list, and keep() makes it
+/// the current one. In between, the caller checks that a world can be built from the list. Not thread-safe.
 class Placements {
 public:
     using List = std::vector<PlacedPart>;
@@ -48,23 +47,23 @@ public:
     [[nodiscard]] std::optional<std::size_t> indexOf(int number) const;
     [[nodiscard]] std::vector<ToolboxSlot> toolbox() const;
 
-    /// Whether a part may stand there: as the level allows it, and without overlapping anything in `world`,
-    /// which was built from now(). `moved` is a part that is being moved there, and `ignored` its object: it
-    /// is not in its own way.
+    /// Whether a part may be placed there: the level must allow it, and it must not overlap anything in
+    /// `world`, which was built from now(). If a placed part is being moved there, `moved` is its number and
+    /// `ignored` its object, which is not checked for overlap.
     [[nodiscard]] Verdict check(Placement const& placement, World const& world, std::optional<int> moved = {},
                                 ObjectId ignored = {}) const;
 
-    /// now() and one part more, at the end, with a number that none had before.
+    /// now() with one more part at the end, with a new number.
     [[nodiscard]] List with(Placement placement);
-    /// now() with that part elsewhere (m, rad); nothing if it is not placed.
+    /// now() with that part at another place (m, rad); nothing if it is not placed.
     [[nodiscard]] std::optional<List> moved(int number, Vec2 at, double angle) const;
-    /// now() less that part; nothing if it is not placed.
+    /// now() without that part; nothing if it is not placed.
     [[nodiscard]] std::optional<List> without(int number) const;
-    /// Only these, with new numbers. Throws InputError, with their places in the file, if the level does not
-    /// allow them.
+    /// The solution's placements only, with new numbers. Throws InputError, with their places in the file, if
+    /// the level does not allow them.
     [[nodiscard]] List those(Solution const& solution);
 
-    /// Makes it the list; undo() goes back to the one before.
+    /// Makes `next` the current list; undo() returns to the previous one.
     void keep(List next) { history_.change(std::move(next)); }
     [[nodiscard]] bool canUndo() const { return history_.canUndo(); }
     [[nodiscard]] bool canRedo() const { return history_.canRedo(); }

@@ -12,7 +12,7 @@ void sortByFrame(std::vector<Recorded>& all) {
                      [](Recorded const& a, Recorded const& b) { return a.frame < b.frame; });
 }
 
-/// Those of a frame, out of all in order of their frames.
+/// The entries of one frame; `all` is ascending by frame.
 template <class Recorded>
 std::span<Recorded const> ofFrame(std::vector<Recorded> const& all, std::uint64_t frame) {
     auto const first =
@@ -21,7 +21,7 @@ std::span<Recorded const> ofFrame(std::vector<Recorded> const& all, std::uint64_
     return {first, last};
 }
 
-/// The input with the objects of those names; nothing if one of them does not exist.
+/// The input with object ids in place of names; nothing if one of the objects does not exist.
 std::optional<PlayerInput> resolved(RecordedInput const& input, Store const& store) {
     PlayerInput const found{input.kind, store.find(input.object), store.find(input.other), input.at};
     bool const known =

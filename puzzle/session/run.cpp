@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-/// An input by the names of its objects, as it can be recorded.
+/// An input with names in place of object ids, for recording.
 RecordedInput recorded(PlayerInput const& input, World const& world) {
     RecordedInput made;
     made.frame = world.frame() + 1;

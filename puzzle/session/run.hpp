@@ -1,4 +1,4 @@
-// One run of a level: its world, the judge of its goals, and the log of what was done to it.
+// One run of a level: its world, the judge of its goals, and the log of its inputs and changes.
 #pragma once
 
 #include "puzzle/goals/goal_judge.hpp"
@@ -14,66 +14,67 @@
 
 namespace trembler {
 
-/// Until begin() the world stands at frame 0 and nothing is logged; there is no way back to that: another run
-/// is another object. Not thread-safe.
+/// Until begin() the world stays at frame 0 and nothing is logged. A run cannot be restarted; create another
+/// object. Not thread-safe.
 class LevelRun {
 public:
-    /// Builds the world of a level with what is placed in it. Throws InputError if that cannot be. All but
-    /// the placements and the options must outlive it.
+    /// Builds the world of a level with the placements. Throws InputError if that is not possible. All
+    /// arguments but the placements and the options must outlive the run.
     LevelRun(Registry const& registry, PartLibrary const& parts, LevelFile const& level,
              std::span<Placement const> placements, WorldOptions const& options);
 
     [[nodiscard]] World const& world() const { return *built_.world; }
     [[nodiscard]] GoalJudge const& judge() const { return judge_; }
-    /// The object that a placement became, by its index in those that were given. It may have been destroyed
-    /// since.
+    /// The object made from a placement, by the placement's index in the list given. It may have been
+    /// destroyed since.
     [[nodiscard]] ObjectId objectOf(std::size_t placement) const { return built_.placements[placement]; }
-    /// Likewise of the level's "objects" and "joints", by index.
+    /// The same for the level's "objects" and "joints", by index.
     [[nodiscard]] std::span<ObjectId const> objects() const { return built_.objects; }
     [[nodiscard]] std::span<ObjectId const> joints() const { return built_.joints; }
     /// The index of the placement that an object came from; nothing for any other object.
     [[nodiscard]] std::optional<std::size_t> placementOf(ObjectId object) const;
 
-    /// From now on, what is done is logged. Once only.
+    /// Starts the log of inputs and changes. To be called once.
     void begin() { begunWith_ = world().options(); }
     [[nodiscard]] bool begun() const { return begunWith_.has_value(); }
-    /// The options, what the level states among them, that the run began with; before begin(), those that the
-    /// world has now.
+    /// The options that the run began with, including those that the level states; before begin(), the
+    /// world's present options.
     [[nodiscard]] WorldOptions const& begunWith() const {
         return begunWith_ ? *begunWith_ : world().options();
     }
-    /// Makes detail levels and periods those of `options`, which a run of this level had; before begin()
-    /// only. They are not checked as change() checks them, as they may have been other physics then, too.
+    /// Sets the detail levels and periods to those of `options`, from another run of this level; before
+    /// begin() only. change() could refuse them: that run may have begun with other physics. So they are not
+    /// checked.
     void takeOver(WorldOptions const& options);
 
-    /// One frame, after begin().
+    /// Computes one frame. Only after begin().
     void step();
-    /// What the player does, for the next frame. Does nothing before begin().
+    /// Passes a player input to the next frame. Does nothing before begin().
     void feed(PlayerInput const& input);
     /// Changes how exactly the world is computed, from the next frame on. Throws std::invalid_argument, see
     /// change_fault.hpp.
     void change(RecordedChange change);
 
     /// Changes the world, between frames, in a way that neither a level nor a solution can state: another
-    /// version of a script, another value of its parameters. `why` says so in words for people; the run then
-    /// counts as no solution, see altered(). `make` may be empty, if the change was made elsewhere.
+    /// version of a script, another value of its parameters. `why` states the change in words for people; the
+    /// run then counts as no solution, see altered(). `make` may be empty, if the change was made elsewhere.
     void alter(std::string why, std::function<void(World&)> const& make);
-    /// Why the run counts as no solution: what alter() was told first; nothing if it was never called.
+    /// Why the run counts as no solution: the reason of the first alter(); nothing if there was none.
     [[nodiscard]] std::optional<std::string> const& altered() const { return altered_; }
 
-    /// What was fed since begin(), with the frames that see it, ascending.
+    /// The inputs since begin(), with the frames that receive them, ascending.
     [[nodiscard]] std::span<RecordedInput const> inputs() const { return inputs_; }
-    /// The changes made since begin(), with the first frames that they count for, ascending.
+    /// The changes since begin(), with the first frames that they affect, ascending.
     [[nodiscard]] std::span<RecordedChange const> changes() const { return changes_; }
-    /// The run so far as a solution without a name and placements. Its changes begin with those that make the
-    /// level's own levels and periods what the run began with.
+    /// The run so far as a solution without a name and placements. Its changes begin with those from the
+    /// level's detail levels and periods to the run's initial ones.
     [[nodiscard]] Solution record() const;
-    /// Why the run cannot stand in a solution, see Session::whyNotRecorded().
+    /// Why a solution cannot state the run: its initial options, see Session::whyNotRecorded(), or altered().
     [[nodiscard]] std::optional<std::string> whyNotRecorded() const;
 
 private:
     void noteGoals();
-    /// What differs between the level's own detail levels and periods and those that the run began with.
+    /// The changes from the level's detail levels and periods to the run's initial ones.
     [[nodiscard]] std::vector<RecordedChange> changesBefore() const;
 
     Registry const& registry_;

@@ -82,7 +82,7 @@ bool Session::keep(std::optional<Placements::List> next) {
     try {
         run = runOf(*next);
     } catch (InputError const&) {
-        return false; // no world can be built from it: everything stays as it was
+        return false; // no world can be built from the list: nothing changes
     }
     placements_.keep(std::move(*next));
     solution_ = {}; // its inputs belong to the placements that it was loaded with
@@ -226,7 +226,7 @@ void Session::load(Solution const& solution) {
     Placements::List next = placements_.those(solution);
     auto run = runOf(next);
     Problems problems;
-    for (RecordedChange const& change : solution.changes) { // of the world with all that is placed
+    for (RecordedChange const& change : solution.changes) { // checked in the world with all placements
         if (auto const fault = faultIn(registry_, run->world(), change)) {
             addProblem(problems, [&] {
                 return level_.diagnostic(solution, change.path, fault->message, fault->expected);
@@ -257,7 +257,7 @@ void Session::setPeriod(std::string const& component, int period) {
     made.kind = RecordedChange::Kind::period;
     made.value = period;
     made.subject = component;
-    for (ComponentStatus const& status : world().status()) { // a bare name will do as well
+    for (ComponentStatus const& status : world().status()) { // a name without the kind is accepted, too
         std::string const full = title(*status.info);
         if (full == component) {
             made.subject = full;

@@ -1,4 +1,4 @@
-// One player at one level: placing parts, running the world, taking everything back.
+// One player at one level: placing parts, running the world, undoing changes.
 #pragma once
 
 #include "puzzle/session/lasting_object.hpp"
@@ -22,10 +22,10 @@ enum class SessionMode : std::uint8_t {
     paused,
 };
 
-/// Headless: the window, the command line and the tests all play through it. It consists of the placements
-/// (Placements), a run (LevelRun) that is built from the level and the placements whenever these change, and
-/// what is fed to the run (Playback). So stop() puts everything back exactly as it was placed. Not
-/// thread-safe.
+/// Headless: the window, the command line and the tests all use it. It consists of the placements
+/// (Placements), a run (LevelRun), and the inputs and changes that are fed to the run (Playback). The run is
+/// built again from the level and the placements whenever these change, so stop() puts everything back
+/// exactly as it was placed. Not thread-safe.
 class Session {
 public:
     /// `registry` and `parts` must outlive the session. Throws InputError if the level cannot be built.
@@ -37,26 +37,27 @@ public:
     [[nodiscard]] PartLibrary const& parts() const { return parts_; }
     [[nodiscard]] SessionMode mode() const;
     /// The world as it is now; while building, as it will start. Valid until the next call that changes
-    /// anything. To be looked at, and subscribed to (World::want()). What changes it goes through feed() and
-    /// change(), which record it.
+    /// anything. For reading, and for subscriptions (World::want()). Make changes with feed() and change(),
+    /// which record them.
     [[nodiscard]] World const& world() const { return run_->world(); }
 
-    // Building. All of these do nothing, and say so, unless mode() is building.
+    // Building. Unless mode() is building, these do nothing and report failure.
     [[nodiscard]] std::vector<PlacedPart> const& placed() const { return placements_.now(); }
     [[nodiscard]] std::vector<ToolboxSlot> toolbox() const { return placements_.toolbox(); }
     /// The object in world() that a placed part became, or an invalid id.
     [[nodiscard]] ObjectId objectOf(int number) const;
     /// The placed part that an object in world() came from.
     [[nodiscard]] std::optional<int> numberOf(ObjectId object) const;
-    /// What names an object of world() in all worlds of this session; a default one for an invalid id.
+    /// Identifies an object of world() in all worlds of this session; default-constructed for an invalid id.
     [[nodiscard]] LastingObject lasting(ObjectId object) const;
-    /// The object in world() that is meant; an invalid id if that was put back or is not there (any more).
+    /// The object in world() with that identity; an invalid id if it was put back or does not exist (any
+    /// more).
     [[nodiscard]] ObjectId find(LastingObject const& object) const;
-    /// Whether a part may stand there, `ignoring` one that is being moved.
+    /// Whether a part may be placed there. `ignoring` is a placed part that is being moved.
     [[nodiscard]] Verdict check(Placement const& placement, std::optional<int> ignoring = {}) const;
-    /// Takes a part out of the toolbox; returns its number, or nothing if check() objects.
+    /// Places a part from the toolbox; returns its number, or nothing if check() refuses it.
     std::optional<int> place(Placement const& placement);
-    /// Moves or turns a placed part. False if check() objects; it then stays where it was.
+    /// Moves or turns a placed part. False if check() refuses it; the part then stays where it was.
     bool move(int number, Vec2 at, double angle);
     /// Puts a placed part back into the toolbox.
     bool putBack(int number);
@@ -72,27 +73,26 @@ public:
     void resume();
     /// Ends the run: everything is back as it was placed.
     void stop();
-    /// One frame, to which what a loaded solution, or play(), has for it is fed first. Starts the run if it
-    /// has not begun.
+    /// Computes one frame, after feeding the inputs and changes that the loaded solution, or play(), has for
+    /// it. Starts the run if it has not begun.
     void step();
-    /// Passes on what the player does to the running world, and remembers it.
+    /// Records a player input and passes it to the running world.
     void feed(PlayerInput const& input);
     /// All inputs of this run, with the frames that see them.
     [[nodiscard]] std::span<RecordedInput const> inputs() const { return run_->inputs(); }
-    /// Changes how exactly the running world is computed from its next frame on, and remembers it with that
-    /// frame; later runs know nothing of it. Does nothing while building. Throws std::invalid_argument, see
+    /// Changes how exactly the running world is computed from its next frame on, and records the change with
+    /// that frame. Does not affect later runs. Does nothing while building. Throws std::invalid_argument, see
     /// change_fault.hpp.
     void change(RecordedChange change);
     /// All such changes of this run, those of setDetail() and setPeriod() among them.
     [[nodiscard]] std::span<RecordedChange const> changes() const { return run_->changes(); }
-    /// Ends the run, if one goes on, and begins it, or the last one, again with the levels and periods that
-    /// it began with.
+    /// Restarts the current or last run with its initial detail levels and periods.
     void startAgain();
-    /// Everything that was done in this run, by the player or by a solution, for play() in a run that repeats
+    /// All inputs and changes of this run, by the player or by a solution, for play() in a run that repeats
     /// it.
     [[nodiscard]] Playback done() const;
-    /// Feeds this to the run that goes on, until it ends, in place of a loaded solution. Does nothing while
-    /// building.
+    /// Feeds the playback to the current run until the run ends, in place of a loaded solution. Does nothing
+    /// while building.
     void play(Playback playback);
     /// Whether play() feeds this run.
     [[nodiscard]] bool playing() const { return played_.has_value(); }
@@ -115,23 +115,24 @@ public:
     [[nodiscard]] bool solved() const { return judge().solved(); }
     [[nodiscard]] GoalJudge const& judge() const { return run_->judge(); }
 
-    /// Why the run cannot stand in a solution: it began with a detail level, asked for on the command line,
-    /// that is other physics, or with a period that is no matter of accuracy, or it was altered, see alter().
+    /// Why a solution cannot state the run: it began with a detail level, requested on the command line, that
+    /// is other physics, or with a period that changes more than accuracy, or it was altered, see alter().
     /// Nothing if it can.
     [[nodiscard]] std::optional<std::string> whyNotRecorded() const { return run_->whyNotRecorded(); }
-    /// Placements, inputs and changes so far, those among them that make the level's own levels and periods
-    /// what the run began with, as a solution that can be recorded in the level.
+    /// The placements, inputs and changes so far as a solution that can be recorded in the level. The changes
+    /// begin with those from the level's detail levels and periods to the run's initial ones.
     [[nodiscard]] Solution record(std::string name) const;
-    /// Ends the run, places a solution's parts, and feeds its inputs and makes its changes in their frames of
-    /// every run until the player changes what is placed. Throws InputError if it does not fit; then
-    /// everything stays as it was placed.
+    /// Ends the run and places the solution's parts. Every run feeds the solution's inputs and makes its
+    /// changes in their frames, until the player changes a placement. Throws InputError if the solution does
+    /// not fit; the placements then stay as they were.
     void load(Solution const& solution);
 
-    /// Detail level and period of the running world, remembered as by change(), and of all later ones. Throw
-    /// std::invalid_argument like change(); a period also takes a component's bare name.
+    /// Change a detail level or a period of the running world, recorded as by change(), and of all later
+    /// worlds. Throw std::invalid_argument like change(). setPeriod() also accepts a component's name without
+    /// its kind.
     void setDetail(std::string const& effect, std::string const& level);
     void setPeriod(std::string const& component, int period);
-    /// Why setDetail() would refuse it; nothing if it would not.
+    /// Why setDetail() would refuse the level; nothing if it would accept it.
     [[nodiscard]] std::optional<std::string> whyNotDetail(std::string const& effect,
                                                           std::string const& level) const;
 
@@ -140,21 +141,21 @@ private:
     [[nodiscard]] std::unique_ptr<LevelRun> runOf(Placements::List const& placed) const;
     /// Makes an edit, if a world can be built from it.
     bool keep(std::optional<Placements::List> next);
-    /// After undo and redo.
+    /// Rebuilds the run after undo and redo.
     void placedOtherwise();
     void use(std::unique_ptr<LevelRun> run);
 
     Registry const& registry_;
     PartLibrary const& parts_;
     LevelFile level_;
-    WorldOptions options_; // of the next runs
+    WorldOptions options_; // for later runs
     Placements placements_;
-    std::unique_ptr<LevelRun> run_; // never null; one that has not begun while building
+    std::unique_ptr<LevelRun> run_; // never null; while building, a run that has not begun
     std::function<void()> built_;
     bool paused_ = false;
-    std::optional<WorldOptions> lastBegunWith_; // what the last run began with
+    std::optional<WorldOptions> lastBegunWith_; // the initial options of the last run
     Playback solution_;                         // of a loaded solution
-    std::optional<Playback> played_;            // of this run, in place of the solution's
+    std::optional<Playback> played_;            // for this run, in place of solution_
 };
 
 } // namespace trembler

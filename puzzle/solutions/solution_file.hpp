@@ -8,9 +8,9 @@
 
 namespace trembler {
 
-/// The solution of that name in the level; else the file of that name, which holds one solution as a level
-/// file would. Throws InputError, or std::invalid_argument, listing the level's solutions, if there is
-/// neither.
+/// The solution of that name in the level; else that of the file of that name, which holds one solution in
+/// the form of a level file. Throws InputError if the file is wrong; std::invalid_argument, listing the
+/// level's solutions, if there is neither.
 [[nodiscard]] Solution findOrLoadSolution(Registry const& registry, LevelFile const& level,
                                           std::string const& nameOrFile);
 

@@ -34,7 +34,7 @@ public:
         }
         (std::index_sequence_for<P...>{});
     }
-    /// Rows over all object properties.
+    /// The total number of rows of all object properties.
     [[nodiscard]] std::size_t rows() const {
         return (std::size_t{0} + ... + rowsOf(std::get<Home<P>*>(homes_)));
     }
@@ -47,7 +47,7 @@ private:
     std::array<std::uint64_t, sizeof...(P)> seen_{};
 };
 
-/// Splits [0, count) into chunks that depend on nothing but count and rows.
+/// The number of chunks of [0, count); depends only on count and rows.
 [[nodiscard]] constexpr std::size_t chunkCount(std::size_t count, std::size_t rows = chunkRows) {
     return count == 0 ? 1 : (count + rows - 1) / rows;
 }
@@ -66,7 +66,8 @@ public:
         : context_(context), sinks_(sinks) {}
 
     [[nodiscard]] std::uint64_t frame() const { return context_.when.frame; }
-    /// Time since the component's last turn, in s: a part of a frame, a frame, or as many as its period says.
+    /// Time since the component's last turn, in s: a part of a frame, a frame, or as many frames as its
+    /// period.
     [[nodiscard]] double duration() const { return context_.duration; }
     [[nodiscard]] bool tracing() const { return context_.tracing; }
     /// Records an event; without a trace, does nothing and returns no event. Not inside forRanges().
@@ -80,7 +81,7 @@ public:
     }
     /// Calls f(begin, end) for consecutive ranges that cover [0, count), perhaps at the same time. f must
     /// write only data of its range. `rows` > 0 is the length of a range: a constant of the component,
-    /// smaller where each row is much work (a range of some microseconds is worth the overhead of a thread).
+    /// smaller if each row takes long (a range of some microseconds is worth the overhead of a thread).
     template <class F>
     void forRanges(std::size_t count, F&& f, std::size_t rows = chunkRows) {
         detail::forRanges(

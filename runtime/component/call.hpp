@@ -1,5 +1,5 @@
-// Interaction functions (5.4) as typed calls: an interaction records a call, the resolver carries it out in
-// its next advance. Every call states the algebra that makes the order of calls irrelevant (5.7.2).
+// Interaction functions (5.4) as typed calls: an interaction records a call, the resolver executes it in its
+// next advance. Every call states the algebra that makes the order of calls irrelevant (5.7.2).
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -10,23 +10,23 @@
 
 namespace trembler {
 
-/// How a call combines with other calls. None is such that the last one wins.
+/// How a call combines with other calls. With none of these does the last call win.
 enum class Algebra {
     sumOfRates,   ///< held: contributions add up for as long as the interaction holds them (forces)
     sumOfAmounts, ///< once: contributions add up (impulses)
-    anyOf,        ///< held: true while any call says so
+    anyOf,        ///< held: true while any call states true
     least,        ///< held: the smallest value counts
     greatest,     ///< held: the largest value counts
     countedSet, ///< once: +1 or -1 on a key, counted for each caller by itself (CallerCounts); the key is in
                 ///< the set while any count is above zero
     create,     ///< once: equal keys create one object
     destroy,    ///< once: destroying twice is destroying once
-    sequence,   ///< once, from outside the world only: carried out in the order in which they came. They have
-                ///< one caller, so their order is well defined
+    sequence,   ///< once, from outside the world only: executed in the order of the calls. They have one
+                ///< caller, so their order is well defined
 };
 
-/// Held calls stand until the interaction is applied again, so the forces of an interaction that sleeps, as
-/// its inputs do not change, go on. Other calls are carried out once.
+/// Held calls stay in effect until the interaction is applied again. So the forces of an interaction that
+/// sleeps because its inputs do not change continue to act. Other calls are executed once.
 [[nodiscard]] constexpr bool isHeld(Algebra a) {
     return a == Algebra::sumOfRates || a == Algebra::anyOf || a == Algebra::least || a == Algebra::greatest;
 }
@@ -39,7 +39,7 @@ struct CallText {
 };
 
 /// A call: plain data with `text`, `algebra` and objects(), plus what its algebra needs: key() for the keyed
-/// ones, delta() for a counted set. Held sums may have magnitude() (the trace leaves out the negligible).
+/// ones, delta() for a counted set. Held sums may have magnitude() (the trace leaves out negligible calls).
 template <class C>
 concept InteractionCall = std::is_trivially_copyable_v<C> && requires(C const& c) {
     { C::text } -> std::convertible_to<CallText>;
@@ -56,8 +56,8 @@ concept InteractionCall = std::is_trivially_copyable_v<C> && requires(C const& c
 
 namespace detail {
 
-/// Refuses a type that is no call with a message that names the missing part; InteractionCall alone would
-/// only say that it is none.
+/// Refuses a type that is no call with a message that names the missing part; InteractionCall alone would not
+/// name it.
 template <class C>
 constexpr bool checkCall() {
     static_assert(std::is_trivially_copyable_v<C>,
@@ -118,11 +118,12 @@ constexpr bool checkRole() {
 }
 } // namespace detail
 
-/// The interface of a resolver to the interaction layer: `name` and `Calls`. Resolvers of one role swap.
+/// The interface of a resolver to the interaction layer: `name` and `Calls`. Resolvers of one role can
+/// replace each other.
 template <class R>
 concept ResolverRole = requires {
     { R::name } -> std::convertible_to<std::string_view>;
-    requires sizeof(typename R::Calls) > 0; // looks into the list, so that it is checked
+    requires sizeof(typename R::Calls) > 0; // instantiates the list, so that it is checked
     requires detail::checkRole<R>();
 };
 

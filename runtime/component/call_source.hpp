@@ -63,12 +63,12 @@ struct CallSource {
     /// Chunks never depend on the number of threads. A deque, as references to chunks must stay valid while
     /// more are added.
     std::deque<Buffers> chunks = std::deque<Buffers>(1);
-    /// Counts up with every apply that makes calls or withdraws held ones.
+    /// Increases with every apply that makes calls or withdraws held calls.
     std::uint64_t version = 1;
 
     void clearHeld() { clearWhere(true); }
     void clearOnce() { clearWhere(false); }
-    /// Whether it records no call, neither a held one nor one that waits to be carried out.
+    /// Whether it has neither a held call nor a call that waits to be executed.
     [[nodiscard]] bool empty() const {
         return std::all_of(chunks.begin(), chunks.end(), [](Buffers const& chunk) {
             return std::apply([](auto const&... buffer) { return (buffer.calls().empty() && ...); }, chunk);
@@ -107,7 +107,7 @@ private:
     }
 };
 
-/// The caller and the cause of a call, which the resolver gets beside it.
+/// The caller and the cause of a call, which the resolver receives with the call.
 struct CallOrigin {
     CallerId caller;
     EventId cause; ///< the event that led to the call; none without a trace

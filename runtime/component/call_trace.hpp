@@ -1,4 +1,4 @@
-// Which of the calls that an interaction makes are events.
+// Decides which calls of an interaction are events.
 #pragma once
 
 #include "runtime/component/call.hpp"
@@ -14,19 +14,19 @@
 namespace trembler {
 
 /// A held call is an event only when it is new: "this will be done for every frame from now on and will not
-/// be mentioned again" (6.8.3). Later ones carry the first one's id. Used while a trace is recorded; one
-/// thread at a time for each chunk.
+/// be mentioned again" (6.8.3). Later equal calls have the first one's id. Used while a trace is recorded, by
+/// one thread at a time for each chunk.
 class CallTrace {
 public:
-    /// An apply begins.
-    void begin() { fresh_.assign(1, {}); }
-    /// There are at least so many chunks in it.
-    void widen(std::size_t chunks) { fresh_.resize(std::max(chunks, fresh_.size())); }
-    /// The apply is done: its held calls are known from now on, and those that it did not make are not.
+    /// Call at the beginning of an apply.
+    void begin() { newHeld_.assign(1, {}); }
+    /// Makes room for this number of chunks of the apply.
+    void widen(std::size_t chunks) { newHeld_.resize(std::max(chunks, newHeld_.size())); }
+    /// Call at the end of an apply: its held calls replace those of the last apply.
     void end() {
-        told_.clear();
-        for (auto& chunk : fresh_) {
-            told_.merge(chunk);
+        held_.clear();
+        for (auto& chunk : newHeld_) {
+            held_.merge(chunk);
         }
     }
     /// The event of a call: a new one, or that of the same call in the last apply, or none.
@@ -39,16 +39,16 @@ public:
                     return {};
                 }
             }
-            Key key{C::text.name, {objects.begin(), objects.end()}};
+            HeldKey key{C::text.name, {objects.begin(), objects.end()}};
             EventId id;
-            if (auto const known = told_.find(key); known != told_.end()) {
+            if (auto const known = held_.find(key); known != held_.end()) {
                 id = known->second;
-            } else if (auto const here = fresh_[chunk].find(key); here != fresh_[chunk].end()) {
+            } else if (auto const here = newHeld_[chunk].find(key); here != newHeld_[chunk].end()) {
                 id = here->second;
             } else {
                 id = sink.record(C::text.name, objects, std::array{cause});
             }
-            fresh_[chunk].emplace(std::move(key), id);
+            newHeld_[chunk].emplace(std::move(key), id);
             return id;
         } else {
             return sink.record(C::text.name, objects, std::array{cause});
@@ -56,10 +56,10 @@ public:
     }
 
 private:
-    using Key = std::pair<std::string_view, std::vector<ObjectId>>;
+    using HeldKey = std::pair<std::string_view, std::vector<ObjectId>>;
 
-    std::map<Key, EventId> told_; // held calls of the last apply
-    std::vector<std::map<Key, EventId>> fresh_;
+    std::map<HeldKey, EventId> held_; // held calls of the last apply
+    std::vector<std::map<HeldKey, EventId>> newHeld_;
 };
 
 } // namespace trembler

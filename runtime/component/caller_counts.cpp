@@ -10,7 +10,7 @@ namespace {
 
 std::int32_t changed(std::int32_t count, std::int64_t change) {
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-    // The change is clamped first: far outside the range of counts it could make the sum overflow.
+    // The change is clamped first: a change far outside the range of counts could make the sum overflow.
     return static_cast<std::int32_t>(
         std::clamp<std::int64_t>(count + std::clamp<std::int64_t>(change, -most, most), 0, most));
 }

@@ -1,4 +1,4 @@
-// One key of a counted set (5.7.2): how often each caller has added it.
+// The counts of one key of a counted set (5.7.2): how often each caller has added it.
 #pragma once
 
 #include "runtime/component/caller_id.hpp"
@@ -53,7 +53,8 @@ public:
     void add(CallerId caller, std::int64_t change);
     /// Whether only the level and callers among `present` (ascending) have counts above zero.
     [[nodiscard]] bool onlyBy(std::span<CallerId const> present) const;
-    /// Drops the counts of all other callers: they are gone, so they can never remove what they have added.
+    /// Drops the counts of all other callers: these callers no longer exist, so they can never remove the
+    /// keys that they added.
     void keepOnly(std::span<CallerId const> present);
 
     /// Hashes the counts with the names of their callers.

@@ -11,16 +11,16 @@ namespace trembler {
 
 /// One caller of a world: an interaction, the level, or a role's feeder outside the world. An interaction's
 /// identity belongs to its registration, not to its C++ type, so several interactions of one type are several
-/// callers, and it stays the same while interactions come and go.
+/// callers, and it stays the same while interactions are constructed and destroyed.
 ///
-/// Calls do not contain it: a resolver gets it from the channel, beside the call (CallOrigin), so no
-/// interaction can call in the name of another. In order: the level, the callers outside, the interactions as
-/// registered. Valid while its world lives.
+/// Calls do not contain it: a resolver receives it from the channel, with the call (CallOrigin), so no
+/// interaction can call with the identity of another. In order: the level, the callers outside, the
+/// interactions as registered. Valid while its world lives.
 class CallerId {
 public:
     /// No caller.
     CallerId() = default;
-    /// The level: the caller of all that exists before the first call.
+    /// The level: the caller for all keys that exist before the first call.
     [[nodiscard]] static CallerId level();
 
     /// The interaction's name, for example "Electricity <- Dynamics", or "level"; empty for no caller.
@@ -40,7 +40,7 @@ private:
     explicit CallerId(Known const& known) : known_(&known) {}
     [[nodiscard]] std::uint32_t order() const { return known_ == nullptr ? 0 : known_->order; }
 
-    Known const* known_ = nullptr; // for its order and name; the address itself decides nothing
+    Known const* known_ = nullptr; // for its order and name; no result depends on the address
 };
 
 /// The callers of one world. Components have no access to it.
@@ -60,7 +60,7 @@ private:
         return CallerId(known_.emplace_back(CallerId::Known{order, std::string(name)}));
     }
 
-    std::deque<CallerId::Known> known_; // a deque: callers hold on to theirs while more are added
+    std::deque<CallerId::Known> known_; // a deque: pointers to entries must stay valid while more are added
     std::uint32_t nextOutside_ = levelOrder + 1;
     std::uint32_t next_ = firstInteraction;
 };

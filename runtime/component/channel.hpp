@@ -1,4 +1,4 @@
-// The way of calls from the interactions of a role, and from outside the world, to the role's resolver.
+// Passes calls from the interactions of a role, and from outside the world, to the role's resolver.
 #pragma once
 
 #include "runtime/component/call_source.hpp"
@@ -45,14 +45,14 @@ public:
     /// The callers of the sources: ascending if the sources were added in registration order.
     [[nodiscard]] std::span<CallerId const> callers() const { return callers_; }
 
-    /// Accepts calls from outside, under that identity. Once, before any source is added.
+    /// Accepts calls from outside, with that identity. To be called once, before any source is added.
     void openToOutside(CallerId caller) requires FedFromOutside<Role> {
         outside_ = std::make_unique<CallSource<Role>>();
         outside_->caller = caller;
         add(outside_.get());
     }
     /// Records a call from outside for the next advance. Between frames only. Without a resolver, or before
-    /// openToOutside(), it is lost.
+    /// openToOutside(), the call is lost.
     template <InteractionCall C>
     void feed(C const& call) requires FedFromOutside<Role> {
         static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this role");
@@ -61,15 +61,15 @@ public:
             ++outside_->version;
         }
     }
-    /// Whether no source records a call.
+    /// Whether no source has a call.
     [[nodiscard]] bool empty() const {
         return std::all_of(sources_.begin(), sources_.end(),
                            [](CallSource<Role> const* source) { return source->empty(); });
     }
 
-    /// Differs whenever a source has made or withdrawn calls or the set of sources has changed. The count of
-    /// such changes has bits of its own: a source that is removed takes its count out of the sum, which could
-    /// come out as before.
+    /// Changes whenever a source has made or withdrawn calls or the set of sources has changed. Changes of
+    /// the set are counted in separate bits: a removed source no longer contributes to the sum, which could
+    /// then equal an earlier one.
     [[nodiscard]] std::uint64_t version() const override {
         std::uint64_t sum = changes_ << 40U;
         for (CallSource<Role> const* source : sources_) {

@@ -11,7 +11,7 @@ namespace trembler {
 
 class Channels {
 public:
-    /// `callers` gives callers outside, which feed a role, their identities; it must outlive the channels.
+    /// `callers` assigns identities to the callers outside that feed a role; it must outlive the channels.
     explicit Channels(Callers& callers) : callers_(callers) {}
 
     template <ResolverRole Role>
@@ -27,7 +27,7 @@ public:
         return static_cast<Channel<Role>&>(*channel);
     }
 
-    /// Removes all sources, before the interactions present are bound in registration order.
+    /// Removes all sources. The interactions of the world are bound afterwards, in registration order.
     void clearSources() {
         for (auto& [role, channel] : channels_) {
             channel->clearSources();

@@ -13,7 +13,7 @@ bool holds(std::vector<PropertyInfo const*> const& list, PropertyInfo const* pro
     return std::find(list.begin(), list.end(), property) != list.end();
 }
 
-// A property that `first` adds and that `second` reads or is called for by, or nullptr.
+// A property that `first` adds and that `second` reads or needs, or nullptr.
 PropertyInfo const* needed(CompletionInfo const& first, CompletionInfo const& second) {
     for (PropertyInfo const* property : first.adds) {
         if (holds(second.reads, property) || holds(second.neededAll, property) ||
@@ -37,7 +37,8 @@ void refuseRivals(CompletionInfo const& a, CompletionInfo const& b) {
     }
 }
 
-// Each completion in `waiting` must come after another one of them. Follows these back until one repeats.
+// Each completion in `waiting` must follow another one in it. Goes back along these relations until a
+// completion repeats.
 [[noreturn]] void throwCycle(std::vector<CompletionInfo const*> const& waiting) {
     std::vector<CompletionInfo const*> path{waiting.front()};
     for (;;) {

@@ -1,6 +1,6 @@
-// Properties that an effect adds to an object that has just got its stated ones: those that follow from them
-// (a mass from a density) and those that a simulation needs besides (a velocity). A completion has access to
-// exactly the properties that it declares to read and add.
+// Properties that an effect adds to an object that has just received its stated properties: properties that
+// follow from these (a mass from a density) and others that a simulation needs (a velocity). A completion has
+// access to exactly the properties that it declares to read and add.
 #pragma once
 
 #include "runtime/component/declarations.hpp"
@@ -22,7 +22,7 @@ struct Adds {};
 /// The words of a completion.
 struct CompletionText {
     std::string_view name; ///< for example "Body"; its title is "Body Completion"
-    std::string_view work; ///< what it does on complete()
+    std::string_view work; ///< its work on complete()
 };
 
 /// One completion type, as registered.
@@ -51,23 +51,23 @@ template <template <class...> class List, class... P, class Other>
 inline constexpr bool disjoint<List<P...>, Other> = (!listed<P, Other> && ...);
 
 template <class... P>
-[[nodiscard]] bool isCalledForBy(Store const& store, ObjectId id, NeedsAll<P...> const&) {
+[[nodiscard]] bool isActivatedBy(Store const& store, ObjectId id, NeedsAll<P...> const&) {
     return (store.has<P>(id) && ...);
 }
 template <class... P>
-[[nodiscard]] bool isCalledForBy(Store const& store, ObjectId id, NeedsAny<P...> const&) {
+[[nodiscard]] bool isActivatedBy(Store const& store, ObjectId id, NeedsAny<P...> const&) {
     return (store.has<P>(id) || ...);
 }
 
 } // namespace detail
 
 /// Base of every completion. `Self` has `static constexpr CompletionText text`, `using Activation = ...`
-/// (which objects it completes), `static void complete(Access&)`, and no data: nothing is remembered from one
-/// object to the next.
+/// (which objects it completes), `static void complete(Access&)`, and no data, so objects are completed
+/// independently of each other.
 ///
 /// Stated values are never overwritten: add() leaves a value that the object already has, whether a level
-/// file or a part states it. Each completion has its turn with all objects that come at the same time before
-/// the next one has its turn, and completions that add a property come before those that read it. So neither
+/// file or a part states it. Each completion completes all objects that are created at the same time before
+/// the next completion runs, and completions that add a property run before those that read it. So neither
 /// the order of objects nor that of registration matters.
 template <class Self, class ReadsList, class AddsList>
 class Completion {
@@ -80,7 +80,7 @@ class Completion {
         "a completion does not read what it adds: of other objects that would depend on their order");
 
 public:
-    /// One object that is to be completed.
+    /// Access to one object that is being completed.
     class Access final {
     public:
         [[nodiscard]] ObjectId object() const { return object_; }
@@ -89,7 +89,7 @@ public:
         [[nodiscard]] P const* find() const {
             return find<P>(object_);
         }
-        /// The value of another object, for example of one that a joint holds; nullptr if it has none.
+        /// The value of another object, for example of one that a joint connects; nullptr if it has none.
         template <class P>
         [[nodiscard]] P const* find(ObjectId other) const {
             static_assert(detail::listed<P, ReadsList>,
@@ -165,7 +165,7 @@ public:
             requires(Access & access) { Self::complete(access); },
             "a completion has 'static void complete(Access&)': it is handed what it declares");
         static_assert(detail::disjoint<AddsList, typename Self::Activation>,
-                      "a completion is not called for by what it adds itself");
+                      "a completion is not activated by what it adds itself");
         static CompletionInfo const info = [] {
             CompletionInfo made{.type = typeid(Self), .text = Self::text};
             made.reads = detail::infos(ReadsList{});
@@ -175,7 +175,7 @@ public:
                 typename Access::Columns columns{Access::template Pointers<ReadsList>::of(store),
                                                  Access::template Pointers<AddsList>::of(store)};
                 for (ObjectId const object : objects) { // ascending, see Store::complete()
-                    if (detail::isCalledForBy(store, object, typename Self::Activation{})) {
+                    if (detail::isActivatedBy(store, object, typename Self::Activation{})) {
                         Access access(columns, object);
                         Self::complete(access);
                     }
@@ -214,9 +214,9 @@ concept DerivedFromCompletion = requires(C const* c) {
 
 } // namespace detail
 
-/// The order in which completions have their turns: one that adds a property before those that read it or are
-/// called for by it, otherwise as registered. Throws RuleBroken, naming the completions, if there is no such
-/// order, if two add the same property (the first would win), or if two have the same name.
+/// The order in which completions run: a completion that adds a property before those that read or need the
+/// property, otherwise as registered. Throws RuleBroken, naming the completions, if there is no such order,
+/// if two add the same property (the first would win), or if two have the same name.
 [[nodiscard]] std::vector<CompletionInfo const*>
 completionOrder(std::span<CompletionInfo const* const> completions);
 

@@ -50,7 +50,7 @@ public:
     /// The number of rows that it reads, by which the world judges whether threads are worth their overhead.
     [[nodiscard]] virtual std::size_t workload() const = 0;
     virtual void run(FrameContext const& context) = 0;
-    /// Hashes the data that it keeps between turns and the calls that stand or wait for it. Between frames.
+    /// Hashes the data that it keeps between turns, and the held and waiting calls for it. Between frames.
     virtual void hashState(StateHash& hash) const = 0;
     /// The sinks of its last run, in order of chunks.
     [[nodiscard]] std::deque<EventSink>& sinks() { return sinks_; }

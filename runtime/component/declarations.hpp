@@ -1,4 +1,4 @@
-// The type lists with which a component declares the properties that it reads and changes. A component gets
+// The type lists with which a component declares the properties that it reads and changes. A component has
 // access to these only, and the schedule and the notation are made from the same types.
 #pragma once
 
@@ -22,7 +22,7 @@ struct Provides {};
 template <DerivedProperty... P>
 struct Derives {};
 
-/// The scene calls for a component while objects with every one of these properties exist ...
+/// A scene needs a component while objects with each of these properties exist ...
 template <ObjectProperty... P>
 struct NeedsAll {};
 /// ... or with at least one of these.
@@ -36,9 +36,8 @@ inline constexpr bool listed = false;
 template <class P, template <class...> class List, class... Q>
 inline constexpr bool listed<P, List<Q...>> = (std::is_same_v<P, Q> || ...);
 
-// Each position in the arguments of a component's base takes its own kind of list, and no other list of the
-// same types: Provides<> in the place of Derives<> would let a derived property set change the properties of
-// a resolver.
+// Each argument of a component's base accepts only its own kind of list: Provides<> in the place of Derives<>
+// would let a derived property set change the properties of a resolver.
 template <class List>
 inline constexpr bool isReads = false;
 template <class... P>

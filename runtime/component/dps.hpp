@@ -8,18 +8,18 @@
 
 namespace trembler {
 
-/// Base of every derived property set. `Self` has `static constexpr ComponentText text`,
-/// `using Activation = ...` and a `void update(Access&)`. It runs only when a property that it reads has
-/// changed. With `static constexpr bool onDemand = true` it is absent while no component that is there and no
-/// subscription (World::want) reads the properties that it derives.
+/// Base of every derived property set. `Self` has `static constexpr ComponentText text`, `using Activation =
+/// ...` and a `void update(Access&)`. It runs only when a property that it reads has changed. With `static
+/// constexpr bool onDemand = true` it is absent while no constructed component and no subscription
+/// (World::want) reads the properties that it derives.
 template <class Self, class ReadsList, class DerivesList>
 class Dps : public Component {
     static_assert(detail::isReads<ReadsList> && detail::isDerives<DerivesList>,
                   "a derived property set declares Reads<...>, Derives<...>, and changes nothing else (5.5)");
     static_assert(!detail::anyDerived<ReadsList>, "a derived property set never reads another one (5.5)");
-    // Properties derived from states are states. Those derived from news may hold for one part only.
+    // Properties derived from states are states. Properties derived from news may hold for one part only.
     static_assert(detail::allSayWhatAFrameMakes<
-                  std::conditional_t<detail::anyTellsNews<ReadsList>, DerivesList, Derives<>>>);
+                  std::conditional_t<detail::anyReportsNews<ReadsList>, DerivesList, Derives<>>>);
 
 public:
     class Access final : public detail::AccessBase {
@@ -41,8 +41,8 @@ public:
         void write() {
             static_assert(sizeof(P) == 0, "a derived property set changes no property (5.5)");
         }
-        /// One of its derived properties, for filling in. It still holds the value of the last update, which
-        /// may have been one by an alternative of this component.
+        /// One of its derived properties, for writing. It still has the value of the last update, which an
+        /// alternative of this component may have computed.
         template <class P>
         [[nodiscard]] P& derive() {
             static_assert(
@@ -53,8 +53,8 @@ public:
             return slot.value();
         }
 
-        /// One of its derived properties with its current value, without marking it as changed: for finding
-        /// out whether it needs to change.
+        /// One of its derived properties with its current value, without marking it as changed, to find out
+        /// whether it needs to change.
         template <class P>
         [[nodiscard]] P const& derived() const {
             static_assert(
@@ -103,7 +103,7 @@ public:
     }
 
 private:
-    bool first_ = true; // not last: no member of Self may hide in the bytes after it, see copyMemory()
+    bool first_ = true; // not last: members of Self must not use the padding after it, see copyMemory()
     detail::Bindings<ReadsList> reads_;
     detail::Bindings<DerivesList> derives_;
 };

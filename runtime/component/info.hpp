@@ -19,11 +19,11 @@ enum class ComponentKind : std::uint8_t { resolver, dps, interaction };
 /// The words of a component and its place among its alternatives.
 struct ComponentText {
     std::string_view name;   ///< for example "Linear Gravity"; an interaction's "Dynamics <- Gravity"
-    std::string_view effect; ///< for example "gravity": what --detail names
+    std::string_view effect; ///< for example "gravity", as in --detail
     std::string_view
         level;             ///< for example "linear": one of the effect's detail levels, "" if it has only one
     std::string_view work; ///< its work on advance, update or apply
-    int rank = 0; ///< a preference: of alternatives that suit a scene the one of the least rank is chosen
+    int rank = 0;          ///< of alternatives that suit a scene, the one of the least rank is chosen
 };
 
 struct CallInfo {
@@ -38,7 +38,8 @@ struct ComponentInfo {
     ComponentText text;
     std::vector<PropertyInfo const*> reads{};
     std::vector<PropertyInfo const*> writes{};
-    bool writesEverything = false; ///< the Population resolver: objects come and go with all their properties
+    bool writesEverything =
+        false; ///< the Population resolver: objects are created and destroyed with all their properties
     std::vector<PropertyInfo const*> offers{}; ///< resolver properties of a resolver, derived ones of a DPS
     std::optional<std::type_index>
         role{}; ///< of a resolver: its own; of an interaction: that of its resolver
@@ -48,7 +49,7 @@ struct ComponentInfo {
     std::vector<PropertyInfo const*> neededAll{};
     std::vector<PropertyInfo const*> neededAny{};
     bool onDemand = false;            ///< constructed only while a property that it offers is read
-    std::optional<Coverage> memory{}; ///< of its data members, if it has any
+    std::optional<Coverage> memory{}; ///< how the state hash covers its data members, if any
     bool hashesMemory = false;        ///< it hashes its data members, or those that `memory` leaves open
     bool inSetup = false; ///< an interaction that is applied in frame 0 as well, before the first advance
 };

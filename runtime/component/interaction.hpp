@@ -12,10 +12,10 @@ namespace trembler {
 /// Base of every interaction. `Self` has `static constexpr ComponentText text`, `using Activation = ...` and
 /// a `void apply(Access&)`.
 ///
-/// It is applied whenever a property that it reads has changed. Otherwise its held calls stand as they are,
-/// so applying it again would change nothing. With `static constexpr bool inSetup = true` it is applied in
-/// frame 0, too, the setup before the first advance (6.8.3: "global properties, such as the gravity vector,
-/// will also be set"); it then reads nothing but object properties.
+/// It is applied whenever a property that it reads has changed. Otherwise its held calls stay in effect, so
+/// applying it again would change nothing. With `static constexpr bool inSetup = true` it is also applied in
+/// frame 0, the setup before the first advance (6.8.3: "global properties, such as the gravity vector, will
+/// also be set"); it then reads object properties only.
 template <class Self, ResolverRole RoleType, class ReadsList>
 class Interaction : public Component {
     static_assert(detail::isReads<ReadsList>, "an interaction declares Reads<...> and changes nothing (5.6)");
@@ -81,10 +81,10 @@ public:
         void write() {
             static_assert(sizeof(P) == 0, "an interaction changes no property; it calls its resolver (5.6)");
         }
-        /// True in the first turn after the component was constructed: it must then look at all objects, not
-        /// only at changes since the last frame.
+        /// True in the first turn after the component was constructed: it must then process all objects, not
+        /// only changes since the last frame.
         [[nodiscard]] bool firstTime() const { return self_.first_; }
-        /// Its identity as a caller, under which the resolver counts its additions to a counted set.
+        /// Its identity as a caller, by which the resolver counts its additions to a counted set.
         [[nodiscard]] CallerId caller() const { return self_.source_.caller; }
         /// Records a call; see Caller::call.
         template <class C>
@@ -128,7 +128,7 @@ public:
             static_cast<Self&>(*this).apply(access);
         }
         trace_.end();
-        if (stood || !source_.empty()) { // otherwise nothing has changed for the resolver
+        if (stood || !source_.empty()) { // otherwise the resolver's calls have not changed
             ++source_.version;
         }
         reads_.markSeen();
@@ -144,7 +144,7 @@ public:
         static ComponentInfo const info = describeAs(Self::text);
         return info;
     }
-    /// Its description under the name, level and rank of one of its registrations, see Registry::component.
+    /// Its description with the name, level and rank of one of its registrations, see Registry::component.
     [[nodiscard]] static ComponentInfo describeAs(ComponentText const& text) {
         ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::interaction, .text = text};
         made.reads = detail::infos(ReadsList{});
@@ -179,7 +179,7 @@ private:
         }
     }
 
-    bool first_ = true; // not last: no member of Self may hide in the bytes after it, see copyMemory()
+    bool first_ = true; // not last: members of Self must not use the padding after it, see copyMemory()
     detail::Bindings<ReadsList> reads_;
     CallSource<Role> source_;
     CallTrace trace_;

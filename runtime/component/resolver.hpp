@@ -1,4 +1,4 @@
-// Layer 2 (5.4): a resolver is a simulation. It alone changes object properties, on advance().
+// Layer 2 (5.4): a resolver is a simulation. Only resolvers change object properties, on advance().
 #pragma once
 
 #include "runtime/component/bindings.hpp"
@@ -10,11 +10,11 @@
 namespace trembler {
 
 /// Base of every resolver. `Self` has `static constexpr ComponentText text`, `using Activation = ...`, a
-/// `void advance(Access&)`, and may have `bool restless() const`: true while it has work to do
-/// although none of its inputs has changed (bodies that still move). With `static constexpr bool onDemand =
-/// true` it is absent while no component that is there and no subscription (World::want) reads the properties
-/// that it provides. It may be advanced without any change of its inputs when components come or go: its
-/// result must then be the same.
+/// `void advance(Access&)`, and may have `bool restless() const`: true while it has work although none of its
+/// inputs has changed (bodies still move). With `static constexpr bool onDemand = true` it is absent while no
+/// constructed component and no subscription (World::want) reads the properties that it provides. When
+/// components are constructed or destroyed, it may be advanced without any change of its inputs; its result
+/// must then be the same.
 template <class Self, ResolverRole RoleType, class ReadsList, class WritesList,
           class ProvidesList = Provides<>>
 class Resolver : public Component {
@@ -69,21 +69,21 @@ public:
             slot.touch();
             return slot.value();
         }
-        /// Whether any component or subscription reads one of its resolver properties; if none does, it need
-        /// not be computed.
+        /// Whether any component or subscription reads this resolver property; if not, it need not be
+        /// computed.
         template <class P>
         [[nodiscard]] bool wanted() const {
             return self_.provides_.template get<P>().readers() > 0;
         }
-        /// Whether a component that the scene calls for reads one of its resolver properties. Subscriptions,
-        /// and components that are there for subscriptions only, do not count: the world's state may depend
-        /// on this, but not on wanted().
+        /// Whether a component that the scene needs reads this resolver property. Subscriptions, and
+        /// components constructed for subscriptions only, do not count: the world's state may depend on
+        /// hasOwnReaders(), but not on wanted().
         template <class P>
-        [[nodiscard]] bool calledFor() const {
+        [[nodiscard]] bool hasOwnReaders() const {
             return self_.provides_.template get<P>().ownReaders() > 0;
         }
         /// Calls f(call, origin) for every pending call of kind C, always in the same order. An object in a
-        /// held call may have been destroyed: the interaction learns of that only after this advance.
+        /// held call may have been destroyed: the interaction is applied only after this advance.
         template <InteractionCall C, class F>
         void forCalls(F&& f) const {
             static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this resolver's role");
@@ -92,9 +92,9 @@ public:
         /// Whether calls were made or withdrawn since the last advance. If not, the held calls are the same
         /// as then, and there are no others.
         [[nodiscard]] bool callsChanged() const { return self_.channel_->version() != self_.seenCalls_; }
-        /// The callers that may call this resolver at present, ascending. An interaction that is absent is
-        /// not among them: its held calls are gone with it, and it can never remove what it has added to a
-        /// counted set.
+        /// The callers that may call this resolver at present, ascending. An absent interaction is not among
+        /// them: its held calls no longer exist, and it can never remove the keys that it added to a counted
+        /// set.
         [[nodiscard]] std::span<CallerId const> callers() const { return self_.channel_->callers(); }
 
     private:
@@ -146,7 +146,7 @@ public:
         static ComponentInfo const info = describeAs(Self::text);
         return info;
     }
-    /// Its description under the name, level and rank of one of its registrations, see Registry::component.
+    /// Its description with the name, level and rank of one of its registrations, see Registry::component.
     [[nodiscard]] static ComponentInfo describeAs(ComponentText const& text) {
         ComponentInfo made{.type = typeid(Self), .kind = ComponentKind::resolver, .text = text};
         made.reads = detail::infos(ReadsList{});
@@ -172,7 +172,7 @@ public:
 protected:
     /// For a type that is registered several times, see Registry::component.
     explicit Resolver(ComponentInfo const& info) : Component(info) {}
-    /// Whether any call stands or waits to be carried out.
+    /// Whether there is any held call, or any call that waits to be executed.
     [[nodiscard]] bool isCalled() const { return channel_ != nullptr && !channel_->empty(); }
 
 private:

@@ -5,7 +5,7 @@
 
 namespace trembler {
 
-/// Its text names the component and the rule that it breaks.
+/// The text names the component and the broken rule.
 class RuleBroken : public std::logic_error {
 public:
     using std::logic_error::logic_error;

@@ -1,4 +1,4 @@
-// Writing to a file descriptor through an ordinary stream that keeps the reason of a failure.
+// A stream buffer that writes to a file descriptor and keeps the reason of a failure.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ public:
         visible, ///< through visibleLines(): for descriptors that may be a terminal
     };
     explicit DescriptorBuffer(int descriptor, Filter filter = Filter::none);
-    /// Writes the rest of the buffer. A failure in it is lost, so flush and ask for failures before.
+    /// Writes the rest of the buffer. A failure of this write is lost, so flush and check error() before.
     ~DescriptorBuffer() override;
     DescriptorBuffer(DescriptorBuffer const&) = delete;
     DescriptorBuffer& operator=(DescriptorBuffer const&) = delete;

@@ -29,7 +29,7 @@ std::string descriptorPath(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-/// Opens a file without a name; -1 where the file system has no such files, or none that can be named later.
+/// Opens a file without a name; -1 if the file system does not support such files, or cannot name them later.
 int openUnnamed(fs::path const& folder) {
 #ifdef O_TMPFILE
     int const made = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode);

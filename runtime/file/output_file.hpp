@@ -1,10 +1,10 @@
-// A file that is written whole or not at all. Everything that the program writes goes through here.
+// A file that is written completely or not at all. The program writes all files with it.
 //
 //     OutputFile file("report.json");         // throws at once if it can never be written
 //     file.stream() << ...;
 //     file.commit();                          // throws if any of it was not written; puts it in place
 //
-// Commands use it by way of game/app/outputs.hpp, which also refuses to overwrite their inputs.
+// Commands use it through game/app/outputs.hpp, which also refuses to overwrite their inputs.
 #pragma once
 
 #include <filesystem>
@@ -20,17 +20,17 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Written beside its target, in the same folder without a name (or, where the file system cannot do that,
-/// under a name of its own), and put in the target's place when it is complete. Until then, and if
-/// the program fails or is killed, the target stays as it was. A target that is a link is followed; its
-/// permissions are kept; one that may not be written is not replaced. A target that is no regular file, such
-/// as a pipe or /dev/null, is written directly, and so is standard output, which has the name "-". One thread
-/// at a time.
+/// The file is written without a name in the target's folder (or, if the file system does not support that,
+/// with a temporary name), and replaces the target when it is complete. Until then, and if the program fails
+/// or is killed, the target stays as it was. If the target is a link, it is followed. The target's
+/// permissions are kept; a target without write permission is not replaced. A target that is no regular file,
+/// such as a pipe or /dev/null, is written directly, and so is standard output, which has the name "-". One
+/// thread at a time.
 class OutputFile {
 public:
     enum class Content {
-        text,   ///< on standard output control characters in it are made visible
-        binary, ///< byte for byte, wherever it goes
+        text,   ///< control characters are made visible on standard output
+        binary, ///< byte for byte, on standard output, too
     };
     /// Throws OutputError if the name is empty or the file cannot be written there.
     explicit OutputFile(std::filesystem::path target, Content content = Content::text);
@@ -44,14 +44,14 @@ public:
     [[nodiscard]] std::filesystem::path const& target() const { return target_; }
     /// The stream to write to. Goes bad when a write fails.
     [[nodiscard]] std::ostream& stream();
-    /// For libraries that write by themselves, instead of stream(). They must not close it.
+    /// For libraries that write to a descriptor, instead of stream(). They must not close it.
     [[nodiscard]] int descriptor() const { return descriptor_; }
-    /// Hands over the failure of such a library, an errno, for commit() to report.
+    /// Stores the errno of such a library's failure, for commit() to report.
     void failed(int error);
     /// Throws OutputError if a write has failed so far, so that a long computation can stop early.
     void check();
-    /// Writes the rest of the buffer, has the system store the file and puts it in its place; nothing may be
-    /// written after it. Throws OutputError; then the target is as it was.
+    /// Writes the rest of the buffer, synchronises the file with its storage and puts it in its place;
+    /// nothing may be written afterwards. Throws OutputError; then the target is as it was.
     void commit();
 
 private:
@@ -70,7 +70,7 @@ private:
     Content content_;
 };
 
-/// The file that a name stands for when all links are followed, whether it is there or not.
+/// The path that a name refers to when all links are followed, whether the file exists or not.
 [[nodiscard]] std::filesystem::path fileBehind(std::filesystem::path path);
 
 /// Writes a whole file. Throws OutputError.

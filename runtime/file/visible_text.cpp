@@ -16,13 +16,13 @@ struct Range {
     char32_t last;
 };
 
-/// Unicode 15: Cc; of Cf those that are not drawn; the separators Zl and Zp. Ascending.
+/// Unicode 15: Cc; the invisible characters of Cf; the separators Zl and Zp. Ascending.
 constexpr std::array<Range, 13> unseen{{{0x00, 0x1F},
                                         {0x7F, 0x9F},
                                         {0xAD, 0xAD},         // soft hyphen
                                         {0x61C, 0x61C},       // Arabic letter mark
                                         {0x180E, 0x180E},     // Mongolian vowel separator
-                                        {0x200B, 0x200F},     // of no width; marks of direction
+                                        {0x200B, 0x200F},     // zero-width characters; marks of direction
                                         {0x2028, 0x202E},     // separators, embeddings, overrides
                                         {0x2060, 0x206F},     // joiners, isolates, deprecated formats
                                         {0xFEFF, 0xFEFF},     // byte order mark
@@ -38,7 +38,7 @@ bool isUnseen(char32_t c) {
     return after != unseen.begin() && c <= std::prev(after)->last;
 }
 
-/// How many bytes a character has that begins with this one; 0 if none does.
+/// The number of bytes of a character that begins with this byte; 0 if no character does.
 std::size_t lengthFrom(unsigned char lead) {
     return lead < 0x80U ? 1 : lead < 0xC2U ? 0 : lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : lead < 0xF5U ? 4 : 0;
 }
@@ -53,7 +53,7 @@ bool mayFollow(unsigned char lead, unsigned char second) {
 
 struct Character {
     std::size_t length;           ///< bytes
-    std::optional<char32_t> code; ///< nothing for a byte that is no UTF-8
+    std::optional<char32_t> code; ///< nothing for a byte that is not UTF-8
 };
 
 Character characterAt(std::string_view text, std::size_t at) {

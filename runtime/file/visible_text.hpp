@@ -9,18 +9,19 @@ namespace trembler {
 
 /// One line for people. Control characters (C0, DEL, C1), bidirectional overrides, embeddings and isolates,
 /// line and paragraph separators and invisible format characters become <U+001B> and the like; bytes that are
-/// no UTF-8 become <9B>. All other text stays. The result is UTF-8, and visible() leaves it as it is. Line
-/// feeds and tabs are replaced as well, so that one name cannot look like two lines. Thread-safe.
+/// not UTF-8 become codes such as <9B>. All other text is unchanged. The result is UTF-8; applying visible()
+/// again does not change it. Line feeds and tabs are replaced as well, so that one name cannot look like two
+/// lines. Thread-safe.
 [[nodiscard]] std::string visible(std::string_view text);
 
-/// The same, but line feeds and tabs stay: for text that has lines of its own.
+/// The same, but keeps line feeds and tabs: for text of several lines.
 [[nodiscard]] std::string visibleLines(std::string_view text);
 
 /// How many bytes at the end of a text may be the beginning of an incomplete character: 0 to 3.
 [[nodiscard]] std::size_t unfinishedCharacter(std::string_view text);
 
-/// A JSON document, already printed, with the same characters as \u escapes: it means the same as before.
-/// Line feeds and tabs outside strings stay. Expects valid UTF-8.
+/// A printed JSON document in which these characters are replaced by \u escapes, so that its meaning is
+/// unchanged. Line feeds and tabs outside strings stay. Expects valid UTF-8.
 [[nodiscard]] std::string escapedJson(std::string_view printed);
 
 } // namespace trembler

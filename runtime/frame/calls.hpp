@@ -1,4 +1,4 @@
-// The call by which interactions ask for frames in parts.
+// The call by which interactions request frames in parts.
 #pragma once
 
 #include "runtime/component/call.hpp"
@@ -8,9 +8,9 @@
 
 namespace trembler {
 
-/// Asks for the coming frames to be computed in parts that are no longer than `longest`. Of several such
-/// calls the one with the shortest parts counts; a frame has at most mostParts. A `longest` that is not above
-/// zero asks for nothing.
+/// Requests that frames are computed in parts no longer than `longest`, from the next frame on. Of several
+/// such calls the one with the shortest parts counts; a frame has at most mostParts. A `longest` that is not
+/// above zero has no effect.
 struct SplitFrame {
     static constexpr CallText text{"splitFrame", "(longest)",
                                    "Asks for parts of a frame that are no longer than this (s)."};

@@ -23,10 +23,10 @@ struct FrameParts {
     }
 };
 
-/// Has its turn before the first part of each frame, and none within it, so the number of parts changes
-/// between frames only (World::step()). The number that the world states counts. If that is automatic, frames
-/// have the longest parts that no splitFrame() call forbids; these calls are held. So the number follows from
-/// the state at the end of the frame before alone.
+/// Runs before the first part of each frame and not within it, so the number of parts changes between frames
+/// only (World::step()). The world states the number. If it is automatic, frames have the longest parts that
+/// all splitFrame() calls allow; these calls are held. So the number depends only on the state at the end of
+/// the previous frame.
 class FrameResolver final
     : public Resolver<FrameResolver, FrameRole, Reads<FrameSettings>, Writes<>, Provides<FrameParts>> {
 public:
@@ -35,7 +35,7 @@ public:
         .effect = "frame",
         .level = "",
         .work = "Divides each frame, before it begins, into 1, 2, 4 or 8 equal parts: as stated, or so that "
-                "they are as short as somebody asks for."};
+                "they are as short as interactions request."};
     using Activation = NeedsAll<>;
     void advance(Access& access);
 };

@@ -15,7 +15,7 @@ struct FrameSettings {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Frame", "frame", "How finely the simulations are coupled.",
                                        PropertyPlace::world};
-    static constexpr std::int32_t automatic = 0; ///< as many as interactions ask for: see SplitFrame
+    static constexpr std::int32_t automatic = 0; ///< as many as interactions request: see SplitFrame
     std::int32_t parts = automatic;
 
     template <class Self, class Visitor>

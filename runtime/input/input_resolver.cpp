@@ -15,7 +15,7 @@ void InputResolver::advance(Access& access) {
         case PlayerInput::Kind::grab: {
             Position const* const position = access.read<Position>().find(input.object);
             if (position == nullptr) {
-                break; // gone since the player aimed
+                break; // destroyed since the player aimed
             }
             Rotation const* const rotation = access.read<Rotation>().find(input.object);
             double const angle = rotation == nullptr ? 0 : rotation->angle;

@@ -73,7 +73,7 @@ struct PlayerCommands {
     }
 };
 
-/// Carries out the input that was fed since the last frame.
+/// Executes the input that was fed since the last frame.
 class InputResolver final : public Resolver<InputResolver, PlayerRole, Reads<Position, Rotation>, Writes<>,
                                             Provides<Hand, PlayerCommands>> {
 public:
@@ -92,7 +92,7 @@ public:
     void advance(Access& access);
 
 private:
-    bool commandsStand_ = false; // PlayerCommands still holds those of the last turn, to be cleared
+    bool commandsStand_ = false; // PlayerCommands still has the commands of the last turn, to be cleared
 };
 
 } // namespace trembler

@@ -16,13 +16,13 @@ struct PlayerInput {
         "The player grabs, moves, releases, cuts or removes: from outside, never from an "
         "interaction. One at no finite position is ignored."};
     static constexpr Algebra algebra =
-        Algebra::sequence; // a move before a grab means something else than after it
+        Algebra::sequence; // a move before a grab has another effect than after it
     enum class Kind : std::uint8_t {
         grab,    ///< takes hold of `object` at the world point `at`
         move,    ///< moves the hold to `at`
         release, ///< lets go
         cut,     ///< cuts the wire between `object` and `other`
-        remove,  ///< takes `object` out of the world
+        remove,  ///< removes `object` from the world
     };
     Kind kind = Kind::release;
     ObjectId object;

@@ -1,4 +1,4 @@
-// A point or a direction in the plane, x to the right, y up. SI units wherever it stands for a length.
+// A point or a direction in the plane, x to the right, y up. Lengths are in SI units.
 #pragma once
 
 #include <cmath>

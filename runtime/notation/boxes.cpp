@@ -70,7 +70,7 @@ std::string propertySet(std::vector<PropertyInfo const*> const& properties) {
 }
 
 std::string activation(ComponentInfo const& info) {
-    std::string const demand = info.onDemand ? ", while somebody reads what it offers" : "";
+    std::string const demand = info.onDemand ? ", while the properties that it offers are read" : "";
     bool const always = info.neededAll.empty() && info.neededAny.empty();
     return (always ? "every scene" : objectsWith(info.neededAll, info.neededAny)) + demand;
 }
@@ -120,7 +120,7 @@ NotationBox boxOf(Registry const& registry, ComponentInfo const& info) {
     if (!info.text.level.empty()) {
         box.rows.push_back({"Detail level", fmt::format("{} = {}", info.text.effect, info.text.level)});
     }
-    box.rows.push_back({"Called for by", activation(info)});
+    box.rows.push_back({"Activated by", activation(info)});
     return box;
 }
 
@@ -130,7 +130,7 @@ NotationBox boxOf(CompletionInfo const& info) {
             {{"Properties read", propertySet(info.reads)},
              {"Properties added", propertySet(info.adds)},
              {"Work on complete()", std::string(info.text.work)},
-             {"Called for by", always ? "every object" : objectsWith(info.neededAll, info.neededAny)}}};
+             {"Activated by", always ? "every object" : objectsWith(info.neededAll, info.neededAny)}}};
 }
 
 NotationBox boxOf(PropertyInfo const& info) {

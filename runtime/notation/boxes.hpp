@@ -25,16 +25,16 @@ struct NotationBox {
 /// Names in braces, or the empty set.
 [[nodiscard]] std::string propertySet(std::vector<PropertyInfo const*> const& properties);
 
-/// A component. Where a resolver writes exactly the properties that it reads, the box says so in the thesis's
-/// words: "≡ read(...)".
+/// A component. If a resolver writes exactly the properties that it reads, the box states this as the thesis
+/// does: "≡ read(...)".
 [[nodiscard]] NotationBox boxOf(Registry const& registry, ComponentInfo const& info);
 [[nodiscard]] NotationBox boxOf(CompletionInfo const& info);
 /// A property (5.3): its meaning and its fields.
 [[nodiscard]] NotationBox boxOf(PropertyInfo const& info);
 
-/// The objects of a scene that call for a component, in words.
+/// The objects of a scene that need a component, in words.
 [[nodiscard]] std::string activation(ComponentInfo const& info);
-/// In which derived property sets an interaction runs (5.7.3), in words; empty if in none.
+/// The derived property sets in which an interaction runs (5.7.3), in words; empty if there are none.
 [[nodiscard]] std::string shortcutNote(Registry const& registry, ComponentInfo const& info);
 
 } // namespace trembler

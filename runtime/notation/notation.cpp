@@ -194,8 +194,8 @@ std::string notationMarkdown(Registry const& registry) {
         text += boxMarkdown(boxOf(registry, *component.info));
     }
     text +=
-        "## Properties\n\nThose of objects. Resolver properties and derived properties stand with who offers "
-        "them.\n\n";
+        "## Properties\n\nObject properties. Resolver and derived properties are listed with the component "
+        "that provides them.\n\n";
     for (PropertyInfo const* property : registry.objectProperties()) {
         text += boxMarkdown(boxOf(*property));
     }

@@ -37,7 +37,7 @@ void addSlots(Registry const& registry, ComponentKind kind, std::vector<Coverage
 std::vector<CoverageLine> stateCoverage(Registry const& registry) {
     std::vector<CoverageLine> lines{
         {"every member of every object property, and which ids are free", "hashed", ""},
-        {"every call that stands or waits for its resolver's next advance", "hashed", ""},
+        {"every held call, and every call that waits for its resolver's next advance", "hashed", ""},
         {"which components are there, detail levels asked for, periods and whose turn is next", "hashed",
          ""}};
     addSlots(registry, ComponentKind::resolver, lines);
@@ -54,10 +54,10 @@ std::vector<CoverageLine> stateCoverage(Registry const& registry) {
         }
     }
     lines.push_back({"versions, by which components sleep and wake", "left out",
-                     "whoever runs although nothing has changed comes to what stands already"});
+                     "a component that runs with unchanged inputs computes the same result"});
     lines.push_back({"part definitions, registered components and completions", "left out",
-                     "constants, like the program; what is made of them is hashed"});
-    lines.push_back({"what is there for onlookers alone: loudspeakers, overlays, the trace", "left out",
+                     "constants, like the program; the objects made from them are hashed"});
+    lines.push_back({"data for observers only: loudspeakers, overlays, the trace", "left out",
                      "nothing in the world reads it"});
     lines.push_back({"threads, times and budgets", "left out", "they change no result"});
     return lines;

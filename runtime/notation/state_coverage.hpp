@@ -1,4 +1,4 @@
-// The list of data that the state hash covers, and of data that it leaves out, with reasons.
+// Lists the data that the state hash covers, and the data that it leaves out, with reasons.
 #pragma once
 
 #include "runtime/world/registry.hpp"

@@ -1,4 +1,4 @@
-// What identifies an object inside a running world.
+// The identity of an object in a running world.
 #pragma once
 
 #include <compare>

@@ -1,4 +1,4 @@
-// Which objects exist: hands out ids and takes them back.
+// The objects that exist: assigns and frees ids.
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -9,11 +9,12 @@
 
 namespace trembler {
 
-/// Ids depend on nothing but the order of create() and destroy(). Not thread-safe: only the Population
-/// resolver and whoever builds a world before its first frame use it.
+/// Ids depend only on the order of create() and destroy(). Not thread-safe: used only by the Population
+/// resolver and when a world is built, before its first frame.
 class ObjectTable {
 public:
-    /// A new id: the lowest free index, so that a world that creates and destroys for hours stays small.
+    /// A new id with the lowest free index, so that the table stays small in a world that creates and
+    /// destroys objects for hours.
     [[nodiscard]] ObjectId create();
     /// Frees the id. Returns false, and does nothing, if no object has it.
     bool destroy(ObjectId id);
@@ -30,8 +31,8 @@ public:
                                                             : ObjectId{};
     }
 
-    /// What ids will be given next follows from this: calls f(index, generation) for every free index,
-    /// ascending.
+    /// Calls f(index, generation) for every free index, ascending. These determine the ids of the next
+    /// objects.
     template <class F>
     void forFree(F&& f) const {
         for (std::uint32_t index = 0; index < slots_.size() && !free_.empty(); ++index) {

@@ -1,4 +1,4 @@
-// Where an object comes from: what it is made from and by whom.
+// The origin of an object: the entry, part or object that it was made from or by.
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -7,18 +7,18 @@
 
 namespace trembler {
 
-/// What the store knows of an object from the moment it is created, so that nobody has to conclude it from
-/// the object's name or place.
+/// Recorded by the store when an object is created, so that no code has to derive it from the object's name
+/// or place.
 ///
 /// It is not a property: a component or a completion can read only what it declares, and an origin cannot be
 /// declared, so no simulation depends on it. A lamp shines because of its properties, not because it was made
-/// from a part called "lamp". For the same reason it is not part of the state hash (World::stateHash()): what
-/// comes next does not follow from it. Who looks at a world from outside (goals, the session, the window)
-/// reads it with Store::originOf(). Rules and connectors, which are handed the store before the first frame,
-/// must not: scripts/checks.d/origins.sh.
+/// from a part called "lamp". For the same reason it is not part of the state hash (World::stateHash()):
+/// later frames do not depend on it. Code outside the world (goals, the session, the window) reads it with
+/// Store::originOf(). Rules and connectors, which receive the store before the first frame, must not:
+/// scripts/checks.d/origins.sh.
 struct Origin {
     enum class Kind : std::uint8_t {
-        program,   ///< Store::create() was called with no origin: from no level, as in tests
+        program,   ///< created without an origin: not from a level, as in tests
         world,     ///< the one object "world" that every level has
         object,    ///< an entry of the level's "objects"
         joint,     ///< an entry of the level's "joints"
@@ -27,12 +27,12 @@ struct Origin {
     };
     Kind kind = Kind::program;
     /// The number, in the store's PrototypeLibrary, of the part that it is made from; none: its entry states
-    /// all properties itself.
+    /// all properties.
     std::optional<std::uint32_t> prototype;
     /// Of an object, a joint or a placement: its index in the list that the world was built from, from 0. Of
-    /// a birth: the number that its maker gave it. Otherwise 0.
+    /// a birth: CreateObject::number. Otherwise 0.
     std::uint64_t number = 0;
-    /// Of a birth: the object that asked for it, which may no longer exist. Otherwise invalid.
+    /// Of a birth: CreateObject::maker, which may no longer exist. Otherwise invalid.
     ObjectId maker;
 
     friend bool operator==(Origin const&, Origin const&) = default;

@@ -9,8 +9,8 @@
 
 namespace trembler {
 
-/// The keys of the properties that a file takes away from an object ("conductor": false). A completion
-/// that would add one of them, as that of a material adds conduction, does not do so then.
+/// The keys of the properties that a file removes from an object ("conductor": false). Completions do not add
+/// these, as the completion of a material otherwise adds conduction.
 struct Without {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view between = " of ";
 
-/// Takes a decimal number, as fmt prints it, off the end of a text; leaves the text as it is if there is
+/// Removes a decimal number, as fmt prints it, from the end of a text; does not change the text if there is
 /// none.
 std::optional<std::uint64_t> takeNumber(std::string_view& text) {
     std::size_t const before = text.find_last_not_of("0123456789");
@@ -18,7 +18,7 @@ std::optional<std::uint64_t> takeNumber(std::string_view& text) {
     std::uint64_t number = 0;
     auto const [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     bool const leadingZero = digits.size() > 1 && digits.front() == '0';
-    if (error != std::errc() || leadingZero) { // no digits, or more than a number holds
+    if (error != std::errc() || leadingZero) { // no digits, or too many
         return std::nullopt;
     }
     text.remove_suffix(digits.size());

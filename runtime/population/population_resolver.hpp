@@ -25,7 +25,7 @@ struct PopulationChanges {
     }
 };
 
-/// Writes every property, as an object gets all of its own when it is created and loses them when it is
+/// Writes every property, as an object gets all its properties when it is created and loses them when it is
 /// destroyed. So all other resolvers run after it.
 class PopulationResolver final
     : public Resolver<PopulationResolver, PopulationRole, Reads<>, Writes<>, Provides<PopulationChanges>> {
@@ -39,7 +39,7 @@ public:
     static constexpr bool writesEverything = true;
     using Activation = NeedsAll<>;
     static constexpr Coverage memory =
-        leftOut("whether there is news to be taken back, which Population changes says");
+        leftOut("whether there is news to be cleared, as Population changes states");
 
     void bindStore(Store& store) { store_ = &store; }
     [[nodiscard]] bool restless() const { return changesStand_; }
@@ -51,14 +51,15 @@ private:
         EventId cause;
         std::string maker; // its name
     };
-    /// The object with what its birth states, not yet completed; an invalid id if there is none to be made.
+    /// Creates the object with the properties that its birth states, not yet completed; an invalid id if no
+    /// object is made.
     [[nodiscard]] ObjectId create(Birth const& birth);
 
     Store* store_ = nullptr;
     bool changesStand_ = false;
 };
 
-/// Destroys what the player removed.
+/// Destroys the objects that the player removed.
 class PopulationFromPlayer final
     : public Interaction<PopulationFromPlayer, PopulationRole, Reads<PlayerCommands>> {
 public:
@@ -71,7 +72,7 @@ public:
 };
 
 class Registry;
-/// Properties of placement, the player's input and the population: the part of a world that has no physics.
+/// Properties of placement, the player's input and the population: the parts of a world without physics.
 void registerRuntime(Registry& registry);
 
 } // namespace trembler

@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-// SplitMix64's finaliser (Steele, Lea and Flood 2014): sums of well-mixed ids tell sets of owners apart.
+// SplitMix64's finaliser (Steele, Lea and Flood 2014): sums of well-mixed ids distinguish sets of owners.
 std::uint64_t mixed(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15ULL;
     x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;

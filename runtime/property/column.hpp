@@ -44,10 +44,10 @@ public:
         return r != absent && owners_[r].generation == id.generation ? r : absent;
     }
 
-    /// Counts up whenever a value may have changed. A reader that has seen the same version before has seen
-    /// all values.
+    /// Increases whenever a value may have changed. While it is the same as before, a reader has seen all
+    /// values.
     [[nodiscard]] std::uint64_t version() const { return version_; }
-    /// Counts up when rows come or go.
+    /// Increases when rows are added or removed.
     [[nodiscard]] std::uint64_t structureVersion() const { return structureVersion_; }
     void touch() { ++version_; }
 
@@ -57,11 +57,11 @@ public:
         return owners_.size() == other.owners_.size() && membership_ == other.membership_;
     }
 
-    /// Gives an object the property with its default value, or leaves the value it has.
+    /// Gives an object the property with its default value, unless it has the property.
     virtual void addDefault(ObjectId id) = 0;
-    /// Takes the property away. Does nothing if the object has none.
+    /// Removes the property from an object. Does nothing if the object does not have it.
     virtual void remove(ObjectId id) = 0;
-    /// Takes it away from many objects in one pass. Those that have none, and repeats, are ignored.
+    /// Removes it from many objects in one pass. Objects without it, and repeated ids, are ignored.
     virtual void removeAll(std::span<ObjectId const> ids) = 0;
     virtual void visit(ObjectId id, FieldVisitor& visitor) = 0;
     /// Visits a copy of the value, so that the visitor can change nothing.
@@ -76,7 +76,7 @@ protected:
     /// The same for many objects in one pass: `ids` are ascending, and none of them has a row.
     void insertOwners(std::span<ObjectId const> ids);
     void eraseOwner(std::uint32_t row);
-    /// Erases the owners in `ids` and returns the rows that stay, ascending; empty if nothing was erased.
+    /// Erases the owners in `ids` and returns the remaining rows, ascending; empty if nothing was erased.
     std::vector<std::uint32_t> eraseOwners(std::span<ObjectId const> ids);
 
 private:
@@ -96,7 +96,7 @@ public:
     [[nodiscard]] std::span<P> values() { return values_; }
     [[nodiscard]] std::span<P const> values() const { return values_; }
 
-    /// The object's value, or nullptr if it has none. Valid until rows come or go.
+    /// The object's value, or nullptr if it has none. Valid until rows are added or removed.
     [[nodiscard]] P* find(ObjectId id) {
         std::uint32_t const r = row(id);
         return r == absent ? nullptr : &values_[r];
@@ -195,7 +195,7 @@ public:
             hash.bytes(values_.data(), values_.size() * sizeof(P));
         } else {
             for (P const& value : values_) {
-                hash.members(value); // all of them, also those that files never state
+                hash.members(value); // all members, including those that files never state
             }
         }
     }

@@ -7,7 +7,7 @@
 namespace trembler {
 
 /// How the state hash covers a property or a component's memory. Equal hashes mean equal worlds, so all data
-/// on which later frames depend are hashed, or the reason why they need not be is stated.
+/// on which later frames depend must be hashed, or state why they need not be.
 struct Coverage {
     enum class Kind : std::uint8_t { hashed, derived, leftOut };
     Kind kind = Kind::hashed;

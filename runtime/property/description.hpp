@@ -27,9 +27,9 @@ enum class PropertyKind {
 /// Where a level file states an object property.
 enum class PropertyPlace {
     properties, ///< under an object's or a part's "properties"
-    placement,  ///< directly in the object's entry, like "at": every placed object has its own
+    placement,  ///< directly in the object's entry, like "at": differs for each placed object
     world,      ///< under the level's "world": a property of the one object named "world"
-    hidden,     ///< nowhere: state that only arises while the world runs
+    hidden,     ///< nowhere: state that exists only while the world runs
 };
 
 /// The words of a property. `name` is the thesis's notation, `key` the key in files and scripts.
@@ -40,12 +40,12 @@ struct PropertyText {
     PropertyPlace place = PropertyPlace::properties;
 };
 
-/// The values that a recorded solution, the components panel and a time budget may give to a number: all of
-/// them compute the same physics, more or less exactly. Empty unless it is stated.
+/// The values of a number that a recorded solution, the components panel and a time budget may set: with all
+/// of them the same physics is computed, more or less exactly. Empty unless stated.
 struct AccuracyRange {
     double from = 1;
     double to = 0;
-    bool orAutomatic = false; ///< 0 as well, which leaves the number to the program
+    bool orAutomatic = false; ///< 0 is allowed as well: the program then chooses the number
 
     [[nodiscard]] constexpr bool any() const { return from <= to; }
     [[nodiscard]] constexpr bool contains(double value) const {
@@ -61,9 +61,9 @@ struct FieldInfo {
     double minimum = -std::numeric_limits<double>::max();
     double maximum = std::numeric_limits<double>::max();
     bool minimumExcluded = false; ///< for example a mass, which must be above zero
-    bool required = false;        ///< files must state it; otherwise the member's initial value stands
-    AccuracyRange accuracy{};     ///< stated only for accuracy settings; everything else is physics
-    bool adds = false; ///< of an entry in a list: the values of several entries of one object add up
+    bool required = false;    ///< files must state it; otherwise the member's initial value is the default
+    AccuracyRange accuracy{}; ///< stated only for accuracy settings; everything else is physics
+    bool adds = false;        ///< of an entry in a list: the values of several entries of one object add up
 };
 
 /// The names of an enumeration's values 0, 1, 2 ... as files spell them. Specialise for each
@@ -92,8 +92,8 @@ concept Described = requires(T& t) {
     T::describe(t, [](FieldInfo const&, auto&) {});
 };
 
-/// A property that may go without describe(). What a level file can state must be described, so an object
-/// property may lack it only as a marker, which has no members, or if no file states it.
+/// A property that may lack describe(). What a level file can state must be described, so an object property
+/// may lack it only as a marker, which has no members, or if no file states it.
 template <class P>
 concept MayLackFields = Property<P> &&
     (P::kind != PropertyKind::object || std::is_empty_v<P> || P::text.place == PropertyPlace::hidden);

@@ -1,4 +1,5 @@
-// Reaching the fields of a property whose type is not known at compile time: files, inspector and scripts.
+// Access to the fields of a property whose type is not known at compile time, for files, inspector and
+// scripts.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -26,7 +27,7 @@ struct ChoiceField {
     std::span<std::string_view const> names;
 };
 
-/// Sees every field of a property by reference, in the order of its description, and may change it.
+/// Receives every field of a property by reference, in the order of its description, and may change it.
 class FieldVisitor {
 public:
     virtual ~FieldVisitor() = default;

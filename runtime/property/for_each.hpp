@@ -1,4 +1,4 @@
-// Running through all objects that have a set of properties.
+// Iterates over all objects that have a set of properties.
 #pragma once
 
 #include "runtime/property/column.hpp"
@@ -17,9 +17,9 @@ template <class... C>
 
 } // namespace detail
 
-/// Calls f(ObjectId, P&...) for every object in all the columns, in ascending order of objects, for those
-/// whose rows in the first column lie in [begin, end). Pass the rarest property first: it is the one walked
-/// when the owners differ. When all columns have the same owners this is a plain loop over arrays.
+/// Calls f(ObjectId, P&...), in ascending order of objects, for every object that is in all columns and whose
+/// row in the first column lies in [begin, end). Pass the rarest property first: its rows are walked when the
+/// owners differ. When all columns have the same owners this is a plain loop over arrays.
 template <class F, class First, class... Rest>
 void forEachInRows(std::size_t begin, std::size_t end, F&& f, First& first, Rest&... rest) {
     ObjectId const* const owners = first.owners().data();

@@ -1,4 +1,4 @@
-// Every member of a plain struct, found by the compiler, so that none can be forgotten in a list by hand.
+// Every member of a plain struct, found by the compiler, so that no member can be forgotten.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace trembler {
 namespace detail {
 
-// Stands for a member of any type where a struct is initialised, without ever being evaluated.
+// A placeholder for a member of any type in the initialisation of a struct, never evaluated.
 struct AnyMember {
     template <class T>
     constexpr operator T&() const&& noexcept; // NOLINT(google-explicit-constructor)
@@ -37,8 +37,8 @@ constexpr std::size_t memberCount() {
 } // namespace detail
 
 /// Calls f(member) for every member of a plain struct (an aggregate without base classes and C arrays, of at
-/// most 32 members), in the order of their declaration. The ladder stands in for packs of structured
-/// bindings, which C++20 does not have.
+/// most 32 members), in the order of their declaration. The ladder replaces packs of structured bindings,
+/// which C++20 does not have.
 template <class T, class F>
 constexpr void forEachMember(T& object, F&& f) {
     using Plain = std::remove_cv_t<T>;

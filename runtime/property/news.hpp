@@ -1,5 +1,5 @@
 // How properties that report events (contacts that began, impacts) are gathered over a frame of several
-// parts, so that an observer who looks once per frame misses none.
+// parts, so that an observer that reads once per frame misses none.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -9,15 +9,15 @@
 
 namespace trembler {
 
-/// Where a part lies in its frame.
+/// The place of a part in its frame.
 struct PartSpan {
     bool first = true; ///< the first part of the frame in which the property was written
     double begin = 0;  ///< s after the frame's beginning
     double share = 1;  ///< its share of the frame's length
 };
 
-/// A resolver or derived property that reports events since its last update, its news, and not only a state.
-/// Components read it part by part. From outside, World::find() shows the news of a whole frame, for which
+/// A resolver or derived property that reports not only a state but also news: events since its last update.
+/// Components read it part by part. From outside, World::find() returns the news of a whole frame. For this
 /// the property has
 ///
 ///     static void gather(P& frame, P const& part, PartSpan span);
@@ -25,16 +25,16 @@ struct PartSpan {
 /// It adds the news of a part to those of the frame's earlier parts, in order. For the first part `frame` has
 /// its initial value. In a frame of one part it is not called.
 template <class P>
-concept TellsNews = requires(P& frame, P const& part, PartSpan span) {
+concept ReportsNews = requires(P& frame, P const& part, PartSpan span) {
     P::gather(frame, part, span);
 };
 
 /// A resolver or derived property that reports a state, not events: the value of the last part is the value
-/// of the frame. It says so with
+/// of the frame. It states this with
 ///
-///     static constexpr std::string_view standing = "what stands, or why no part's news is lost";
+///     static constexpr std::string_view standing = "the state, or why no part's news is lost";
 template <class P>
-concept TellsWhatStands = requires {
+concept ReportsState = requires {
     { P::standing } -> std::convertible_to<std::string_view>;
 };
 
@@ -46,7 +46,7 @@ template <class P>
 struct SaysWhatAFrameMakes {
     static constexpr bool value = true;
     static_assert(
-        TellsNews<P> != TellsWhatStands<P>,
+        ReportsNews<P> != ReportsState<P>,
         "a property that is offered either tells news, 'static void gather(P& frame, P const& part, "
         "PartSpan span)', or what stands, 'static constexpr std::string_view standing = why'");
 };
@@ -57,9 +57,9 @@ template <template <class...> class List, class... P>
 inline constexpr bool allSayWhatAFrameMakes<List<P...>> = (SaysWhatAFrameMakes<P>::value && ...);
 
 template <class List>
-inline constexpr bool anyTellsNews = false;
+inline constexpr bool anyReportsNews = false;
 template <template <class...> class List, class... P>
-inline constexpr bool anyTellsNews<List<P...>> = (TellsNews<P> || ...);
+inline constexpr bool anyReportsNews<List<P...>> = (ReportsNews<P> || ...);
 
 } // namespace detail
 

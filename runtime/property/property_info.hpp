@@ -1,4 +1,4 @@
-// The run-time face of a property type.
+// The description of a property type at run time.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -15,8 +15,8 @@ class ColumnBase;
 class SlotBase;
 class PropertyValue;
 
-/// Everything that is known of a property type without naming it. One constant instance per type; compare
-/// by `type`, order by `text.key`.
+/// All information about a property type that code can use without naming the type. One constant instance per
+/// type; compare by `type`, order by `text.key`.
 struct PropertyInfo {
     std::type_index type;
     PropertyKind kind;

@@ -1,5 +1,5 @@
-// Where a resolver property or a derived property lives. The world owns it, not the component that fills it,
-// so a component can be swapped for another that offers the same properties and its readers notice nothing.
+// The storage of a resolver property or a derived property. The world owns it, not the component that writes
+// it, so another component that offers the same properties can take over without effect on the readers.
 #pragma once
 
 #include "runtime/property/news.hpp"
@@ -23,20 +23,22 @@ public:
     void touch() { ++version_; }
     /// How many constructed components and subscriptions read it. At 0, its provider need not compute it.
     [[nodiscard]] int readers() const { return ownReaders_ + onlookers_; }
-    /// Of these, the components that the scene itself calls for. They follow from the world's state, unlike
-    /// subscriptions and the components that are there for subscriptions only, which must change nothing.
+    /// Of these, the number of components that the scene itself needs. It follows from the world's state,
+    /// unlike subscriptions and components constructed for subscriptions only, which must not affect the
+    /// world.
     [[nodiscard]] int ownReaders() const { return ownReaders_; }
     void setReaders(int own, int onlookers) {
         ownReaders_ = own;
         onlookers_ = onlookers;
     }
-    /// Back to the initial value: no component provides the property any more.
+    /// Sets the initial value when no component provides the property any more.
     virtual void reset() = 0;
-    /// Whether it tells news (see TellsNews), which frames of several parts must gather.
-    [[nodiscard]] virtual bool tellsNews() const { return false; }
-    /// A frame begins: discards the news gathered in the last one.
+    /// Whether it reports news (see ReportsNews), which must be gathered in frames of several parts.
+    [[nodiscard]] virtual bool reportsNews() const { return false; }
+    /// To be called when a frame begins: discards the news gathered in the last frame.
     virtual void beginFrame() {}
-    /// A part of a frame of several parts is done: adds its news, if the property was written in it.
+    /// To be called after each part of a frame of several parts: adds its news, if the property was written
+    /// in it.
     virtual void endPart(double /* begin, s */, double /* share */) {}
     /// Visits a copy of ofFrame(), so that the visitor can change nothing.
     virtual void visitCopy(FieldVisitor& visitor) const = 0;
@@ -44,7 +46,7 @@ public:
     virtual void visitCurrent(FieldVisitor& visitor) const = 0;
     /// The current value; see PropertyInfo::fields.
     [[nodiscard]] virtual void const* data() const = 0;
-    /// Hashes the value, unless the property is one that is always left out.
+    /// Hashes the value, unless the property is always left out.
     virtual void hash(StateHash& hash) const = 0;
 
 private:
@@ -61,9 +63,9 @@ public:
     [[nodiscard]] P& value() { return value_; }
     [[nodiscard]] P const& value() const { return value_; }
     /// The value for observers of whole frames: the news of all parts of the last frame, if the property
-    /// tells news and the frame had several parts, else the current value.
+    /// reports news and the frame had several parts, else the current value.
     [[nodiscard]] P const& ofFrame() const {
-        if constexpr (TellsNews<P>) {
+        if constexpr (ReportsNews<P>) {
             if (gathered_) {
                 return *gathered_;
             }
@@ -74,15 +76,15 @@ public:
         value_ = P{};
         touch();
     }
-    [[nodiscard]] bool tellsNews() const override { return TellsNews<P>; }
+    [[nodiscard]] bool reportsNews() const override { return ReportsNews<P>; }
     void beginFrame() override {
         gathered_.reset();
         seen_ = version();
     }
     void endPart(double begin, double share) override {
-        if constexpr (TellsNews<P>) {
+        if constexpr (ReportsNews<P>) {
             if (version() == seen_) {
-                return; // not written in this part, so there are no news in it
+                return; // not written in this part, so it has no news
             }
             seen_ = version();
             bool const first = !gathered_;
@@ -109,7 +111,7 @@ public:
 
 private:
     struct Nothing {};
-    using Gathered = std::conditional_t<TellsNews<P>, P, Nothing>;
+    using Gathered = std::conditional_t<ReportsNews<P>, P, Nothing>;
 
     P value_;
     std::optional<Gathered> gathered_; // in a frame of several parts, once it has been written in one of them

@@ -18,8 +18,8 @@ namespace trembler {
 
 struct EventId;
 
-/// Feeds values into XXH3-64. Numbers are hashed by their bits, so 0.0 and -0.0 differ, as computations can
-/// tell them apart.
+/// Feeds values into XXH3-64. Numbers are hashed by their bits, so 0.0 and -0.0 differ, as they do in
+/// computations.
 class StateHash {
 public:
     StateHash();
@@ -37,7 +37,7 @@ public:
         }
     }
     void integer(std::uint64_t value) { bytes(&value, sizeof value); }
-    /// Hashes every field that a description names, and nothing else: padding never counts.
+    /// Hashes every field that a description names, and nothing else, so no padding.
     template <class T>
     void value(T const& v) {
         if constexpr (std::is_same_v<T, std::string>) {
@@ -59,8 +59,8 @@ public:
     }
     /// Hashes every member of a plain struct, of the structs in it and of lists of structs, except ids of
     /// trace events: the hash must not depend on whether a trace is recorded. The compiler finds the members,
-    /// so none can be forgotten. A struct whose members are all in its base class says so:
-    /// `using MembersOf = Base`.
+    /// so none can be forgotten. A struct whose members are all in its base class declares `using MembersOf =
+    /// Base`.
     template <class T>
     void members(T const& v) {
         static_assert(!std::is_pointer_v<T>, "an address is another one in every run");

@@ -12,9 +12,9 @@ namespace trembler {
 
 namespace {
 
-// More threads than cores are allowed on purpose: the determinism tests ask for 32 on two. oneTBB limits the
-// whole process to the smallest of its global controls, so there is only one, which grows with the largest
-// executor.
+// More threads than cores are allowed on purpose: the determinism tests use 32 on two cores. oneTBB limits
+// the whole process to the smallest of its global controls, so there is only one control, which grows with
+// the largest executor.
 void allow(int threads) {
     static std::mutex mutex;
     static std::unique_ptr<tbb::global_control> allowance;

@@ -49,7 +49,7 @@ void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b,
                         title(a), title(b)));
     }
     // The resolver that writes everything only creates objects with their first values and destroys them: on
-    // creation it hands every property over to the resolver that simulates it.
+    // creation it passes every property to the resolver that simulates it.
     for (PropertyInfo const* property : shared(a.writes, b.writes)) {
         bool const handedOver = std::any_of(handOvers.begin(), handOvers.end(), [&](HandOver const& h) {
             return h.property == property && ((h.first == a.text.name && h.second == b.text.name) ||

@@ -8,8 +8,9 @@
 
 namespace trembler {
 
-/// Names an event before the frame's events are gathered: part of a frame, component, chunk and sequence
-/// number in one number that depends on no thread. Ordered as events are listed. 0 is "no event".
+/// Identifies an event before the frame's events are gathered: part of a frame, component, chunk and sequence
+/// number in one number that does not depend on threads. In the order in which events are listed. 0 is "no
+/// event".
 struct EventId {
     std::uint64_t value = 0;
 
@@ -31,7 +32,7 @@ struct Moment {
         : frame(frame_), part(part_), parts(parts_), step(step_) {}
 };
 
-/// Where in a frame an event belongs; `goal` is for events that the game notes after the frame.
+/// The phase of a frame in which an event occurs; `goal` is for events that the game notes after the frame.
 enum class Phase : std::uint8_t { resolver, dps, interaction, goal };
 
 struct Event {
@@ -42,7 +43,7 @@ struct Event {
     Phase phase = Phase::resolver;
     std::string component;
     std::string event;
-    std::vector<std::string> objects; ///< names, as objects may be gone when the trace is read
+    std::vector<std::string> objects; ///< names, as objects may no longer exist when the trace is read
     std::vector<EventId> causes;      ///< ascending, without repeats
 };
 

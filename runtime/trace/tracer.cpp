@@ -15,8 +15,8 @@
 namespace trembler {
 namespace {
 
-// part of a frame : 26 | component : 8 | chunk : 12 | sequence : 18, most significant first, so ids sort as
-// they happen.
+// part of a frame : 26 | component : 8 | chunk : 12 | sequence : 18, most significant first, so ids sort in
+// the order of events.
 constexpr unsigned stepShift = 38;
 constexpr unsigned componentShift = 30;
 constexpr unsigned chunkShift = 18;

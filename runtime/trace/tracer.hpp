@@ -1,4 +1,4 @@
-// Gathers the events of a run. Where no trace is wanted, an event costs one test of a null pointer.
+// Gathers the events of a run. Without a trace, an event costs one test of a null pointer.
 #pragma once
 
 #include "runtime/object/object_id.hpp"

@@ -10,11 +10,11 @@
 namespace trembler {
 namespace {
 
-/// Properties in order of their keys, each once. Columns and slots know a property by its key, too.
+/// Properties in order of their keys, each once. Columns and slots identify a property by its key, too.
 class PropertyNumbers {
 public:
     void add(PropertyInfo const* info) { byKey_.emplace(info->text.key, info); }
-    /// The properties, each at its number. To be called after the last add().
+    /// The properties, by number. To be called after the last add().
     [[nodiscard]] std::vector<PropertyInfo const*> list() const {
         std::vector<PropertyInfo const*> all;
         all.reserve(byKey_.size());

@@ -1,5 +1,6 @@
-// The needs, reads, offers and calls of components as numbers: made once of the descriptions, so that
-// selecting components, which happens whenever objects come or go, compares no names and searches no lists.
+// The needs, reads, offers and calls of components as numbers: made once from the descriptions, so that
+// selecting components, which happens whenever objects are created or destroyed, compares no names and
+// searches no lists.
 #pragma once
 
 #include "runtime/component/info.hpp"
@@ -11,8 +12,8 @@
 
 namespace trembler {
 
-/// Components, properties and groups of alternatives as numbers. Components have the numbers that they have
-/// in the list of which the graph was made.
+/// Components, properties and groups of alternatives as numbers. The number of a component is its place in
+/// the list from which the graph was made.
 struct ComponentGraph {
     using Numbers = std::vector<std::size_t>;
 
@@ -29,7 +30,7 @@ struct ComponentGraph {
     /// A resolver or derived property.
     struct Offered {
         PropertyInfo const* info = nullptr;
-        Numbers readers;   ///< components, ascending; one that lists it twice twice
+        Numbers readers;   ///< components, ascending; twice if a component lists it twice
         Numbers providers; ///< components, ascending
     };
 
@@ -42,13 +43,14 @@ struct ComponentGraph {
 
     ComponentGraph() = default;
     /// `components` must outlive the graph. Alternatives must offer the same properties, and no other
-    /// component may offer one of these, as Registry::check() makes sure. O(n log n) in the number of
+    /// component may offer one of these, as Registry::check() verifies. O(n log n) in the number of
     /// properties that the components name.
     explicit ComponentGraph(std::span<ComponentInfo const* const> components);
 
     std::vector<Component> components;
-    std::vector<PropertyInfo const*> objectProperties; ///< that components need objects with, by key
-    std::vector<Offered> offered;                      ///< by key
+    std::vector<PropertyInfo const*>
+        objectProperties;         ///< that objects must have for components to be needed; by key
+    std::vector<Offered> offered; ///< by key
     std::vector<Group> groups;
 };
 

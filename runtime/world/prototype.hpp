@@ -1,4 +1,4 @@
-// A bundle of properties from which objects are made: a part definition, once its file has been read.
+// A set of properties from which objects are made: a part definition, once its file has been read.
 #pragma once
 
 #include "runtime/property/property_value.hpp"

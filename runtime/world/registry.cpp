@@ -51,8 +51,8 @@ void checkShortcut(Registry const& registry, Shortcut const& shortcut) {
     }
 }
 
-// An interaction has one turn in each part of a frame: it may be inside several derived property sets only if
-// a world never has more than one of them.
+// An interaction has one turn in each part of a frame: it may run inside several derived property sets only
+// if a world never has more than one of them.
 void checkShortcutsOfOne(Registry const& registry, Shortcut const& a, Shortcut const& b) {
     if (a.interaction != b.interaction) {
         return;
@@ -69,7 +69,7 @@ void checkShortcutsOfOne(Registry const& registry, Shortcut const& a, Shortcut c
     }
 }
 
-// A file, a column and a slot know a property by its key, so a key means one property.
+// Files, columns and slots identify a property by its key, so keys must be unique.
 void checkKeys(std::span<PropertyInfo const* const> properties) {
     std::map<std::string_view, PropertyInfo const*> known;
     for (PropertyInfo const* info : properties) {
@@ -81,7 +81,7 @@ void checkKeys(std::span<PropertyInfo const* const> properties) {
     }
 }
 
-// A level names the kind of a connection, not its effect, so a kind belongs to one effect.
+// A level names the kind of a connection, not its effect, so a kind must belong to one effect.
 void checkConnectors(std::span<Connector const> connectors) {
     std::map<std::string_view, std::string_view> owners;
     for (Connector const& connector : connectors) {
@@ -129,8 +129,18 @@ void Registry::add(CompletionInfo const& info) {
 
 void Registry::know(PropertyInfo const& info) {
     PropertyInfo const* const known = objectProperty(info.text.key);
-    if (known == nullptr || known->type != info.type) { // two of one key: check() refuses them
+    if (known == nullptr || known->type != info.type) { // two properties of one key are refused by check()
         properties_.push_back(&info);
+    }
+}
+
+void Registry::makeKnown(Registry const& other) {
+    for (PropertyInfo const* info : other.properties_) {
+        know(*info);
+    }
+    for (Connector connector : other.connectors_) {
+        connector.lay = [](Store& /*store*/, ObjectId /*a*/, ObjectId /*b*/) {};
+        connectors_.push_back(connector);
     }
 }
 

@@ -1,4 +1,4 @@
-// Every property and component that a program knows. One line per effect fills it.
+// All properties and components of a program. Each effect registers its own with one line.
 #pragma once
 
 #include "runtime/component/completion.hpp"
@@ -23,16 +23,18 @@ struct Registration {
     bool (*suits)(Store const&); ///< whether this detail level can serve a scene; nullptr: any scene
     int period = 1;              ///< runs in every nth frame (6.12.5)
     /// The longest period with which it computes the same physics, less exactly: a force that is held for
-    /// several frames. A component that must not miss a frame has its own period here.
+    /// several frames. For a component that must not miss a frame it equals `period`.
     int longestPeriod = 1;
-    /// Whether this detail level computes the physics that a scene states, however roughly: two levels that
-    /// do differ in accuracy only. nullptr: in any scene.
+    /// Whether this detail level computes the physics that a scene states, however roughly: levels that do
+    /// differ in accuracy only. nullptr: in any scene.
     bool (*faithful)(Store const&) = nullptr;
     std::string_view missing{}; ///< why this program cannot construct it, and how to get it; empty if it can
-    std::string (*why)(Store const&) = nullptr; ///< why a scene calls for which detail level, in words
+    std::string (*why)(Store const&) = nullptr; ///< in words, why a scene needs its detail level
+    /// The property that it offers but always leaves empty, because only other detail levels compute it.
+    PropertyInfo const* leftEmpty = nullptr;
 };
 
-/// A declared hand-over (7.1.5): two resolvers may write one property, as each object belongs to one of them
+/// A declared hand-over (7.1.5): two resolvers may write one property if each object belongs to one of them
 /// at a time and changes its owner between frames only.
 struct HandOver {
     PropertyInfo const* property;
@@ -56,20 +58,20 @@ struct ObjectFault {
 /// A condition on an object as stated by a file, before its completion: for example that a polygon is convex.
 /// It has one of the two functions.
 struct ObjectRule {
-    PropertyInfo const* property; ///< whose entry in the file is at fault
+    PropertyInfo const* property; ///< the property whose entry in the file is wrong
     /// Checks an object that has the property; returns the error and the expected condition, in words, or
     /// nothing.
     std::function<std::optional<std::string>(Store const&, ObjectId)> check = nullptr;
-    /// For a condition that compares objects with each other: checks all that have the property at once, so
-    /// that its cost need not grow with the square of their number. At most one entry of an object,
-    /// ascending by object.
+    /// For a condition that compares objects with each other: checks all objects that have the property at
+    /// once, so that its cost need not grow with the square of their number. Returns at most one fault for
+    /// each object, ascending by object.
     std::vector<ObjectFault> (*checkAll)(Store const&) = nullptr;
 };
 
-/// A kind of a level's "connections" and the effect that lays them. A connection belongs to the effect whose
+/// A kind of a level's "connections" and the effect that makes them. A connection belongs to the effect whose
 /// kind it states or, if it states none, to the only effect that does not refuse the two objects.
 struct Connector {
-    std::string_view kind;   ///< as files spell it, for example "wire": of one effect only
+    std::string_view kind;   ///< as files spell it, for example "wire"; belongs to one effect only
     std::string_view effect; ///< the effect that it belongs to
     std::string_view meaning;
     /// Why two objects cannot be connected in this way and the expected condition, in words, or nothing.
@@ -80,14 +82,18 @@ struct Connector {
     void (*lay)(Store&, ObjectId, ObjectId);
 };
 
-/// Order of registration is part of the simulation: conflicting resolvers run, and calls are drained, in it.
+/// The order of registration is part of the simulation: conflicting resolvers run, and calls are drained, in
+/// this order.
 class Registry {
 public:
-    /// Makes an object property known although no component declares it.
+    /// Registers an object property that no component declares.
     template <ObjectProperty P>
     void property() {
         know(propertyInfo<P>());
     }
+    /// Makes known all that a level may state for the components of `other`: their object properties, and the
+    /// kinds of connections, which then connect nothing. For an effect that is left out.
+    void makeKnown(Registry const& other);
     template <class C>
     void component() {
         Registration made{&C::describeSelf(),
@@ -97,6 +103,9 @@ public:
         }
         if constexpr (requires(Store const& store) { C::why(store); }) {
             made.why = [](Store const& store) { return std::string(C::why(store)); };
+        }
+        if constexpr (requires { typename C::LeavesEmpty; }) {
+            made.leftEmpty = &propertyInfo<typename C::LeavesEmpty>();
         }
         if constexpr (requires { C::period; }) {
             made.period = C::period;
@@ -113,9 +122,9 @@ public:
         }
         add(made);
     }
-    /// One of several components of a C++ type, which differ by a value: `variant`, which must outlive the
-    /// registry. It has the member `text`, and `suits` and `missing` where a type of its own would have them.
-    /// C has no `text` and is constructed with (ComponentInfo const&, variant).
+    /// Registers one of several components of a C++ type that differ by the value `variant`, which must
+    /// outlive the registry. `variant` has the member `text`, and may have `suits` and `missing`, as a
+    /// component type has. C has no `text` and is constructed with (ComponentInfo const&, variant).
     template <class C, class Variant>
     void component(Variant const& variant) {
         auto const info = std::make_shared<ComponentInfo const>(C::describeAs(variant.text));
@@ -132,7 +141,7 @@ public:
         add(made);
     }
     template <class C, class Variant>
-    void component(Variant const&&) = delete; // it would not outlive the registry
+    void component(Variant const&&) = delete; // a temporary would not outlive the registry
     /// A component whose description was made while the program runs. `made.info` must live as long as
     /// `made.make` does, so that the function is the one to own it.
     void component(Registration const& made) { add(made); }
@@ -152,7 +161,7 @@ public:
                               std::string(Second::text.name), std::move(why)});
     }
 
-    /// Adds a completion, a class derived from Completion: it gives new objects properties.
+    /// Adds a completion, a class derived from Completion that gives properties to new objects.
     template <class C>
     void completion() {
         static_assert(detail::DerivedFromCompletion<C>,
@@ -164,13 +173,13 @@ public:
     /// Adds a condition that files must meet beyond the ranges of single fields; see ObjectRule.
     void rule(ObjectRule rule) { rules_.push_back(std::move(rule)); }
 
-    /// In order of registration; see completionOrder() for the order of their turns.
+    /// In order of registration; see completionOrder() for the order in which they run.
     [[nodiscard]] std::span<CompletionInfo const* const> completions() const { return completions_; }
     [[nodiscard]] std::span<ObjectRule const> rules() const { return rules_; }
-    /// Adds a kind of connections that a level may state; the runtime knows none.
+    /// Adds a kind of connections that a level may state; the runtime itself has none.
     void connector(Connector const& connector) { connectors_.push_back(connector); }
     [[nodiscard]] std::span<Connector const> connectors() const { return connectors_; }
-    /// Their kinds, in alphabetical order.
+    /// The kinds of connections, in alphabetical order.
     [[nodiscard]] std::vector<std::string> connectionKinds() const;
     [[nodiscard]] std::span<Registration const> components() const { return components_; }
     [[nodiscard]] std::span<HandOver const> handOvers() const { return handOvers_; }
@@ -179,9 +188,9 @@ public:
     [[nodiscard]] std::vector<PropertyInfo const*> objectProperties() const;
     /// The object property with that key, or nullptr.
     [[nodiscard]] PropertyInfo const* objectProperty(std::string_view key) const;
-    /// Throws RuleBroken if any rule is broken: double writers, half-overlapping alternatives, two components
-    /// of one name, two properties of one key, two effects with one kind of connections, unlawful shortcuts,
-    /// completions without an order.
+    /// Throws RuleBroken if any rule is broken: double writers, alternatives that offer only partly the same
+    /// properties, two components of one name, two properties of one key, two effects with one kind of
+    /// connections, invalid shortcuts, completions without an order.
     void check() const;
 
 private:

@@ -9,7 +9,7 @@ namespace {
 using Numbers = ComponentGraph::Numbers;
 using Flags = std::vector<bool>;
 
-/// One selection under way.
+/// Computes one selection.
 class Selecting {
 public:
     Selecting(ComponentGraph const& graph, SelectionFacts const& facts)
@@ -39,7 +39,7 @@ private:
         }
     }
 
-    [[nodiscard]] bool isCalledFor(ComponentGraph::Component const& component) const {
+    [[nodiscard]] bool isActivated(ComponentGraph::Component const& component) const {
         auto const inhabited = [this](std::size_t property) { return inhabited_[property]; };
         auto const& all = component.neededAll;
         auto const& any = component.neededAny;
@@ -47,15 +47,16 @@ private:
                (any.empty() || std::any_of(any.begin(), any.end(), inhabited));
     }
 
-    // Each component waits for the properties that it reads and for its resolver. One that waits for nothing
-    // is a candidate, and others wait for one thing less. Components in a circle wait for ever.
+    // Each component waits for the properties that it reads and for its resolver. A component that waits for
+    // nothing becomes a candidate; the components that waited for it then wait for one less. Components that
+    // need each other in a circle never become candidates.
     void findCandidates() {
         Numbers waitsFor(graph_.components.size());
         Numbers ready;
         for (std::size_t number = 0; number < waitsFor.size(); ++number) {
             ComponentGraph::Component const& component = graph_.components[number];
             bool const calls = component.info->kind == ComponentKind::interaction;
-            waitsFor[number] = component.reads.size() + (calls ? 1 : 0) + (isCalledFor(component) ? 0 : 1);
+            waitsFor[number] = component.reads.size() + (calls ? 1 : 0) + (isActivated(component) ? 0 : 1);
             if (waitsFor[number] == 0) {
                 ready.push_back(number);
             }
@@ -92,8 +93,8 @@ private:
         });
     }
 
-    // Among candidates that serve the same need: the one asked for, else the one of least rank that suits the
-    // scene.
+    // Chooses among candidates that serve the same need: the requested one, else the one of least rank that
+    // suits the scene.
     void chooseFrom(std::size_t group) {
         candidates_.clear();
         for (std::size_t const number : graph_.groups[group].members) {
@@ -132,7 +133,7 @@ private:
 
     // A removal can only lower numbers of readers. The providers of a chosen component stay, as it reads
     // them, and the choice among candidates does not depend on those that were not chosen. So no component
-    // comes in instead of a removed one, and only the providers of its reads need to be looked at again.
+    // replaces a removed one, and only the providers of the properties that it read must be checked again.
     void removeUnread() {
         readers_.assign(graph_.offered.size(), 0);
         for (std::size_t property = 0; property < readers_.size(); ++property) {
@@ -192,9 +193,9 @@ private:
         }
         choice.alternative = chosenOf_[component.group];
         if (choice.reason != ChoiceReason::undecided) {
-            return; // it was taken away
+            return; // it was removed
         }
-        if (!isCalledFor(component)) {
+        if (!isActivated(component)) {
             choice.reason = ChoiceReason::noObjects;
             auto const& all = component.neededAll;
             auto const lacking =
@@ -222,8 +223,8 @@ private:
     Flags candidate_;                                  // of components
     Flags inhabited_;                                  // of object properties
     Flags available_;                                  // of offered properties: a candidate offers it
-    Flags groupThere_;                                 // of groups: a candidate is in it
-    Flags groupUnread_;                                // of groups: nobody reads its properties
+    Flags groupThere_;                                 // of groups: has a candidate
+    Flags groupUnread_;                                // of groups: its properties have no readers
     std::vector<std::optional<std::size_t>> chosenOf_; // of groups
     Numbers candidates_;                               // of the group that is being chosen from
     Numbers readers_; // of offered properties: how many chosen components and subscriptions read it

@@ -152,7 +152,7 @@ void Store::hash(StateHash& hash) const {
 
 void Store::hashColumns(StateHash& hash) const {
     for (auto const& [key, column] : columns_) {
-        if (!column->empty()) { // an empty column equals one that was never made
+        if (!column->empty()) { // an empty column equals a column that was never created
             hash.integer(key.size());
             hash.bytes(key.data(), key.size());
             column->hash(hash);

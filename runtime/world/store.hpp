@@ -18,7 +18,7 @@
 
 namespace trembler {
 
-/// Columns and slots are made when first asked for and stay where they are for the store's life.
+/// Columns and slots are created on first use and keep their addresses for the store's life.
 ///
 /// Not thread-safe for changes of structure; those happen before the first frame and in the Population
 /// resolver.
@@ -30,9 +30,9 @@ public:
     Store& operator=(Store const&) = delete;
 
     /// A new object with a unique name; throws std::invalid_argument if the name is taken or empty. `origin`
-    /// stays as it is for the object's life.
+    /// does not change during the object's life.
     ObjectId create(std::string const& name, Origin const& origin = {});
-    /// Takes away objects with all their properties. Unknown and repeated ids are ignored.
+    /// Removes objects with all their properties. Unknown and repeated ids are ignored.
     void destroy(std::vector<ObjectId> ids);
     [[nodiscard]] bool alive(ObjectId id) const { return objects_.alive(id); }
     [[nodiscard]] ObjectTable const& objects() const { return objects_; }
@@ -42,8 +42,8 @@ public:
     [[nodiscard]] std::string nameOf(ObjectId id) const;
     /// Where an object comes from; Origin{} for one that does not exist. Not in hash().
     [[nodiscard]] Origin originOf(ObjectId id) const { return alive(id) ? origins_[id.index] : Origin{}; }
-    /// The part that an object is made from; nullptr if it is made from none or does not exist. Valid until a
-    /// prototype is added.
+    /// The part that an object is made from; nullptr if it is not made from a part or does not exist. Valid
+    /// until a prototype is added.
     [[nodiscard]] Prototype const* prototypeOf(ObjectId id) const;
 
     template <ObjectProperty P>
@@ -91,21 +91,20 @@ public:
     [[nodiscard]] PrototypeLibrary& prototypes() { return prototypes_; }
     [[nodiscard]] PrototypeLibrary const& prototypes() const { return prototypes_; }
 
-    /// One declared completion, carried out for some objects, ascending; see
-    /// runtime/component/completion.hpp.
+    /// Runs one completion for some objects, ascending; see runtime/component/completion.hpp.
     using Completion = void (*)(Store&, std::span<ObjectId const>);
     void setCompletions(std::vector<Completion> completions) { completions_ = std::move(completions); }
-    /// Runs the completions for objects that have just got their stated properties. All objects that come at
-    /// the same time belong into one call.
+    /// Runs the completions for objects that have just got their stated properties. Pass all objects that are
+    /// created at the same time in one call.
     void complete(std::span<ObjectId const> ids);
     void complete(ObjectId id) { complete({&id, 1}); }
 
     /// XXH3-64 over all columns in canonical order. It covers the objects only; later frames depend on more,
     /// see World::stateHash().
     [[nodiscard]] std::uint64_t hash() const;
-    /// Adds the columns and the ids that the next objects will get.
+    /// Hashes the columns and the ids that the next objects will get.
     void hash(StateHash& hash) const;
-    /// Counts up when any object gains or loses any property.
+    /// Increases when any object gains or loses any property.
     [[nodiscard]] std::uint64_t structureVersion() const;
 
 private:

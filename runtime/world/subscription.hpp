@@ -17,7 +17,7 @@ public:
     }
     [[nodiscard]] std::map<std::string_view, int> const& counts() const { return counts_; }
     void add(PropertyInfo const& property);
-    /// Takes one add() back.
+    /// Reverts one add().
     void remove(PropertyInfo const& property);
     /// Whether any number has changed since the last call.
     [[nodiscard]] bool takeChanged();
@@ -27,9 +27,9 @@ private:
     bool changed_ = false;
 };
 
-/// While it lives, a resolver or derived property of a world counts as read, so that it is computed even if
-/// no component reads it; see World::want(). Its destructor ends it; it may outlive its world. It
-/// may be made, moved and ended between frames only, by one thread at a time.
+/// While it exists, a resolver or derived property of a world counts as read, so that it is computed even if
+/// no component reads it; see World::want(). Its destructor ends it; it may outlive its world. It may be
+/// created, moved and ended between frames only, by one thread at a time.
 class [[nodiscard]] Subscription {
 public:
     /// A subscription to no property.
@@ -41,7 +41,7 @@ public:
     Subscription& operator=(Subscription const&) = delete;
     ~Subscription() { end(); }
 
-    /// Does nothing if it has ended already or its world is gone.
+    /// Does nothing if it has ended already or its world no longer exists.
     void end();
     /// Whether it still counts: it has not ended, and its world exists.
     [[nodiscard]] explicit operator bool() const { return !wants_.expired(); }

@@ -86,7 +86,8 @@ void World::start() {
     setUp();
 }
 
-// Interactions of the setup call in frame 0, so that their resolvers have these calls in their first advance.
+// Interactions of the setup are applied in frame 0, so that their resolvers receive these calls in their
+// first advance.
 void World::setUp() {
     for (Entry& entry : entries_) {
         if (entry.component && entry.status.info->inSetup) {

@@ -1,4 +1,4 @@
-// A running world: its data, the components that its scene calls for, and its frames.
+// A running world: its data, the components that its scene needs, and its frames.
 #pragma once
 
 #include "runtime/component/channels.hpp"
@@ -21,10 +21,11 @@
 namespace trembler {
 
 struct WorldOptions {
-    int threads = 1;                           ///< >= 1; never changes a result
-    std::map<std::string, std::string> detail; ///< effect -> detail level; of other effects the scene decides
-    std::map<std::string, int> periods;        ///< component title -> every nth frame
-    bool trace = false;                        ///< gather events
+    int threads = 1; ///< >= 1; never changes a result
+    std::map<std::string, std::string>
+        detail;                         ///< effect -> detail level; for other effects the scene decides
+    std::map<std::string, int> periods; ///< component title -> every nth frame
+    bool trace = false;                 ///< gather events
     /// Below this many rows in a phase, waking other threads costs more than they can save (measured: a loop
     /// of 1000 cheap items is fourteen times slower on two threads than on one). 0 forces threads, for tests.
     std::size_t rowsWorthThreads = 4096;
@@ -34,17 +35,17 @@ struct WorldOptions {
 struct ComponentStatus {
     ComponentInfo const* info = nullptr;
     Activity activity = Activity::absent;
-    Choice
-        choice; ///< why it is there or not, as of the last selection; numbers are places in World::status()
+    Choice choice; ///< why it is constructed or not, by the last selection; numbers are places in
+                   ///< World::status()
     int period = 1;
     int longestPeriod = 1; ///< see Registration
     std::uint64_t updates = 0;
-    double lastMicroseconds = 0;  ///< of its turns in the last frame in which it had one
-    double totalMicroseconds = 0; ///< over all turns; for display, no result depends on it
+    double lastMicroseconds = 0;  ///< of all turns in the last frame in which it had any
+    double totalMicroseconds = 0; ///< of all turns; for display only
 };
 
-/// Life of a world: fill store(), start(), step() as often as wanted. Not thread-safe from outside; inside,
-/// it uses as many threads as its options say.
+/// To use a world: fill store(), call start(), then step() repeatedly. Not thread-safe from outside; inside,
+/// it uses as many threads as its options state.
 class World {
 public:
     /// `registry` must outlive the world. Throws RuleBroken if it breaks the methodology's rules and
@@ -57,23 +58,23 @@ public:
     [[nodiscard]] Store& store() { return store_; }
     [[nodiscard]] Store const& store() const { return store_; }
 
-    /// Completes the objects, constructs the components that the scene calls for and applies the interactions
-    /// of the setup (frame 0). The objects must be in canonical order.
+    /// Completes the objects, constructs the components that the scene needs and applies the interactions of
+    /// the setup (frame 0). The objects must be in canonical order.
     void start();
-    /// One frame, in 1, 2, 4 or 8 equal parts, as the resolver property Frame parts says before it begins. In
-    /// each part: advance every resolver, update every derived property set, apply every interaction. A
-    /// component whose period is not 1 has one turn in the frames that are its own, in their last part.
+    /// Computes one frame, in 1, 2, 4 or 8 equal parts, as the resolver property Frame parts states before
+    /// the frame begins. In each part: advance every resolver, update every derived property set, apply every
+    /// interaction. A component whose period n is not 1 has one turn in every nth frame, in its last part.
     void step() { step({}); }
     /// The same for observers of states that may last for one part only: a lamp that lights for less than a
-    /// frame. `look` is called after each part in which anything may have changed; in it, find() shows the
-    /// news of that part alone. After the frame, find() shows the news of all its parts.
+    /// frame. `look` is called after each part in which anything may have changed; in it, find() returns the
+    /// news of that part alone. After the frame, find() returns the news of all its parts.
     using PartLook = std::function<void(World const&)>;
     void step(PartLook const& look);
-    /// Frames done so far; during step(), the one under way.
+    /// The number of frames computed; during step(), the number of the current frame.
     [[nodiscard]] std::uint64_t frame() const { return now_.frame; }
-    /// The frame, and the part of it, that is under way or was the last.
+    /// The current or last frame, and its current or last part.
     [[nodiscard]] Moment const& moment() const { return now_; }
-    /// Time so far in eighths of a frame, mostParts to a frame: the shortest part is 1.
+    /// Time so far in ticks. A frame has mostParts ticks, so the shortest part is 1 tick.
     [[nodiscard]] std::uint64_t ticks() const { return ticks_; }
     static constexpr std::uint64_t ticksPerFrame = 8;
     /// s
@@ -84,8 +85,8 @@ public:
     /// subscriptions read.
     [[nodiscard]] std::uint64_t stateHash() const;
 
-    /// A call from outside, for the next frame: recorded, drained and ordered like those of an interaction.
-    /// Before start(), and where no resolver has that role, it is lost. Between frames only.
+    /// A call from outside, for the next frame: recorded, drained and ordered like calls of an interaction.
+    /// Before start(), or without a resolver of that role, the call is lost. Between frames only.
     template <ResolverRole Role, InteractionCall C>
     void feed(C const& call) {
         static_assert(FedFromOutside<Role>,
@@ -97,19 +98,19 @@ public:
     /// An input of the player.
     void feed(PlayerInput const& input) { feed<PlayerRole>(input); }
 
-    /// Asks for a detail level from the next frame on; "" leaves the choice to the scene again. Throws
-    /// std::invalid_argument, listing those that exist, if the effect or the level is unknown. Between frames
+    /// Requests a detail level from the next frame on; with "" the scene decides again. Throws
+    /// std::invalid_argument, listing the known names, if the effect or the level is unknown. Between frames
     /// only.
     void setDetail(std::string const& effect, std::string const& level);
-    /// Runs a component in every nth frame only, 1 <= n <= 3600. Throws std::invalid_argument if the period
-    /// is another, or if no component or several have that title or name. Between frames only.
+    /// Runs a component in every nth frame only, 1 <= n <= 3600. Throws std::invalid_argument if n is out of
+    /// range, or if no component or several have that title or name. Between frames only.
     void setPeriod(std::string const& componentTitle, int period);
     [[nodiscard]] WorldOptions const& options() const { return options_; }
 
     /// One entry per registered component: resolvers, then derived property sets, then interactions.
     [[nodiscard]] std::vector<ComponentStatus> status() const;
-    /// Why the scene calls for the detail level that an effect has if none is asked for, in words for people;
-    /// empty if its components do not say.
+    /// Why the scene needs the detail level that an effect has without a request, in words for people; empty
+    /// if its components do not state it.
     [[nodiscard]] std::string why(std::string_view effect) const;
     /// Counts a reader outside the world, such as a loudspeaker or an overlay, among the readers of a
     /// resolver or derived property, so that it is computed even if no component reads it: from the next
@@ -125,8 +126,8 @@ public:
         return Subscription(wants_, property);
     }
     /// The value of a resolver or derived property, or nullptr if no component has ever been bound to it. Of
-    /// a property that tells news (see TellsNews), the news of the whole last frame; during step(), of the
-    /// part.
+    /// a property that reports news (see ReportsNews), the news of the whole last frame; during step(), of
+    /// the current part.
     template <Property P>
     [[nodiscard]] P const* find() const {
         auto const* const slot = store_.findSlot<P>();
@@ -141,23 +142,23 @@ public:
         return column == nullptr ? nullptr : column->find(id);
     }
     /// Adds to the trace, after a frame, an event that an observer outside found in it: a goal that was met.
-    /// Does nothing unless the options ask for a trace.
+    /// Does nothing without a trace.
     EventId note(std::string_view component, std::string_view event, std::span<ObjectId const> objects,
                  std::span<EventId const> causes);
-    /// The trace so far, or nullptr if the options do not ask for one.
+    /// The trace so far, or nullptr without a trace.
     [[nodiscard]] Tracer const* tracer() const { return tracer_.get(); }
 
 private:
     struct Entry {
         Registration const* registration = nullptr;
         std::unique_ptr<Component> component;
-        bool own = false; // it would be there without subscriptions as well
+        bool own = false; // it would be constructed without subscriptions as well
         ComponentStatus status;
         CallerId caller;                    // of an interaction, for the world's life
         std::uint32_t index = 0;            // in entries_
-        std::vector<std::size_t> insideOf;  // of an interaction: the DPS, alternatives, inside which it runs
+        std::vector<std::size_t> insideOf;  // of an interaction: the alternative DPS inside which it runs
         std::vector<std::size_t> shortcuts; // of a DPS: the interactions that run inside it
-        std::uint64_t lastTick = 0; // at the end of its last turn, or of the last that it slept through
+        std::uint64_t lastTick = 0; // at the end of its last turn, or of the last turn that it slept through
         std::uint64_t ranTick = 0;  // at the end of its last turn
     };
 
@@ -190,14 +191,14 @@ private:
     Executor executor_;
     std::unique_ptr<Tracer> tracer_;
     std::shared_ptr<Wants> wants_ = std::make_shared<Wants>(); // not part of the world's state
-    /// By kind, ascending: the entries that have turns of their own.
+    /// By kind, ascending: the entries that have separate turns.
     std::array<std::vector<std::size_t>, 3> turns_;
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each
     ComponentGraph graph_;       // of the entries: component n is entry n
-    std::optional<std::size_t> divider_; // the entry that decides in how many parts a frame is computed
-    std::vector<SlotBase*> news_;        // the slots of properties that tell news
+    std::optional<std::size_t> divider_; // the entry that decides the number of parts of a frame
+    std::vector<SlotBase*> news_;        // the slots of properties that report news
     Moment now_;
-    std::uint64_t ticks_ = 0; // at the end of the part that is under way or was the last
+    std::uint64_t ticks_ = 0; // at the end of the current or last part
     bool underWay_ = false;   // during step()
     std::uint32_t notes_ = 0; // events that note() has added in this part
     std::uint64_t knownStructure_ = 0;

@@ -1,4 +1,4 @@
-// Constructing, binding and destroying components, as the selection says.
+// Constructs, binds and destroys components according to the selection.
 #include "runtime/world/world.hpp"
 
 #include <map>
@@ -37,7 +37,7 @@ void World::select() {
             entry.component.reset();
             entry.status.activity = Activity::absent;
             changed = true;
-            if (!choice.alternative) { // otherwise the alternative goes on with the same slots
+            if (!choice.alternative) { // otherwise the alternative continues with the same slots
                 for (PropertyInfo const* offer : entry.status.info->offers) {
                     store_.slot(*offer).reset();
                 }
@@ -71,7 +71,7 @@ void World::bindAll() {
     for (std::vector<std::size_t>& turns : turns_) {
         turns.clear();
     }
-    std::map<std::string_view, int> own; // readers by property: components that are there without onlookers
+    std::map<std::string_view, int> own; // readers by property: components constructed without subscriptions
     std::map<std::string_view, int> others; // and all others
     for (Entry& entry : entries_) {
         if (!entry.component) {
@@ -90,7 +90,7 @@ void World::bindAll() {
     }
     news_.clear();
     for (SlotBase* slot : store_.slots()) {
-        if (slot->tellsNews()) {
+        if (slot->reportsNews()) {
             news_.push_back(slot);
         }
         std::string_view const key = slot->info().text.key;

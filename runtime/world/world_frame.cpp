@@ -52,8 +52,8 @@ void World::step(PartLook const& look) {
         if (anybodyRan()) {
             ++now_.part;
         } else {
-            // A component that slept in this part sleeps through the skipped ones as well: if it wakes in the
-            // last one, its turn covers the time of that part only.
+            // A component that slept in this part also sleeps through the skipped parts: if it wakes in the
+            // last part, its turn covers the time of that part only.
             std::uint64_t const skipped =
                 (now_.parts - now_.part - 1) * std::uint64_t{ticksPerFrame / now_.parts};
             for (Entry& entry : entries_) {
@@ -65,8 +65,8 @@ void World::step(PartLook const& look) {
     }
 }
 
-// The component that decides in how many parts a frame is computed has a turn of its own before the first
-// part, and so gets the calls that interactions made at the end of the frame before.
+// The component that decides the number of parts of a frame has a separate turn before the first part, and so
+// receives the calls that interactions made at the end of the previous frame.
 std::uint32_t World::chooseParts() {
     if (!divider_ || !entries_[*divider_].component) {
         return 1;
@@ -98,7 +98,7 @@ void World::runPart() {
         gatherTrace(); // before select(), which may destroy components with their events
     }
     if (store_.structureVersion() != knownStructure_) {
-        select(); // objects came or went: the scene may call for other components
+        select(); // objects were created or destroyed: the scene may need other components
     }
     runPhase(ComponentKind::dps);
     runPhase(ComponentKind::interaction);

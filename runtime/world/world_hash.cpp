@@ -6,7 +6,7 @@
 
 namespace trembler {
 
-// Whether a component that would be there without subscriptions reads the property.
+// Whether a component that would be constructed without subscriptions reads the property.
 bool World::readHere(PropertyInfo const& property) const {
     return std::any_of(entries_.begin(), entries_.end(), [&](Entry const& entry) {
         auto const& reads = entry.status.info->reads;
@@ -18,8 +18,8 @@ bool World::readHere(PropertyInfo const& property) const {
 std::uint64_t World::stateHash() const {
     StateHash hash;
     store_.hash(hash);
-    // The levels asked for are hashed besides the components present: when the scene changes, two requests
-    // that lead to the same components now may lead to different ones.
+    // The requested levels are hashed in addition to the constructed components: two requests that lead to
+    // the same components now may lead to different components when the scene changes.
     hash.integer(options_.detail.size());
     for (auto const& [effect, level] : options_.detail) {
         hash.value(effect);

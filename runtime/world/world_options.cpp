@@ -52,7 +52,7 @@ void World::setPeriod(std::string const& componentTitle, int period) {
     for (Entry& entry : entries_) {
         titles.push_back(title(*entry.status.info));
         if (titles.back() == componentTitle) {
-            named.assign(1, &entry); // a full title goes before a bare name
+            named.assign(1, &entry); // a full title has precedence over a name
             break;
         }
         if (entry.status.info->text.name == componentTitle) {

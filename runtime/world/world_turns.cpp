@@ -67,7 +67,7 @@ void World::runPhase(ComponentKind kind) {
                 rows += candidate.component->workload();
                 runs = true;
             } else if (kind == ComponentKind::resolver) {
-                runs = true; // a resolver that runs before it may give it work: decided at its turn
+                runs = true; // an earlier resolver may give it work, so it decides at its turn
             } else {
                 giveTurn(candidate);
             }

@@ -3,14 +3,19 @@
 #
 # Layers, from below: runtime, physics, sound (audio/effect) and lua, then side by side audio/synth with audio/device
 # above it, render, and puzzle; then side by side measure and game; game/ui; game/app. Tests and benches may include
-# anything, and nothing may include them.
+# anything, and nothing may include them. Our headers are included with quotes: the root of the repository is an include
+# path, so <> would find them too.
 #
 # The public headers of an effect (a folder of physics/ with a register.hpp, and audio/effect) are calls.hpp and
-# properties.hpp or properties/. Files in properties/ include nothing else of their effect. Interactions A <- B are in A's
-# folder and are registered by B: so register.cpp, and no other file, may include another effect's interactions/from_*.
-# (A single place for all registrations would change their order, which is part of the simulation.)
+# properties.hpp or properties/. Of their own effect these include only properties.
+#
+# The interaction A <- B is in A's folder, as from_B. If A is in a lower layer, or B consists of interactions only
+# (physics/motor), it is in B's folder, as A_from_B. B registers it: so register.cpp, and no other file, may include
+# another effect's interactions/from_*. (A single place for all registrations would change their order, which is part of
+# the simulation.)
+#
 # Files that effects share (physics/*.hpp, physics/inverse_square) include none of them; only register_physics.cpp
-# includes the public headers and the register.hpp of all.
+# includes the register.hpp of all.
 #
 # Folders above the effects include their public headers and register.hpp. The budget, the ladders, the hard cases, the
 # SPICE export, the synthesiser and the sound rings may also include the pure functions from which derived property sets
@@ -29,7 +34,7 @@ for folder in runtime physics audio lua render puzzle measure game; do
     fi
 done
 
-grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' "${folders[@]}" |
+grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*include[[:space:]]*["<]' "${folders[@]}" |
     awk -v effects="${effects[*]}" '
     function layer(path) {
         if (path ~ /^game\/(app|ui)\//) return substr(path, 6, index(substr(path, 6), "/") - 1)
@@ -66,8 +71,16 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
         from = part[1]
         place = from ":" part[2]
         to = $0
-        sub(/^[^"]*"/, "", to)
-        sub(/".*/, "", to)
+        sub(/^[^"<]*/, "", to)
+        quoted = to ~ /^"/
+        to = substr(to, 2)
+        sub(/[">].*/, "", to)
+        if (!quoted) {
+            if (to ~ /^(runtime|physics|audio|lua|render|puzzle|measure|game|tests|bench)\//) {
+                complain("our headers are included with quotes")
+            }
+            next
+        }
         seen++
         if (index(" " below[layer(from)] " ", " " layer(to) " ") == 0) {
             complain("that is not below " layer(from))
@@ -79,15 +92,16 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
         inside = substr(to, length(other) + 2)
         public = inside ~ /^(calls\.hpp|properties\.hpp|properties\/.*)$/
         if (mine == other) {
-            if (from ~ /\/properties\// && inside !~ /^properties\//) {
-                complain("what properties/ shows must not lead further in")
+            if (substr(from, length(mine) + 2) ~ /^(calls\.hpp|properties\.hpp|properties\/)/ &&
+                inside !~ /^properties(\.hpp|\/)/) {
+                complain("public headers include only properties of their effect")
             }
         } else if (mine != "") {
             if (!public && !(from == mine "/register.cpp" && inside ~ /^interactions\/from_/)) {
                 complain("that is not for other effects (calls.hpp and properties are)")
             }
         } else if (from ~ /^physics\// && from != "physics/register_physics.cpp") {
-            complain("what effects share knows none of them")
+            complain("code that effects share must not include an effect")
         } else if (!public && inside != "register.hpp" && (from ~ /^(physics|render)\// || to !~ pure)) {
             complain("that is not for others (calls.hpp, properties, register.hpp and pure functions are)")
         }

@@ -2,16 +2,16 @@
 #   compile_fail.NAME           the compiler refuses SOURCE and its message matches EXPECTED_REGEX
 #   compile_fail.NAME.control   with -DTREMBLER_CONTROL the same file compiles
 # so that the first cannot succeed for a wrong reason, such as a missing header. Let the expression match words
-# of ours, such as a static_assert's: what compilers say themselves differs. In the file the offending
-# line stands in `#ifndef TREMBLER_CONTROL`, next to what a well-behaved component would say instead.
-# Sanitizers have nothing to add here, so that their builds leave these cases out.
+# of ours, such as a static_assert's: the compilers' own messages differ. In the file the offending
+# line is in `#ifndef TREMBLER_CONTROL`, next to the correct code of the control.
+# Sanitizers find nothing here, so their builds omit these cases.
 if(TREMBLER_SANITIZE)
   return()
 endif()
 
-# trembler_syntax_check(VARIABLE): the compiler's command line without what is to be checked.
+# trembler_syntax_check(VARIABLE): the compiler's command line without the file to be checked.
 function(trembler_syntax_check variable)
-  # Conditions that do not hold leave empty entries behind.
+  # False conditions leave empty entries.
   set(includes $<FILTER:$<TARGET_PROPERTY:trembler_physics,INTERFACE_INCLUDE_DIRECTORIES>,EXCLUDE,^$>)
   set(defines $<FILTER:$<TARGET_PROPERTY:trembler_physics,INTERFACE_COMPILE_DEFINITIONS>,EXCLUDE,^$>)
   # Carets are off because the quoted source line could match the expression by itself.
@@ -24,9 +24,9 @@ function(trembler_syntax_check variable)
     "$<$<BOOL:${defines}>:-D$<JOIN:${defines},$<SEMICOLON>-D>>" PARENT_SCOPE)
 endfunction()
 
-# Most cases begin with kit.hpp, and reading what it includes takes most of their time. So it is compiled once, before
+# Most cases begin with kit.hpp, and reading its includes takes most of their time. So it is compiled once, before
 # the cases and whenever they run. g++ looks for a compiled header, under the name with .gch, wherever it looks for the
-# header itself, and passes over one that does not fit.
+# header itself, and ignores one made with other options.
 set(trembler_compiled_kit ${CMAKE_CURRENT_BINARY_DIR}/compile_fail_kit)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   file(MAKE_DIRECTORY ${trembler_compiled_kit}/tests/compile_fail)
@@ -82,7 +82,7 @@ trembler_compile_fail(dps_reads_dps_in_disguise dps/reads_dps_in_disguise.cpp
   "a derived property set declares Reads<...>, Derives<...>, and changes nothing else")
 trembler_compile_fail(dps_changes_resolver_property dps/changes_resolver_property.cpp
   "a derived property set declares Reads<...>, Derives<...>, and changes nothing else")
-# The compilers' own words: a function cannot carry a message of ours.
+# The compilers' own message: a function cannot have a message of ours.
 trembler_compile_fail(dps_overrides_bind dps/overrides_bind.cpp
   "overriding final function|overrides a 'final' function")
 
@@ -137,7 +137,7 @@ trembler_compile_fail(sequence_without_feeder sequence_without_feeder.cpp
   "a role with such calls says who feeds it, fedBy")
 trembler_compile_fail(object_property_wanted object_property_wanted.cpp
   "properties of objects are there whether anybody reads them or not")
-# The compilers' own words again: what is private, const or deleted says so itself.
+# The compilers' own messages again, for private, const and deleted members.
 trembler_compile_fail(caller_forged caller_forged.cpp "caller_.*private|private.*caller_")
 trembler_compile_fail(onlooker_changes_world onlooker_changes_world.cpp
   "discards qualifiers|not marked const")

@@ -1,4 +1,4 @@
-// A role with calls in sequence that does not declare who feeds it.
+// A role with calls in sequence that does not declare the code that feeds it.
 #include "tests/compile_fail/kit.hpp"
 
 namespace trembler {

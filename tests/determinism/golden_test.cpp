@@ -28,7 +28,7 @@ std::string escaped(std::string const& name) {
 std::filesystem::path const goldenFile =
     std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/determinism/golden.json";
 
-TEST(Golden, HashesOfEveryLevelAreThoseOnRecord) {
+TEST(Golden, HashesOfEveryLevelAreThoseOfTheGoldenFile) {
     nlohmann::ordered_json now;
     for (auto const& path : gameData().levels()) {
         auto& level = now[gameData().shortName(path)];
@@ -54,7 +54,7 @@ TEST(Golden, HashesOfEveryLevelAreThoseOnRecord) {
                         EXPECT_TRUE(now.contains(at) && now.at(at) == golden.at(at))
                             << "the " << what << " of " << level << ", " << run;
                     } else {
-                        EXPECT_TRUE(golden.contains(at)) << level << ", " << run << " is not on record";
+                        EXPECT_TRUE(golden.contains(at)) << level << ", " << run << " has no recorded hash";
                     }
                 }
             }

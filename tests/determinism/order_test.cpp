@@ -11,7 +11,7 @@
 namespace trembler::determinism {
 namespace {
 
-// std::shuffle's algorithm is not the same in every library; this one is.
+// std::shuffle differs between standard libraries; this algorithm does not.
 void shuffle(nlohmann::json& list, std::mt19937& random) {
     for (std::size_t i = list.size(); i > 1; --i) {
         std::swap(list[i - 1], list[random() % i]);

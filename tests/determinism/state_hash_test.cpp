@@ -39,9 +39,9 @@
 namespace trembler::determinism {
 namespace {
 
-// ---- Fields of object properties, through their descriptions.
+// ---- Fields of object properties, found through their descriptions.
 
-// Changes the field with a given number, counted through lists and what is in them.
+// Changes the field with a given number; the fields of elements of lists are counted as well.
 class ChangeField final : public FieldVisitor {
 public:
     explicit ChangeField(int number) : left_(number) {}
@@ -91,7 +91,7 @@ public:
     }
     void list(FieldInfo const& info, ListField& v) override {
         if (info.key == "by") {
-            return; // who connects two conductors is shown as a copy: see ElectricityConnections
+            return; // the owners of a connection are a copy for display: see ElectricityConnections
         }
         if (mine(info)) {
             v.resize(v.size() + 1);
@@ -114,7 +114,7 @@ private:
     std::string what_;
 };
 
-// Puts one element into every list, so that there is one to be changed.
+// Puts one element into every list, so that there is one to change.
 class FillLists final : public IdleVisitor {
 public:
     void list(FieldInfo const&, ListField& v) override {
@@ -135,7 +135,7 @@ TEST(StateHashCovers, EveryFieldOfEveryObjectProperty) {
         FillLists fill;
         world.store().column(*info).visit(id, fill);
         if (info->text.key != Name::text.key) {
-            EXPECT_NE(world.stateHash(), without) << "to have " << info->text.name << " or not";
+            EXPECT_NE(world.stateHash(), without) << "with and without " << info->text.name;
         }
         std::set<std::uint64_t> seen{world.stateHash()};
         for (int number = 0;; ++number) {
@@ -157,7 +157,7 @@ TEST(StateHashCovers, EveryFieldOfEveryObjectProperty) {
 
 // ---- Members of slots and calls, found by the compiler.
 
-// Changes the leaf with a given number among the members of a value; returns whether there is such a one.
+// Changes the leaf with a given number among the members of a value; returns whether it exists.
 template <class T>
 bool changeLeaf(T& v, int& left) {
     if constexpr (std::is_same_v<T, EventId>) {
@@ -196,7 +196,7 @@ bool changeLeaf(T& v, int& left) {
     }
 }
 
-// One of everything that calls for a component, far from each other.
+// One object for every condition that activates a component, far from each other.
 struct Everything {
     World world;
 
@@ -235,7 +235,7 @@ struct Everything {
 
 template <class... P>
 struct List {};
-// A new slot belongs into this list, and says itself how it is covered.
+// Each new slot must be added to this list; its type declares how it is covered.
 using AllSlots =
     List<Hand, PlayerCommands, PopulationChanges, Contacts, ContactPatches, Impacts, JointForces,
          OverloadedJoints, MotionCauses, SolverChoice, LinearGravityVector, BuoyancyForce, CentreOfBuoyancy,
@@ -244,7 +244,7 @@ using AllSlots =
 template <class P>
 void checkSlot(World& world) {
     SCOPED_TRACE(P::text.name);
-    ASSERT_NE(world.find<P>(), nullptr) << "nothing in the scene calls for who provides it";
+    ASSERT_NE(world.find<P>(), nullptr) << "nothing in the scene activates its provider";
     P& value = world.store().slot<P>().value();
     P const before = value;
     std::set<std::uint64_t> seen{world.stateHash()};
@@ -252,11 +252,12 @@ void checkSlot(World& world) {
     for (int number = 0;; ++number) {
         int left = number;
         bool const done = changeLeaf(value, left);
-        // To reach a leaf an element may have been put into a list: that is a change of its own.
+        // To reach a leaf, an element may have been added to a list, which changes the hash as well.
         if (done && P::coverage.kind == Coverage::Kind::hashed) {
             EXPECT_TRUE(seen.insert(world.stateHash()).second) << "member " << number;
         } else if (done) {
-            EXPECT_TRUE(seen.contains(world.stateHash())) << "member " << number << " is said to be left out";
+            EXPECT_TRUE(seen.contains(world.stateHash()))
+                << "member " << number << " is declared as left out";
         }
         value = before;
         if (!done) {
@@ -275,7 +276,7 @@ std::set<PropertyInfo const*> infosOf(List<P...> const&) {
     return {&propertyInfo<P>()...};
 }
 
-TEST(StateHashCovers, EveryMemberOfEverySlotOrTheListSaysWhyNot) {
+TEST(StateHashCovers, EveryMemberOfEverySlotExceptThoseListedWithAReason) {
     std::set<PropertyInfo const*> offered;
     for (Registration const& component : gameData().registry.components()) {
         if (component.info->kind == ComponentKind::resolver) {
@@ -291,9 +292,9 @@ TEST(StateHashCovers, EveryMemberOfEverySlotOrTheListSaysWhyNot) {
     checkSlots(all.world, AllSlots{});
 }
 
-// What is recomputed in each turn is state where its provider has a period: it stands for several
+// A value that is recomputed in each turn is state if its provider has a period: it is kept for several
 // frames.
-TEST(StateHashCovers, WhatStandsForSeveralFrames) {
+TEST(StateHashCovers, ValuesThatAreKeptForSeveralFrames) {
     for (int const period : {1, 5}) {
         Everything all({.threads = 1, .detail = {}, .periods = {{"Buoyancy", period}}});
         std::uint64_t const before = all.world.stateHash();
@@ -318,8 +319,8 @@ void checkCall() {
     };
     std::set<std::uint64_t> seen{hashOf(nullptr, {})};
     C const plain{};
-    EXPECT_TRUE(seen.insert(hashOf(&plain, {})).second) << "a call or none";
-    EXPECT_EQ(hashOf(&plain, {5}), hashOf(&plain, {})) << "whether somebody traces must not show";
+    EXPECT_TRUE(seen.insert(hashOf(&plain, {})).second) << "with and without a call";
+    EXPECT_EQ(hashOf(&plain, {5}), hashOf(&plain, {})) << "tracing must not influence the hash";
     int changed = 0;
     for (;; ++changed) {
         C call{};
@@ -348,30 +349,31 @@ void checkRoles() {
     (checkCalls<Role>(typename Role::Calls{}), ...);
 }
 
-TEST(StateHashCovers, EveryMemberOfEveryCallThatStandsOrWaits) {
+TEST(StateHashCovers, EveryMemberOfEveryHeldOrWaitingCall) {
     checkRoles<PopulationRole, PlayerRole, FrameRole, DynamicsRole, ElectricityRole, MagneticsRole,
                BuoyancyRole, SoundRole>();
 }
 
-// ---- What used to be missing, by what comes of it.
+// ---- States that hashes did not distinguish in the past.
 
 PlayerInput input(PlayerInput::Kind kind, ObjectId object, Vec2 at) {
     return {.kind = kind, .object = object, .other = {}, .at = at};
 }
 
-TEST(StateHashTellsApart, AHandThatHoldsFromOneThatDoesNot) {
+TEST(StateHashDistinguishes, AHandThatHoldsFromOneThatDoesNot) {
     Everything holding;
     Everything free;
     ASSERT_EQ(holding.world.stateHash(), free.world.stateHash());
     ObjectId const ball = holding.world.store().find("ball");
     holding.world.feed(input(PlayerInput::Kind::grab, ball, {0, 0.2}));
-    EXPECT_NE(holding.world.stateHash(), free.world.stateHash()) << "what waits for the next frame counts";
+    EXPECT_NE(holding.world.stateHash(), free.world.stateHash())
+        << "calls that wait for the next frame are covered";
     holding.world.step();
     free.world.step();
     EXPECT_NE(holding.world.stateHash(), free.world.stateHash());
 }
 
-TEST(StateHashTellsApart, WorldsThatRingFromSilentOnes) {
+TEST(StateHashDistinguishes, WorldsThatRingFromSilentOnes) {
     Everything silent;
     Everything ringing;
     Sounds::Body bell;
@@ -381,7 +383,7 @@ TEST(StateHashTellsApart, WorldsThatRingFromSilentOnes) {
     EXPECT_NE(ringing.world.stateHash(), silent.world.stateHash());
 }
 
-TEST(StateHashTellsApart, DetailAndPeriods) {
+TEST(StateHashDistinguishes, DetailAndPeriods) {
     std::set<std::uint64_t> seen;
     seen.insert(Everything().world.stateHash());
     EXPECT_TRUE(seen.insert(Everything({.threads = 1, .detail = {{"electricity", "nodal"}}, .periods = {}})
@@ -396,14 +398,14 @@ TEST(StateHashTellsApart, DetailAndPeriods) {
     EXPECT_FALSE(seen.insert(third.world.stateHash()).second);
 }
 
-TEST(StateHashTellsApart, WhichIdsWillBeGivenNext) {
+TEST(StateHashDistinguishes, TheNextIdsOfObjects) {
     World plain(gameData().registry);
     World used(gameData().registry);
     used.store().destroy({used.store().create("gone")});
     EXPECT_NE(plain.stateHash(), used.stateHash()) << "the next object has another id";
 }
 
-TEST(StateHashDoesNotShow, WhoTracesAndHowManyThreadsThereAre) {
+TEST(StateHashDoesNotShow, TracingAndTheNumberOfThreads) {
     std::uint64_t const plain = Everything().world.stateHash();
     EXPECT_EQ(Everything({.threads = 1, .detail = {}, .periods = {}, .trace = true}).world.stateHash(),
               plain);

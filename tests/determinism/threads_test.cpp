@@ -16,9 +16,9 @@
 namespace trembler::determinism {
 namespace {
 
-// The thread sanitizer watches for accesses that no thread waits for, and a frame has the same ones as the
-// next: under it, two seconds of each run on two numbers of threads are enough. Without it, the equality of
-// the whole runs is what is tested. Any sanitizer sees enough on two numbers of threads.
+// The thread sanitizer looks for unsynchronised accesses, which are the same in every frame: two seconds of
+// each run, on two numbers of threads, are enough for it. Without it, the equality of whole runs is tested.
+// For any sanitizer two numbers of threads are enough.
 constexpr std::uint64_t length = test::underThreadSanitizer ? 120 : frames;
 std::vector<int> const manyThreads = test::underSanitizer ? std::vector{3, 8} : std::vector{2, 3, 8, 32};
 
@@ -37,7 +37,7 @@ std::vector<std::uint64_t> heapHashes(int threads) {
     WorldOptions options;
     options.threads = threads;
     options.rowsWorthThreads = 0;
-    options.trace = threads % 2 == 0; // tracing must not show either
+    options.trace = threads % 2 == 0; // tracing must not influence the hash either
     World world(gameData().registry, options);
     Store& store = world.store();
     store.column<GravityField>().set(store.create("world"), {{0, -9.81}});

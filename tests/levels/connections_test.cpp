@@ -27,7 +27,8 @@ Registry const& registry() {
     return shared;
 }
 
-/// A battery and a lamp, a tank and a tap, two copper kettles that are both, and a plank that is neither.
+/// A battery and a lamp, a tank and a tap, two copper kettles that can have wires and pipes, and a plank that
+/// can have neither.
 std::string levelWith(std::string const& connections) {
     return R"({"version": 2, "title": "plumbing", "objects": [
         {"name": "battery", "properties": {"conductor": true, "electrical_source": true}},
@@ -58,7 +59,7 @@ bool piped(World const& world, std::string const& a, std::string const& b) {
     return vessel != nullptr && vessel->to == std::vector{world.store().find(b)};
 }
 
-TEST(Connections, GoToTheEffectThatCanConnectTheTwo) {
+TEST(Connections, BelongToTheEffectThatCanConnectTheTwo) {
     auto const world =
         build(R"(["battery", "lamp"], ["tank", "tap"], ["kettle", "lamp"], ["kettle", "tank"])");
     EXPECT_TRUE(wired(*world, "battery", "lamp"));
@@ -68,7 +69,7 @@ TEST(Connections, GoToTheEffectThatCanConnectTheTwo) {
     EXPECT_TRUE(piped(*world, "kettle", "tank"));
 }
 
-TEST(Connections, GoWhereTheyAreSentIfSeveralCould) {
+TEST(Connections, BelongToTheStatedEffectIfSeveralCould) {
     std::string const refused = problemOf(R"(["kettle", "pot"])");
     EXPECT_NE(refused.find("/connections/0: 'kettle' and 'pot' can be connected in more than one way"),
               std::string::npos)
@@ -82,7 +83,7 @@ TEST(Connections, GoWhereTheyAreSentIfSeveralCould) {
     EXPECT_TRUE(piped(*pipe, "kettle", "pot"));
 }
 
-TEST(Connections, ThatNobodyCanMakeSayWhyForEachKind) {
+TEST(Connections, ThatNoEffectCanMakeAreReportedWithAReasonForEachKind) {
     std::string const refused = problemOf(R"(["battery", "plank"])");
     for (char const* words : {"nothing can connect 'battery' and 'plank'", "no wire: 'plank' is no conductor",
                               "no pipe: 'battery' holds no liquid"}) {
@@ -92,7 +93,7 @@ TEST(Connections, ThatNobodyCanMakeSayWhyForEachKind) {
     EXPECT_NE(wrong.find("/connections/0: 'tank' is no conductor"), std::string::npos) << wrong;
 }
 
-TEST(Connections, TheSchemaKnowsBothFormsAndAllKinds) {
+TEST(Connections, TheSchemaHasBothFormsAndAllKinds) {
     nlohmann::json const schema = levelSchema(registry(), {});
     auto const faults = [&](std::string const& connection) {
         return validate(schema, nlohmann::json::parse(levelWith(connection)));
@@ -106,8 +107,8 @@ TEST(Connections, TheSchemaKnowsBothFormsAndAllKinds) {
     EXPECT_FALSE(faults(R"({"between": ["kettle", "pot"], "kind": "pipe", "bore": 1})").empty());
 }
 
-// A registry without electricity still knows which connections are wires.
-TEST(Connections, OfAnEffectThatIsLeftOutAreStillItsOwn) {
+// A registry without electricity still recognises wires.
+TEST(Connections, OfAnEffectThatIsLeftOutStillBelongToIt) {
     Registry without;
     registerEverything(without, {"electricity"});
     plumbing::fill(without);

@@ -25,7 +25,7 @@ std::vector<std::string> problemsOf(std::string text) {
 
 TEST(FileLimits, AsManyValuesAsTheLimitAreReadAndNotOneMore) {
     std::string text = "[0";
-    for (std::size_t i = 2; i < limits::values; ++i) { // and the list itself
+    for (std::size_t i = 2; i < limits::values; ++i) { // the list itself counts as well
         text += ",1";
     }
     EXPECT_EQ(problemsOf(text + "]"), std::vector<std::string>());

@@ -86,7 +86,7 @@ Json anything(Random& random) {
     return values[below(random, values.size())];
 }
 
-/// Keys that mean something somewhere, for members to appear where they do not belong.
+/// Keys that are valid somewhere, to add members at invalid places.
 std::string anyKey(Random& random) {
     static std::vector<std::string> const keys{"name",
                                                "part",
@@ -202,7 +202,7 @@ struct Outcome {
     std::string problem;
 };
 
-/// Reads, builds, judges and runs; whatever is thrown but InputError is a failure of the test.
+/// Reads, builds, judges and runs; any exception other than InputError fails the test.
 Outcome tryOut(std::string const& text) {
     try {
         LevelFile const level = readLevel(levelKit().registry, JsonDocument::parse(text, "fuzz.json"));
@@ -228,7 +228,7 @@ Outcome tryOut(std::string const& text) {
     }
 }
 
-/// TREMBLER_FUZZ=50 tries fifty times as many; 0.1 a tenth.
+/// TREMBLER_FUZZ=50 makes fifty times as many attempts; 0.1 a tenth.
 unsigned tries(unsigned usual) {
     char const* const factor = std::getenv("TREMBLER_FUZZ");
     double const times = factor == nullptr ? 1 : std::strtod(factor, nullptr);
@@ -239,11 +239,11 @@ TEST(LevelFuzzSample, Plays) {
     EXPECT_EQ(tryOut(sampleLevel()).problem, "");
 }
 
-/// Part of what is tried, every tenth seed: no single test takes long, under a sanitizer either.
+/// Every tenth seed, so that no single test takes long, even under a sanitizer.
 class LevelFuzz : public testing::TestWithParam<unsigned> {};
 constexpr unsigned parts = 10;
 
-TEST_P(LevelFuzz, ChangedTreesPlayOrAreRefusedWithAPlace) {
+TEST_P(LevelFuzz, ChangedValuesPlayOrAreRefusedWithAPlace) {
     unsigned played = 0;
     unsigned tried = 0;
     Json const schema = levelSchema(levelKit().registry);
@@ -257,12 +257,13 @@ TEST_P(LevelFuzz, ChangedTreesPlayOrAreRefusedWithAPlace) {
         ++tried;
         if (tryOut(document.dump(1)).played) {
             ++played;
-            if (document["version"] == levelVersion) { // it must never refuse what the program plays
+            if (document["version"] ==
+                levelVersion) { // the schema must accept every level that the program plays
                 EXPECT_EQ(validate(schema, document), std::vector<std::string>());
             }
         }
     }
-    // Both ways must be well trodden, or this tests nothing.
+    // Both outcomes must be frequent, or this tests nothing.
     EXPECT_GT(played, tried / 20);
     EXPECT_LT(played, tried - tried / 20);
 }

@@ -73,7 +73,7 @@ TEST(GoalSize, GoalsMayNestAsDeepAsAFileMay) {
 }
 
 TEST(GoalSize, GoalsThatNestTooDeepAreRefusedAtTheirPlace) {
-    // A million of them unclosed, too: what is told must not depend on what comes behind.
+    // Also a million of them unclosed: the message must not depend on the rest of the file.
     for (std::string const& goals :
          {nested(deepest + 1), nested(1'000'000), repeated(R"({"not": )", 1'000'000)}) {
         Verdict const read = outcomeOf(goals);
@@ -92,11 +92,12 @@ TEST(GoalSize, GoalsThatNestTooDeepAreRefusedAtTheirPlace) {
 
 TEST(GoalSize, AsManyConditionsAsTheLimitAreRead) {
     for (char const* kind : {"all", "any", "sequence"}) {
-        Verdict const read = outcomeOf(listOf(kind, limits::conditions - 1)); // and the list itself
+        Verdict const read =
+            outcomeOf(listOf(kind, limits::conditions - 1)); // the list itself counts as well
         ASSERT_TRUE(read.goals.has_value()) << read.problems.at(0).message;
         EXPECT_EQ(countOf(*read.goals), limits::conditions);
     }
-    // Inside one another they count alike: 1 + 2 * (1 + 100 * 49) + (1 + 196).
+    // Nested conditions count as well: 1 + 2 * (1 + 100 * 49) + (1 + 196).
     static_assert(limits::conditions == 10'000);
     std::string const most = listOf("any", 100, nested(48));
     Verdict const read = outcomeOf(R"({"all": [)" + most + ", " + most + ", " + listOf("any", 196) + "]}");
@@ -112,18 +113,18 @@ TEST(GoalSize, OneConditionTooManyIsRefusedAtItsPlace) {
     EXPECT_EQ(list.problems[0].expected, "at most 10000");
     EXPECT_EQ(list.problems[0].column,
               levelWithGoals("").size() + std::string(R"({"all": [)").size() + 9999 * (leaf.size() + 2));
-    // The last of many inside one another: 5000 pairs and the list itself are one too many.
+    // The last of many nested conditions: 5000 pairs and the list itself are one too many.
     Verdict const pairs = outcomeOf(listOf("any", limits::conditions / 2, nested(1)));
     ASSERT_EQ(pairs.problems.size(), 1U);
     EXPECT_EQ(pairs.problems[0].path, "/goals/any/4999/not");
 }
 
-TEST(GoalSize, HowManyTooManyThereAreMakesNoDifference) {
+TEST(GoalSize, TheMessageDoesNotDependOnTheExcess) {
     Verdict const wide = outcomeOf(listOf("all", 100'000));
     ASSERT_EQ(wide.problems.size(), 1U);
     EXPECT_EQ(wide.problems[0].path, "/goals/all");
     EXPECT_EQ(wide.problems[0].message, "has 100000 entries");
-    // No list of these is too long by itself.
+    // No single list of these is too long.
     Verdict const lists = outcomeOf(listOf("all", 20, listOf("any", limits::conditions - 1)));
     ASSERT_EQ(lists.problems.size(), 1U);
     EXPECT_EQ(lists.problems[0].path, "/goals/all/0/any/9998");

@@ -13,7 +13,7 @@
 namespace trembler {
 namespace {
 
-TEST(Parts, HaveWordsForPlayersAndABody) {
+TEST(Parts, HaveTextsForPlayersAndABody) {
     ASSERT_GE(levelKit().parts.all().size(), 20U);
     std::set<std::string> titles;
     for (PartDefinition const* part : levelKit().parts.all()) {
@@ -24,7 +24,7 @@ TEST(Parts, HaveWordsForPlayersAndABody) {
     }
 }
 
-TEST(Parts, AreAllSoundTogetherInOneWorld) {
+TEST(Parts, AreAllValidTogetherInOneWorld) {
     std::string objects;
     int place = 0;
     for (PartDefinition const* part : levelKit().parts.all()) {

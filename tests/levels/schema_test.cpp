@@ -19,7 +19,7 @@ std::string contentOf(std::filesystem::path const& path) {
     return text.str();
 }
 
-TEST(Schema, IsPublishedAsThePropertiesStateIt) {
+TEST(Schema, IsThePublishedFile) {
     EXPECT_EQ(contentOf(sourceFolder() / "levels/level.schema.json"), publishedSchema().dump(2) + "\n")
         << "stale: run `trembler schema > levels/level.schema.json`";
 }

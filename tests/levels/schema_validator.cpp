@@ -67,8 +67,7 @@ private:
         }
     }
 
-    // Each of these returns whether the keyword is one of its own; values of other types are no concern of
-    // theirs.
+    // Each function returns whether it handles the keyword; it ignores values of other types.
     bool checkNumber(std::string const& keyword, Json const& expected, Json const& value,
                      std::string const& path) {
         if (keyword != "minimum" && keyword != "maximum" && keyword != "exclusiveMinimum") {

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Some values of each measure: any, and the one that a piece has initially.
+// Some values of each measure: an arbitrary one, and the default.
 ShapePiece const initial;
 std::map<std::string, std::vector<Json>> const measures{
     {"radius", {0.3, initial.radius}},

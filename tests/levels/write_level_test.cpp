@@ -13,7 +13,7 @@ std::uint64_t hashOf(LevelFile const& level, std::vector<Placement> const& place
 void expectSurvives(LevelFile const& level) {
     std::string const text = levelText(level);
     LevelFile const again = readLevel(levelKit().registry, JsonDocument::parse(text, "written.json"));
-    EXPECT_EQ(levelText(again), text); // nothing is lost on a second way
+    EXPECT_EQ(levelText(again), text); // a second reading and writing loses nothing
     EXPECT_EQ(hashOf(again, {}), hashOf(level, {}));
     ASSERT_EQ(again.solutions.size(), level.solutions.size());
     for (std::size_t i = 0; i < level.solutions.size(); ++i) {
@@ -35,7 +35,7 @@ TEST(WriteLevel, KeepsEveryBitOfEveryLevel) {
     }
 }
 
-TEST(WriteLevel, WritesWhatAnEditorMade) {
+TEST(WriteLevel, WritesALevelMadeByAnEditor) {
     LevelFile level;
     level.title = "new";
     level.placing.emplace();
@@ -47,7 +47,8 @@ TEST(WriteLevel, WritesWhatAnEditorMade) {
     EXPECT_EQ(
         writeLevel(level).dump(),
         R"({"version":2,"title":"new","objects":[{"name":"a","part":"crate"}],"connections":[["a","b"]],"placing":[]})");
-    EXPECT_THROW((void)buildWorld(levelKit().registry, level, levelKit().parts), InputError); // there is no b
+    EXPECT_THROW((void)buildWorld(levelKit().registry, level, levelKit().parts),
+                 InputError); // b does not exist
 }
 
 } // namespace

@@ -41,10 +41,10 @@ public:
 
 private:
     std::mt19937_64 random_;
-    int room_; // in the small one hardly any is apart from any other
+    int room_; // width of the field; in a field of 5 nearly all boxes meet
 };
 
-TEST(BoxTree, FindsWhatBruteForceFinds) {
+TEST(BoxTree, AgreesWithBruteForce) {
     EXPECT_TRUE(rc::check([] {
         RandomBoxes random;
         std::vector<Bounds> const boxes = random.some();
@@ -52,7 +52,7 @@ TEST(BoxTree, FindsWhatBruteForceFinds) {
         for (int i = 0; i < 10; ++i) {
             Bounds const where = random.one();
             std::vector<std::uint32_t> const expected = RandomBoxes::meeting(boxes, where);
-            std::vector<std::uint32_t> found{7}; // what was found before is forgotten
+            std::vector<std::uint32_t> found{7}; // earlier results are removed
             tree.find(where, found);
             RC_ASSERT(found == expected);
             RC_ASSERT(tree.count(where) == expected.size());
@@ -60,7 +60,7 @@ TEST(BoxTree, FindsWhatBruteForceFinds) {
     }));
 }
 
-TEST(BoxTree, AsksInAscendingOrderUntilTheFirstThatHolds) {
+TEST(BoxTree, TestsInAscendingOrderUntilTheFirstThatHolds) {
     EXPECT_TRUE(rc::check([] {
         RandomBoxes random;
         std::vector<Bounds> const boxes = random.some();
@@ -90,12 +90,12 @@ TEST(BoxTree, AsksInAscendingOrderUntilTheFirstThatHolds) {
     }));
 }
 
-TEST(BoxTree, TakesNoWalkThroughACrowd) {
+TEST(BoxTree, CountsEqualBoxesInConstantTime) {
     constexpr std::uint32_t many = 100'000;
     Bounds const place{{1, 2}, {3, 4}};
     BoxTree const tree(std::vector<Bounds>(many, place));
     std::size_t asked = 0;
-    for (std::uint32_t i = 1; i < many; ++i) { // each of them: all at once, or this would not end
+    for (std::uint32_t i = 1; i < many; ++i) { // each in constant time, else this would take very long
         ASSERT_EQ(tree.count(place), many);
         ASSERT_EQ(tree.findFirst(place, 0, i, [&](std::uint32_t) { return ++asked > 0; }), 0U);
     }

@@ -45,7 +45,7 @@ protected:
     PartLibrary parts_;
 };
 
-TEST_F(MaterialTest, BringsWhatIsNotStated) {
+TEST_F(MaterialTest, DeterminesPropertiesThatAreNotStated) {
     for (std::size_t i = 0; i < choiceNames<Material>.size(); ++i) {
         std::string_view const name = choiceNames<Material>[i];
         auto const material = static_cast<Material>(i);
@@ -65,7 +65,7 @@ TEST_F(MaterialTest, BringsWhatIsNotStated) {
     EXPECT_EQ(of<MagneticStrength>(*iron, "thing")->strength, 0);
 }
 
-TEST_F(MaterialTest, GivesWayToWhatIsStated) {
+TEST_F(MaterialTest, IsOverriddenByStatedProperties) {
     auto const world = build(object("thing", R"("material": "steel", "density": 100, "friction": 0.9,
         "restitution": 0.7, "conductor": {"network": "mains"}, "magnetic_strength": {"susceptibility": 3})"));
     EXPECT_EQ(of<Density>(*world, "thing")->value, 100);
@@ -78,7 +78,7 @@ TEST_F(MaterialTest, GivesWayToWhatIsStated) {
     EXPECT_EQ(of<Mass>(*weighed, "thing")->value, 2);
 }
 
-TEST_F(MaterialTest, GivesWayToWhatAThingIsStatedToBeWithout) {
+TEST_F(MaterialTest, IsOverriddenByExcludedProperties) {
     auto const world = build(object("thing", R"("material": "steel", "conductor": false,
         "magnetic_strength": false, "restitution": false)"));
     EXPECT_EQ(of<Conductor>(*world, "thing"), nullptr);
@@ -90,7 +90,7 @@ TEST_F(MaterialTest, GivesWayToWhatAThingIsStatedToBeWithout) {
               (std::vector<std::string>{"conductor", "magnetic_strength", "restitution"}));
 }
 
-// Wires and terminals are looked at before anything is completed, and know what metal is all the same.
+// Wires and terminals are checked before completions, but must recognise metals.
 TEST_F(MaterialTest, ConductsWellEnoughForWiresAndTerminals) {
     std::string const two =
         object("plus", R"("material": "copper", "fixed": true, "electrical_source": true)") + ", " +
@@ -106,8 +106,8 @@ TEST_F(MaterialTest, ConductsWellEnoughForWiresAndTerminals) {
         InputError);
 }
 
-// A wall's mass follows from what it is made of; whatever never moves has one, and still never moves.
-TEST_F(MaterialTest, OfWhatIsFixedDecidesItsMass) {
+// A wall's mass follows from its material; a fixed body has a mass, but never moves.
+TEST_F(MaterialTest, DeterminesTheMassOfFixedBodies) {
     auto const world = build(object("wall", R"("material": "brick", "fixed": true)") + ", " +
                              object("sea", R"("material": "water", "liquid": true)"));
     EXPECT_DOUBLE_EQ(of<Mass>(*world, "wall")->value, 1900 * 0.1 * worldDepth);
@@ -117,7 +117,7 @@ TEST_F(MaterialTest, OfWhatIsFixedDecidesItsMass) {
     }
     EXPECT_EQ(of<Position>(*world, "wall")->value, Vec2{});
     EXPECT_EQ(of<Velocity>(*world, "wall"), nullptr);
-    // It has its weight, and nobody is troubled with it: all sleep.
+    // It has a weight, but this keeps no component awake.
     GravityForce const& gravity = *world->find<GravityForce>();
     ASSERT_EQ(gravity.forces.size(), 2U);
     for (ComponentStatus const& status : world->status()) {

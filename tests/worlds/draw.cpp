@@ -34,7 +34,7 @@ double Draw::ordinary(double low, double high) {
     if (number >= low && number <= high) {
         return number;
     }
-    // A range that knows nothing of the ordinary: somewhere near its lower end.
+    // A range without an ordinary value: a value near its lower end.
     return std::clamp(low > 0 ? low * bySize(1, 100) : low, low, high);
 }
 
@@ -136,7 +136,7 @@ Json Draw::shape() {
             piece["width"] =
                 std::min(1e4, std::max(piece["width"].get<double>(), 2 * piece["radius"].get<double>()));
         }
-        // Every form its own measures; what is foreign to it may be refused.
+        // Each form with its own measures; others would be refused.
         Json const form = piece["form"];
         auto const drop = [&](char const* key, bool keep) {
             if (!keep) {
@@ -230,7 +230,7 @@ Json Draw::value(Json const& unresolved, std::string const& key) {
     for (char const* const choice : {"anyOf", "oneOf"}) {
         if (schema.contains(choice)) {
             Json const& all = schema.at(choice);
-            // The long form of what can be short, mostly; simple conditions when they get deep.
+            // Mostly the long form of values that also have a short one; simple conditions at great depth.
             bool const first = std::string(choice) == "anyOf" ? chance(0.9) : depth_ >= deepest;
             ++depth_;
             Json drawn = value(all.at(first ? 0 : below(all.size())), key);

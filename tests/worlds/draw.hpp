@@ -16,7 +16,7 @@ public:
          std::uint64_t seed)
         : schema_(schema), parts_(parts), manner_(manner), random_(seed) {}
 
-    /// Objects, and joints that gears can couple, that names may refer to.
+    /// The names that may be referred to: objects, and joints that gears can couple.
     std::vector<std::string> objects;
     std::vector<std::string> couplings;
     /// Makes every number ordinary except the n-th, from 0, which is at the low or the high end of its range.

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Chances by which an object has what calls for an effect; anything else has the manner's.
+/// The probabilities of properties that activate an effect; all others have the manner's.
 double shareOf(std::string const& key, Manner const& manner) {
     if (key == "shape") {
         return 0.92;
@@ -18,7 +18,7 @@ double shareOf(std::string const& key, Manner const& manner) {
     if (key == "fixed") {
         return 0.15;
     }
-    if (key == "joint") { // joints stand in a list of their own
+    if (key == "joint") { // joints have a separate list
         return 0;
     }
     if (key == "liquid") {
@@ -45,7 +45,7 @@ Json objectOf(Draw& draw, Json const& definitions, Manner const& manner, std::st
             properties[key] = draw.value(schema, key);
         }
     }
-    // Two ways to state a mass; a liquid with a mass is nothing.
+    // Mass and density are alternatives; a liquid cannot have a mass.
     if (properties.contains("mass") && properties.contains("density")) {
         properties.erase("mass");
     }
@@ -72,7 +72,7 @@ void addJoints(Json& level, Draw& draw, Json const& schema, int count) {
     for (int i = 0; i < count; ++i) {
         Json joint = draw.joint(schema);
         std::string const name = "tie " + std::to_string(i);
-        if (joint["form"] == "gear") { // its objects are those of the joints that it couples
+        if (joint["form"] == "gear") { // its objects follow from the joints that it couples
             for (Json const& other : level["joints"]) {
                 if (other["name"] == joint["joint_a"]) {
                     joint["a"] = other["a"];
@@ -114,9 +114,9 @@ void addSolution(Json& level, Draw& draw, Json const& definitions) {
 Manner mannerOf(std::uint64_t seed) {
     Manner manner;
     switch (seed % 8) {
-    case 0: // all ordinary
+    case 0: // all numbers ordinary
         return {.extremes = 0, .anywhere = 0};
-    case 1: // one or two numbers are not
+    case 1: // one or two numbers are not ordinary
         return {.extremes = 0.01, .anywhere = 0.01};
     case 2:
         return {.extremes = 0.3, .anywhere = 0.3};
@@ -129,10 +129,10 @@ Manner mannerOf(std::uint64_t seed) {
         manner.manyOfOne = true;
         manner.spread = 3;
         return manner;
-    case 6: // little but joints
+    case 6: // mostly joints
         return {
             .extremes = 0.03, .anywhere = 0.05, .objects = 5, .joints = 25, .spread = 2, .properties = 0.05};
-    default: // something of every effect
+    default: // objects of every effect
         return {.extremes = 0.03, .anywhere = 0.05, .objects = 14, .joints = 3, .properties = 0.5};
     }
 }
@@ -252,7 +252,8 @@ bool takeAway(Json& level, std::string const& path) {
     if (tokens.empty()) {
         return false;
     }
-    // How much of the path says what goes: an entry of a list, or one member of an object of the level.
+    // The length of the path to the removed value: an entry of a list, or one member of an object of the
+    // level.
     std::size_t depth = std::min<std::size_t>(2, tokens.size());
     if (tokens[0] == "objects" && tokens.size() > 2) {
         depth = tokens[2] == "properties" && tokens.size() > 3 ? 4 : 3;

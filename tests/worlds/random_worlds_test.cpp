@@ -1,5 +1,5 @@
 // No level that the schema allows crashes the program, on any engine: random levels, and every number of
-// every property at the ends of its range. sweep_worlds tries any number of further levels.
+// every property at the ends of its range. sweep_worlds tests any number of further levels.
 #include "puzzle/goals/level_schema.hpp"
 #include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
@@ -15,7 +15,7 @@
 namespace trembler::worlds {
 namespace {
 
-/// TREMBLER_FUZZ=50 tries fifty times as many; 0.1 a tenth.
+/// TREMBLER_FUZZ=50 makes fifty times as many levels; 0.1 a tenth.
 std::size_t tries(std::size_t usual) {
     char const* const factor = std::getenv("TREMBLER_FUZZ");
     double const times = factor == nullptr ? 1 : std::strtod(factor, nullptr);
@@ -61,7 +61,7 @@ TEST_P(RandomWorlds, NeitherBreakNorHangOnAnyEngine) {
 
 INSTANTIATE_TEST_SUITE_P(Manner, RandomWorlds, testing::Range(0, 8));
 
-TEST(RandomLevels, AreWhatTheSchemaAllows) {
+TEST(RandomLevels, AreAcceptedByTheSchema) {
     for (std::uint64_t seed = 0; seed < tries(200); ++seed) {
         EXPECT_EQ(validate(schema(), levels().make(seed)), std::vector<std::string>()) << seed;
     }

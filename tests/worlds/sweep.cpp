@@ -34,7 +34,7 @@ struct Arguments {
     TrialOptions trial;
 };
 
-/// What all jobs have done so far; in memory that they share.
+/// The progress of all jobs, in shared memory.
 struct Tally {
     std::atomic<std::uint64_t> tried;
     std::atomic<std::uint64_t> played;

@@ -27,7 +27,7 @@ double processorTime() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Finds the first number of a property that is none.
+/// Finds the first number of a property that is not finite.
 class FiniteCheck final : public IdleVisitor {
 public:
     std::string wrong;
@@ -69,7 +69,7 @@ std::string notFinite(World const& world) {
     return {};
 }
 
-/// Takes away what is refused until nothing is; the level that is left, and how it was refused before.
+/// Removes refused values until the level is accepted; returns the remaining level, and the last refusal.
 std::string makeAcceptable(Json level, Json const& schema) {
     constexpr int most = 40;
     for (int round = 0; round < most; ++round) {
@@ -95,14 +95,14 @@ std::string makeAcceptable(Json level, Json const& schema) {
                 paths.push_back(diagnostic.path);
             }
             std::sort(paths.begin(), paths.end(), [](std::string const& a, std::string const& b) {
-                return a.size() != b.size() ? a.size() > b.size() : a > b; // the last of a list first
+                return a.size() != b.size() ? a.size() > b.size() : a > b; // later entries of a list first
             });
             paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
             bool less = false;
             for (std::string const& path : paths) {
                 less = takeAway(level, path) || less;
             }
-            for (Json& object : level["objects"]) { // what a part states is at fault
+            for (Json& object : level["objects"]) { // the error is in a part
                 less = less || object.erase("part") > 0;
             }
             if (!less) {
@@ -114,8 +114,8 @@ std::string makeAcceptable(Json level, Json const& schema) {
     return Json{{"level", level}, {"fault", "is refused again and again"}}.dump();
 }
 
-/// Runs the level on one engine; what is wrong, or nothing, and the time of the slowest frame that came
-/// without a message.
+/// Runs the level on one engine. Returns the failure, if any, and the time of the slowest frame without a
+/// message.
 std::string runOn(std::string const& detail, Json const& level, TrialOptions const& options) {
     LevelFile const file = readLevel(levelKit().registry, JsonDocument::parse(level.dump(1), "random.json"));
     std::uint64_t first = 0;
@@ -136,7 +136,7 @@ std::string runOn(std::string const& detail, Json const& level, TrialOptions con
             session.step();
             if (threads == options.threads.front()) {
                 auto const* const engine = world.find<EngineState>();
-                bool const told = engine != nullptr && engine->troubled(); // that it asks too much
+                bool const told = engine != nullptr && engine->troubled(); // the engine reported a failure
                 slowest = told ? slowest : std::max(slowest, processorTime() - before);
                 if (std::string wrong = notFinite(world); !wrong.empty()) {
                     return Json{{"fault", wrong}, {"slowest", slowest}}.dump();
@@ -156,7 +156,7 @@ std::string runOn(std::string const& detail, Json const& level, TrialOptions con
     return Json{{"fault", ""}, {"slowest", slowest}}.dump();
 }
 
-/// Why a child did not say what it was to say; nothing if it did.
+/// Why a child process returned no result; nothing if it did.
 std::string brokenOff(Ended const& ended) {
     if (ended.signal == SIGXCPU || ended.signal == SIGKILL) {
         return "hangs: it took too much processor time or memory";
@@ -171,7 +171,7 @@ std::string brokenOff(Ended const& ended) {
 
 Outcome tryOut(Json level, Json const& schema, TrialOptions const& options) {
     Outcome outcome;
-    (void)levelKit(); // once, and not in every child
+    (void)levelKit(); // loaded once, not in every child
     Ended const read = inChild([&] { return makeAcceptable(level, schema); }, options.seconds);
     outcome.level = level;
     if (std::string const broken = brokenOff(read); !broken.empty()) {

@@ -10,17 +10,17 @@
 
 namespace trembler::worlds {
 
-/// What a child process said before it ended, and how it ended.
+/// The output of a child process, and how it ended.
 struct Ended {
-    std::string said;     ///< to the parent
-    std::string murmured; ///< on standard error and standard output, the last of it
-    int signal = 0;       ///< that ended it; 0: none
+    std::string said;     ///< its result, sent to the parent
+    std::string murmured; ///< the end of its standard error and standard output
+    int signal = 0;       ///< the signal that ended it; 0: none
     int status = 0;       ///< its exit status
 };
 
 /// Runs `work` in a child process, which may use `seconds` of processor time and 4 GiB of memory, and waits
-/// for its end. What `work` returns is what the child says; what it throws makes the exit status 1. The
-/// process that calls must have started no thread.
+/// for its end. The child's result is the value that `work` returns; an exception makes the exit status 1.
+/// The calling process must not have started a thread.
 [[nodiscard]] Ended inChild(std::function<std::string()> const& work, unsigned seconds);
 
 struct TrialOptions {
@@ -34,12 +34,12 @@ struct TrialOptions {
 
 struct Failure {
     std::string engine; ///< or "reading"
-    std::string what;   ///< the signal, the difference, the value that is no number
+    std::string what;   ///< the signal, the difference, the value that is not finite
     std::string murmured;
 };
 
 struct Outcome {
-    nlohmann::json level; ///< as it was run: without what the reader refused
+    nlohmann::json level; ///< as it was run: without the values that the reader refused
     bool played = false;
     std::vector<Failure> failures;
 };

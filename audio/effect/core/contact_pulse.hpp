@@ -1,4 +1,4 @@
-// From an impact to the force that excites modes: how long it lasts, and which frequencies are in it.
+// The force of an impact that excites modes: its duration and its spectrum.
 #pragma once
 
 #include "audio/effect/properties/acoustic_material.hpp"
@@ -6,19 +6,19 @@
 
 namespace trembler {
 
-/// The radius of curvature, in m, where a round body touches; 0 for one that is flat or has corners.
+/// The radius of curvature, in m, of a round body at the contact; 0 for a body that is flat or has corners.
 [[nodiscard]] double roundnessOf(Shape const& shape);
 
-/// How long two bodies stay in touch in an impact, in s, by Hertz (Johnson, Contact Mechanics, 1985,
-/// Section 11.4): 2.87 (m² / (R E*² v))^(1/5). `mass` is the reduced mass of the two, in kg, `roundnessA` and
-/// `roundnessB` the radii where they touch (0: flat; two flat things touch with an edge of 5 mm), `speed`
-/// that of approach, in m/s. The harder the bodies and the impact, the shorter it is. Between 20 µs and 50
-/// ms.
+/// How long two bodies stay in touch in an impact, in s, by Hertz (Johnson, Contact Mechanics, 1985, Section
+/// 11.4): 2.87 (m² / (R E*² v))^(1/5). `mass` is the reduced mass of the two, in kg, `roundnessA` and
+/// `roundnessB` the radii where they touch (0: flat; two flat bodies touch with an edge of 5 mm), `speed`
+/// that of approach, in m/s. Harder bodies and harder impacts give shorter times. Between 20 µs and 50 ms.
 [[nodiscard]] double contactTime(Material a, Material b, double roundnessA, double roundnessB, double mass,
                                  double speed);
 
-/// The share of an impact's impulse that a mode of that frequency feels: the envelope of the spectrum of half
-/// a sine that lasts `contact` (s). 1 for long waves, falls by 12 dB per octave above 1/(2 contact).
+/// The share of an impact's impulse that excites a mode of that frequency: the envelope of the spectrum of
+/// half a sine that lasts `contact` (s). 1 for low frequencies, decreasing by 12 dB per octave above 1/(2
+/// contact).
 [[nodiscard]] double spectrumOf(double contact, double frequency);
 
 /// The sound pressure (Pa at 1 m) of a body that is jerked into motion, the click of an impact, over a whole

@@ -29,7 +29,7 @@ BarMode barMode(int n) {
     return mode;
 }
 
-// Impacts ask for the low modes all the time.
+// A cache, as impacts need the low modes very often.
 BarMode knownBarMode(int n) {
     constexpr int known = 64;
     static std::array<BarMode, known> const table = [] {
@@ -48,7 +48,7 @@ double barRoot(int n) {
     return knownBarMode(n).root;
 }
 
-// Sorted so that no two large numbers are subtracted.
+// Terms are arranged so that no two large numbers are subtracted.
 double barShape(int n, double x) {
     BarMode const mode = knownBarMode(n);
     return std::cos(mode.root * x) - mode.sigma * std::sin(mode.root * x) +

@@ -15,9 +15,9 @@ namespace trembler {
 /// ends). Finite and exact to 1e-9 for every n up to 1000.
 [[nodiscard]] double barShape(int n, double x);
 
-/// A free rectangular plate of sides a and b, with m and n nodal lines across them: its frequency times
-/// 2/π sqrt(12 ρ (1-ν²) / E) / t, in 1/m², by Warburton's formula (The vibration of rectangular plates, Proc.
-/// Inst. Mech. Eng. 168, 1954). Good to some 15 % of Leissa's tables. m + n >= 2.
+/// A free rectangular plate of sides a and b, with m and n nodal lines across them: its frequency times 2/π
+/// sqrt(12 ρ (1-ν²) / E) / t, in 1/m², by Warburton's formula (The vibration of rectangular plates, Proc.
+/// Inst. Mech. Eng. 168, 1954). Within about 15 % of Leissa's tables. m + n >= 2.
 [[nodiscard]] double plateFactor(int m, int n, double a, double b, double poissonRatio);
 /// The deflection along one side of a plate with n nodal lines across it, mean square 1.
 [[nodiscard]] double plateShape(int n, double x);

@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-constexpr std::ptrdiff_t mostGoes = 4; // of one object at a time; the oldest gives way
+constexpr std::ptrdiff_t mostGoes = 4; // of one object at a time; beyond, the oldest ends
 
 void begin(Sounds& sounds, Sample const& sample, ObjectId object, double share, bool held, EventId event) {
     Sounds::Recording fresh;
@@ -36,25 +36,25 @@ void begin(Sounds& sounds, Sample const& sample, ObjectId object, double share, 
 }
 
 void beginAsked(SoundColumns const& columns, SoundCalls const& calls, Sounds& sounds) {
-    std::map<ObjectId, Told<PlaySample>> plays;
-    for (Told<PlaySample> const& told : calls.plays) {
-        if (told.call.share > 0) {
-            auto const [at, isNew] = plays.emplace(told.call.object, told);
-            at->second.call.share += isNew ? 0 : told.call.share;
+    std::map<ObjectId, Received<PlaySample>> plays;
+    for (Received<PlaySample> const& received : calls.plays) {
+        if (received.call.share > 0) {
+            auto const [at, isNew] = plays.emplace(received.call.object, received);
+            at->second.call.share += isNew ? 0 : received.call.share;
         }
     }
-    for (auto const& [object, told] : plays) {
+    for (auto const& [object, received] : plays) {
         if (Sample const* const sample = columns.sample.find(object)) {
-            begin(sounds, *sample, object, std::min(told.call.share, 1.0), false, told.cause);
+            begin(sounds, *sample, object, std::min(received.call.share, 1.0), false, received.cause);
         }
     }
     std::map<ObjectId, EventId> holds;
-    for (Told<HoldSample> const& told : calls.holds) {
-        holds.emplace(told.call.object, told.cause);
+    for (Received<HoldSample> const& received : calls.holds) {
+        holds.emplace(received.call.object, received.cause);
     }
     for (Sounds::Recording& recording : sounds.recordings) {
         if (recording.held && holds.erase(recording.object) == 0) {
-            recording.held = false; // let go: it ends here and now
+            recording.held = false; // no longer held: it ends now
             recording.elapsed = recording.duration;
         }
     }

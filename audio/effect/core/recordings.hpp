@@ -1,11 +1,11 @@
-// Recordings that play: when they begin, how loud they are for listeners in the world, when they end.
+// Recordings that play: their beginnings, their loudness for listeners in the world, and their ends.
 #pragma once
 
 #include "audio/effect/core/sound_work.hpp"
 
 namespace trembler {
 
-/// Moves the recordings in `sounds` on by `duration` (s).
+/// Advances the recordings in `sounds` by `duration` (s).
 void advanceRecordings(SoundColumns const& columns, SoundCalls const& calls, double duration, Sounds& sounds);
 
 } // namespace trembler

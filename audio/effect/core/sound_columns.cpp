@@ -10,7 +10,7 @@ BodyFacts SoundColumns::factsOf(ObjectId id) const {
     MadeOf const* const of = madeOf.find(id);
     facts.acoustics = acoustics.find(id);
     bool const isLiquid = liquid.has(id);
-    Mass const* const heavy = mass.find(id); // every object with a shape has one, fixed ones too
+    Mass const* const heavy = mass.find(id); // every object with a shape has a mass, also if fixed
     if (form == nullptr || heavy == nullptr || (of == nullptr && facts.acoustics == nullptr && !isLiquid) ||
         faultIn(*form)) {
         return facts;
@@ -18,7 +18,7 @@ BodyFacts SoundColumns::factsOf(ObjectId id) const {
     facts.shape = form;
     facts.fixed = fixed.has(id);
     if (isLiquid) {
-        facts.material = Material::water; // whichever liquid it is, its bubbles are heard
+        facts.material = Material::water; // for any liquid: the sound is that of bubbles
     } else if (of != nullptr) {
         facts.material = of->material;
     }

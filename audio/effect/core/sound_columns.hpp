@@ -26,19 +26,19 @@ struct SoundColumns {
     Column<Rotation> const& rotation;
     Column<Velocity> const& velocity;
 
-    /// The properties of an object that can sound; without a shape if it cannot.
+    /// The properties of an object that can sound; without a shape if it cannot sound.
     [[nodiscard]] BodyFacts factsOf(ObjectId id) const;
-    /// Changes when any object may have got another voice.
+    /// Changes when the acoustic model of any object may have changed.
     [[nodiscard]] std::array<std::uint64_t, 7> voiceVersions() const;
 };
 
-/// The acoustic models of objects, made when they are first asked for and kept for as long as they hold.
+/// The acoustic models of objects, made on first use and kept while they are valid.
 class SoundingBodies {
 public:
     explicit SoundingBodies(int modes) : modes_(modes) {}
 
-    /// To be called before models are asked for, once a frame. At the very first time it makes those of the
-    /// world's objects, unless they are very many, so that a crash finds them made.
+    /// To be called once per frame, before find(). The first call makes the models of all objects of the
+    /// world, unless there are very many, so that many simultaneous impacts cause no delay.
     void follow(SoundColumns const& columns);
     /// The model of an object, or nullptr if it cannot sound. Valid until the next follow().
     [[nodiscard]] SoundingBody const* find(SoundColumns const& columns, ObjectId id);
@@ -57,7 +57,7 @@ private:
         [[nodiscard]] bool hold(BodyFacts const& facts) const;
     };
     struct Known {
-        std::uint64_t epoch = 0; // in which it was last found to hold
+        std::uint64_t epoch = 0; // in which it was last found valid
         bool sounds = false;
         Facts facts;
         SoundingBody model;
@@ -65,7 +65,7 @@ private:
 
     int modes_;
     std::array<std::uint64_t, 7> seen_{};
-    std::uint64_t epoch_ = 0; // counts changes of anything that a model can follow from
+    std::uint64_t epoch_ = 0; // counts changes of the properties that models depend on
     std::map<ObjectId, Known> known_;
 };
 

@@ -1,4 +1,4 @@
-// The detail levels of Sound: how many modes of each body ring.
+// The detail levels of Sound: the number of modes of each body.
 #pragma once
 
 #include "audio/effect/core/sounding_body.hpp"
@@ -11,20 +11,20 @@
 
 namespace trembler {
 
-/// The value that a SoundResolver is registered with: a constant, as it must outlive every registry.
+/// The value with which a SoundResolver is registered; a constant, as it must outlive every registry.
 struct SoundLevel {
     ComponentText text;
     int modes = 1;                         ///< per body, 1 to mostModes
     bool (*suits)(Store const&) = nullptr; ///< see Registration
 };
 
-/// How many objects there are that can sound.
+/// The number of objects that can sound.
 [[nodiscard]] inline std::size_t soundingObjects(Store const& store) {
     auto const* const madeOf = store.findColumn<MadeOf>();
     return madeOf == nullptr ? 0 : madeOf->size();
 }
 
-/// Eight modes suit most ears; scenes of very many bodies make do with fewer.
+/// Eight modes are enough for most listeners; scenes of very many bodies use fewer.
 inline constexpr std::array<SoundLevel, 5> soundLevels{
     SoundLevel{
         .text{.name = "Sound, 1 mode",

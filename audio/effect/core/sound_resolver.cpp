@@ -4,7 +4,7 @@ namespace trembler {
 namespace {
 
 template <class C>
-void gather(SoundResolver::Access& access, std::vector<Told<C>>& into) {
+void gather(SoundResolver::Access& access, std::vector<Received<C>>& into) {
     access.forCalls<C>([&](C const& call, CallOrigin const& origin) {
         into.push_back({call, origin.cause});
     });
@@ -25,7 +25,7 @@ void SoundResolver::advance(Access& access) {
     work_.follow(columns);
     if (calls_.empty() && !SoundWork::goesOn(access.provided<Sounds>())) {
         goesOn_ = false;
-        return; // silence: components that read Sounds can go on sleeping
+        return; // silence: components that read Sounds can continue to sleep
     }
     Sounds& sounds = access.provide<Sounds>();
     work_.advance(columns, calls_, access.duration(), sounds);

@@ -1,4 +1,5 @@
-// The Sound resolver: which modes ring, and how strongly. The number of modes per body is its detail level.
+// The Sound resolver: computes which modes ring, and how strongly. The number of modes per body is its detail
+// level.
 #pragma once
 
 #include "audio/effect/core/sound_level.hpp"
@@ -7,8 +8,8 @@
 
 namespace trembler {
 
-/// Registered once for each of soundLevels. It is there on demand only: of a component that reads Sounds,
-/// because a sensor calls for that, or of a loudspeaker (World::want). It changes no object, so listening
+/// Registered once for each of soundLevels. It is constructed on demand only: for a component that reads
+/// Sounds, because of a sensor, or for a loudspeaker (World::want). It changes no object, so listening
 /// changes no state.
 class SoundResolver final
     : public Resolver<
@@ -28,7 +29,7 @@ public:
 
 private:
     SoundWork work_;
-    SoundCalls calls_; // kept for its memory
+    SoundCalls calls_; // a member to reuse its memory
     bool goesOn_ = true;
 };
 

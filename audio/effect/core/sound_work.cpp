@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-/// A quantity that dies away like e^(-rate t) over `time` s, from 1.
+/// A quantity that decays like e^(-rate t) over `time` s, from 1.
 struct Decay {
     Decay(double rate, double time) {
         double const x = rate * time;
@@ -57,19 +57,19 @@ void SoundWork::advance(SoundColumns const& columns, SoundCalls const& calls, do
     sounds.scrapes.clear();
     sounds.amplitudes.clear();
     findExcited(columns, calls, sounds);
-    for (Told<Strike> const& told : calls.strikes) {
-        strike(columns, told, duration, sounds);
+    for (Received<Strike> const& received : calls.strikes) {
+        strike(columns, received, duration, sounds);
     }
-    for (Told<Rub> const& told : calls.rubs) {
-        rub(columns, told, duration, sounds);
+    for (Received<Rub> const& received : calls.rubs) {
+        rub(columns, received, duration, sounds);
     }
     dieAway(duration, sounds);
     place(columns, sounds);
     advanceRecordings(columns, calls, duration, sounds);
 }
 
-// Bodies that are gone fall silent. Bodies that ring with another number of modes than here, or have changed
-// their modes, go on with the present ones.
+// Removes destroyed bodies. Bodies that ring with another number of modes, or whose modes have changed,
+// continue with the present modes.
 void SoundWork::fit(SoundColumns const& columns, Sounds& sounds) {
     std::erase_if(sounds.bodies,
                   [&](Sounds::Body const& body) { return models_.find(columns, body.object) == nullptr; });
@@ -83,17 +83,17 @@ void SoundWork::fit(SoundColumns const& columns, Sounds& sounds) {
     }
 }
 
-// Makes room in `sounds` for the objects that begin to sound: for all at once, as they can be many.
+// Adds the objects that begin to sound to `sounds`, all at once, as there can be many.
 void SoundWork::findExcited(SoundColumns const& columns, SoundCalls const& calls, Sounds& sounds) {
     std::vector<ObjectId> objects;
-    for (Told<Strike> const& told : calls.strikes) {
-        if (isSane(told.call)) {
-            objects.push_back(told.call.object);
+    for (Received<Strike> const& received : calls.strikes) {
+        if (isSane(received.call)) {
+            objects.push_back(received.call.object);
         }
     }
-    for (Told<Rub> const& told : calls.rubs) {
-        if (isSane(told.call)) {
-            objects.push_back(told.call.object);
+    for (Received<Rub> const& received : calls.rubs) {
+        if (isSane(received.call)) {
+            objects.push_back(received.call.object);
         }
     }
     std::sort(objects.begin(), objects.end());
@@ -147,9 +147,9 @@ SoundWork::Excited* SoundWork::excited(ObjectId object) {
     return at != excited_.end() && at->object == object ? &*at : nullptr;
 }
 
-void SoundWork::strike(SoundColumns const& columns, Told<Strike> const& told, double duration,
+void SoundWork::strike(SoundColumns const& columns, Received<Strike> const& received, double duration,
                        Sounds& sounds) {
-    Strike const& call = told.call;
+    Strike const& call = received.call;
     Excited* const excitation = isSane(call) ? excited(call.object) : nullptr;
     if (excitation == nullptr) {
         return;
@@ -157,7 +157,7 @@ void SoundWork::strike(SoundColumns const& columns, Told<Strike> const& told, do
     SoundingBody const& model = *excitation->model;
     Sounds::Body& body = *excitation->body;
     body.local = model.sourceOf(call.point, call.normal);
-    body.event = told.cause;
+    body.event = received.cause;
     Sounds::Impact impact;
     impact.object = call.object;
     impact.other = call.other;
@@ -191,8 +191,9 @@ void SoundWork::strike(SoundColumns const& columns, Told<Strike> const& told, do
     sounds.impacts.push_back(impact);
 }
 
-void SoundWork::rub(SoundColumns const& columns, Told<Rub> const& told, double duration, Sounds& sounds) {
-    Rub const& call = told.call;
+void SoundWork::rub(SoundColumns const& columns, Received<Rub> const& received, double duration,
+                    Sounds& sounds) {
+    Rub const& call = received.call;
     Excited* const excitation = isSane(call) ? excited(call.object) : nullptr;
     if (excitation == nullptr) {
         return;
@@ -200,8 +201,8 @@ void SoundWork::rub(SoundColumns const& columns, Told<Rub> const& told, double d
     SoundingBody const& model = *excitation->model;
     Sounds::Body& body = *excitation->body;
     body.local = model.sourceOf(call.point, call.normal);
-    if (told.cause) {
-        body.event = told.cause;
+    if (received.cause) {
+        body.event = received.cause;
     }
     Sounds::Scrape scrape;
     scrape.object = call.object;

@@ -1,4 +1,4 @@
-// The work of the Sound resolver, whatever its number of modes.
+// The work of the Sound resolver, for any number of modes.
 #pragma once
 
 #include "audio/effect/calls.hpp"
@@ -9,16 +9,16 @@ namespace trembler {
 
 /// A call and the event that led to it.
 template <class C>
-struct Told {
+struct Received {
     C call;
     EventId cause;
 };
 /// The calls of a frame, in the order in which they are drained.
 struct SoundCalls {
-    std::vector<Told<Strike>> strikes;
-    std::vector<Told<Rub>> rubs;
-    std::vector<Told<PlaySample>> plays;
-    std::vector<Told<HoldSample>> holds;
+    std::vector<Received<Strike>> strikes;
+    std::vector<Received<Rub>> rubs;
+    std::vector<Received<PlaySample>> plays;
+    std::vector<Received<HoldSample>> holds;
 
     [[nodiscard]] bool empty() const {
         return strikes.empty() && rubs.empty() && plays.empty() && holds.empty();
@@ -26,21 +26,22 @@ struct SoundCalls {
     void clear();
 };
 
-/// Moves Sounds on by a frame. Each mode's energy dies away by itself and is added to by impacts and scrapes;
-/// phases are the loudspeaker's business.
+/// Advances Sounds by a frame. Each mode's energy decays, and impacts and scrapes add to it. Phases are left
+/// to the loudspeaker.
 class SoundWork {
 public:
     explicit SoundWork(int modes) : models_(modes) {}
 
-    /// To be called in every frame, also where nothing sounds.
+    /// To be called in every frame, also in silence.
     void follow(SoundColumns const& columns) { models_.follow(columns); }
-    /// `duration` in s. Works from any `sounds`, also from the results of another number of modes.
+    /// `duration` in s. Accepts any `sounds`, also results with another number of modes.
     void advance(SoundColumns const& columns, SoundCalls const& calls, double duration, Sounds& sounds);
-    /// Whether there will be something to do in the next frame without any call: because a sound dies away.
+    /// Whether the next frame has work without any call, as a sound decays.
     [[nodiscard]] static bool goesOn(Sounds const& sounds);
 
 private:
-    /// An object that is excited in this frame, and the part of that which is not in the body's rings yet.
+    /// An object that is excited in this frame, with the part of the excitation that is not in the body's
+    /// rings yet.
     struct Excited {
         ObjectId object;
         SoundingBody const* model = nullptr;
@@ -53,8 +54,9 @@ private:
     void fit(SoundColumns const& columns, Sounds& sounds);
     void findExcited(SoundColumns const& columns, SoundCalls const& calls, Sounds& sounds);
     [[nodiscard]] Excited* excited(ObjectId object);
-    void strike(SoundColumns const& columns, Told<Strike> const& told, double duration, Sounds& sounds);
-    void rub(SoundColumns const& columns, Told<Rub> const& told, double duration, Sounds& sounds);
+    void strike(SoundColumns const& columns, Received<Strike> const& received, double duration,
+                Sounds& sounds);
+    void rub(SoundColumns const& columns, Received<Rub> const& received, double duration, Sounds& sounds);
     void dieAway(double duration, Sounds& sounds);
     static void place(SoundColumns const& columns, Sounds& sounds);
 

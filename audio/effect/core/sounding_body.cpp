@@ -11,10 +11,10 @@
 namespace trembler {
 namespace {
 
-constexpr double slender = 6;         // length over height from which on a thing is a bar
-constexpr double answeringLength = 2; // m of a built-in body that answer to an impact
+constexpr double slender = 6;         // length over height from which on a body is a bar
+constexpr double answeringLength = 2; // m of a built-in body that vibrate with an impact
 constexpr double builtInDecay = 40;   // 1/s, by which a built-in body loses its vibration to the ground
-constexpr double thickest = 0.4;      // of its short side, a plate; thicker ones are blocks that shear
+constexpr double thickest = 0.4; // share of its short side, of a plate; thicker bodies are blocks that shear
 constexpr double sixtyDecibels = 6.907755278982137; // ln 1000
 constexpr double bellTone = 440;                    // Hz m: the prime of a church bell times its diameter
 
@@ -107,7 +107,7 @@ void SoundingBody::place(ShapePiece const& piece) {
     height_ = std::min(extent.width, extent.height);
 }
 
-// An impact on a long floor is answered by the floor around it.
+// An impact on a long floor excites only the floor around it.
 void SoundingBody::keepNear() {
     answering_ = {std::min(1.0, answeringLength / length_), std::min(1.0, answeringLength / height_)};
     length_ *= answering_.x;
@@ -121,7 +121,8 @@ void SoundingBody::addBarModes(AcousticMaterial const& material) {
     double const scale = gyration * material.rodSpeed() / (2 * pi * length_ * length_);
     for (int n = 1;; ++n) {
         double const root = barRoot(n);
-        // Waves shorter than twice the thickness do not bend a bar; modes above hearing are of no use.
+        // Waves shorter than twice the thickness do not bend a bar; modes above the audible range are left
+        // out.
         if (n > 1 && (root * height_ > pi * length_ || root * root * scale > highestAudible)) {
             break;
         }
@@ -149,7 +150,7 @@ void SoundingBody::addBallModes(AcousticMaterial const& material) {
     double const radius = 0.5 * height_;
     surface_ = 4 * pi * radius * radius;
     for (BallMode const& mode : ballModes()) {
-        // Struck at the pole of its pattern; half of the motion is along the surface.
+        // A ball is struck at the pole of the mode's pattern; half of the motion is along the surface.
         modes_.push_back({.frequency = mode.root * material.shearSpeed() / (2 * pi * radius),
                           .weight = std::sqrt((2 * mode.degree + 1) / 2.0),
                           .m = mode.degree});
@@ -164,8 +165,8 @@ void SoundingBody::addBellModes() {
 }
 
 // Air bubbles of 8 mm to 0.8 mm: Minnaert's frequency, damping and strength as in van den Doel, Physically
-// based models for liquid sounds (ACM Trans. Applied Perception 2, 2005). How many a splash makes is an
-// estimate.
+// based models for liquid sounds (ACM Trans. Applied Perception 2, 2005). The number of bubbles in a splash
+// is an estimate.
 void SoundingBody::addDrops() {
     constexpr int sizes = 16;
     constexpr double largest = 0.008;   // m
@@ -206,8 +207,8 @@ void SoundingBody::damp(AcousticMaterial const& material, BodyFacts const& facts
         return;
     }
     for (Mode& mode : modes_) {
-        // A small body is a poor loudspeaker for long waves: the radiation efficiency of a breathing ball of
-        // that surface (Kinsler et al., Fundamentals of Acoustics, 2000, Section 7.1).
+        // A small body radiates long waves weakly: the radiation efficiency of a breathing ball of that
+        // surface (Kinsler et al., Fundamentals of Acoustics, 2000, Section 7.1).
         double const wave = 2 * pi * mode.frequency / speedOfSound;
         double const size = wave * wave * surface_ / (4 * pi);
         double const radiating = size / (1 + size) * surface_;
@@ -252,12 +253,12 @@ double SoundingBody::mobility(Mode const& mode, Vec2 point, Vec2 normal) const {
     if (form_ == Form::drops) {
         return 1;
     }
-    if (mode.m < 0) { // stated partials: nothing is known of their shape
+    if (mode.m < 0) { // stated partials, whose shapes are unknown
         return 1 / mass_;
     }
     switch (form_) {
     case Form::bar: {
-        // Only an impact across the bar bends it. None is so exactly along it that it does not bend it a
+        // Only an impact across the bar bends it. No impact is exactly along the bar, so each bends it a
         // little.
         constexpr double least = 0.1;
         double const across = rotated(normal, -angle_).y;
@@ -267,7 +268,7 @@ double SoundingBody::mobility(Mode const& mode, Vec2 point, Vec2 normal) const {
     case Form::plate:
         return plateShape(mode.m, x) * plateShape(mode.n, y) / mass_;
     case Form::bell: {
-        // A bell sounds where its wall swings most: at the rim, which is the lower side of its shape.
+        // A bell sounds where its wall vibrates most: at the rim, the lower side of its shape.
         double const down = std::clamp(0.5 - (point.y - centre_.y) / std::max(length_, height_), 0.0, 1.0);
         return mode.weight * (0.4 + 0.8 * down) / mass_;
     }

@@ -12,7 +12,7 @@ namespace trembler {
 
 inline constexpr int mostModes = 32;
 
-/// The properties from which an object's sound follows.
+/// The properties that determine an object's sound.
 struct BodyFacts {
     Shape const* shape = nullptr; ///< valid, see faultIn()
     Material material = Material::plastic;
@@ -27,8 +27,8 @@ struct Mode {
     double decay = 0;      ///< 1/s, of the amplitude
     double radiation = 0;  ///< Pa at a distance of 1 m, in free air, for a modal velocity of 1 m/s
     double audibility = 1; ///< the ear's factor on its mean square pressure (A-weighting)
-    double weight = 1;     ///< on its shape
-    int m = 0;             ///< which mode of its form: nodal lines, or number
+    double weight = 1;     ///< of its deflection
+    int m = 0;             ///< nodal lines or number of the mode in its form
     int n = 0;
 };
 
@@ -36,8 +36,8 @@ struct Mode {
 class SoundingBody {
 public:
     SoundingBody() = default;
-    /// The `count` lowest audible modes, 1 to mostModes. A body that is too small, or too limp, for any
-    /// audible mode has none: it only clicks.
+    /// The `count` lowest audible modes, 1 to mostModes. A body that is too small or too soft for audible
+    /// modes has none: it only clicks.
     SoundingBody(BodyFacts const& facts, int count);
 
     /// Ascending by frequency; a model with fewer modes has the first of these.
@@ -46,12 +46,12 @@ public:
     /// The modal velocity, in m/s, that an impulse of 1 N s gives a mode: shape over mass. `point` (m) and
     /// the unit vector `normal` are in the object's frame. Its sign counts.
     [[nodiscard]] double mobility(Mode const& mode, Vec2 point, Vec2 normal) const;
-    /// Where the sound of an impact at `point` along `normal` comes from, all in the object's frame: from the
-    /// middle of the body, of a long one from its spine nearest to the impact, of a built-in body from just
-    /// outside of the surface, as its depths are silent.
+    /// The source of the sound of an impact at `point` along `normal`, all in the object's frame: the middle
+    /// of the body; of a long body the point of its axis nearest to the impact; of a built-in body a point
+    /// directly outside its surface, as its inside is silent.
     [[nodiscard]] Vec2 sourceOf(Vec2 point, Vec2 normal) const;
-    /// The volume of air, in m³, that moves when the body does: its own and half as much that it drags along.
-    /// 0 for a built-in body.
+    /// The volume of air, in m³, that moves with the body: its own volume and half as much added. 0 for a
+    /// built-in body.
     [[nodiscard]] double movedAir() const { return movedAir_; }
 
 private:
@@ -73,9 +73,9 @@ private:
     double angle_ = 0;     // rad, of the frame's long side
     double length_ = 1;    // m, long side
     double height_ = 1;    // m, short side
-    Vec2 answering_{1, 1}; // the shares of the two that answer to an impact
+    Vec2 answering_{1, 1}; // the shares of length and height that vibrate with an impact
     double mass_ = 1;      // kg
-    double surface_ = 1;   // m², that radiates
+    double surface_ = 1;   // m², radiating
     double movedAir_ = 0;  // m³
     bool builtIn_ = false;
     std::vector<Mode> modes_;

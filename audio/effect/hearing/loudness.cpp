@@ -25,7 +25,7 @@ struct Listening {
     double faintest = 0; // Pa²
 };
 
-/// From a source to a listener.
+/// The path from a source to a listener.
 struct Way {
     Source const* source;
     Vec2 to;          // m
@@ -36,7 +36,7 @@ struct Way {
 // Paths whose sum is less than 2^-60 of silence change no level: a million of them at 2^-80.
 constexpr double withoutEffect = 0x1p-80;
 
-// There are sources times ears of them, of which this many are kept in memory.
+// There are sources times ears of these; this many at a time are kept in memory.
 constexpr std::size_t waysAtOnce = 1 << 18;
 
 std::vector<Source> sourcesOf(Sounds const& sounds) {
@@ -72,7 +72,7 @@ std::vector<Listening> listeningIn(LoudnessColumns const& columns) {
     return all;
 }
 
-// Whether it would be heard if nothing were in between.
+// Whether the source would be heard without obstacles.
 bool reaches(Source const& source, Listening const& ear) {
     return ear.placed && source.loudness / std::max(0.01, lengthSquared(ear.at - source.at)) >= ear.faintest;
 }
@@ -94,16 +94,17 @@ std::vector<Obstacle> obstaclesOf(LoudnessColumns const& columns) {
     return obstacles;
 }
 
-// Ways around grow in number with the sources times the ears, and each one's cost with the obstacles. The
-// work of a frame is bounded: in a crowd only the simpler ways are found, and the others count straight
-// through the walls. It follows from numbers of objects alone, so it is the same in every run.
+// The number of paths around obstacles grows with the sources times the ears, and the cost of each with the
+// obstacles. This limits the work of a frame: with very many objects only the simpler paths are found, and
+// otherwise the straight line through the walls counts. The limit depends on numbers of objects alone, so it
+// is the same in every run.
 int patienceFor(std::size_t ways, std::size_t obstacles) {
     constexpr double chords = 5e6; // of obstacles, tested in one frame
     double const each = chords / (static_cast<double>(ways) * std::max(1.0, static_cast<double>(obstacles)));
     return static_cast<int>(std::clamp(each, 20.0, static_cast<double>(mostPatience)));
 }
 
-// `ways` holds all of each ear that it has any of.
+// `ways` contains either all ways of an ear or none.
 void addUp(std::vector<Way> const& ways, std::vector<Loudness::Entry>& entries) {
     for (auto way = ways.begin(); way != ways.end();) {
         Loudness::Entry& entry = entries[way->ear];
@@ -128,7 +129,7 @@ std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns co
     std::vector<Source> const sources = sourcesOf(sounds);
     std::vector<Listening> const ears = listeningIn(columns);
     std::vector<Loudness::Entry> entries;
-    std::size_t count = 0; // of all ways
+    std::size_t count = 0; // number of all ways
     for (Listening const& ear : ears) {
         entries.push_back({ear.object, silentLevel, {}, {}});
         count += static_cast<std::size_t>(std::count_if(

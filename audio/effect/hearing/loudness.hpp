@@ -1,4 +1,4 @@
-// Works out how loud it is at listening objects.
+// Computes the loudness at listening objects.
 #pragma once
 
 #include "audio/effect/hearing/sound_path.hpp"
@@ -15,7 +15,7 @@
 
 namespace trembler {
 
-/// The columns that loudness is worked out from.
+/// The columns from which loudness is computed.
 struct LoudnessColumns {
     Column<Ear> const& ears;
     Column<SoundSensor> const& sensors;
@@ -29,9 +29,9 @@ struct LoudnessColumns {
 using ForPaths =
     std::function<void(std::size_t count, std::function<void(std::size_t, std::size_t)> const& f)>;
 
-/// Every source counts by its A-weighted energy, with the share that air and walls let through. Sources that
-/// arrive more than 20 dB below the faintest level that matters to a listener are left out. `forPaths` runs
-/// over the ways from sources to listeners; it shows in no result.
+/// Every source counts by its A-weighted energy, with the share that air and walls transmit. Sources more
+/// than 20 dB below the faintest level relevant to a listener are left out. `forPaths` iterates over the ways
+/// from sources to listeners; no result depends on it.
 [[nodiscard]] std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
                                                       PathDetail detail, ForPaths const& forPaths);
 
@@ -78,7 +78,8 @@ public:
                                             "sound along a straight line: less with "
                                             "distance, through walls by their mass, and around each of them.",
                                         .rank = 1};
-    /// Where very much stands in the way, or very many listen, ways around it all are too expensive.
+    /// Not for scenes with very many obstacles or listeners, in which ways around all obstacles are too
+    /// expensive.
     static bool suits(Store const& store);
 };
 

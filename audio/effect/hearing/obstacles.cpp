@@ -8,12 +8,12 @@
 namespace trembler {
 namespace {
 
-constexpr double graze = 1e-3;     // m: a line that is no longer inside than that passes by
-constexpr double clearance = 2e-3; // m, at which a way leads around a corner
+constexpr double graze = 1e-3;     // m: a line with a shorter part inside an obstacle does not meet it
+constexpr double clearance = 2e-3; // m, distance of a way from a corner
 constexpr int roundSides = 16;
 
 void addArc(std::vector<Vec2>& corners, Vec2 centre, double radius, double from, double to, int sides) {
-    // The corners lie outside, so that the sides touch the circle.
+    // The corners lie outside of the circle, so that the sides touch it.
     double const step = (to - from) / sides;
     double const reach = radius / std::cos(step / 2);
     for (int i = 0; i < sides; ++i) {
@@ -115,9 +115,10 @@ double chordOf(Obstacle const& obstacle, Vec2 from, Vec2 to) {
 }
 
 double detourAround(Obstacle const& obstacle, Vec2 from, Vec2 to) {
-    // On either side: a taut string from one point to the other around the corners of that side. As the
-    // polygon is convex, it is the hull of these corners and the two points, less the straight line.
-    thread_local std::vector<Vec2> string; // both kept for their memory: this is asked very often
+    // On each side: a taut string from one point to the other around the corners of that side. As the polygon
+    // is convex, it is the hull of these corners and the two points, without the straight line.
+    thread_local std::vector<Vec2>
+        string; // both static to reuse their memory, as this function is called very often
     thread_local std::vector<Vec2> corners;
     auto const around = [&](double side) {
         string.assign(1, from);
@@ -169,8 +170,8 @@ double shortestWay(std::span<Obstacle const* const> obstacles, Vec2 from, Vec2 t
         return std::none_of(obstacles.begin(), obstacles.end(),
                             [&](Obstacle const* obstacle) { return chordOf(*obstacle, a, b) > graze; });
     };
-    // A* over the visibility graph. Whether two nodes see each other is the expensive question, so it is
-    // asked only of the steps that come first in the queue.
+    // A* over the visibility graph. The test whether two nodes see each other is expensive, so it is made
+    // only for the first steps in the queue.
     struct Step {
         double estimate = 0; // of the whole way
         double gone = 0;

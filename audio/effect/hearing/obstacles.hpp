@@ -10,13 +10,13 @@ namespace trembler {
 
 struct Obstacle {
     ObjectId object;
-    std::vector<Vec2> corners; ///< m, in the world, convex, anticlockwise; round pieces have sixteen or so
+    std::vector<Vec2> corners; ///< m, in the world, convex, anticlockwise; round pieces have about sixteen
     Vec2 low;                  ///< m, of its bounds
     Vec2 high;
     double density = 0; ///< kg/m³
 };
 
-/// The pieces of a shape at that place, as polygons that enclose round pieces.
+/// Adds the pieces of a placed shape, with polygons around round pieces.
 void addObstacles(std::vector<Obstacle>& obstacles, ObjectId object, Shape const& shape, Vec2 at,
                   double angle, double density);
 
@@ -32,7 +32,7 @@ void addObstacles(std::vector<Obstacle>& obstacles, ObjectId object, Shape const
 inline constexpr int mostPatience = 20000;
 
 /// The shortest way, in m, that stays out of all obstacles, along their corners; negative if there is none,
-/// or none was found within `patience` tests of whether one point is seen from another.
+/// or if none was found within `patience` tests whether two points see each other.
 [[nodiscard]] double shortestWay(std::span<Obstacle const* const> obstacles, Vec2 from, Vec2 to,
                                  int patience = mostPatience);
 

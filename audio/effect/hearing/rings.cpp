@@ -7,7 +7,7 @@
 namespace trembler {
 namespace {
 
-/// 0 to 1, of a sound of so many Pa² at 1 m; 0 where it is too soft for a ring.
+/// 0 to 1: the strength of the ring of a sound in Pa² at 1 m; 0 if it is too soft for a ring.
 double strengthOf(double meanSquare) {
     double const above = levelOf(meanSquare) - SoundRings::faintest;
     return std::clamp(above / (SoundRings::loudest - SoundRings::faintest), 0.0, 1.0);
@@ -48,7 +48,7 @@ void SoundRings::add(SoundRing const& ring) {
     if (ring.strength <= 0) {
         return;
     }
-    // An impact tells of both bodies: one ring, for the louder of them.
+    // An impact is reported for both bodies: one ring, for the louder one.
     auto const same = std::find_if(rings_.begin(), rings_.end(), [&ring](SoundRing const& other) {
         return other.radius == 0 && other.at == ring.at;
     });

@@ -8,10 +8,9 @@
 namespace trembler {
 namespace {
 
-constexpr double nearest = 0.1;   // m
-constexpr double thinnest = 0.01; // m: less of an obstacle than that on the line is no wall
-constexpr double worthAWay =
-    0.33; // of the energy: if more than that gets through, a way around hardly adds to it
+constexpr double nearest = 0.1;    // m
+constexpr double thinnest = 0.01;  // m: an obstacle with a shorter part of the line is no wall
+constexpr double worthAWay = 0.33; // of the energy: if more is transmitted, a way around adds little
 
 /// An obstacle on the line, and the share of energy that goes through it.
 struct Crossed {
@@ -38,16 +37,17 @@ double shareAround(double detour, double frequency) {
 double transmission(ObstacleField const& field, std::span<ObjectId const> exempt, Vec2 from, Vec2 to,
                     double frequency, PathDetail detail, double least, int patience) {
     double const distance = std::max(nearest, length(to - from));
-    // Sound begins at the surface of the obstacle that its source is in; a built-in body is heard outside,
-    // and shields it.
+    // Sound begins at the surface of the obstacle that contains its source; a built-in body sounds outside,
+    // and so is an obstacle itself.
     auto const inTheWay = [&](Obstacle const& obstacle) {
         return std::find(exempt.begin(), exempt.end(), obstacle.object) == exempt.end() &&
                !contains(obstacle, from) && !contains(obstacle, to);
     };
-    thread_local std::vector<Crossed> crossed; // kept for its memory
+    thread_local std::vector<Crossed> crossed; // static to reuse its memory
     crossed.clear();
-    // A way around a single obstacle is the most expensive to find. Before, each gets the share that would
-    // come around it without any detour, until that is too little already; rounding depends on their order.
+    // A way around a single obstacle is the most expensive to find. So each obstacle first counts with the
+    // share that would pass around it without any detour, which ends the computation if that is already too
+    // little. Rounding depends on the obstacles' order.
     bool const straight = detail == PathDetail::straight;
     double const tooLittle = straight ? (1 - 1e-9) * least * distance * distance : 0;
     double const mostAround = shareAround(0, frequency);

@@ -5,8 +5,8 @@
 
 namespace trembler {
 
-// The connections that each sensor makes when it hears enough: between the two that it names, or from the
-// first to each other conductor that touches it.
+// The connections that each sensor makes when it hears enough: between the two objects that it names, or from
+// the first conductor that touches it to each other one.
 std::vector<ElectricityFromSound::Link> ElectricityFromSound::possible(Access& access) {
     auto const& sensors = access.read<SoundSensor>();
     auto const& conductors = access.read<Conductor>();
@@ -39,9 +39,9 @@ std::vector<ElectricityFromSound::Link> ElectricityFromSound::possible(Access& a
     return links;
 }
 
-// After a swap, the graph says which of the possible connections stand.
+// A newly constructed interaction reads from the graph which of the possible connections exist.
 void ElectricityFromSound::recall(Access& access, std::vector<Link> const& possible,
-                                  std::vector<Link>& told) {
+                                  std::vector<Link>& connected) {
     std::map<std::pair<ObjectId, ObjectId>, std::int32_t> left;
     for (Link const& link : possible) {
         std::pair const ends{link.a, link.b};
@@ -52,7 +52,7 @@ void ElectricityFromSound::recall(Access& access, std::vector<Link> const& possi
                 .first;
         if (at->second > 0) {
             --at->second;
-            told.push_back(link);
+            connected.push_back(link);
         }
     }
 }
@@ -60,7 +60,7 @@ void ElectricityFromSound::recall(Access& access, std::vector<Link> const& possi
 void ElectricityFromSound::apply(Access& access) {
     std::vector<Link> links = possible(access);
     if (access.firstTime()) {
-        recall(access, links, told_);
+        recall(access, links, connected_);
     }
     Loudness const& loudness = access.read<Loudness>();
     auto const& sensors = access.read<SoundSensor>();
@@ -78,17 +78,19 @@ void ElectricityFromSound::apply(Access& access) {
     };
     std::vector<Link> ended;
     std::vector<Link> begun;
-    std::set_difference(told_.begin(), told_.end(), links.begin(), links.end(), std::back_inserter(ended));
-    std::set_difference(links.begin(), links.end(), told_.begin(), told_.end(), std::back_inserter(begun));
+    std::set_difference(connected_.begin(), connected_.end(), links.begin(), links.end(),
+                        std::back_inserter(ended));
+    std::set_difference(links.begin(), links.end(), connected_.begin(), connected_.end(),
+                        std::back_inserter(begun));
     for (Link const& link : ended) {
-        if (conductors.has(link.a) && conductors.has(link.b)) { // else the graph has dropped it already
+        if (conductors.has(link.a) && conductors.has(link.b)) { // else the graph has already removed it
             access.call(RemoveConnection{{link.a, link.b}}, causeOf(link.sensor));
         }
     }
     for (Link const& link : begun) {
         access.call(AddConnection{{link.a, link.b}}, causeOf(link.sensor));
     }
-    told_ = std::move(links);
+    connected_ = std::move(links);
 }
 
 } // namespace trembler

@@ -11,8 +11,8 @@
 
 namespace trembler {
 
-/// It compares the connections that there should be with those that it has made, as the interaction from
-/// dynamics does. It lives with sound, and not with electricity, as physics must build and run without sound.
+/// It compares the required connections with those that it has made, as (Electricity <- Dynamics) does. It
+/// belongs to sound, and not to electricity, as physics must build and run without sound.
 class ElectricityFromSound final
     : public Interaction<ElectricityFromSound, ElectricityRole,
                          Reads<Loudness, SoundSensor, Contacts, Conductor, ElectricityGraph>> {
@@ -24,8 +24,8 @@ public:
                                                 "that it names, or all that touch it, and "
                                                 "disconnects them when it no longer does."};
     using Activation = NeedsAll<SoundSensor>;
-    /// The connections that it has made, and will take back.
-    void hashMemory(StateHash& hash) const { hash.members(told_); }
+    /// The connections that it has made and will remove.
+    void hashMemory(StateHash& hash) const { hash.members(connected_); }
     void apply(Access& access);
 
 private:
@@ -36,9 +36,9 @@ private:
         friend auto operator<=>(Link const&, Link const&) = default;
     };
     [[nodiscard]] static std::vector<Link> possible(Access& access);
-    static void recall(Access& access, std::vector<Link> const& possible, std::vector<Link>& told);
+    static void recall(Access& access, std::vector<Link> const& possible, std::vector<Link>& connected);
 
-    std::vector<Link> told_; // ascending
+    std::vector<Link> connected_; // ascending
 };
 
 } // namespace trembler

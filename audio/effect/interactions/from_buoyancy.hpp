@@ -12,8 +12,8 @@
 
 namespace trembler {
 
-/// The liquid that a body newly displaces in a frame gets the body's speed: that momentum is the impact which
-/// makes bubbles. A body that floats, or is drawn out, is silent.
+/// The liquid that a body newly displaces in a frame gets the body's speed; its momentum is the impact that
+/// makes bubbles. A body that floats, or leaves the liquid, is silent.
 class SoundFromBuoyancy final
     : public Interaction<SoundFromBuoyancy, SoundRole, Reads<Immersions, Position, Rotation, Velocity>> {
 public:
@@ -23,11 +23,11 @@ public:
         .level = "",
         .work = "Strikes a liquid with the momentum that an object gives to what it newly displaces."};
     using Activation = NeedsAll<Liquid>;
-    /// Only bodies that were dry splash.
+    /// The memory is hashed, as splashes depend on the areas that were immersed before.
     void hashMemory(StateHash& hash) const { hash.members(wet_); }
 
-    static constexpr double slowest = 0.1;  ///< m/s into the liquid; below, it closes without a splash
-    static constexpr double contact = 1e-4; ///< s: bubbles close at once
+    static constexpr double slowest = 0.1;  ///< m/s into the liquid; slower bodies make no splash
+    static constexpr double contact = 1e-4; ///< s: bubbles close very fast
 
     void apply(Access& access);
 

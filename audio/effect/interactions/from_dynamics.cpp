@@ -27,7 +27,7 @@ public:
         MadeOf const* const of = find<MadeOf>(id);
         return of == nullptr ? Material::plastic : of->material;
     }
-    /// 1/kg; 0 for an object that does not move.
+    /// 1/kg; 0 for an object that cannot move.
     [[nodiscard]] double inverseMass(ObjectId id) const {
         Mass const* const mass = find<Mass>(id);
         return mass == nullptr || access_.template read<Fixed>().has(id) ? 0 : 1 / mass->value;
@@ -48,7 +48,7 @@ public:
         AngularVelocity const* const spin = find<AngularVelocity>(id);
         return spin == nullptr ? 0 : spin->value;
     }
-    /// Of the object's matter at a point of the world, in m/s.
+    /// The velocity of the object's matter at a point of the world, in m/s.
     [[nodiscard]] Vec2 velocityAt(ObjectId id, Vec2 point) const {
         Velocity const* const velocity = find<Velocity>(id);
         Shape const* const shape = find<Shape>(id);
@@ -84,11 +84,11 @@ EventId touchOf(Contacts const& contacts, ObjectId a, ObjectId b) {
 } // namespace
 
 void SoundFromDynamics::apply(Access& access) {
-    tellImpacts(access);
-    tellRubbing(access);
+    callStrikes(access);
+    callRubs(access);
 }
 
-void SoundFromDynamics::tellImpacts(Access& access) {
+void SoundFromDynamics::callStrikes(Access& access) {
     Scene const scene(access);
     Contacts const& contacts = access.read<Contacts>();
     for (Impact const& impact : access.read<Impacts>().impacts) {
@@ -100,7 +100,7 @@ void SoundFromDynamics::tellImpacts(Access& access) {
         double const contact =
             contactTime(scene.material(impact.a), scene.material(impact.b), scene.roundness(impact.a),
                         scene.roundness(impact.b), 1 / inverse, impact.impulse * inverse);
-        auto const tell = [&](ObjectId object, ObjectId other, Vec2 direction) {
+        auto const call = [&](ObjectId object, ObjectId other, Vec2 direction) {
             if (scene.sounds(object)) {
                 access.call(Strike{object, other, scene.toLocal(object, impact.point),
                                    scene.directionToLocal(object, direction), impact.impulse, contact,
@@ -113,16 +113,16 @@ void SoundFromDynamics::tellImpacts(Access& access) {
                 access.call(PlaySample{object, share * share}, cause);
             }
         };
-        tell(impact.a, impact.b, -impact.normal);
-        tell(impact.b, impact.a, impact.normal);
+        call(impact.a, impact.b, -impact.normal);
+        call(impact.b, impact.a, impact.normal);
     }
 }
 
-void SoundFromDynamics::tellRubbing(Access& access) {
+void SoundFromDynamics::callRubs(Access& access) {
     Scene const scene(access);
     double const step = access.read<ContactPatches>().step;
     if (!(step > 0)) {
-        return; // nothing has ever moved
+        return; // no object has ever moved
     }
     auto const friction = [&](ObjectId id) {
         Friction const* const stated = scene.template find<Friction>(id);
@@ -150,15 +150,15 @@ void SoundFromDynamics::tellRubbing(Access& access) {
         }
         EventId const cause =
             access.tracing() ? touchOf(access.read<Contacts>(), patch.a, patch.b) : EventId{};
-        auto const tell = [&](ObjectId object, ObjectId other, Vec2 direction) {
+        auto const call = [&](ObjectId object, ObjectId other, Vec2 direction) {
             if (scene.sounds(object)) {
                 access.call(Rub{object, other, scene.toLocal(object, point),
                                 scene.directionToLocal(object, direction), force, speed / bump},
                             cause);
             }
         };
-        tell(patch.a, patch.b, -patch.normal);
-        tell(patch.b, patch.a, patch.normal);
+        call(patch.a, patch.b, -patch.normal);
+        call(patch.b, patch.a, patch.normal);
     }
 }
 

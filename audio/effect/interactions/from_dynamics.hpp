@@ -1,4 +1,4 @@
-// (Sound <- Dynamics): bodies that hit, rub or roll are heard.
+// (Sound <- Dynamics): bodies that collide, rub or roll make sounds.
 #pragma once
 
 #include "audio/effect/calls.hpp"
@@ -13,9 +13,9 @@
 
 namespace trembler {
 
-/// Every impact excites both bodies, for as long as Hertz says that they touch. Where surfaces slide or roll
-/// on each other, their bumps are a noise of small impacts: a share of the friction, or of the load that
-/// rolls, with as many bumps per second as the rougher of the two has in the way that it covers.
+/// Every impact excites both bodies, for the contact time by Hertz. If surfaces slide or roll on each other,
+/// their bumps make a noise of small impacts: a share of the friction, or of the load in rolling, with as
+/// many bumps per second as the rougher surface has over the distance covered.
 class SoundFromDynamics final
     : public Interaction<SoundFromDynamics, SoundRole,
                          Reads<Impacts, ContactPatches, Contacts, Shape, MadeOf, Acoustics, Sample, Mass,
@@ -33,8 +33,8 @@ public:
     void apply(Access& access);
 
 private:
-    void tellImpacts(Access& access);
-    void tellRubbing(Access& access);
+    void callStrikes(Access& access);
+    void callRubs(Access& access);
 };
 
 } // namespace trembler

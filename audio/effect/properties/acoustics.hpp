@@ -9,9 +9,9 @@
 
 namespace trembler {
 
-/// The simple body as which an object vibrates.
+/// The simple body that models an object's vibration.
 enum class SoundingForm : int {
-    automatic, ///< by its shape: long ones are bars, round ones balls, the others plates; water splashes
+    automatic, ///< by its shape: long objects are bars, round ones balls, others plates; water splashes
     bar,
     plate,
     ball,
@@ -21,15 +21,15 @@ template <>
 inline constexpr std::array<std::string_view, 5> choiceNames<SoundingForm>{"automatic", "bar", "plate",
                                                                            "ball", "bell"};
 
-/// How an object sounds, where that does not follow from its shape and its material.
+/// The sound of an object if it must not follow from its shape and its material.
 struct Acoustics {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Acoustics", "acoustics",
                                        "How the object sounds, where shape and material do not tell."};
     SoundingForm form = SoundingForm::automatic;
-    double frequency = 0;         ///< Hz, of the lowest mode, of a bell the prime; 0: from the size
-    double ringing = 0;           ///< s, until that mode has died away by 60 dB; 0: by the material
-    std::vector<double> partials; ///< frequencies over the lowest; empty: those of the form
+    double frequency = 0;         ///< Hz, of the lowest mode, or of the prime of a bell; 0: from the size
+    double ringing = 0;           ///< s, until that mode has decayed by 60 dB; 0: by the material
+    std::vector<double> partials; ///< frequencies divided by the lowest; empty: those of the form
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -60,20 +60,20 @@ struct Acoustics {
 /// When a recorded sample is played.
 enum class SampleCue : int {
     struck,  ///< once for every impact
-    powered, ///< over and over while the object is on
+    powered, ///< repeated while the object is on
 };
 template <>
 inline constexpr std::array<std::string_view, 2> choiceNames<SampleCue>{"struck", "powered"};
 
-/// A recording that the object plays, besides its own sound. How loud it is and how long it lasts is stated
-/// here, not taken from the file: listeners in the world must not depend on the files of a loudspeaker.
+/// A recording that the object plays in addition to its own sound. Its loudness and duration are stated here,
+/// not taken from the file: listeners in the world must not depend on the files of a loudspeaker.
 struct Sample {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Sample", "sample", "A recording that the object plays."};
     std::string file;
     SampleCue cue = SampleCue::struck;
     double level = 80;      ///< dB at 1 m
-    double duration = 1;    ///< s, of one go
+    double duration = 1;    ///< s, of one play
     double fullImpulse = 1; ///< N s; softer impacts play it more quietly, in proportion
 
     template <class Self, class Visitor>
@@ -107,14 +107,14 @@ struct Sample {
     friend bool operator==(Sample const&, Sample const&) = default;
 };
 
-/// Marks an object that listens, so that people see how loud it is there.
+/// Marks an object that listens, to display the loudness there.
 struct Ear {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Ear", "ear", "How loud it is here is worked out for the object."};
 };
 
-/// A switch that closes while it is loud enough. With two objects named, it connects these. Otherwise it
-/// connects whatever conductors touch it; it should be no conductor itself, or it connects them anyway.
+/// A switch that closes while the sound is loud enough. If it names two objects, it connects these. Otherwise
+/// it connects the conductors that touch it; it should not be a conductor itself, or it connects them always.
 struct SoundSensor {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Sound sensor", "sound_sensor",

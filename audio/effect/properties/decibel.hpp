@@ -11,10 +11,10 @@ inline constexpr double lowestAudible = 20;        ///< Hz
 inline constexpr double highestAudible = 20000;    ///< Hz
 inline constexpr double silentLevel = -120;        ///< dB; counts as silence
 
-/// The level, in dB, of a mean square pressure in Pa²; silentLevel at the least.
+/// The level, in dB, of a mean square pressure in Pa²; at least silentLevel.
 [[nodiscard]] double levelOf(double meanSquare);
-/// The factor on a power that so many decibels are. By exp(), as one compiler makes another function of
-/// pow(10, x) than the other, and the last bit must not depend on that.
+/// The factor on a power for a number of decibels. Computed by exp(), as compilers translate pow(10, x)
+/// differently, and the last bit must not depend on that.
 [[nodiscard]] double powerOf(double decibels);
 /// The mean square pressure, in Pa², of a level in dB.
 [[nodiscard]] double meanSquareOf(double level);

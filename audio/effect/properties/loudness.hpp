@@ -1,4 +1,4 @@
-// How loud it is at listening objects: what the Loudness sets derive.
+// The loudness at listening objects, derived by the Loudness sets.
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// Derived by whichever detail level of loudness is at work.
+/// Derived by the present detail level of loudness.
 struct Loudness {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Loudness", "loudness",
@@ -18,9 +18,9 @@ struct Loudness {
     static constexpr std::string_view standing = "the level of the sounds at their end, smoothed over 125 ms";
     struct Entry {
         ObjectId ear;
-        double level = 0; ///< dB(A), "fast"; silentLevel where nothing is heard
+        double level = 0; ///< dB(A), "fast"; silentLevel in silence
         ObjectId loudest; ///< the object that contributes most; invalid in silence
-        EventId event;    ///< that made the loudest one sound; none without tracing
+        EventId event;    ///< made the loudest one sound; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "that listens"}, self.ear);

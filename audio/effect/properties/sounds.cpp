@@ -18,8 +18,8 @@ void Sounds::gather(Sounds& frame, Sounds const& part, PartSpan span) {
         impacts.push_back(impact);
     }
     amplitudes.insert(amplitudes.end(), part.amplitudes.begin(), part.amplitudes.end());
-    // The noises of different parts are independent, so their powers add up. One that lasts for a share of
-    // the frame brings as much as one throughout it with that share of the power.
+    // The noises of different parts are independent, so their powers add up. A noise during a share of the
+    // frame counts as one throughout the frame with that share of the power.
     double const weaker = std::sqrt(span.share);
     std::map<std::pair<ObjectId, ObjectId>, Scrape> known; // of earlier parts
     for (Scrape const& scrape : scrapes) {

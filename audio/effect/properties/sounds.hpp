@@ -1,4 +1,5 @@
-// Which bodies sound, and where: the resolver property that loudness, loudspeakers and drawing read.
+// The bodies that sound, and their places: the resolver property that loudness, loudspeakers and drawing
+// read.
 #pragma once
 
 #include "runtime/math/vec2.hpp"
@@ -13,7 +14,7 @@
 
 namespace trembler {
 
-/// All pressures are those at a distance of 1 m in free air. Sound travels at no time.
+/// All pressures are those at a distance of 1 m in free air. Sound has no travel time.
 struct Sounds {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Sounds", "sounds",
@@ -27,14 +28,14 @@ struct Sounds {
         double meanSquare = 0; ///< Pa², at the end of the frame
         double weight = 1;     ///< the ear's factor on its mean square pressure (A-weighting)
     };
-    /// A body that sounds, or has sounded until a moment ago.
+    /// A body that sounds, or sounded until a moment ago.
     struct Body {
         ObjectId object;
-        Vec2 local;              ///< m, where the sound comes from, in its own frame
+        Vec2 local;              ///< m, the source of the sound in the body's frame
         Vec2 at;                 ///< m, the same in the world
         Vec2 velocity;           ///< m/s
         double loudness = 0;     ///< Pa², A-weighted, smoothed over 125 ms ("fast", IEC 61672-1)
-        double brightness = 0;   ///< Hz, the mean frequency of that
+        double brightness = 0;   ///< Hz, the mean frequency of that loudness
         std::vector<Ring> rings; ///< its modes, ascending by frequency
         EventId event;           ///< the latest impact; none without tracing
     };
@@ -47,7 +48,7 @@ struct Sounds {
         double meanSquare = 0;    ///< Pa², A-weighted, of its modes at their beginning and of its click
         double clickPressure = 0; ///< Pa, amplitude of the click
         double clickTime = 0;     ///< s, its one period
-        std::uint32_t first = 0;  ///< the body's modes get `amplitudes` from here on, one each
+        std::uint32_t first = 0;  ///< `amplitudes` from here on are those of the body's modes, one each
         std::uint32_t count = 0;
     };
     /// A noise that drives a body's modes throughout the frame, or the part of it.
@@ -55,8 +56,8 @@ struct Sounds {
         ObjectId object;
         ObjectId other;
         Vec2 at;
-        std::uint32_t first = 0; ///< the body's modes get `amplitudes`, in Pa/√s, from here on: what a white
-                                 ///< noise of unit power would add to them
+        std::uint32_t first = 0; ///< `amplitudes` from here on, in Pa/√s, are those of the body's modes: the
+                                 ///< contribution of a white noise of unit power
         std::uint32_t count = 0;
     };
     /// A recording that plays.
@@ -68,9 +69,9 @@ struct Sounds {
         double meanSquare = 0;    ///< Pa²
         double loudness = 0;      ///< Pa², smoothed
         double elapsed = 0;       ///< s since it began, at the end of the frame
-        double duration = 0;      ///< s, of one go
-        bool held = false;        ///< goes on over and over
-        std::uint64_t serial = 0; ///< another go has another one
+        double duration = 0;      ///< s, of one play
+        bool held = false;        ///< repeated
+        std::uint64_t serial = 0; ///< differs for each play
         EventId event;
     };
 
@@ -79,10 +80,10 @@ struct Sounds {
     std::vector<Scrape> scrapes;       ///< of this frame only
     std::vector<double> amplitudes;    ///< of impacts (Pa) and scrapes (Pa/√s)
     std::vector<Recording> recordings; ///< ascending by object and serial
-    std::uint64_t frame = 0;           ///< the last in which anything was worked out
+    std::uint64_t frame = 0;           ///< the last in which anything was computed
     std::uint64_t recordingsEver = 0;
 
-    /// Of a frame in parts: the sounds at its end, with the impacts and the scraping of all parts.
+    /// For a frame in parts: the sounds at its end, with the impacts and scrapes of all parts.
     static void gather(Sounds& frame, Sounds const& part, PartSpan span);
 
     [[nodiscard]] bool silent() const { return bodies.empty() && recordings.empty(); }

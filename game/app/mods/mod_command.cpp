@@ -2,6 +2,7 @@
 #include "game/app/commands.hpp"
 #include "game/app/mods/mod_reference_command.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/outputs.hpp"
 #include "lua/mods/lint.hpp"
 #include "runtime/file/visible_text.hpp"
 
@@ -24,6 +25,7 @@ struct ModArguments {
 };
 
 int newMod(ModArguments const& arguments) {
+    checkFolderName("--in", arguments.in);
     fs::path const folder = fs::path(arguments.in) / arguments.name;
     lua::writeNewMod(folder, arguments.name);
     writeEditorFiles(folder);

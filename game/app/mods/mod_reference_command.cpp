@@ -37,10 +37,10 @@ int printReference(ReferenceArguments const& arguments) {
     if (markdown != nullptr) {
         markdown->stream() << lua::referenceMarkdown(reference);
     }
-    if (json == nullptr && markdown == nullptr) {
+    outputs.finish();
+    if (!outputs.terminalTaken()) {
         std::cout << lua::referenceText(reference);
     }
-    outputs.finish();
     return exitSolved;
 }
 
@@ -62,9 +62,9 @@ void addModReferenceCommands(CLI::App& mod, int& result) {
     CLI::App* const reference = mod.add_subcommand(
         "reference", "Print every property that scripts can read and every function that they can call");
     addOptionalFile(*reference, "--json", arguments->json,
-                    "Write them as one JSON object instead, with examples");
+                    "Write them as one JSON object, with examples; on the terminal it replaces the text");
     addOptionalFile(*reference, "--markdown", arguments->markdown,
-                    "Write them as Markdown instead, with examples");
+                    "Write them as Markdown, with examples; on the terminal it replaces the text");
     reference->footer(outputConvention);
     reference->callback(
         [arguments, &result] { result = guarded([&] { return printReference(*arguments); }); });
@@ -73,6 +73,7 @@ void addModReferenceCommands(CLI::App& mod, int& result) {
     annotations->add_option("DIR", arguments->folder, "The folder to write it into")->required();
     annotations->callback([arguments, &result] {
         result = guarded([&] {
+            checkFolderName("DIR", arguments->folder);
             writeAnnotationsInto(arguments->folder);
             std::cout << visible((std::filesystem::path(arguments->folder) / "trembler.lua").string())
                       << ": written\n";

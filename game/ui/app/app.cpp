@@ -2,6 +2,7 @@
 
 #include "game/ui/app/command_lists.hpp"
 #include "game/ui/app/title_screen.hpp"
+#include "game/ui/play/play_screen.hpp"
 #include "render/draw/palette.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "game/ui/app/menu.hpp"
-#include "game/ui/play/play_screen.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
@@ -51,9 +50,6 @@ public:
     bool frame(double seconds, bool seen = true);
 
     [[nodiscard]] Screen& screen() { return *screen_; }
-    /// The current screen if it shows a level, else nullptr. Only for tests: the program itself does not need
-    /// the type.
-    [[nodiscard]] PlayScreen* play() { return dynamic_cast<PlayScreen*>(screen_.get()); }
     [[nodiscard]] UiContext& context() { return context_; }
     [[nodiscard]] Menu const& menu() const { return menu_; }
 

@@ -10,4 +10,8 @@ std::vector<CommandList> commandLists() {
     return {listOf(playCommands()), listOf(titleCommands())};
 }
 
+std::span<Gesture const> allGestures() {
+    return playGestures();
+}
+
 } // namespace trembler::ui

@@ -1,13 +1,17 @@
-// The commands of all screens of the program.
+// The commands and gestures of all screens of the program.
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
+#include "game/ui/commands/key_help.hpp"
 
+#include <span>
 #include <vector>
 
 namespace trembler::ui {
 
 /// One list for each screen; a new screen's table is added here. The lists refer to static data.
 [[nodiscard]] std::vector<CommandList> commandLists();
+/// Only the screen of a level has gestures.
+[[nodiscard]] std::span<Gesture const> allGestures();
 
 } // namespace trembler::ui

@@ -52,7 +52,7 @@ fs::path firstLevel(GameData const& gameData) {
 /// Steps the session to its end and prints a line every second. Returns the frame in which it was solved.
 std::optional<std::uint64_t> playOut(Session& session, std::uint64_t frames, std::ostream& out) {
     std::optional<std::uint64_t> solved;
-    auto told = Clock::now();
+    auto printed = Clock::now();
     for (std::uint64_t frame = 1; frame <= frames; ++frame) {
         session.step();
         if (session.solved() && !solved) {
@@ -61,8 +61,8 @@ std::optional<std::uint64_t> playOut(Session& session, std::uint64_t frames, std
         if (solved && frame >= *solved + encore) {
             break;
         }
-        if (secondsSince(told) > 1) {
-            told = Clock::now();
+        if (secondsSince(printed) > 1) {
+            printed = Clock::now();
             out << fmt::format("  {} of {} frames\n", frame, frames) << std::flush;
         }
     }

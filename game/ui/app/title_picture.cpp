@@ -9,7 +9,6 @@
 namespace trembler::ui {
 
 using namespace render;
-using render::Pattern; // not Look's Pattern
 
 namespace {
 

@@ -3,6 +3,7 @@
 #include "game/ui/shared/words.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cctype>
 
@@ -111,6 +112,23 @@ std::string keysMarkdown(KeyBindings const& bindings) {
         });
 }
 
+std::string gesturesMarkdown(std::span<Gesture const> gestures) {
+    std::string text;
+    for (CommandGroup const group :
+         {CommandGroup::building, CommandGroup::running, CommandGroup::looking, CommandGroup::program}) {
+        std::string rows;
+        for (Gesture const& gesture : gestures) {
+            if (gesture.group == group) {
+                rows += fmt::format("| {} | {} |\n", gesture.does, gesture.with);
+            }
+        }
+        if (!rows.empty()) {
+            text += fmt::format("{}| {} | |\n|---|---|\n{}", text.empty() ? "" : "\n", titleOf(group), rows);
+        }
+    }
+    return text;
+}
+
 std::string keysText(KeyBindings const& bindings) {
     return grouped(
         bindings, [](char const* group) { return fmt::format("{}\n", group); },
@@ -119,6 +137,24 @@ std::string keysText(KeyBindings const& bindings) {
             return fmt::format("  {:<14} {:<24} {}\n", command.id, keys.empty() ? words::nothingStated : keys,
                                doesOf(command));
         });
+}
+
+nlohmann::ordered_json keysJson(KeyBindings const& bindings) {
+    nlohmann::ordered_json commands = nlohmann::ordered_json::array();
+    for (CommandInfo const* const command : bindings.inGroups()) {
+        nlohmann::ordered_json keys = nlohmann::ordered_json::array();
+        for (Chord const& chord : bindings.keysOf(command->id)) {
+            keys.push_back(nameOf(chord));
+        }
+        commands.push_back({{"id", std::string(command->id)},
+                            {"group", titleOf(command->group)},
+                            {"does", doesOf(*command)},
+                            {"keys", std::move(keys)},
+                            {"held", command->use == KeyUse::held}});
+    }
+    nlohmann::ordered_json all;
+    all["commands"] = std::move(commands);
+    return all;
 }
 
 } // namespace trembler::ui

@@ -1,7 +1,9 @@
-// The page of keys: on the screen, and as Markdown for docs/players.md.
+// The page of keys and mouse actions: on the screen, and as Markdown for docs/players.md.
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
@@ -10,9 +12,12 @@ namespace trembler::ui {
 
 /// A mouse action or modifier that has a fixed meaning.
 struct Gesture {
-    char const* with = "";     ///< wheel, click, a modifier
-    char const* does = "";     ///< shares a row with a command whose help is the same
-    std::string_view beside{}; ///< id of the command in whose row or after which it is listed
+    char const* with = ""; ///< wheel, click, a modifier
+    char const* does = ""; ///< shares a row with a command whose help is the same
+    /// Id of the command in whose row or after which the page on the screen lists it; empty: only
+    /// docs/players.md does.
+    std::string_view beside{};
+    CommandGroup group = CommandGroup::building; ///< in docs/players.md
 };
 
 struct HelpLine {
@@ -32,7 +37,12 @@ struct HelpLine {
 /// All commands of all screens as Markdown, one table per group: description, current keys, and the id used
 /// in profiles.
 [[nodiscard]] std::string keysMarkdown(KeyBindings const& bindings);
-/// The same for a terminal.
+/// The gestures as Markdown, one table per group.
+[[nodiscard]] std::string gesturesMarkdown(std::span<Gesture const> gestures);
+/// The same as keysMarkdown() for a terminal.
 [[nodiscard]] std::string keysText(KeyBindings const& bindings);
+/// The same for programs: {"commands": [{"id", "group", "does", "keys": ["Ctrl+Z"], "held"}]}, with the names
+/// of keys that profiles use.
+[[nodiscard]] nlohmann::ordered_json keysJson(KeyBindings const& bindings);
 
 } // namespace trembler::ui

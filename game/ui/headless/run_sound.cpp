@@ -40,9 +40,9 @@ Listener listenerFor(LevelFile const& level, World const& world) {
     return {.at = (low + high) / 2, .height = std::clamp(high.y - low.y, 0.5, 50.0), .velocity = {}};
 }
 
-RunSound::RunSound(fs::path const& file, LoudspeakerOptions const& options, Loudspeaker::Tell tell,
+RunSound::RunSound(fs::path const& file, LoudspeakerOptions const& options, Loudspeaker::Report report,
                    RunOptions& run)
-    : file_(file, options, std::move(tell)) {
+    : file_(file, options, std::move(report)) {
     run.enter = [this](Session& session) {
         listener_ = listenerFor(session.level(), session.world());
         file_.enter(session.world());

@@ -26,7 +26,7 @@ namespace ui {
 /// Writes a run's sound into a file; throws as SoundFile does. `run` must not outlive it.
 class RunSound {
 public:
-    RunSound(std::filesystem::path const& file, LoudspeakerOptions const& options, Loudspeaker::Tell tell,
+    RunSound(std::filesystem::path const& file, LoudspeakerOptions const& options, Loudspeaker::Report report,
              RunOptions& run);
     /// Completes the file.
     void finish() { file_.finish(); }

@@ -239,7 +239,7 @@ void ModsPanel::drawScript(Layout& layout, Registry const& registry, Workshop& w
             (script.mod->bundled ? std::string(words::bundledMod)
                                  : words::modFrom(script.mod->folder.parent_path().string())));
         smallLines(script.live->script().manifest.trust == lua::Trust::trusted ? words::trustedMod
-                                                                              : words::untrustedMod);
+                                                                               : words::untrustedMod);
     }
     drawParameters(layout, workshop, number);
     if (workshop.changed(number)) {

@@ -34,8 +34,8 @@ struct Quit {};
 using ScreenRequest = std::variant<request::OpenMenu, request::OpenLevel, request::ShowTitle,
                                    request::SwitchFullscreen, request::Quit>;
 
-/// Window thread only. In each picture: update or updateBehindMenu; then, unless nobody sees it, draw and
-/// pictureComplete. So draw() changes nothing that anything but drawing reads.
+/// Window thread only. In each picture: update or updateBehindMenu; then, if the picture is shown, draw and
+/// pictureComplete. draw() may change only state that drawing alone uses.
 class Screen {
 public:
     Screen() = default;

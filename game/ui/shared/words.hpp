@@ -131,7 +131,7 @@ inline constexpr char const* absent = "absent";
 inline constexpr char const* resolvers = "Resolvers";
 inline constexpr char const* derivedSets = "Derived property sets";
 inline constexpr char const* interactions = "Interactions";
-inline constexpr char const* showAbsent = "Also show what this scene does not call for";
+inline constexpr char const* showAbsent = "Also show what this scene does not activate";
 inline constexpr char const* automatic = "as the scene needs it";
 
 // Mods.
@@ -166,7 +166,7 @@ inline constexpr char const* howExactly = "how exactly";
 inline constexpr char const* timePerFrameOf = "time per frame";
 inline constexpr char const* errorAfterASecond = "off after 1 s";
 inline constexpr char const* oneWayOnly = "in one way only";
-inline constexpr char const* notNeeded = "nothing calls for it";
+inline constexpr char const* notNeeded = "nothing activates it";
 inline constexpr char const* nobodyAsks = "nobody listens";
 inline constexpr char const* wholeFrame = "A frame";
 inline constexpr char const* withoutBudget = "no budget";

@@ -159,21 +159,21 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
                       "that is torn has contacts, which cost more than the substeps that keep it whole. "
                       "Automatic settings solve so long a chain's joints at once and so beat eight."},
                      chain, {300, 60}));
-    plans.push_back(
-        iterationsPlan({"the same chain at 1 substep, by velocity iterations", gap, whole,
-                        "Torn, all of them: no number of iterations makes up for steps that are too "
-                        "long. By how much is a matter of chance."},
-                       chain, 1, velocityIterations, {300, 40}));
+    plans.push_back(iterationsPlan(
+        {"the same chain at 1 substep, by velocity iterations", gap, whole,
+         "The chain tears with any number of iterations: they cannot make up for steps that are "
+         "too long. By how much is a matter of chance."},
+        chain, 1, velocityIterations, {300, 40}));
     plans.push_back(iterationsPlan({"the same chain at 4 substeps, by velocity iterations", gap, whole,
                                     "Where the step is short enough, more iterations help; eight substeps of "
                                     "eight iterations cost what four of 32 cost. Fewer than four tear it."},
                                    chain, 4, velocityIterations, {300, 40}));
-    plans.push_back(
-        iterationsPlan({"the same chain at 4 substeps, by position iterations", gap, whole,
-                        "Under a load they do not help: it opens in the next substep what they close in this "
-                        "one, and a dozen of them, each of which looks at one joint only, throw the chain "
-                        "about. They are for what gapes or overlaps without one; three is the default."},
-                       chain, 4, positionIterations, {300, 40}));
+    plans.push_back(iterationsPlan(
+        {"the same chain at 4 substeps, by position iterations", gap, whole,
+         "Under a load they do not help: it opens in the next substep what they close in this "
+         "one, and a dozen of them, each of which looks at one joint only, throw the chain "
+         "about. They are for gaps and overlaps of unloaded joints and contacts; three is the default."},
+        chain, 4, positionIterations, {300, 40}));
     plans.push_back(substepsPlan(
         {"a stack of 20 boxes", "farthest that a box has moved sideways", "a stack that stands still",
          "From eight on nothing is gained."},

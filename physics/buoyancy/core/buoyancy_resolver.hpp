@@ -10,12 +10,12 @@
 namespace trembler {
 
 /// `Self` adds `text` and `prepare(access)`, which returns a Flotation::HullMaker. It reads the properties
-/// that 6.13.2 lists; Fixed, as fixed objects need no buoyancy; and those that its detail level needs,
-/// `More`.
+/// that 6.13.2 lists; Fixed, as fixed objects need no buoyancy; and `More`, the properties that its detail
+/// level needs.
 ///
-/// It knows nothing of collisions and does not lag behind them: bodies displace liquid where they are in this
-/// frame (6.12.4). It takes gravity from the calls that it receives and liquids as they stand: the pressure
-/// in a liquid grows in the direction of gravity, whichever way its surface is tilted.
+/// It is independent of collisions and does not lag behind them: bodies displace liquid where they are in
+/// this frame (6.12.4). Gravity comes from the calls that it receives. The pressure in a liquid grows in the
+/// direction of gravity, whichever way its surface is tilted.
 template <class Self, ObjectProperty... More>
 class BuoyancyResolver
     : public Resolver<Self, BuoyancyRole, Reads<Position, Rotation, Shape, Density, Liquid, Fixed, More...>,
@@ -26,7 +26,7 @@ class BuoyancyResolver
 
 public:
     using Activation = NeedsAll<Liquid, Shape, Position>;
-    static constexpr int longestPeriod = 12; // docs/buoyancy.md: up to there nothing looks wrong
+    static constexpr int longestPeriod = 12; // docs/buoyancy.md: no visible errors up to this period
     static constexpr Coverage memory =
         leftOut("what hulls are made of, from their shapes, and which of them moved");
     using Access = typename Base::Access;
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t hulls = 32; // to a range: each is a polygon to be cut, or many particles
+    static constexpr std::size_t hulls = 32; // per range: each is a polygon to be cut, or many particles
 
     static Vec2 gravityNow(Access const& access) {
         Vec2 sum;
@@ -83,7 +83,7 @@ private:
     }
 
     Flotation flotation_;
-    std::vector<Immersions::Entry> next_; // kept for its memory
+    std::vector<Immersions::Entry> next_; // a member to reuse its memory
 };
 
 } // namespace trembler

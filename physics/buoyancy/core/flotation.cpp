@@ -70,7 +70,7 @@ void Flotation::followBodies(FlotationColumns const& columns, HullMaker const& m
     auto old = earlier.begin();
     forEach(
         [&](ObjectId id, Shape const& shape, Position const&) {
-            // Nothing lifts a fixed object, and an object with an unsound shape is no body to Dynamics
+            // Fixed objects cannot be lifted, and an object with an invalid shape is no body in Dynamics
             // either.
             if (columns.liquid.has(id) || columns.fixed.has(id) || faultIn(shape)) {
                 return;
@@ -201,10 +201,11 @@ void sumForces(std::vector<Immersions::Entry> const& entries, Vec2 gravity,
             }
         }
         Pose const where = pose(object);
-        // Without any force the centre is where the last liquid's share is.
+        // Without any force the centre is that of the last liquid's share.
         Vec2 centre = strengths > 0 ? moment / strengths : entries[i - 1].wet.centroid();
         if (double const square = lengthSquared(sum); square > 0) {
-            // Forces that are not parallel meet elsewhere; for parallel ones this is nothing but rounding.
+            // Moves the centre to where forces that are not parallel meet; for parallel forces this changes
+            // only rounding.
             double const missing = torque - cross(where.turned(centre), sum);
             centre += where.turnedBack(missing / square * Vec2{sum.y, -sum.x});
         }

@@ -1,4 +1,5 @@
-// All of Buoyancy that depends neither on the detail level nor on how a resolver gets at its properties.
+// The part of Buoyancy that depends neither on the detail level nor on how a resolver accesses its
+// properties.
 #pragma once
 
 #include "physics/box_tree.hpp"
@@ -22,7 +23,7 @@ struct FlotationColumns {
     Column<Fixed> const& fixed;
 };
 
-/// Keeps, for every body, the area of every liquid that it displaces; computes it again only for bodies that
+/// Stores, for every body, the area of every liquid that it displaces; computes it again only for bodies that
 /// have moved.
 class Flotation {
 public:
@@ -30,12 +31,12 @@ public:
     /// Calls f(begin, end) for ranges that cover [0, count), perhaps at the same time.
     using ForRanges = std::function<void(std::size_t, std::function<void(std::size_t, std::size_t)> const&)>;
 
-    /// Forgets all hulls, as they would be made differently now.
+    /// Discards all hulls when they must be made in another way.
     void forgetHulls() {
         floaters_.clear();
         known_ = false;
     }
-    /// Takes over bodies and liquids as they stand. Returns whether anything may be different from last time.
+    /// Reads the present bodies and liquids. Returns whether any result may have changed since the last call.
     bool follow(FlotationColumns const& columns, HullMaker const& makeHull, ForRanges const& forRanges);
     /// The displaced areas, in order; without events.
     void gather(std::vector<Immersions::Entry>& entries) const;
@@ -71,8 +72,8 @@ private:
     std::uint64_t places_ = 0;
 };
 
-/// Copies the events of entries that were there before, and records new ones: `enter(entry)` and
-/// `leave(entry)` for each object and liquid that came together or parted. Both lists are ascending.
+/// Copies the events of entries that exist in `before`, and records new events: `enter(entry)` and
+/// `leave(entry)` for each object that entered or left a liquid. Both lists are ascending.
 void matchEvents(std::vector<Immersions::Entry> const& before, std::vector<Immersions::Entry>& now,
                  std::function<EventId(Immersions::Entry const&)> const& enter,
                  std::function<void(Immersions::Entry const&)> const& leave);

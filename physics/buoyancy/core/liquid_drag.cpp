@@ -78,8 +78,8 @@ struct Lag {
     double turn = 0; // s, of the point where it acts
 };
 
-// Resists motion out of the surface and into it at every point of the waterline, and resists turning as far
-// as that changes the arm of F_B.
+// Resists motion into and out of the surface at every point of the waterline, and resists turning as far as
+// it changes the arm of F_B.
 LiquidResistance::Entry lookAhead(Immersions::Entry const& immersion, BodyMotion const& body, double pull,
                                   Lag const& lag) {
     Waterline const& line = immersion.waterline;
@@ -101,7 +101,7 @@ LiquidResistance::Entry lookAhead(Immersions::Entry const& immersion, BodyMotion
             .xx = rate * up.x * up.x,
             .xy = rate * up.x * up.y,
             .yy = rate * up.y * up.y,
-            .angular = std::max(0.0, turning), // whatever is not stable falls over anyway
+            .angular = std::max(0.0, turning), // an unstable body falls over anyway
             .push = {},
             .rate = std::sqrt(square),
             .event = immersion.event};
@@ -138,7 +138,7 @@ void LiquidDrag::update(Access& access) {
         Position const* const position = positions.find(id);
         Velocity const* const velocity = velocities.find(id);
         if (liquid == nullptr || shape == nullptr || position == nullptr || velocity == nullptr) {
-            continue; // gone since the buoyancy was computed
+            continue; // destroyed since the buoyancy was computed
         }
         Rotation const* const rotation = rotations.find(id);
         AngularVelocity const* const spin = spins.find(id);

@@ -1,4 +1,4 @@
-// Why motion in a liquid dies away: drag, and the change of a body's buoyancy until it is computed again.
+// The resistance to motion in a liquid: drag, and the change of a body's buoyancy until it is computed again.
 #pragma once
 
 #include "physics/buoyancy/properties/liquid.hpp"
@@ -20,11 +20,11 @@ namespace trembler {
 /// centroid and L its length, as for a plate that turns about its middle. Widths are those of the rectangle
 /// with the same second moments.
 ///
-/// Looking ahead: F_B stands for a time t (a frame, or the resolver's period) while the body moves on. On
-/// average it is the force of t/2 ago, and a force that lags behind feeds oscillations. So the body is made
-/// to resist motion up and down at its waterline with ρ g d t/2 per length, which is what the force will have
-/// lost on average; and turning, with t/2 times F_B times the height of the centre of buoyancy above that of
-/// mass. The part of this lag that the engine itself compensates is left out: see ForceLag.
+/// Looking ahead: F_B is held for a time t (a frame, or the resolver's period) while the body moves. On
+/// average it is the force of t/2 ago, and such a lag adds energy to oscillations. So the body is made to
+/// resist motion up and down at its waterline with ρ g d t/2 per length, the average change of the force; and
+/// turning, with t/2 times F_B times the height of the centre of buoyancy above that of mass. The part of
+/// this lag that the engine itself compensates is left out: see ForceLag.
 ///
 /// How fast F_B varies: ω² = k/m + k'/I, k = ρ g d per length of the waterline, as a float of mass m bobs,
 /// and k' its righting moment per angle, as it rolls.

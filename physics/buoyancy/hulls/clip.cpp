@@ -14,7 +14,7 @@ void ClippedPolygon::clip(Side const& side, int tag) {
         anyIn = anyIn || outside[i] < 0;
     }
     if (!anyOut || !anyIn) {
-        count_ = anyIn ? count_ : 0; // also a polygon that lies in the line itself: it has no area
+        count_ = anyIn ? count_ : 0; // also removes a polygon that lies in the line: it has no area
         return;
     }
     std::array<Vec2, capacity> const corners = corners_;

@@ -15,10 +15,10 @@ struct Side {
     double offset = 0; ///< m
 };
 
-/// A convex polygon that remembers, for each of its edges, which side of the liquid cut it.
+/// A convex polygon that stores, for each of its edges, which side of the liquid cut it.
 class ClippedPolygon {
 public:
-    static constexpr std::size_t capacity = 80; ///< a body's corners and a liquid's sides, with room to spare
+    static constexpr std::size_t capacity = 80; ///< enough for a body's corners and a liquid's sides
     static constexpr int own = -1;              ///< an edge of the polygon itself
 
     ClippedPolygon() = default;
@@ -28,12 +28,12 @@ public:
         }
     }
     /// Keeps the part inside (after Sutherland and Hodgman, 1974). The new edge, if there is one, gets `tag`.
-    /// Rounding moves corners by no more than itself; no corner is gained or lost over it by more.
+    /// Rounding errors of the input change the result only by as much.
     void clip(Side const& side, int tag);
 
     [[nodiscard]] bool empty() const { return count_ < 3; }
     [[nodiscard]] std::span<Vec2 const> corners() const { return std::span(corners_).first(count_); }
-    /// Of the edge from corner i to the next.
+    /// The tag of the edge from corner i to the next.
     [[nodiscard]] int tag(std::size_t i) const { return tags_[i]; }
     [[nodiscard]] Vec2 after(std::size_t i) const { return corners_[i + 1 == count_ ? 0 : i + 1]; }
 

@@ -7,11 +7,11 @@
 
 namespace trembler {
 
-/// Of a whole disc about its centre.
+/// The moments of a whole disc about its centre.
 [[nodiscard]] AreaMoments discMoments(double radius);
 
-/// Of the sector of a disc from the direction of p to that of q, the shorter way round, about its centre;
-/// negative if that is clockwise. Neither p nor q may be zero.
+/// The moments, about its centre, of the sector of a disc from the direction of p to that of q, the shorter
+/// way round; negative if that is clockwise. Neither p nor q may be zero.
 [[nodiscard]] AreaMoments sectorMoments(double radius, Vec2 p, Vec2 q);
 
 /// The part of a disc on the inner side of a straight line: the circular segment.
@@ -34,7 +34,7 @@ struct Segment {
 struct DiscSide {
     AreaMoments moments;       ///< of (centre, from, to) within the disc, about the centre
     std::array<Vec2, 2> chord; ///< the part of the side within the disc, relative to the centre
-    bool cuts = false;         ///< whether there is one
+    bool cuts = false;         ///< whether the side has such a part
 };
 
 /// The part of the triangle (centre, from, to) that lies within the disc, negative if it runs clockwise; from

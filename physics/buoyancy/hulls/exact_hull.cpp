@@ -8,7 +8,7 @@
 namespace trembler {
 namespace {
 
-// A little more than all, so that rounding in the rotation never leaves a corner out.
+// A factor slightly above 1, so that rounding in the rotation never leaves a corner out.
 constexpr double slack = 1 + 1e-9;
 
 std::vector<Vec2> boxCorners(double width, double height, Vec2 at, double angle) {
@@ -22,7 +22,7 @@ double straightHalf(ShapePiece const& capsule) {
     return capsule.width / 2 - capsule.radius;
 }
 
-// Of the half disc that lies on the inner side of a line through its centre.
+// The moments of the half disc that lies on the inner side of a line through its centre.
 AreaMoments halfDiscMoments(double radius, Vec2 normal) {
     Vec2 const along = perpendicular(normal);
     AreaMoments half = sectorMoments(radius, along, -normal);

@@ -11,7 +11,7 @@ namespace trembler {
 /// and intersected with the polygon of all of them otherwise; a capsule is a box and two half discs.
 class ExactHull final : public Hull {
 public:
-    /// The shape must be sound (see faultIn()).
+    /// The shape must be valid (see faultIn()).
     explicit ExactHull(Shape const& shape);
     [[nodiscard]] Displacement displaced(std::span<Side const> sides, Vec2 up) const override;
 

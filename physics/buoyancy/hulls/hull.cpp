@@ -3,7 +3,7 @@
 namespace trembler {
 
 Displacement displacedOf(Hull const& hull, LiquidPiece const& piece, Pose const& pose, Vec2 up) {
-    // Most bodies are far from most liquids: for these not even the list of cutting sides is made.
+    // Most bodies are far from most liquids; for these the list of cutting sides is not made.
     for (Side const& side : piece.sides) {
         if (dot(side.normal, pose.at) - side.offset >= hull.radius()) {
             return {};

@@ -20,8 +20,8 @@ struct Displacement {
     }
 };
 
-/// A body as a detail level sees it; made once for a shape. Overlapping pieces of a compound count twice, as
-/// they do in its mass. Its functions may be called by several threads.
+/// A body as a detail level represents it; made once for a shape. Overlapping pieces of a compound count
+/// twice, as they do in its mass. Its functions may be called by several threads.
 class Hull {
 public:
     Hull(AreaMoments const& whole, double radius) : whole_(whole), radius_(radius) {}
@@ -34,7 +34,7 @@ public:
 
     /// All of the body.
     [[nodiscard]] AreaMoments const& whole() const { return whole_; }
-    /// Of a circle around the origin that holds the body, in m.
+    /// The radius of a circle around the origin that contains the body, in m.
     [[nodiscard]] double radius() const { return radius_; }
 
 protected:

@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// Where an object's frame is.
+/// The place of an object's frame.
 struct Pose {
     Vec2 at;           ///< m
     double cosine = 1; ///< of its angle
@@ -34,10 +34,10 @@ struct LiquidPiece {
 inline constexpr std::size_t roundSides = 64;
 inline constexpr std::size_t mostSides = roundSides + 2; // a capsule has two straight sides more
 
-/// The pieces of a shape that has been found sound, placed in the world.
+/// The pieces of a valid shape, placed in the world.
 [[nodiscard]] std::vector<LiquidPiece> liquidPieces(Shape const& shape, Pose const& pose);
 
-/// The box around all of them.
+/// The box around all pieces.
 [[nodiscard]] Bounds areaBounds(Shape const& shape, Pose const& pose);
 
 /// The corners of a piece in the object's frame, anticlockwise, with round parts as above.

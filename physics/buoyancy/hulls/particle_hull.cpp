@@ -70,7 +70,7 @@ bool insidePolygon(std::span<Vec2 const> corners, Vec2 p) {
 
 void spreadOver(std::span<Vec2 const> corners, std::size_t count, std::vector<Vec2>& points) {
     // Turned so that the longest edge lies along x: then a convex polygon fills at least half of its
-    // rectangle, and no more than a few points in vain are tried for one that is found.
+    // rectangle, so that only few points must be tried for each one inside.
     std::size_t longest = 0;
     auto const edge = [&](std::size_t i) { return corners[(i + 1) % corners.size()] - corners[i]; };
     for (std::size_t i = 1; i < corners.size(); ++i) {

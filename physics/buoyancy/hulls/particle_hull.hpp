@@ -15,12 +15,12 @@ public:
         double radius = 0; ///< m
     };
 
-    /// About `count` particles, 4 or more. The shape must be sound (see faultIn()).
+    /// About `count` particles, 4 or more. The shape must be valid (see faultIn()).
     ///
-    /// They are shared out among the pieces by area, at least four to each, and spread over each by the R2
-    /// sequence (Roberts 2018), which is evenly spread for any number of points and the same every time. In a
-    /// box, circle or capsule a quarter of them is spread over a quarter of it and mirrored, so that a
-    /// symmetric body floats upright.
+    /// They are divided among the pieces by area, at least four for each, and spread over each by the R2
+    /// sequence (Roberts 2018), which is deterministic and evenly spread for any number of points. In a box,
+    /// circle or capsule a quarter of them is spread over a quarter of it and mirrored, so that a symmetric
+    /// body floats upright.
     ParticleHull(Shape const& shape, int count);
     [[nodiscard]] Displacement displaced(std::span<Side const> sides, Vec2 up) const override;
 

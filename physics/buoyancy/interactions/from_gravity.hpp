@@ -1,4 +1,4 @@
-// (Buoyancy <- Gravity): buoyancy works under whatever linear gravity the world has (6.13.2).
+// (Buoyancy <- Gravity): buoyancy uses the world's linear gravity (6.13.2).
 #pragma once
 
 #include "physics/buoyancy/calls.hpp"
@@ -15,7 +15,7 @@ public:
                                         .level = "",
                                         .work = "Feeds the world's linear gravity vector to buoyancy."};
     using Activation = NeedsAll<GravityField>;
-    static constexpr bool inSetup = true; // or whatever floats would fall for a frame before it is held
+    static constexpr bool inSetup = true; // otherwise floating objects would fall for one frame
     void apply(Access& access) {
         forEach(
             [&](ObjectId id, GravityField const& field) {

@@ -11,7 +11,7 @@
 namespace trembler {
 
 /// The resistance to the motion of each immersed object, as coefficients of velocities and not as forces: so
-/// an engine can integrate it without ever overshooting, however light they are. Ascending by object.
+/// an engine can integrate it without overshooting, however light the objects are. Ascending by object.
 struct LiquidResistance {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Liquid resistance", "liquid_resistance",
@@ -24,7 +24,8 @@ struct LiquidResistance {
         double yy = 0;      ///< kg/s
         double angular = 0; ///< kg m²/s: torque against the angular velocity
         Vec2 push;          ///< N: added by a current, at the point
-        double rate = 0;    ///< 1/s, at which F_B varies as the object moves; see TellRate
+        double rate = 0;    ///< 1/s, at which F_B varies as the object moves: stated here, as whether F_B is
+                            ///< foreseen follows from this resistance; see StateRate
         EventId event;      ///< "enters the liquid"; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {

@@ -7,7 +7,8 @@
 
 namespace trembler {
 
-/// Integrals over a region, about the origin of whatever frame it is described in. They add up.
+/// Integrals over a region, about the origin of the frame in which it is described. Those of several regions
+/// can be added.
 struct AreaMoments {
     double area = 0; ///< m²
     Vec2 first;      ///< m³: ∫x, ∫y
@@ -23,7 +24,7 @@ struct AreaMoments {
     friend AreaMoments operator*(double s, AreaMoments const& m) {
         return {s * m.area, s * m.first, s * m.xx, s * m.xy, s * m.yy};
     }
-    /// Of an area that is not zero.
+    /// The area must not be zero.
     [[nodiscard]] Vec2 centroid() const { return first / area; }
     /// The same region moved by `by`.
     [[nodiscard]] AreaMoments moved(Vec2 by) const {
@@ -33,7 +34,7 @@ struct AreaMoments {
     }
 };
 
-/// Of the triangle (origin, p, q), negative if it runs clockwise.
+/// The moments of the triangle (origin, p, q), negative if it runs clockwise.
 [[nodiscard]] inline AreaMoments triangleMoments(Vec2 p, Vec2 q) {
     double const area = cross(p, q) / 2;
     double const sixth = area / 6;
@@ -42,13 +43,13 @@ struct AreaMoments {
             sixth * (p.y * p.y + p.y * q.y + q.y * q.y)};
 }
 
-/// Of a polygon, negative if its corners run clockwise.
+/// The moments of a polygon, negative if its corners run clockwise.
 [[nodiscard]] inline AreaMoments polygonMoments(std::span<Vec2 const> corners) {
     AreaMoments sum;
     if (corners.size() < 3) {
         return sum;
     }
-    Vec2 const origin = corners.front(); // a fan from here loses no digits to the distance from the origin
+    Vec2 const origin = corners.front(); // a fan from here loses no precision far from the origin
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
         sum += triangleMoments(corners[i] - origin, corners[i + 1] - origin);
     }

@@ -18,7 +18,7 @@ struct LinearGravityVector {
     static constexpr PropertyText text{"Linear gravity vector", "linear_gravity",
                                        "The acceleration due to gravity that buoyancy works with."};
     static constexpr Coverage coverage = hashed;
-    static constexpr std::string_view standing = "the gravity that was told";
+    static constexpr std::string_view standing = "the latest gravity received";
     Vec2 gravity; ///< m/s²
 
     template <class Self, class Visitor>
@@ -53,7 +53,7 @@ struct BuoyancyForce {
     }
 };
 
-/// The centres of buoyancy: of the displaced liquid's mass. Entries as in BuoyancyForce.
+/// The centres of buoyancy: the centres of mass of the displaced liquids. Entries as in BuoyancyForce.
 struct CentreOfBuoyancy {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"COB", "centre_of_buoyancy",
@@ -113,9 +113,9 @@ struct Immersions {
     }
 
     std::vector<Entry> entries;
-    double interval = 0; ///< s, for which these results stand: the resolver's period
+    double interval = 0; ///< s, for which these results are held: the resolver's period
 
-    /// By how much the pressure in the liquid grows per depth and density: m/s².
+    /// The growth of the pressure in the liquid per depth and density: m/s².
     [[nodiscard]] static double pull(Entry const& entry, Vec2 gravity) {
         return std::max(0.0, -dot(gravity, entry.up));
     }

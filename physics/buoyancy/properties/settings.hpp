@@ -10,8 +10,8 @@ struct BuoyancySettings {
     static constexpr PropertyText text{"Buoyancy settings", "buoyancy", "How exactly buoyancy is computed.",
                                        PropertyPlace::world};
     std::int32_t particles = 64;
-    /// A force that stands for a while acts as if it came half of this while too late, which feeds
-    /// oscillations. See LiquidDrag.
+    /// Compensates the delay of held forces, which adds energy to oscillations: a force that is held for a
+    /// time acts, on average, half of this time too late. See LiquidDrag.
     bool lookAhead = true;
 
     template <class Self, class Visitor>

@@ -1,4 +1,4 @@
-// Where the surface of a liquid cuts through a body. How its buoyancy changes as it moves follows from that.
+// The line where the surface of a liquid cuts a body. It determines how buoyancy changes as the body moves.
 #pragma once
 
 #include "runtime/math/vec2.hpp"
@@ -19,7 +19,7 @@ struct Waterline {
         return *this;
     }
     /// Adds the cut from a to b on a side of the liquid whose outward normal is `normal`. `up` is the unit
-    /// vector out of the liquid's surface. Sides that face down are no surface.
+    /// vector out of the liquid's surface. Sides that face down do not count.
     void add(Vec2 a, Vec2 b, Vec2 normal, Vec2 up) {
         double const weight = std::max(0.0, dot(normal, up)) * trembler::length(b - a);
         double const s = cross(a, up);

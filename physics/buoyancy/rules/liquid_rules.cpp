@@ -14,7 +14,7 @@
 namespace trembler {
 namespace {
 
-// Overlaps up to here are rounding, in the numbers of the level's author.
+// Smaller overlaps come from rounded numbers in the level file.
 constexpr double allowedOverlap = 1e-4; // m²
 
 struct Placed {
@@ -37,7 +37,8 @@ std::optional<Placed> placedLiquid(Store const& store, ObjectId id) {
 
 double common(ShapePiece const& piece, Pose const& pose, LiquidPiece const& other) {
     std::vector<Vec2> const all = straightened(piece);
-    // Two round pieces have more sides than a ClippedPolygon holds; every fifth corner of one is near enough.
+    // Two round pieces have more sides than a ClippedPolygon holds; every fifth corner of one is exact
+    // enough.
     std::size_t const step = all.size() + other.sides.size() > ClippedPolygon::capacity ? 5 : 1;
     std::vector<Vec2> corners;
     for (std::size_t i = 0; i < all.size(); i += step) {
@@ -50,7 +51,7 @@ double common(ShapePiece const& piece, Pose const& pose, LiquidPiece const& othe
     return polygonMoments(polygon.corners()).area;
 }
 
-/// All pieces of all liquids that have a place, numbered in order of objects.
+/// All pieces of all placed liquids, numbered in order of objects.
 class Pieces {
 public:
     explicit Pieces(Store const& store) : store_(store) {
@@ -80,7 +81,7 @@ public:
             std::lower_bound(liquids_.begin(), liquids_.end(), id,
                              [](PlacedLiquid const& one, ObjectId wanted) { return one.id < wanted; });
         if (found == liquids_.end() || found->id != id) {
-            return std::nullopt; // whatever is wrong with it is said elsewhere
+            return std::nullopt; // another rule reports its fault
         }
         std::vector<LiquidPiece> const pieces = liquidPieces(*found->placed.shape, found->placed.pose);
         std::optional<std::string> fault = betweenPieces(*found, pieces);
@@ -91,7 +92,7 @@ private:
     struct PlacedLiquid {
         ObjectId id;
         Placed placed;
-        std::uint32_t first; // of its pieces
+        std::uint32_t first; // number of its first piece
     };
 
     [[nodiscard]] std::optional<std::string> betweenPieces(PlacedLiquid const& liquid,

@@ -68,13 +68,13 @@ Motion motionOf(DynamicsColumns const& columns, ObjectId id, Vec2 centre) {
 
 } // namespace
 
-// Everything but the shape's spread and where the body is.
+// Everything except the shape, its mass distribution and the body's motion.
 BodySpec BodyTable::traitsOf(DynamicsColumns const& columns, ObjectId id) const {
     BodySpec spec;
     spec.object = id;
     spec.fixed = columns.fixed.has(id) || std::binary_search(still_.begin(), still_.end(), id);
     spec.bullet = columns.bullet.has(id);
-    spec.mass = spec.fixed ? Mass{}.value : valueOr(columns.mass, id).value; // nothing moves a fixed body
+    spec.mass = spec.fixed ? Mass{}.value : valueOr(columns.mass, id).value; // a fixed body never moves
     spec.friction = valueOr(columns.friction, id).coefficient;
     spec.restitution = valueOr(columns.restitution, id).coefficient;
     spec.groups = valueOr(columns.groups, id);
@@ -111,7 +111,7 @@ void BodyTable::addMissing(DynamicsColumns const& columns, Engine& engine, std::
     for (std::size_t row = 0; row < owners.size(); ++row) {
         ObjectId const id = owners[row];
         if (slotOf(id) != noSlot || columns.liquid.has(id)) {
-            continue; // liquids collide with nothing (6.13.2)
+            continue; // liquids have no collisions (6.13.2)
         }
         Body body;
         body.shape = columns.shape.values()[row];
@@ -147,7 +147,7 @@ void BodyTable::addMissing(DynamicsColumns const& columns, Engine& engine, std::
         Shape const ordered = inOrder(bodies_[slot].shape);
         bodies_[slot].spec.shape = &ordered;
         engine.addBody(slot, bodies_[slot].spec);
-        bodies_[slot].spec.shape = nullptr; // it is the engine's for the moment only
+        bodies_[slot].spec.shape = nullptr; // only the engine uses it, during addBody()
     }
 }
 

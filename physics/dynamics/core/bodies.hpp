@@ -1,4 +1,4 @@
-// The rigid bodies that an engine holds, kept in step with the columns.
+// The rigid bodies of an engine, kept consistent with the columns.
 #pragma once
 
 #include "physics/dynamics/core/columns.hpp"
@@ -27,29 +27,29 @@ struct alignas(64) Body {
     BodySpec spec;
 };
 
-/// New bodies are added in ascending order of objects, whatever the order in which they came into being.
+/// New bodies are added in ascending order of objects, independent of the order in which the objects were
+/// created.
 class BodyTable {
 public:
-    /// Finds out which bodies must go: their object is gone, or one of the properties that they are made from
-    /// has changed. Ascending slots.
+    /// The bodies that must be removed: their object no longer exists, or one of the properties that they are
+    /// made from has changed. Ascending slots.
     [[nodiscard]] std::vector<SlotIndex> outdated(DynamicsColumns const& columns) const;
     void remove(SlotIndex slot, Engine& engine);
-    /// Adds every object that has a shape and is not there yet. An object that is not sound goes to
-    /// `refusals`.
+    /// Adds every object that has a shape and no body yet. An invalid object is added to `refusals`.
     void addMissing(DynamicsColumns const& columns, Engine& engine, std::vector<Refusal>& refusals);
-    /// Follows changes of the columns that this simulation has not made itself.
+    /// Applies changes of the columns by others than this simulation.
     void followMotion(DynamicsColumns const& columns, Engine& engine);
-    /// Finds the rows again after any of the written columns has gained or lost some.
+    /// Finds the rows again after rows of any written column were added or removed.
     void findRows(DynamicsColumns const& columns);
 
-    /// These stand still, whatever they state, from when they are next added. Ascending.
+    /// Makes these objects (ascending) fixed bodies, whatever they state, when they are next added.
     void standStill(std::vector<ObjectId> objects) { still_ = std::move(objects); }
 
-    /// noSlot if the object is no body.
+    /// noSlot if the object has no body.
     [[nodiscard]] SlotIndex slotOf(ObjectId object) const { return slots_.find(object); }
     [[nodiscard]] std::span<Body const> bodies() const { return bodies_; }
     [[nodiscard]] Body const& operator[](SlotIndex slot) const { return bodies_[slot]; }
-    /// Whether there is a body that moves in the slot, which may be noSlot.
+    /// Whether the slot, which may be noSlot, has a movable body.
     [[nodiscard]] bool moves(SlotIndex slot) const {
         return slot != noSlot && bodies_[slot].object.valid() && !bodies_[slot].fixed;
     }

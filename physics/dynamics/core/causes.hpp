@@ -9,24 +9,25 @@
 
 namespace trembler {
 
-/// A cause of a body's motion is also one of all bodies that are tied to it or touch it at that time: the
-/// plank that a magnet pulls takes the ball that lies on it along. Fixed bodies pass nothing on.
+/// A cause of a body's motion is also one of all bodies that are joined to it or touch it at that time: a
+/// plank that a magnet pulls carries the ball on it along. Fixed bodies pass no causes on.
 class CauseBook {
 public:
-    static constexpr std::size_t most = 16;  ///< causes per body; the oldest that acts no longer goes first
+    static constexpr std::size_t most =
+        16; ///< causes per body; the oldest that no longer acts is dropped first
     static constexpr std::size_t reach = 64; ///< bodies that one event is passed on to
 
-    /// Before held calls are drained: none is acting until it is named again.
+    /// To be called before held calls are drained: no cause is acting until act() is called for it.
     void startActing(std::size_t slots);
     /// A held call acts on a body.
     void act(SlotIndex slot, EventId cause);
-    /// Something happened to a body once.
+    /// An event affected a body once.
     void note(SlotIndex slot, EventId cause);
-    /// Passes new causes on to bodies that touch or are tied together.
+    /// Passes new causes on to bodies that touch or are joined.
     void spread(BodyTable const& bodies, JointTable const& joints, std::span<TouchingPair const> touching);
     void forget(SlotIndex slot);
 
-    /// The causes of two bodies' motion (or of one), ascending, without repeats. noSlot has none.
+    /// The causes of two bodies' motion (or of one), ascending, without repeats; none for noSlot.
     [[nodiscard]] std::vector<EventId> of(SlotIndex a, SlotIndex b = noSlot) const;
 
 private:

@@ -31,7 +31,7 @@ struct DynamicsColumns {
     Column<Velocity> const& velocity;
     Column<AngularVelocity> const& spin;
 
-    /// Changes with every property that a body is made from, except its position.
+    /// Changes when any property that a body is made from changes, except its position.
     [[nodiscard]] std::uint64_t bodiesVersion() const {
         return shape.version() + mass.version() + fixed.version() + bullet.version() + friction.version() +
                restitution.version() + groups.version() + damping.version() + liquid.version();
@@ -45,7 +45,7 @@ struct DynamicsColumns {
         return position.structureVersion() + rotation.structureVersion() + velocity.structureVersion() +
                spin.structureVersion();
     }
-    /// Clamped to the ranges of its description, whichever program wrote it.
+    /// Clamped to the ranges of the description, as programs may write other values.
     [[nodiscard]] DynamicsSettings worldSettings() const {
         DynamicsSettings made = settings.empty() ? DynamicsSettings{} : settings.values().front();
         made.substeps = std::clamp(made.substeps, 0, 64);

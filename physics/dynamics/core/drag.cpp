@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-// The rest of a load, from all of it to nothing.
+// The rest of a load, between all of it and zero.
 double left(double load, double taken) {
     return std::clamp(load + taken, std::min(load, 0.0), std::max(load, 0.0));
 }
@@ -32,7 +32,7 @@ bool isResistance(double xx, double xy, double yy, double angular) {
 }
 
 Twist dragImpulse(Drag const& drag, double mass, double inertia, Twist const& free, double h) {
-    // In units in which every inertia is 1 the matrix is 1 + h D': its Cholesky factors never come near zero.
+    // In units in which every inertia is 1 the matrix is 1 + h D': its Cholesky factors are never near zero.
     double const m = 1 / std::sqrt(mass);
     double const t = 1 / std::sqrt(inertia);
     double const a = 1 + h * m * m * drag.xx;

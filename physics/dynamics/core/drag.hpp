@@ -6,7 +6,7 @@
 namespace trembler {
 
 /// The symmetric, positive semidefinite matrix D of a resistance -D (vx, vy, ω) to the motion of a body,
-/// about its centre of mass. Several add up.
+/// about its centre of mass. Several resistances can be added.
 struct Drag {
     double xx = 0; ///< kg/s
     double xy = 0;
@@ -16,18 +16,17 @@ struct Drag {
     double tt = 0; ///< kg m²/s
 
     [[nodiscard]] bool any() const { return xx > 0 || yy > 0 || tt > 0; }
-    /// Adds one that acts at `arm` (m) from the centre of mass: a force of -(axx, axy; axy, ayy) times the
-    /// velocity of that point, and a torque of -angular times ω.
+    /// Adds a resistance that acts at `arm` (m) from the centre of mass: a force of -(axx, axy; axy, ayy)
+    /// times the velocity of that point, and a torque of -angular times ω.
     void add(Vec2 arm, double axx, double axy, double ayy, double angular);
 };
 
-inline constexpr double maximumDrag = 1e15; ///< kg/s, kg m²/s: more is as good as infinitely much
+inline constexpr double maximumDrag = 1e15; ///< kg/s, kg m²/s: greater values have the same effect
 
-/// Whether the coefficients are those of a resistance: it never accelerates a body, and is not beyond
-/// maximumDrag.
+/// Whether the coefficients are valid: they never accelerate a body, and do not exceed maximumDrag.
 [[nodiscard]] bool isResistance(double xx, double xy, double yy, double angular);
 
-/// A velocity, or a momentum, of a body: of its centre of mass and of its turning.
+/// A velocity or a momentum of a body: of its centre of mass and of its rotation.
 struct Twist {
     Vec2 linear;
     double angular = 0;
@@ -35,21 +34,21 @@ struct Twist {
 
 /// The impulse (N s, N m s) that drag exerts within a time h (s) on a body that would otherwise leave it with
 /// momentum `free`: by the implicit Euler method, (M + h D) v' = free, so that it slows the body down, but
-/// never turns it back, whatever the coefficients.
+/// never reverses its motion, whatever the coefficients.
 [[nodiscard]] Twist dragImpulse(Drag const& drag, double mass, double inertia, Twist const& free, double h);
 
 /// Drag on one body, substep by substep.
 ///
 /// Drag must resist the acceleration by the loads within the step, or light bodies would get far too fast
-/// before it acts. But a load that joints and contacts take up accelerates nothing: a raft that lies still
-/// under its cargo must feel no drag. The part that they took up in the last substep is a good guess at the
-/// part that they will take up in this one; it counts against the load, and never for more than that.
+/// before it acts. But a load that joints and contacts bear causes no acceleration: a raft that lies still
+/// under its cargo must have no drag. The part that they bore in the last substep is a good estimate of the
+/// part that they will bear in this one; it is subtracted from the load, at most down to zero.
 class DraggedBody {
 public:
     Drag drag;
 
-    /// The impulse to apply before a substep of h (s), to a body of momentum `now` on which a load is going
-    /// to exert the impulse `load`.
+    /// The impulse to apply before a substep of h (s), to a body of momentum `now` on which a load will exert
+    /// the impulse `load`.
     [[nodiscard]] Twist before(double mass, double inertia, Twist const& now, Twist const& load, double h);
     /// Receives the momentum after the substep.
     void after(Twist const& now);

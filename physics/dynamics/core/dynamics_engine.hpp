@@ -6,11 +6,12 @@
 
 namespace trembler {
 
-/// The value that a DynamicsResolver is registered with: a constant, as it must outlive every registry.
+/// The value with which a DynamicsResolver is registered; a constant, as it must outlive every registry.
 struct DynamicsEngine {
     ComponentText text;
     EngineMaker make = nullptr;
-    std::string_view missing{}; ///< why this program was built without it, and what helps; "" if it is there
+    std::string_view
+        missing{}; ///< why this program was built without it, and what to install; "" if it has it
 };
 
 } // namespace trembler

@@ -22,7 +22,7 @@ Vec2 centreNow(DynamicsColumns const& columns, Body const& body) {
 
 } // namespace
 
-// Box2D takes over where another engine cannot go on.
+// Box2D takes over if another engine fails.
 DynamicsResolver::DynamicsResolver(ComponentInfo const& info, DynamicsEngine const& engine)
     : Resolver(info), simulation_(engine.make, engine.text.level, makeBox2dEngine) {}
 
@@ -59,8 +59,8 @@ void DynamicsResolver::advance(Access& access) {
         overloadNews_ = false;
     }
     if (moved || contactsChanged) {
-        // Bodies that come to rest are reported even if no component reads that yet: one that comes later
-        // finds them as they lie.
+        // Bodies that come to rest are reported even if no component reads that yet: one constructed later
+        // then has their final state.
         bool const atRest = !simulation_.anyAwake();
         if (moved) {
             updateJoints(access, atRest || access.wanted<JointForces>());
@@ -78,7 +78,7 @@ bool DynamicsResolver::compute(Access& access, DynamicsColumns const& columns) {
     for (;;) {
         try {
             for (Refusal const& refusal : simulation_.follow(columns)) {
-                if (access.tracing() && told_.insert({refusal.object, refusal.why}).second) {
+                if (access.tracing() && recorded_.insert({refusal.object, refusal.why}).second) {
                     access.event("refused: " + refusal.why, {refusal.object}, {});
                 }
             }
@@ -87,7 +87,8 @@ bool DynamicsResolver::compute(Access& access, DynamicsColumns const& columns) {
             }
             drainImpulses(access);
             simulation_.engine().noteImpacts(access.wanted<Impacts>());
-            simulation_.engine().findTouchesAtEnd(simulation_.readsTouches() || access.calledFor<Contacts>());
+            simulation_.engine().findTouchesAtEnd(simulation_.readsTouches() ||
+                                                  access.hasOwnReaders<Contacts>());
             return simulation_.step(access.duration(), columns, access.provided<Contacts>().current);
         } catch (EngineFailure const& failure) {
             giveUp(access, failure);
@@ -119,8 +120,8 @@ void DynamicsResolver::drainLoads(Access& access, DynamicsColumns const& columns
     if (tracing) {
         simulation_.causes().startActing(bodies.bodies().size());
     }
-    // Calls about objects that are gone, fixed or no bodies have no effect; nor have forces that are not
-    // finite.
+    // Calls for objects that do not exist, are fixed or are no bodies have no effect, and neither do forces
+    // that are not finite.
     auto const take = [&](ObjectId object, bool finite, CallOrigin const& origin, auto&& add) {
         SlotIndex const slot = bodies.slotOf(object);
         if (slot == noSlot || bodies[slot].fixed) {
@@ -163,7 +164,7 @@ void DynamicsResolver::drainLoads(Access& access, DynamicsColumns const& columns
         });
     });
     simulation_.endLoads();
-    access.forCalls<TellRate>([&](TellRate const& call, CallOrigin const&) { simulation_.noteRate(call); });
+    access.forCalls<StateRate>([&](StateRate const& call, CallOrigin const&) { simulation_.noteRate(call); });
     provideIfOther(access, simulation_.rates());
 }
 
@@ -189,7 +190,7 @@ void DynamicsResolver::drainImpulses(Access& access) {
 }
 
 void DynamicsResolver::refuse(Access& access, ObjectId object, std::string const& why, EventId cause) {
-    if (access.tracing() && told_.insert({object, why}).second) {
+    if (access.tracing() && recorded_.insert({object, why}).second) {
         access.event("refused: " + why, {object}, {cause});
     }
 }

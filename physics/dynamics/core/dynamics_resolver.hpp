@@ -16,8 +16,9 @@ namespace trembler {
 
 /// Registered once for each engine, Registry::component<DynamicsResolver>(engine).
 ///
-/// Position is the origin of an object's frame, Velocity that of its centre of mass, which is elsewhere where
-/// a shape is not centred on its origin (see centreOfMass()). A frame's forces stand for all its substeps.
+/// Position is the origin of an object's frame. Velocity is that of its centre of mass, which differs from
+/// the origin if the shape is not centred on it (see centreOfMass()). Forces are held for all substeps of a
+/// frame.
 class DynamicsResolver final
     : public Resolver<DynamicsResolver, DynamicsRole,
                       Reads<Shape, Mass, Fixed, Bullet, Friction, Restitution, CollisionGroups, Damping,
@@ -28,14 +29,14 @@ class DynamicsResolver final
 public:
     using Activation = NeedsAll<Shape>;
     static constexpr Coverage memory =
-        leftOut("the engine's world: bodies and joints follow from their columns, but what it starts each "
-                "solution with, how long bodies have been still and in which order it found contacts no "
-                "engine lets anybody read; beside it the loads under which bodies fell asleep and those "
-                "for which substeps were last found; equal recordings give equal ones");
+        leftOut("the engine's world: bodies and joints follow from their columns, but engines give no access "
+                "to their initial solutions, sleep timers and order of contacts; also the loads under "
+                "which bodies fell asleep and for which substeps were last chosen; equal recordings "
+                "give equal ones");
 
     DynamicsResolver(ComponentInfo const& info, DynamicsEngine const& engine);
 
-    // News of one frame must be taken back in the next, even if all bodies are at rest by then.
+    // News of one frame must be cleared in the next, even if all bodies are then at rest.
     [[nodiscard]] bool restless() const {
         return simulation_.anyAwake() || contactNews_ || overloadNews_ || impactNews_;
     }
@@ -43,8 +44,8 @@ public:
     void advance(Access& access);
 
 private:
-    /// Moves bodies on, with another engine if need be: until it is done the columns stay as they are.
-    /// Returns whether any has moved.
+    /// Computes the motion of bodies, with another engine if the first fails; the columns do not change until
+    /// it succeeds. Returns whether any body has moved.
     bool compute(Access& access, DynamicsColumns const& columns);
     void giveUp(Access& access, EngineFailure const& failure);
     void drainLoads(Access& access, DynamicsColumns const& columns);
@@ -55,7 +56,7 @@ private:
     /// Returns whether the pairs that touch have changed.
     bool updateContacts(Access& access);
     void traceContacts(Access& access);
-    /// Of all joints, or only of those that can break.
+    /// Updates the forces of all joints, or only of those that can break.
     void updateJoints(Access& access, bool all);
     void updatePatches(Access& access);
     void updateImpacts(Access& access, bool moved);
@@ -63,8 +64,8 @@ private:
 
     Simulation simulation_;
     bool begun_ = false;
-    Contacts next_;                                   // kept for its memory
-    std::set<std::pair<ObjectId, std::string>> told_; // refusals that the trace knows
+    Contacts next_;                                       // a member to reuse its memory
+    std::set<std::pair<ObjectId, std::string>> recorded_; // refusals that are in the trace
     bool pointForces_ = false;
     bool contactNews_ = false;
     bool impactNews_ = false;

@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-// Where a failed check on this thread goes.
+// The target of the jump for a failed check on this thread.
 struct Landing {
     std::jmp_buf place{};
     std::array<char, 256> words{};
@@ -58,14 +58,15 @@ void guardBox2d(std::function<void()> const& work) {
 
 void abandon(std::unique_ptr<Abandonable> engine) {
     static std::mutex mutex;
-    static auto* const all = new std::vector<Abandonable*>; // never freed, and no leak
+    static auto* const all =
+        new std::vector<Abandonable*>; // never freed, but reachable, so no leak is reported
     std::lock_guard const lock(mutex);
     all->push_back(engine.release());
 }
 
 } // namespace trembler
 
-// The function that assert() calls in glibc. Defined here it replaces the C library's in the whole program:
+// The function that assert() calls in glibc. This definition replaces the C library's in the whole program;
 // outside of a guard it does the same.
 extern "C" [[noreturn]] __attribute__((visibility("default"))) void
 tremblerAssertionFailed(char const* assertion, char const* file, unsigned line,

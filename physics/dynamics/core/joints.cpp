@@ -20,7 +20,8 @@ void JointTable::removeOutdated(DynamicsColumns const& columns, std::span<SlotIn
         out[slot] = joint == nullptr || anchors == nullptr || !(*joint == tied.joint) ||
                     !(*anchors == tied.anchors) || goes(tied.a) || goes(tied.b);
     }
-    for (std::size_t slot = 0; slot < joints_.size(); ++slot) { // gears go before the joints that they couple
+    for (std::size_t slot = 0; slot < joints_.size();
+         ++slot) { // gears are removed before the joints that they couple
         TiedJoint const& tied = joints_[slot];
         if (tied.object.valid() && tied.gearA != noSlot &&
             (out[slot] || out[tied.gearA] || out[tied.gearB])) {

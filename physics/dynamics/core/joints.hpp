@@ -1,4 +1,4 @@
-// The joints that an engine holds, kept in step with the columns.
+// The joints of an engine, kept consistent with the columns.
 #pragma once
 
 #include "physics/dynamics/core/bodies.hpp"
@@ -18,10 +18,10 @@ struct TiedJoint {
 /// Joints are added in ascending order of objects, gears after all others.
 class JointTable {
 public:
-    /// Takes away the joints that are gone or changed, or whose bodies go (`going`, ascending), and the gears
-    /// that depend on them.
+    /// Removes the joints that no longer exist or have changed, or whose bodies are removed (`going`,
+    /// ascending), and the gears that depend on them.
     void removeOutdated(DynamicsColumns const& columns, std::span<SlotIndex const> going, Engine& engine);
-    /// Adds every joint that is not there yet. A joint that is not sound goes to `refusals`.
+    /// Adds every joint that the engine does not have yet. An invalid joint is added to `refusals`.
     void addMissing(DynamicsColumns const& columns, BodyTable const& bodies, Engine& engine,
                     std::vector<Refusal>& refusals);
     /// By slot.

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double relativeChange = 0.002;
 constexpr double muchChange = 0.125;
-// Box2D and Chipmunk take a body slower than 0.01 m/s to be at rest.
+// Box2D and Chipmunk regard a body slower than 0.01 m/s as at rest.
 constexpr double leastAcceleration = 1e-5; // m/s²
 
-// Sums of huge forces may have left the numbers.
+// Sums of huge forces may not be finite.
 double tame(double value) {
     return std::isfinite(value) ? std::clamp(value, -1e100, 1e100) : 0;
 }

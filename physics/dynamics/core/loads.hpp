@@ -1,4 +1,4 @@
-// The forces that act on bodies from outside: sums of held calls, and the rule by which they wake sleepers.
+// The external forces on bodies: sums of held calls, and the rule by which they wake sleeping bodies.
 #pragma once
 
 #include "physics/dynamics/core/bodies.hpp"
@@ -7,13 +7,13 @@
 
 namespace trembler {
 
-/// The sum of the forces on one body, whichever effects they come from.
+/// The sum of the forces of all effects on one body.
 struct LoadSum {
     Load load;
-    double gross = 0; ///< N, of all forces, whichever way they point
+    double gross = 0; ///< N, sum of the magnitudes of all forces
 };
 
-/// Sums are made in the order in which calls are drained, which depends on no thread.
+/// Sums are added in the order in which calls are drained, which does not depend on threads.
 class LoadTable {
 public:
     /// Starts new sums.
@@ -29,18 +29,18 @@ public:
         drags_.resize(sums_.size());
         drags_[slot].add(arm, xx, xy, yy, angular);
     }
-    /// Ends the sums: hands them to the engine, and wakes sleepers whose load has changed since they fell
-    /// asleep by more than a five-hundredth of all the forces that it is made of. For a body at rest under
-    /// Earth's gravity that is 0.02 m/s², which an engine that puts bodies to sleep takes for rest anyway.
-    /// Nor does a load wake a body if it would need a quarter of an hour to accelerate it to the speed that
-    /// such an engine takes for rest, however weak all other forces on it are.
+    /// Finishes the sums: passes them to the engine, and wakes sleeping bodies whose load has changed since
+    /// they fell asleep by more than a five-hundredth of the magnitudes of all its forces. For a body at rest
+    /// under Earth's gravity that is 0.02 m/s², which engines with sleeping bodies regard as rest anyway. A
+    /// load does not wake a body, either, if it would need a quarter of an hour to accelerate it to a speed
+    /// above rest, however weak all other forces on it are.
     void apply(std::span<Body const> bodies, Engine& engine);
-    /// Remembers the load under which bodies have fallen asleep. After each step.
+    /// Records the load under which bodies have fallen asleep. To be called after each step.
     void noteSleepers(Engine const& engine);
-    /// The present sums, by slot; without resistance to motion. It may end before the last slot.
+    /// The present sums, by slot, without resistance to motion. The list may end before the last slot.
     [[nodiscard]] std::span<LoadSum const> sums() const { return sums_; }
-    /// Whether any force is another one, by more than an eighth of all the forces that it is made of, than
-    /// when this was last true: O(bodies).
+    /// Whether any force has changed, since the last call that returned true, by more than an eighth of the
+    /// magnitudes of its parts. O(bodies).
     [[nodiscard]] bool changedMuch();
 
 private:
@@ -49,7 +49,7 @@ private:
     std::vector<LoadSum> sums_;
     std::vector<LoadSum> known_; // when changedMuch() was last true
     std::vector<Load> loads_;
-    std::vector<Drag> drags_;  // empty while nothing resists any motion
+    std::vector<Drag> drags_;  // empty while there is no resistance
     std::vector<Load> atRest_; // under which a body fell asleep
     std::vector<std::uint8_t> asleep_;
 };

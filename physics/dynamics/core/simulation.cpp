@@ -10,53 +10,52 @@
 namespace trembler {
 namespace {
 
-// Semi-implicit Euler needs ω dt < 2. Twice as fine also keeps a zig-zag from swinging visibly; welds that an
-// engine solves one by one, and turns back by the hold of one point, need more. Measured:
+// Semi-implicit Euler needs ω dt < 2. Half of this step also prevents a visible zig-zag; welds that an engine
+// solves one by one, and holds at a single point, need smaller steps. Measured:
 // docs/measurements/stability.md.
 constexpr double tautMargin = 2;
 constexpr double weldMargin = 6;
-// The mass that rests on a body, as a multiple r of its own: 0.9 √r substeps hold stacks of equals. Something
-// heavy on something light takes more rounds as well, half of r, between these two.
+// With r the mass that rests on a body as a multiple of its own, 0.9 √r substeps suffice for stacks of equal
+// bodies. A heavy body on a light one also needs more iterations, half of r, between these two limits.
 constexpr double stackFactor = 0.9;
 constexpr double heaviest = 32;
 constexpr int mostRounds = 64;
-// Joints in one piece that an engine can still solve one by one, in the iterations of a few substeps.
+// The greatest number of connected joints that an engine can solve one by one in the iterations of a few
+// substeps.
 constexpr std::size_t largestOneByOne = 24;
-// New joints carry no load yet, and where they are solved one by one, bodies that hang on them would fall,
-// stretch them and never stop swinging. So, where much pulls at them, their loads are found with many more
-// iterations in the frame in which they are made and in the next, in which forces first act on the new
-// bodies.
+// New joints carry no load yet. If they are solved one by one, bodies that hang on them would fall, stretch
+// them and never stop swinging. So, if they carry much, their loads are computed with many more iterations in
+// the frame in which they are created and in the next one, in which forces first act on the new bodies.
 constexpr int settlingFrames = 2;
 constexpr int settlingSubsteps = 64;
 constexpr int settlingIterations = 256;
-// Box2D lets nothing move by more than 2 of its units, or turn by more than a quarter, in one step.
+// Box2D limits the motion of a body in one step to 2 of its units and a quarter of a turn.
 constexpr double farthestPerStep = 1.9;
 constexpr double widestPerStep = 1.5;
 constexpr int leastSubsteps = 4;
-// But where everything flies freely, under forces that vary and do not allow for the time for which they
-// stand, a step is a frame, as long as they do. Split up, it would let these lag behind, and the energy of an
-// orbit grow without end. A body that swings by a force that looks ahead has an energy that ripples by about
-// half of the angle, in rad, by which it swings in a step, as the semi-implicit Euler method has velocities
-// half a step ahead of places.
+// But if all bodies fly freely, under varying forces that do not look ahead, a step is a frame. Split into
+// substeps, the forces would lag, and the energy of an orbit would grow without bound. With a force that
+// looks ahead, a body's energy ripples by about half of the angle, in rad, by which it swings in a step, as
+// the semi-implicit Euler method has velocities half a step ahead of places.
 constexpr double swingPerStep = 0.18;
-// Where many bodies fall together under such forces, the energy that each impact adds becomes too much, and
-// six substeps instead of four keep it small; more would not help.
+// If many bodies fall together under such forces, impacts add too much energy; six substeps instead of four
+// keep it small, more do not help.
 constexpr std::size_t manyBodies = 20;
 constexpr double swingPerStepOfMany = 0.06;
 constexpr double substepsOfMany = 6;
-// After so many failures in one frame nothing moves any more.
+// After this many failures in one frame all bodies are held still.
 constexpr int mostFailures = 4;
 
-// Substeps, as they are stated and as they are found, are those of a frame: a part of one has its share of
-// them. Where Dynamics has a period, the frames that it then computes at once have as many as one.
+// Stated and automatic numbers of substeps are those of a frame: a part of a frame has its share of them. If
+// Dynamics has a period, the frames that it computes at once have together as many as one frame.
 double shareOf(double duration) {
     return std::min(1.0, duration / frameDuration);
 }
 
 } // namespace
 
-// The unit of an automatic scale is chosen for the first bodies that move, and kept as long as any do: a new
-// unit is a new engine, which knows nothing of the old one's contacts.
+// The unit of an automatic scale is chosen for the first movable bodies, and kept while there are any: a new
+// unit needs a new engine, without the old one's contacts.
 double Simulation::scaleNow(DynamicsSettings const& settings, DynamicsColumns const& columns) const {
     if (settings.scale != DynamicsSettings::automatic) {
         return settings.scale;
@@ -85,7 +84,7 @@ void Simulation::makeEngine(DynamicsSettings const& settings, DynamicsColumns co
     jointsNew_ = contactsNew_ = true;
 }
 
-void Simulation::noteRate(TellRate const& call) {
+void Simulation::noteRate(StateRate const& call) {
     if (!bodies_.moves(bodies_.slotOf(call.object)) || !std::isfinite(call.rate)) {
         return;
     }
@@ -198,7 +197,7 @@ DynamicsSettings Simulation::chosen(double duration, DynamicsColumns const& colu
         double fastest = 0;
         double spin = 0;
         std::size_t moving = 0;
-        for (Body const& body : bodies_.bodies()) { // objects that are no bodies may have any velocity
+        for (Body const& body : bodies_.bodies()) { // objects without bodies may have any velocity
             if (body.object.valid() && !body.fixed) {
                 ++moving;
                 Vec2 const velocity = columns.velocity.values()[body.rows.velocity].value;
@@ -274,12 +273,12 @@ void Simulation::giveUp(EngineFailure const& failure) {
         maker_ = standIn_;
         stoodIn_ = true;
     } else {
-        // Bodies whose numbers are no longer finite stand still from now on; all bodies, if these cannot be
+        // Bodies whose numbers are not finite are held still from now on; all bodies, if these cannot be
         // found or if that does not help.
         std::vector<ObjectId> stopping;
         if (engine_ && ++failures_ < mostFailures) {
             for (SlotIndex const slot : engine_->lost()) {
-                if (!bodies_[slot].fixed) { // a fixed body may be affected too, and is put back
+                if (!bodies_[slot].fixed) { // fixed bodies are put back
                     stopping.push_back(bodies_[slot].object);
                 }
             }

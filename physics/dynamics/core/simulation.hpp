@@ -1,5 +1,5 @@
-// Bodies, joints, loads and contacts around an engine: all of Dynamics that depends neither on which engine
-// it is nor on how a resolver gets at its properties.
+// Bodies, joints, loads and contacts around an engine: the part of Dynamics that depends neither on the
+// engine nor on how a resolver accesses its properties.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"
@@ -17,34 +17,34 @@ namespace trembler {
 
 class Simulation {
 public:
-    /// `standIn` makes the engine that takes over where the first cannot go on; they may be the same. `level`
-    /// names the first.
+    /// `standIn` makes the engine that takes over if the first fails; they may be the same. `level` names the
+    /// first.
     Simulation(EngineMaker maker, std::string_view level, EngineMaker standIn)
         : maker_(maker), level_(level), standIn_(standIn) {}
 
-    /// Takes the world over as an earlier simulation left it. To be called before anything else.
+    /// Continues from the state of an earlier simulation. To be called before any other function.
     void takeOver(EngineState const& state);
-    /// To be called when any function of this class, or of its engine, has thrown: from here on another
-    /// engine computes, or the same with some bodies standing still. follow() and all calls after it must
-    /// then be made again.
+    /// To be called when any function of this class, or of its engine, has thrown: from then on another
+    /// engine computes the motion, or the same one with some bodies held still. follow() and all calls after
+    /// it must then be made again.
     void giveUp(EngineFailure const& failure);
-    /// Everything that has been given up so far.
+    /// All failures so far.
     [[nodiscard]] EngineState const& state() const { return state_; }
 
-    /// Brings bodies and joints into line with the columns. Cheap while these have not changed. Objects that
-    /// are not sound are left out and returned, each time it has had to look at them.
+    /// Updates bodies and joints from the columns. Cheap while these have not changed. Invalid objects are
+    /// left out and returned each time they are checked.
     [[nodiscard]] std::vector<Refusal> follow(DynamicsColumns const& columns);
-    /// True if loads must be summed again, because bodies came or went.
+    /// True if loads must be summed again, because bodies were added or removed.
     [[nodiscard]] bool loadsStale() const { return loadsStale_; }
     void startLoads() {
         loads_.clear(bodies_.bodies().size());
         rates_ = {};
     }
     void endLoads();
-    void noteRate(TellRate const& call);
-    /// Of all calls of noteRate() since startLoads().
+    void noteRate(StateRate const& call);
+    /// The summary of all calls of noteRate() since startLoads().
     [[nodiscard]] ForceRates const& rates() const { return rates_; }
-    /// Moves everything on by `duration` (s), given the pairs that touch; returns false if all bodies are at
+    /// Computes the motion for `duration` (s), given the pairs that touch; returns false if all bodies are at
     /// rest and nothing was done.
     bool step(double duration, DynamicsColumns const& columns, std::span<TouchingPair const> touching);
     /// Whether the next step depends on which pairs touch: the automatic choice of substeps does.
@@ -54,8 +54,8 @@ public:
     /// The settings with which the last step was computed.
     [[nodiscard]] SolverChoice const& choice() const { return choice_; }
     [[nodiscard]] ForceLag const& lag() const { return lag_; }
-    /// To be called after the moved bodies have been written into the columns, so that it does not take these
-    /// new versions for changes by others.
+    /// To be called after the moved bodies have been written into the columns, so that the new versions do
+    /// not count as changes by others.
     void noteWritten(DynamicsColumns const& columns) { motionVersion_ = columns.motionVersion(); }
 
     [[nodiscard]] Engine& engine() { return *engine_; }
@@ -87,16 +87,16 @@ private:
     DynamicsSettings settings_; // as stated
     SolverChoice choice_;
     ForceLag lag_;
-    double engineScale_ = 0;     // that the engine was made with
-    double jointSubsteps_ = 0;   // that the joints ask for
-    double contactSubsteps_ = 0; // that the contacts ask for
-    int contactRounds_ = 0;      // of the solver, that they ask for
-    double demandFor_ = 0;       // s, of the turn that the joints' demand was found for
-    bool jointsNew_ = true;      // since their demand was found
+    double engineScale_ = 0;     // of the present engine
+    double jointSubsteps_ = 0;   // that the joints need
+    double contactSubsteps_ = 0; // that the contacts need
+    int contactRounds_ = 0;      // iterations that the contacts need
+    double demandFor_ = 0;       // s, duration of the turn for which the joints' demand was computed
+    bool jointsNew_ = true;      // since their demand was computed
     bool contactsNew_ = true;    // likewise
     bool loadsNew_ = false;      // likewise
-    int settling_ = 0;           // frames in which new joints still look for their loads
-    bool settles_ = false;       // and those are such that it takes more than usual
+    int settling_ = 0;           // frames left for computing the loads of new joints
+    bool settles_ = false;       // these need more iterations than usual
     BodyTable bodies_;
     JointTable joints_;
     LoadTable loads_;

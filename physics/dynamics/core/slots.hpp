@@ -1,4 +1,4 @@
-// Small numbers for objects, used again when their objects are gone.
+// Small numbers for objects, reused when their objects no longer exist.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -10,7 +10,7 @@ namespace trembler {
 
 class SlotBook {
 public:
-    /// The lowest free slot, from now on this object's.
+    /// Assigns the lowest free slot to the object.
     SlotIndex take(ObjectId object) {
         SlotIndex slot = static_cast<SlotIndex>(objects_.size());
         if (free_.empty()) {
@@ -41,7 +41,7 @@ public:
         SlotIndex const slot = byIndex_[object.index];
         return slot != noSlot && objects_[slot] == object ? slot : noSlot;
     }
-    /// The object in every slot; invalid where it is free.
+    /// The object in every slot; invalid for a free slot.
     [[nodiscard]] std::span<ObjectId const> objects() const { return objects_; }
 
 private:

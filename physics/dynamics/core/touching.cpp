@@ -8,7 +8,7 @@
 namespace trembler {
 namespace {
 
-// Of two pairs. Inline: called for each pair that touches, in each frame.
+// The order of two pairs. Inline: called for each pair that touches, in each frame.
 template <class X, class Y>
 inline std::strong_ordering orderOf(X const& x, Y const& y) {
     return std::tie(x.a, x.b) <=> std::tie(y.a, y.b);

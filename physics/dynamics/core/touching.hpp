@@ -1,4 +1,4 @@
-// Which bodies touch, from the beginnings and ends that an engine reports piece by piece.
+// The pairs of bodies that touch, from the touches of pieces that an engine reports.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -9,15 +9,15 @@ namespace trembler {
 /// Counts, for each pair of objects, the pairs of pieces that touch.
 class TouchBook {
 public:
-    /// Takes the changes in and empties the list. What changed() after it must be marked as seen before the
+    /// Applies the changes and empties the list. The result of changed() must be marked as seen before the
     /// next call.
     void take(std::vector<TouchChange>& changes);
-    /// Writes into `next` how the world's contacts go on from `before`: the pairs that touch now, and those
-    /// that began and ended since. Works from any `before`, so that it holds across a change of engines.
-    /// Events are carried over.
+    /// Writes the contacts that follow `before` into `next`: the pairs that touch now, and the pairs that
+    /// began and ended to touch since. Works with any `before`, so also after a change of engines. Events are
+    /// copied.
     void compare(Contacts const& before, Contacts& next) const;
     [[nodiscard]] bool changed() const { return changed_; }
-    /// Whether anything touches anything.
+    /// Whether any pair touches.
     [[nodiscard]] bool any() const { return !counts_.empty(); }
     void markSeen() {
         changed_ = false;
@@ -31,7 +31,7 @@ private:
         int pieces = 0;
     };
     std::vector<Count> counts_; // ascending by pair, above 0
-    std::vector<Count> merged_; // kept for its memory
+    std::vector<Count> merged_; // a member to reuse its memory
     std::vector<TouchingPair> brief_;
     bool changed_ = true;
 };

@@ -1,4 +1,4 @@
-// A circle inside a body, used in place of the body's shape when it is so fast that it could jump through
+// A circle inside a body, used in place of the body's shape if the body is so fast that it could jump through
 // others.
 #pragma once
 

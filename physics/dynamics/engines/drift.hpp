@@ -1,5 +1,5 @@
-// What keeps a slow body awake: a body that drifts freely, however slowly, does not come to rest. Above these
-// limits a body without contacts and joints must not fall asleep.
+// Limits for sleep: a body that drifts freely, however slowly, is not at rest. Above these limits a body
+// without contacts and joints must not fall asleep.
 #pragma once
 
 namespace trembler {

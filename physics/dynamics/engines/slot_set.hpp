@@ -1,4 +1,4 @@
-// Some of the slots of an engine, such as those of its fixed bodies.
+// A set of slots of an engine, such as those of its fixed bodies.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -7,9 +7,9 @@
 
 namespace trembler {
 
-/// A set whose members lie together. insert(), erase() and contains() take a constant time (insert() on
-/// average, as it may need memory); a visit of all members takes no longer than there are members. Their
-/// order follows from the calls alone, but is not that of the slots: a result must not depend on it.
+/// A set whose members are contiguous. insert(), erase() and contains() take constant time (insert() on
+/// average, as it may allocate memory); a visit of all members takes time in proportion to their number.
+/// Their order depends on the calls alone, but is not that of the slots: results must not depend on it.
 class SlotSet {
 public:
     /// No effect if it is a member. Not for noSlot.
@@ -23,7 +23,7 @@ public:
         places_[slot] = static_cast<SlotIndex>(members_.size());
         members_.push_back(slot);
     }
-    /// No effect if it is no member. The last member takes its place.
+    /// No effect if it is not a member. The last member takes its place.
     void erase(SlotIndex slot) {
         if (!contains(slot)) {
             return;

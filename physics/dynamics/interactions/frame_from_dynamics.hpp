@@ -1,4 +1,4 @@
-// (Frame <- Dynamics): forces that vary much within a frame ask for parts of one.
+// (Frame <- Dynamics): forces that vary much within a frame request frames in parts.
 #pragma once
 
 #include "physics/dynamics/properties/force_rates.hpp"
@@ -17,7 +17,7 @@ public:
     using Activation = NeedsAll<>;
     void apply(Access& access) {
         double const rate = access.read<ForceRates>().swinging;
-        if (rate > 0 && longestPart(rate) < frameDuration) { // a whole frame need not be asked for
+        if (rate > 0 && longestPart(rate) < frameDuration) { // a whole frame need not be requested
             access.call(SplitFrame{longestPart(rate)});
         }
     }

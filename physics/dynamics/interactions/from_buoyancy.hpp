@@ -8,8 +8,12 @@
 
 namespace trembler {
 
-/// Besides the properties that the thesis lists (6.11.4) it reads where the object is: with a period, F_B and
-/// its centre stay as they are in the object while that moves on, and the force with it.
+/// In addition to the properties that the thesis lists (6.11.4) it reads the object's place: with a period,
+/// F_B and its centre in the object's frame stay constant while the object, and with it the point of the
+/// force, moves.
+///
+/// It reports no rate: Liquid Drag derives the rate of F_B together with the resistance that looks ahead for
+/// it, and (Dynamics <- Liquid Drag) reports it with that resistance. Whether F_B is foreseen depends on it.
 class DynamicsFromBuoyancy final
     : public Interaction<DynamicsFromBuoyancy, DynamicsRole,
                          Reads<BuoyancyForce, CentreOfBuoyancy, Position, Rotation>> {
@@ -27,7 +31,7 @@ public:
         access.forChunks(forces.size(), [&](Caller& caller, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 ObjectId const id = forces[i].object;
-                if (Position const* const position = positions.find(id)) { // else it is gone
+                if (Position const* const position = positions.find(id)) { // else it was destroyed
                     Rotation const* const rotation = rotations.find(id);
                     double const angle = rotation == nullptr ? 0 : rotation->angle;
                     Vec2 const point = position->value + rotated(centres[i].centre, angle);

@@ -1,4 +1,4 @@
-// (Dynamics <- Gravity): whatever model of gravity is at work, its forces act at the centres of mass.
+// (Dynamics <- Gravity): the forces of the present model of gravity act at the centres of mass.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"
@@ -8,9 +8,9 @@
 
 namespace trembler {
 
-/// The thesis has it read Position, too (6.13.4); addForce acts at the centre of mass by itself, so reading
-/// less lets it sleep while things move: its held forces stay as they are. It also reads Fixed, as an object
-/// that never moves needs no call, though it has a mass and attracts like everything else.
+/// In the thesis it reads Position, too (6.13.4). As addForce acts at the centre of mass anyway, it does not,
+/// so that it sleeps while objects move and its held forces do not change. It also reads Fixed, as an object
+/// that never moves needs no call, though its mass attracts other objects.
 class DynamicsFromGravity final
     : public Interaction<DynamicsFromGravity, DynamicsRole, Reads<GravityForce, Fixed>> {
 public:
@@ -32,7 +32,7 @@ public:
                 }
                 caller.call(AddForce{forces[i].object, forces[i].force});
                 if (forces[i].rate > 0) {
-                    caller.call(TellRate{forces[i].object, forces[i].rate});
+                    caller.call(StateRate{forces[i].object, forces[i].rate});
                 }
             }
         });

@@ -25,8 +25,8 @@ public:
                 LiquidResistance::Entry const& e = entries[i];
                 caller.call(AddDrag{e.object, e.point, e.xx, e.xy, e.yy, e.angular}, e.event);
                 if (e.rate > 0) {
-                    // Looking ahead is a resistance here, which no step is too long for.
-                    caller.call(TellRate{
+                    // Here looking ahead is a resistance, which is stable with any step.
+                    caller.call(StateRate{
                         .object = e.object, .rate = e.rate, .foreseen = foreseen, .swings = !foreseen});
                 }
                 if (!(e.push == Vec2{})) {

@@ -1,5 +1,5 @@
-// (Dynamics <- Magnetic Forces): magnetic forces act at the poles, or at the centre of an object that has
-// none.
+// (Dynamics <- Magnetic Forces): magnetic forces act at the poles, or at the centre of an object without
+// poles.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// F_M brings the points along, so it need not read the poles and positions of 6.13.4 again.
+/// F_M contains the points, so this need not read the poles and positions of 6.13.4.
 class DynamicsFromMagneticForces final
     : public Interaction<DynamicsFromMagneticForces, DynamicsRole, Reads<MagneticForce, Fixed>> {
 public:
@@ -25,7 +25,7 @@ public:
         auto const& fixed = access.read<Fixed>();
         bool const foreseen = access.read<MagneticForce>().foreseen;
         for (MagneticForce::Rate const& one : access.read<MagneticForce>().rates) {
-            access.call(TellRate{one.object, one.rate, foreseen});
+            access.call(StateRate{one.object, one.rate, foreseen});
         }
         access.forChunks(forces.size(), [&](Caller& caller, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {

@@ -75,7 +75,7 @@ struct Fixed {
     static constexpr PropertyText text{"Fixed", "fixed", "The object is a static part of the world."};
 };
 
-/// Marks a body that is so fast that it would otherwise jump through thin bodies that move.
+/// Marks a body that is so fast that it would otherwise jump through thin movable bodies.
 struct Bullet {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Bullet", "bullet",
@@ -111,7 +111,8 @@ struct CollisionGroups {
     friend bool operator==(CollisionGroups const&, CollisionGroups const&) = default;
 };
 
-/// Whether two objects with these groups can hit each other. An object that states none has the default ones.
+/// Whether two objects with these groups can hit each other. An object without the property has the default
+/// groups.
 [[nodiscard]] constexpr bool canHit(CollisionGroups const& a, CollisionGroups const& b) {
     if (a.group != 0 && a.group == b.group) {
         return a.group > 0;
@@ -119,7 +120,7 @@ struct CollisionGroups {
     return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
-/// How strongly motion dies away by itself.
+/// How strongly a body's motion is damped.
 struct Damping {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Damping", "damping", "How strongly motion dies away by itself."};

@@ -1,4 +1,5 @@
-// Which objects touch: the resolver properties C_C, C_N and C_P (6.13.2), and how they touch.
+// The objects that touch: the resolver properties C_C, C_N and C_P (6.13.2), and the geometry and impulses of
+// contacts.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -19,8 +20,8 @@ struct TouchingPair {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "a", .unit = "", .meaning = "one of the two"}, self.a);
-        visit(FieldInfo{.key = "b", .unit = "", .meaning = "the other one"}, self.b);
+        visit(FieldInfo{.key = "a", .unit = "", .meaning = "one object"}, self.a);
+        visit(FieldInfo{.key = "b", .unit = "", .meaning = "the other"}, self.b);
     }
     friend constexpr bool operator<(TouchingPair const& x, TouchingPair const& y) {
         return x.a != y.a ? x.a < y.a : x.b < y.b;
@@ -30,8 +31,8 @@ struct TouchingPair {
     }
 };
 
-/// All ascending by pair. A contact that begins and ends within one frame, or one part of it, is neither new
-/// nor gone: it is brief, as an impact that bounces can be.
+/// All lists are ascending by pair. A contact that begins and ends within one frame, or one part of it, is in
+/// `brief` only, as an impact that bounces can be.
 struct Contacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
@@ -41,25 +42,27 @@ struct Contacts {
     static constexpr Coverage coverage = hashed;
     std::vector<TouchingPair> current; ///< C_C
     std::vector<TouchingPair> begun;   ///< C_N
-    std::vector<TouchingPair> ended;   ///< C_P; an object in it may be gone
+    std::vector<TouchingPair> ended;   ///< C_P; its objects may no longer exist
     std::vector<TouchingPair> brief;   ///< touched within this frame only; in no other list
 
-    /// Of a frame in parts: the pairs that touch at its end, that have begun to since its beginning, that
-    /// ceased to, and that touched in between only, in whichever part. With the event of the first part that
-    /// reports it.
+    /// For a frame in parts: the pairs that touch at its end, the pairs that began and ceased to touch since
+    /// its beginning, and the pairs that touched only in between, in any part. With the event of the first
+    /// part that reports the pair.
     static void gather(Contacts& frame, Contacts const& part, PartSpan span);
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "current", .unit = "", .meaning = "pairs that touch"}, self.current);
-        visit(FieldInfo{.key = "begun", .unit = "", .meaning = "pairs that have begun to touch"}, self.begun);
-        visit(FieldInfo{.key = "ended", .unit = "", .meaning = "pairs that ceased to touch"}, self.ended);
-        visit(FieldInfo{.key = "brief", .unit = "", .meaning = "pairs that touched in between only"},
+        visit(FieldInfo{.key = "begun", .unit = "", .meaning = "pairs that began to touch in the frame"},
+              self.begun);
+        visit(FieldInfo{.key = "ended", .unit = "", .meaning = "pairs that ceased to touch in the frame"},
+              self.ended);
+        visit(FieldInfo{.key = "brief", .unit = "", .meaning = "pairs that touched within the frame only"},
               self.brief);
     }
 };
 
-/// How a pair touches.
+/// The geometry and the impulses of a pair's contact.
 struct ContactPatch {
     ObjectId a;
     ObjectId b;
@@ -67,16 +70,16 @@ struct ContactPatch {
     std::array<Vec2, 2> points;           ///< m, in the world
     std::array<double, 2> normalImpulse;  ///< N s in the last substep
     std::array<double, 2> tangentImpulse; ///< N s in the last substep
-    int count = 0;                        ///< of points that count, 1 or 2
+    int count = 0;                        ///< number of points in use, 1 or 2
 };
 
-/// Computed only while a component reads it, or a subscription wants it. Ascending by pair; a compound may
-/// touch in several patches.
+/// Computed only while a component or a subscription reads it. Ascending by pair; a compound may touch in
+/// several patches.
 struct ContactPatches {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Contact patches", "contact_patches",
                                        "Points, normals and impulses of all contacts."};
-    static constexpr std::string_view standing = "how those touch that still do";
+    static constexpr std::string_view standing = "the geometry of the contacts that still exist";
     static constexpr Coverage coverage = derivedFrom(
         "the engine's contacts of the last advance; what interactions make of them is in their calls");
     std::vector<ContactPatch> patches;

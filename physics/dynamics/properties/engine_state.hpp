@@ -1,4 +1,4 @@
-// The state of a world whose engine could not go on.
+// The failures of a world's engine.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -9,15 +9,16 @@
 
 namespace trembler {
 
-/// Nothing, as a rule. A world that asks too much of its engine goes on with Box2D from the frame on in which
-/// that happened; where Box2D itself loses a body's numbers, that body stands still from then on. Part of the
-/// state: the same in every run, on any number of threads.
+/// Usually empty. If an engine fails, Box2D computes the motion from that frame on; if a body's numbers in
+/// Box2D are not finite, that body is held still from then on. Part of the state: the same in every run, on
+/// any number of threads.
 struct EngineState {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Engine state", "engine_state",
-                                       "Which engine had to give up, why, and what stands still since."};
+                                       "Which engine failed, why, and which bodies are held still since."};
     static constexpr Coverage coverage = hashed;
-    static constexpr std::string_view standing = "which engine has given up, and what stands still since";
+    static constexpr std::string_view standing =
+        "which engine has failed, and which bodies are held still since";
     std::string gaveUp;            ///< detail level of Dynamics; empty: none
     std::string why;               ///< the first reason
     std::vector<ObjectId> stopped; ///< ascending
@@ -31,7 +32,7 @@ struct EngineState {
               self.stopped);
     }
     friend bool operator==(EngineState const&, EngineState const&) = default;
-    /// Whether anything has gone wrong.
+    /// Whether any engine has failed.
     [[nodiscard]] bool troubled() const { return !gaveUp.empty() || !stopped.empty(); }
 };
 

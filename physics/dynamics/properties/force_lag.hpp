@@ -1,4 +1,4 @@
-// The delay of a force that stands for a while.
+// The delay of held forces.
 #pragma once
 
 #include "runtime/property/coverage.hpp"
@@ -8,23 +8,23 @@
 
 namespace trembler {
 
-/// A force that stands for a time t acts, on average, t/2 after the moment that it belongs to. An engine that
-/// integrates it in steps of h by the semi-implicit Euler method compensates h/2 of this, as that method
-/// moves bodies with the velocity that they will have. The rest, (t - h)/2, is the lag: it feeds every
-/// oscillation (docs/measurements/stability.md), and interactions that add forces can allow for it. Provided
-/// by Dynamics after every step that it takes; zero where there is no Dynamics.
+/// A force that is held for a time t acts, on average, t/2 after the moment for which it was computed. An
+/// engine that integrates it in steps of h by the semi-implicit Euler method compensates h/2 of this, as that
+/// method moves bodies with their velocity at the end of the step. The rest, (t - h)/2, is the lag: it adds
+/// energy to every oscillation (docs/measurements/stability.md), and interactions that add forces can
+/// compensate it. Provided by Dynamics after each of its steps; zero without Dynamics.
 struct ForceLag {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Force lag", "force_lag",
                                        "By how much forces lag behind the motion of what they act on."};
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing = "what a force's lag is";
-    double turn = 0; ///< s, that Dynamics computes at a time: a frame or a part of one
+    double turn = 0; ///< s, of one turn of Dynamics: a frame or a part of one
     double step = 0; ///< s, of the engine, `turn` or a part of it
 
-    /// Lag in s of a force that is new whenever Dynamics has had its turn.
+    /// Lag in s of a force that is computed anew for each turn of Dynamics.
     [[nodiscard]] double ofTurn() const { return of(turn); }
-    /// Lag in s of a force that stands for `time` (s).
+    /// Lag in s of a force that is held for `time` (s).
     [[nodiscard]] double of(double time) const { return std::max(0.0, time - step) / 2; }
 
     template <class Self, class Visitor>

@@ -20,8 +20,8 @@ double ImpactBook::press(Key contact, double impulse) {
     if (isNew) {
         return 0;
     }
-    // An engine may spare a contact that bears a load for one substep, for example while it looks for the
-    // time of another impact. When the load is back, that is no impact.
+    // An engine may leave out a contact that bears a load for one substep, for example while it finds the
+    // time of another impact. The returning load is no impact.
     constexpr double memory = 0.8;
     double const rise = impulse - at->second;
     at->second = std::max(impulse, memory * at->second);

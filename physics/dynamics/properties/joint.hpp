@@ -1,4 +1,4 @@
-// Joints tie bodies together. A joint is an object of its own with this property.
+// Joints connect bodies. A joint is a separate object with this property.
 #pragma once
 
 #include "runtime/property/description.hpp"
@@ -12,8 +12,8 @@ template <>
 inline constexpr std::array<std::string_view, 9> choiceNames<JointForm>{
     "hinge", "weld", "slider", "distance", "rope", "pulley", "gear", "wheel", "spring"};
 
-/// Ties object `a` to object `b`; without `b`, to the world. Which fields count depends on the form. Angles,
-/// shifts and motor speeds are those of `a` as seen from `b`.
+/// Connects object `a` to object `b`; without `b`, to the world. Which fields are used depends on the form.
+/// Angles, shifts and motor speeds are those of `a` relative to `b`.
 struct Joint {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Joint", "joint", "Ties two objects together, or one to the world."};
@@ -30,15 +30,15 @@ struct Joint {
     bool motor = false;    ///< hinge, slider, wheel
     double motorSpeed = 0; ///< rad/s (hinge, wheel) or m/s (slider)
     double motorStrength = 0; ///< N m or N at most
-    double length = 0;        ///< m; 0: as it is at the start (distance, rope, spring)
+    double length = 0;        ///< m; 0: the distance at the start (distance, rope, spring)
     double stiffness = 0;     ///< N/m (spring, wheel)
     double dampingRate = 0;   ///< N s/m (spring, wheel)
-    double ratio = 1;         ///< pulley: rope of a + ratio * rope of b, gear: a + ratio * b stays as it is
-    Vec2 groundA;             ///< m, pulley: where the rope of `a` runs over
-    Vec2 groundB;             ///< m, pulley: where the rope of `b` runs over
+    double ratio = 1;         ///< pulley: rope of a + ratio * rope of b, gear: a + ratio * b stays constant
+    Vec2 groundA;             ///< m, pulley: the wheel of the rope of `a`
+    Vec2 groundB;             ///< m, pulley: the wheel of the rope of `b`
     ObjectId jointA;          ///< gear: the hinge or slider joint of `a`
     ObjectId jointB;          ///< gear: the hinge or slider joint of `b`
-    bool collide = false;     ///< whether the tied objects can hit each other
+    bool collide = false;     ///< whether the connected objects can collide
     double breakForce = 0;    ///< N at which it breaks; 0: never
 
     template <class Self, class Visitor>

@@ -1,5 +1,5 @@
-// Where a joint holds its objects, in their own frames, in which its places stay the same when the objects
-// have moved.
+// The points where a joint holds its objects, in the objects' frames, so that they stay constant when the
+// objects move.
 #pragma once
 
 #include "physics/dynamics/properties/joint.hpp"
@@ -8,8 +8,8 @@
 
 namespace trembler {
 
-/// Fixed when the joint comes into being, so that the simulation can be taken up at any later time, by any
-/// engine. Without object b the world stands in for it: its frame is the world's.
+/// Set when the joint is created, so that any engine can continue the simulation at any later time. Without
+/// object b, its frame is the world's.
 struct JointAnchors {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Joint anchors", "joint_anchors",
@@ -18,9 +18,9 @@ struct JointAnchors {
     Vec2 onA;                  ///< m, in the frame of a
     Vec2 onB;                  ///< m, in the frame of b
     Vec2 axis{1, 0};           ///< unit, in the frame of b
-    double referenceAngle = 0; ///< rad, angle of a less angle of b at the start
-    double length = 0;         ///< m: distance, rope, spring; pulley: the rope from a to where it runs over
-    double lengthB = 0;        ///< m: pulley: the rope from b to where it runs over
+    double referenceAngle = 0; ///< rad, angle of a minus angle of b at the start
+    double length = 0;         ///< m: distance, rope, spring; pulley: the rope from a to its wheel
+    double lengthB = 0;        ///< m: pulley: the rope from b to its wheel
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -38,7 +38,7 @@ struct JointAnchors {
     friend bool operator==(JointAnchors const&, JointAnchors const&) = default;
 };
 
-/// A joint whose objects are nowhere gets none.
+/// A joint whose objects have no place gets no anchors.
 struct JointCompletion final
     : Completion<JointCompletion, Reads<Joint, Position, Rotation>, Adds<JointAnchors>> {
     static constexpr CompletionText text{

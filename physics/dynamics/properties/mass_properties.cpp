@@ -72,7 +72,7 @@ MassProperties ofPieces(Shape const& shape) {
 } // namespace
 
 MassProperties massPropertiesOf(Shape const& shape) {
-    // A shape that is not finite has no order, and is taken as it stands.
+    // A shape that is not finite has no order and is used unchanged.
     return isInOrder(shape) ? ofPieces(shape) : ofPieces(inOrder(shape));
 }
 

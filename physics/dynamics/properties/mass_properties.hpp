@@ -1,12 +1,11 @@
-// How the mass of a shape is spread.
+// The distribution of a shape's mass.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"
 
 namespace trembler {
 
-/// Of a shape with its mass spread evenly over the area of its pieces; where pieces overlap, the mass lies
-/// double.
+/// Of a shape with its mass spread evenly over the area of its pieces; overlaps of pieces count twice.
 struct MassProperties {
     double area = 0;           ///< m²
     Vec2 centre;               ///< m, centre of mass in the object's frame

@@ -1,4 +1,4 @@
-// The causes of motion, and overloaded joints: resolver properties for components that ask.
+// The causes of motion, joint forces and overloaded joints: resolver properties computed when read.
 #pragma once
 
 #include "physics/dynamics/properties/joint.hpp"
@@ -20,14 +20,14 @@ struct MotionCauses {
                                        "The recent events that made each object move."};
     static constexpr std::string_view standing = "the recent causes, not those of a part";
     static constexpr Coverage coverage =
-        leftOut("events of the trace, kept only while somebody traces; events lead to nothing");
+        leftOut("events of the trace, kept only while tracing; events have no effect");
     struct Entry {
         ObjectId object;
         std::vector<EventId> causes; ///< ascending
     };
     std::vector<Entry> entries; ///< ascending by object
 
-    /// The causes of an object's motion; none if there are none.
+    /// The causes of an object's motion; may be empty.
     [[nodiscard]] std::vector<EventId> of(ObjectId object) const {
         auto const at = std::lower_bound(entries.begin(), entries.end(), object,
                                          [](Entry const& entry, ObjectId id) { return entry.object < id; });
@@ -35,14 +35,14 @@ struct MotionCauses {
     }
 };
 
-/// The force with which each joint holds, as a mean over the last frame in which anything moved.
+/// The force of each joint, as a mean over the last frame in which any body moved.
 struct JointForces {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Joint forces", "joint_forces",
                                        "The force with which each joint holds."};
     static constexpr std::string_view standing = "what joints carry";
-    static constexpr Coverage coverage = derivedFrom(
-        "what the engine's joints carried in the last advance; computed only where somebody reads it");
+    static constexpr Coverage coverage =
+        derivedFrom("the forces of the engine's joints in the last advance; computed only while read");
     struct Entry {
         ObjectId joint;
         Vec2 force; ///< N

@@ -8,7 +8,7 @@
 namespace trembler {
 namespace {
 
-// A piece as the distance algorithm sees it: the hull of some points, rounded by a radius.
+// A piece for the distance algorithm: the hull of some points, rounded by a radius.
 struct RoundedHull {
     std::vector<Vec2> points; // m, in the world
     double radius = 0;
@@ -53,7 +53,7 @@ RoundedHull hullOf(ShapePiece const& piece, PlacedShape const& placed, double sh
 }
 
 bool apart(RoundedHull const& a, RoundedHull const& b) {
-    // Distances are taken relative to one hull, as the library counts in single precision.
+    // Places are taken relative to one hull, as the library computes in single precision.
     Vec2 const origin = a.points.front();
     std::array<b2Vec2, 8> pointsA;
     std::array<b2Vec2, 8> pointsB;

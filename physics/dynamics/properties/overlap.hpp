@@ -1,4 +1,4 @@
-// Whether two shapes overlap where they stand, for the placing of parts by hand.
+// Whether two placed shapes overlap, for placing parts by hand.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"
@@ -12,7 +12,7 @@ struct PlacedShape {
 };
 
 /// True if any two pieces overlap by more than about `allowed` (m). By the distance algorithm of Gilbert,
-/// Johnson and Keerthi (1988) in Box2D, on pieces that are made smaller by half of `allowed` all around. The
+/// Johnson and Keerthi (1988) in Box2D, on pieces that are reduced by half of `allowed` on all sides. The
 /// shapes must be valid.
 [[nodiscard]] bool overlap(PlacedShape const& a, PlacedShape const& b, double allowed);
 /// The smallest upright rectangle around a placed shape: its lower left and upper right corner.

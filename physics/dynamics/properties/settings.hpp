@@ -5,9 +5,9 @@
 
 namespace trembler {
 
-/// Substeps beat iterations at equal cost: a stack or a taut chain fails by the length of the step, not by
-/// the convergence within it. How many a scene needs follows from the scene, see solver_demand.hpp; an
-/// ordinary one gets four.
+/// Substeps are better than iterations at equal cost: a stack or a taut chain fails because of the length of
+/// the step, not of the convergence within it. How many a scene needs depends on the scene, see
+/// solver_demand.hpp; an ordinary one gets four.
 struct DynamicsSettings {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
@@ -16,8 +16,8 @@ struct DynamicsSettings {
     std::int32_t substeps = automatic;
     std::int32_t velocityIterations = 8;
     std::int32_t positionIterations = 3;
-    /// Box2D is made for things of 0.1 to 10 units and keeps shapes 0.015 units apart; its parts here are
-    /// decimetres. Powers of two lose no bits. 0: automatic, from the sizes of shapes.
+    /// Box2D is made for bodies of 0.1 to 10 units and keeps shapes 0.015 units apart; parts of levels
+    /// measure decimetres. Powers of two lose no bits. 0: automatic, from the sizes of shapes.
     double scale = 0;
     bool sleeping = true;
 

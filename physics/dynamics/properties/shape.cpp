@@ -73,7 +73,7 @@ double sumOfAreas(std::vector<ShapePiece> const& pieces) {
 } // namespace
 
 double areaOf(Shape const& shape) {
-    // A shape that is not finite has no order, and is summed as it stands.
+    // A shape that is not finite has no order and is used unchanged.
     return isInOrder(shape) ? sumOfAreas(shape.pieces) : sumOfAreas(inOrder(shape).pieces);
 }
 

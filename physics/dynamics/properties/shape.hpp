@@ -13,7 +13,7 @@ template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<ShapeForm>{"circle", "box", "polygon",
                                                                         "capsule"};
 
-/// One convex piece. Which of the measures count depends on the form; a file states these and no others.
+/// One convex piece. Which of the measures are used depends on the form; files state only these.
 struct ShapePiece {
     ShapeForm form = ShapeForm::box;
     Vec2 at;                   ///< m, centre in the object's frame
@@ -72,7 +72,7 @@ struct ShapePiece {
     friend bool operator==(ShapePiece const&, ShapePiece const&) = default;
 };
 
-/// One piece, or several that are rigidly one (a compound).
+/// One piece, or several rigidly connected pieces (a compound).
 struct Shape {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Shape", "shape", "The shape of the object."};

@@ -23,7 +23,7 @@ bool finite(ShapePiece const& piece) {
                        [](Vec2 corner) { return isFinite(corner); });
 }
 
-// The measures that count for its form.
+// The measures that its form uses.
 std::tuple<double, double, double> measuresOf(ShapePiece const& piece) {
     switch (piece.form) {
     case ShapeForm::circle:
@@ -39,7 +39,7 @@ std::tuple<double, double, double> measuresOf(ShapePiece const& piece) {
 }
 
 // From left to right; of pieces above one another, the one nearer to the middle first. Pieces that are equal
-// in all of this may stand in any order.
+// in all of this may be in any order.
 bool before(ShapePiece const& a, ShapePiece const& b) {
     auto const key = [](ShapePiece const& piece) {
         return std::tuple{piece.at.x, std::abs(piece.at.y), -piece.at.y, static_cast<int>(piece.form)};

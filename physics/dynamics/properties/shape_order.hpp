@@ -1,6 +1,6 @@
-// The order of a shape's pieces, and of a polygon's corners. The order means nothing, but sums are rounded in
-// some order, and engines look at pieces one after the other: all of physics takes them in this order, so
-// that the order in a file changes no bit of the motion.
+// The order of a shape's pieces, and of a polygon's corners. The order has no meaning, but rounding of sums
+// and the results of engines depend on it: all of physics uses this order, so that the order in a file
+// changes no bit of the motion.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"
@@ -9,10 +9,9 @@ namespace trembler {
 
 /// The same shape with the largest piece (by area) first and the others from left to right by their centres;
 /// each polygon begins with its lowest corner, the leftmost of several. Equal for every order of the same
-/// pieces, and for every corner that a polygon may begin with. A shape with numbers that are not finite stays
-/// as it is.
+/// pieces, and for every first corner of a polygon. A shape with numbers that are not finite is not changed.
 [[nodiscard]] Shape inOrder(Shape shape);
-/// Whether inOrder() would leave it as it is. Cheap.
+/// Whether inOrder() would not change the shape. Cheap.
 [[nodiscard]] bool isInOrder(Shape const& shape);
 
 } // namespace trembler

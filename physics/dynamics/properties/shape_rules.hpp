@@ -1,4 +1,4 @@
-// Which shapes are sound. Files are checked with it, and so is whatever comes into being while a world runs.
+// The conditions for valid shapes, checked for files and for objects created while a world runs.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"
@@ -10,10 +10,10 @@ namespace trembler {
 
 inline constexpr std::size_t maximumPieces = 256;
 inline constexpr std::size_t maximumCorners = 8;
-inline constexpr double minimumExtent = 0.01; ///< m: nothing is thinner or shorter
+inline constexpr double minimumExtent = 0.01; ///< m: the least thickness and length
 
-/// The fault of the shape and what was expected, in words; nothing if it is sound. Corners must run
-/// anticlockwise: clockwise ones are refused, not turned round, as other effects rely on the order too.
+/// The fault of the shape and the expected condition, in words; nothing if it is valid. Corners must run
+/// anticlockwise: clockwise corners are refused, not reversed, as other effects rely on the order, too.
 [[nodiscard]] std::optional<std::string> faultIn(Shape const& shape);
 
 } // namespace trembler

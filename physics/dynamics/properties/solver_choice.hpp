@@ -7,8 +7,8 @@
 namespace trembler {
 
 /// The numbers with which Dynamics computed the last frame. With automatic settings they follow from the
-/// scene's bodies, joints and contacts, and from the forces on them. For people to look at: other effects
-/// read ForceLag.
+/// scene's bodies, joints and contacts, and from the forces on them. For display only: other effects read
+/// ForceLag.
 struct SolverChoice {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Solver choice", "solver_choice",

@@ -1,4 +1,4 @@
-// In place of Dynamics, for worlds in which forces are looked at and nothing moves: tests and measurements.
+// Replaces Dynamics in worlds in which forces are examined and no object moves: tests and measurements.
 #pragma once
 
 #include "physics/dynamics/properties/force_lag.hpp"
@@ -11,7 +11,7 @@ struct StandstillRole {
     using Calls = CallList<>;
 };
 
-/// Forces lag behind nothing. Not part of the program: register it where Dynamics is not.
+/// Forces have no lag. Not part of the program: register it in place of Dynamics.
 class Standstill final : public Resolver<Standstill, StandstillRole, Reads<>, Writes<>, Provides<ForceLag>> {
 public:
     static constexpr ComponentText text{

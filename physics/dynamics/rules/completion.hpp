@@ -21,7 +21,7 @@ struct MatterCompletion final
     static void complete(Access& access);
 };
 
-/// Of an unsound shape (one that a rule refuses) no mass follows, and none is added.
+/// An invalid shape (one that a rule refuses) has no mass, so none is added.
 struct BodyCompletion final : Completion<BodyCompletion, Reads<Shape, Fixed, Liquid, Density>,
                                          Adds<Rotation, Velocity, AngularVelocity, Mass>> {
     static constexpr CompletionText text{

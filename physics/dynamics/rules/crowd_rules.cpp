@@ -13,7 +13,7 @@ namespace {
 
 struct Pieces {
     std::vector<Bounds> boxes;
-    std::vector<ObjectId> bodies; // whose they are
+    std::vector<ObjectId> bodies; // the body of each piece
 };
 
 std::size_t pieceCount(Store const& store) {
@@ -41,7 +41,7 @@ Pieces piecesOf(Store const& store) {
         Shape const& shape = shapes->values()[row];
         Position const* const position = positions->find(id);
         if (position == nullptr || (liquids != nullptr && liquids->has(id)) || faultIn(shape)) {
-            continue; // no body; whatever is wrong with it is said elsewhere
+            continue; // no body; other rules report its faults
         }
         Rotation const* const rotation = rotations == nullptr ? nullptr : rotations->find(id);
         for (ShapePiece const& piece : shape.pieces) {
@@ -59,13 +59,13 @@ Pieces piecesOf(Store const& store) {
 
 std::vector<ObjectFault> checkCrowds(Store const& store, std::size_t most) {
     if (std::size_t const count = pieceCount(store); count * (count / 2 + 1) <= most) {
-        return {}; // wherever they lie
+        return {}; // too few pieces to exceed the limit
     }
     Pieces const pieces = piecesOf(store);
     BoxTree const tree(pieces.boxes);
-    std::size_t sum = 0; // of pairs, each of them counted twice
+    std::size_t sum = 0; // number of pairs, each counted twice
     std::size_t nearest = 0;
-    std::size_t crowded = 0; // the piece that is near so many
+    std::size_t crowded = 0; // the piece that is near the most others
     for (std::size_t i = 0; i < pieces.boxes.size() && sum <= 2 * most; ++i) {
         std::size_t const near = std::max<std::size_t>(1, tree.count(pieces.boxes[i])) - 1; // itself
         sum += near;

@@ -1,4 +1,4 @@
-// How many bodies may lie in one place when a level begins.
+// Limits the number of bodies in one place at the start of a level.
 #pragma once
 
 #include "runtime/world/registry.hpp"
@@ -7,14 +7,14 @@
 
 namespace trembler {
 
-/// Pairs of pieces that may be near each other: some 6,300 bodies in one place. n bodies inside of each other
-/// are n²/2 pairs, whatever they then do to each other, and an engine looks at each of them and keeps a list:
-/// this many take about 160 MB and some seconds, 100,000 bodies in one place would take 40 GB.
+/// The limit of pairs of pieces that are near each other: some 6,300 bodies in one place. n bodies inside
+/// each other have n²/2 pairs, and an engine examines each pair and keeps a list: this many pairs take about
+/// 160 MB and some seconds, 100,000 bodies in one place would take 40 GB.
 inline constexpr std::size_t mostNearPairs = 20'000'000;
 
-/// The pieces of bodies are near each other where boxes along the axes around them meet. If there are more
-/// than `most` pairs of them: the fault of the body whose piece is near most others, of those up to the one
-/// with which there are too many; else nothing. In n log n of all pieces. See ObjectRule.
+/// Two pieces of bodies are near each other if the boxes along the axes around them meet. If there are more
+/// than `most` such pairs, returns the fault of one body: of the pieces counted until the limit is exceeded,
+/// the one that is near most others is a piece of it. In n log n of all pieces. See ObjectRule.
 [[nodiscard]] std::vector<ObjectFault> checkCrowds(Store const& store, std::size_t most);
 [[nodiscard]] std::vector<ObjectFault> checkCrowds(Store const& store);
 

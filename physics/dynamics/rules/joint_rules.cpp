@@ -10,7 +10,7 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-// The ranges that files are held to, for joints that come from elsewhere.
+// The ranges of files, also for joints that are not from files.
 Fault faultInNumbers(Joint const& joint) {
     struct Range {
         std::string_view what;
@@ -69,22 +69,22 @@ Fault faultInGear(Joint const& joint, JointPartners const& partners) {
 
 Fault faultIn(Joint const& joint, JointPartners const& partners) {
     if (!partners.aIsBody) {
-        return "its object a has no sound shape or no place; expected an object that can move";
+        return "its object a has no valid shape or no place; expected an object that can move";
     }
     if (joint.b.valid() && joint.b == joint.a) {
         return "it ties an object to itself; expected two different objects, or no b for the world";
     }
     if (joint.b.valid() && !partners.bIsBody) {
-        return "its object b has no sound shape or no place; expected an object with both, or no b for the "
+        return "its object b has no valid shape or no place; expected an object with both, or no b for the "
                "world";
     }
     if (partners.aFixed && (!joint.b.valid() || partners.bFixed) && joint.form != JointForm::gear) {
-        return "it ties together what is fixed; expected at least one object that moves";
+        return "it connects fixed objects only; expected at least one movable object";
     }
     if (Fault fault = faultInNumbers(joint)) {
         return fault;
     }
-    // Also while they are not in force: they may be put in force later.
+    // Checked also while limits are off, as they may be switched on later.
     if (joint.lower > joint.upper) {
         return fmt::format("its lower limit, {}, is above its upper one, {}", joint.lower, joint.upper);
     }

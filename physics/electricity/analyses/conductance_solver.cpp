@@ -1,7 +1,7 @@
 #include "physics/electricity/analyses/conductance_solver.hpp"
 
-// Only the parts under the Mozilla Public License; and plain arithmetic in a stated order, whatever the
-// compiler.
+// Only the parts of Eigen under the Mozilla Public License; and no vectorisation, so that the order of
+// arithmetic is the same with every compiler.
 #define EIGEN_MPL2_ONLY
 #define EIGEN_DONT_VECTORIZE
 #include <Eigen/SparseCholesky>
@@ -13,12 +13,13 @@ namespace trembler {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-// The error in Kirchhoff's law that is allowed, as a share of the currents that pass a node. Rounding alone
-// makes one of about 1e-16 for each.
+// The allowed error in Kirchhoff's law, as a share of the currents that pass a node. Rounding alone causes an
+// error of about 1e-16 for each current.
 constexpr double goodEnough = 1e-14;
-// A share of the largest current: nodes that less passes need no more digits than those of a millionth of it.
+// As a share of the largest current: the error at a node with less current than this is measured against this
+// current.
 constexpr double negligible = 1e-8;
-// The share of the error that a refinement may leave at most, or it is no gain.
+// A refinement that leaves more than this share of the error counts as no progress.
 constexpr double gain = 0.1;
 constexpr int mostRefinements = 40;
 constexpr int mostIterations = 60;
@@ -49,7 +50,7 @@ using Vector = Eigen::VectorXd;
 } // namespace
 
 struct ConductanceSolver::Factor {
-    /// Where an edge adds its conductance in the matrix; none for a fixed end.
+    /// The matrix entries to which an edge adds its conductance; none for a fixed end.
     struct Slots {
         std::uint32_t from = none;
         std::uint32_t to = none;
@@ -187,7 +188,7 @@ void ConductanceSolver::flow(std::span<double const> emfs, std::span<Potential c
     }
 }
 
-// Writes down by how much each node misses Kirchhoff's law.
+// Computes the error in Kirchhoff's law at each node.
 ConductanceSolver::Misses ConductanceSolver::misses(std::span<double const> injected,
                                                     std::span<double const> currents) {
     balance_.assign(fixed_.size(), {});
@@ -210,7 +211,7 @@ ConductanceSolver::Misses ConductanceSolver::misses(std::span<double const> inje
     for (std::size_t r = 0; r < nodes_.size(); ++r) {
         std::uint32_t const v = nodes_[r];
         missing_[r] = balance_[v].high;
-        // Where nothing but rounding flows, as in a dead end, there is nothing to be precise about.
+        // In a dead end only rounding errors flow, which need no precision.
         double const scale = std::max(passing_[v], negligible * largest);
         if (missing_[r] != 0) {
             worst.share = std::max(worst.share, std::abs(missing_[r]) / scale);
@@ -299,8 +300,8 @@ void ConductanceSolver::solve(std::span<double const> emfs, std::span<double con
         }
         flow(emfs, potentials, currents);
         Misses const now = misses(injected, currents);
-        // The share of a node through which next to nothing flows stays 1 until all its digits are right; the
-        // current that is missing falls from the first.
+        // At a node with almost no current the relative error stays 1 until all its digits are right; the
+        // absolute error decreases from the first refinement on.
         if (now.share < gain * least.share || now.current < gain * least.current) {
             least = now;
             best = potentials;

@@ -1,4 +1,4 @@
-// The linear algebra of nodal analysis: nodes joined by conductances, the potentials of some of them known.
+// The linear algebra of nodal analysis: nodes connected by conductances, some with known potentials.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,15 @@ namespace trembler {
 ///
 /// The matrix of the unknown potentials is symmetric and positive definite; it is factorised as LDLᵀ without
 /// square roots (Eigen's SimplicialLDLT, with approximate minimum degree ordering). The symbolic
-/// factorisation is kept while the structure stays, the numeric one while the conductances stay, too.
+/// factorisation is kept while the structure is the same, the numeric one while the conductances are the
+/// same, too.
 ///
-/// One solution is as good as the condition of the matrix, up to 1e16 here, allows. So potentials are sums of
-/// two numbers, the currents are computed edge by edge from differences that lose nothing, and their error in
-/// Kirchhoff's law is solved for again, until nothing is gained (iterative refinement, Wilkinson 1963). Where
-/// the factorisation is too poor for that, it serves conjugate gradients as a preconditioner.
+/// The condition of the matrix, up to 1e16 here, limits the precision of one solution. So potentials are sums
+/// of two numbers, the currents are computed edge by edge from exact differences, and their error in
+/// Kirchhoff's law is corrected repeatedly until it no longer decreases (iterative refinement, Wilkinson
+/// 1963). If the factorisation is too inexact for that, it is the preconditioner of conjugate gradients.
 ///
-/// The result depends on nothing but the arguments, bit for bit. Not thread-safe; one solver per thread.
+/// The result depends on the arguments alone, bit for bit. Not thread-safe; one solver per thread.
 class ConductanceSolver {
 public:
     struct Edge {
@@ -27,7 +28,7 @@ public:
         std::uint32_t to = 0;
         friend bool operator==(Edge const&, Edge const&) = default;
     };
-    /// A potential in V: high + low, low being the rest that the nearest double leaves.
+    /// A potential in V: high + low, where high is the nearest double and low the rest.
     struct Potential {
         double high = 0;
         double low = 0;
@@ -38,18 +39,19 @@ public:
     ConductanceSolver(ConductanceSolver&&) noexcept;
     ConductanceSolver& operator=(ConductanceSolver&&) noexcept;
 
-    /// Which nodes are joined; edges may repeat, but must not join a node to itself. `fixed` is 1 for the
-    /// nodes whose potential is given; every other must have a way to one of them.
+    /// Sets which nodes are connected; edges may repeat, but must not connect a node to itself. `fixed` is 1
+    /// for nodes whose potential is given; every other node must be connected to one of them, directly or
+    /// indirectly.
     void setStructure(std::span<Edge const> edges, std::span<std::uint8_t const> fixed);
     /// Siemens, by edge; all above zero and finite.
     void setConductances(std::span<double const> conductances);
     /// Solves. `emfs` (V) raise the potential along an edge from `from` to `to`: i = g (V_from - V_to + emf).
-    /// `injected` (A) flows into each node from outside. `potentials` comes with those of the fixed nodes.
+    /// `injected` (A) flows into each node from outside. `potentials` must contain those of the fixed nodes.
     /// Afterwards `currents` are along the edges, in A.
     void solve(std::span<double const> emfs, std::span<double const> injected,
                std::vector<Potential>& potentials, std::vector<double>& currents);
 
-    /// How often there was something new to do, for tests and benchmarks.
+    /// The numbers of factorisations, for tests and benchmarks.
     [[nodiscard]] int symbolicFactorisations() const { return symbolic_; }
     [[nodiscard]] int numericFactorisations() const { return numeric_; }
 
@@ -74,11 +76,11 @@ private:
     std::vector<std::uint32_t> nodes_;   // by row: the node
     std::vector<double> conductances_;
     std::unique_ptr<Factor> factor_;
-    bool hard_ = false;              // factorising took a shift: the factorisation is a preconditioner only
+    bool hard_ = false;              // the factorisation needed a shift, so it is a preconditioner only
     std::vector<double> missing_;    // by row: current, A
     std::vector<double> correction_; // by row: potential, V
-    std::vector<double> passing_;    // by node: sum of the sizes of the currents at it, A
-    std::vector<Potential> balance_; // by node: the current that flows in and does not flow out, A
+    std::vector<double> passing_;    // by node: sum of the magnitudes of its currents, A
+    std::vector<Potential> balance_; // by node: the current in minus the current out, A
     int symbolic_ = 0;
     int numeric_ = 0;
 };

@@ -12,7 +12,7 @@ namespace {
 
 Microamperes inMicroamperes(double ampere) {
     if (!(ampere > 0)) {
-        return 0; // nor where it is not a number
+        return 0; // also if it is NaN
     }
     return std::max<Microamperes>(1, std::llround(std::min(ampere, 1e9) * 1e6));
 }
@@ -22,7 +22,7 @@ double inAmperes(Microamperes current) {
                                 : static_cast<double>(current) / 1e6;
 }
 
-/// The circuit without the objects that carry nothing.
+/// The circuit without the objects that cannot carry current.
 Circuit without(Circuit const& circuit, std::vector<Microamperes> const& limits) {
     Circuit rest = circuit;
     rest.neighbours.clear();
@@ -74,7 +74,7 @@ void FlowElectricity::findChangedLimits(Column<CurrentCapacity> const& capacitie
     };
     std::sort(now.begin(), now.end(), order);
     auto const same = [](Limit const& x, Limit const& y) { return x.object == y.object; };
-    now.erase(std::unique(now.begin(), now.end(), same), now.end()); // the lesser of two stays
+    now.erase(std::unique(now.begin(), now.end(), same), now.end()); // keeps the lesser of two
     std::vector<Limit> different;
     std::set_symmetric_difference(now.begin(), now.end(), limits_.begin(), limits_.end(),
                                   std::back_inserter(different), order);
@@ -101,7 +101,7 @@ void FlowElectricity::analyse(Circuit const& circuit, std::vector<std::uint8_t>&
     bool const barred = std::find(limits.begin(), limits.end(), 0) != limits.end();
     markTwoWire(barred ? without(circuit, limits) : circuit, on);
     if (std::find(on.begin(), on.end(), 1) == on.end()) {
-        return; // no way leads from a source to a return
+        return; // no path leads from a source to a return
     }
     for (std::string_view const network : circuit.terminalNetworks()) {
         MaxFlow const flow = maxFlow(circuit, network, limits);

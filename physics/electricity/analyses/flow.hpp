@@ -1,5 +1,4 @@
-// Electricity's detail level flow (7.3.2): how much current a network lets through, and where its bottleneck
-// is.
+// Electricity's detail level flow (7.3.2): the greatest current of a network, and its bottleneck.
 #pragma once
 
 #include "physics/electricity/analyses/max_flow.hpp"
@@ -12,11 +11,10 @@
 
 namespace trembler {
 
-/// An object is on as with two-wire, where one whose capacity is 0 does not conduct. Beyond that it finds,
-/// for each circuit, the largest current from source to return and the objects that let no more through. It
-/// knows nothing of volts and ohms, so a balanced bridge's lamp is on to it, as to two-wire; a fuse is a
-/// capacity, and never melts. It costs more than two-wire and finds less than nodal, so no scene calls for
-/// it: it is there to be asked for.
+/// Objects are on as with two-wire, except that objects of capacity 0 do not conduct. In addition it finds,
+/// for each circuit, the largest current from source to return and the objects that limit it. It ignores
+/// volts and ohms, so the lamp in a balanced bridge is on, as with two-wire; a fuse is a capacity, and never
+/// melts. It costs more than two-wire and finds less than nodal, so it is used only on request.
 class FlowElectricity final : public Dps<FlowElectricity,
                                          Reads<ElectricityGraph, GraphChanges, Conductor, ElectricalSource,
                                                ElectricalReturn, CurrentCapacity, Fuse>,
@@ -32,9 +30,9 @@ public:
         .rank = 4};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
-        leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
-    static bool suits(Store const&) { return false; } // of itself
-    /// Capacities count for it alone, and its fuses never melt.
+        leftOut("the analyses of unchanged circuits; recomputed, they give the same results");
+    static bool suits(Store const&) { return false; } // only on request
+    /// Only this level uses capacities, and its fuses never melt.
     static bool faithful(Store const& store) { return isFaithful(ElectricalLevel::flow, store); }
     static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access);

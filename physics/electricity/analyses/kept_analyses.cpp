@@ -19,7 +19,7 @@ NodalSolution const& KeptAnalyses::solve(Netlist const& netlist, std::string_vie
             at = known.end() - 1;
             nodes_ += netlist.objects.size();
         } else {
-            at = known.begin(); // the one that was not used for longest
+            at = known.begin(); // the least recently used one
         }
     }
     std::rotate(at, at + 1, known.end());

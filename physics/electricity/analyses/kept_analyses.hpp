@@ -1,4 +1,4 @@
-// The analyses of circuits seen lately, kept so that one that comes back need not be factorised again.
+// A cache of the latest analyses of circuits, so that a structure that recurs need not be factorised again.
 #pragma once
 
 #include "physics/electricity/analyses/nodal_analysis.hpp"
@@ -11,13 +11,13 @@
 namespace trembler {
 
 /// A circuit that is opened and closed again and again, as in a doorbell, has a few structures that
-/// alternate. Of every circuit, known by its first object and network, the latest few are kept. Keeping them
-/// saves time and changes no result: NodalAnalysis depends on nothing but the netlist.
+/// alternate. For every circuit, identified by its first object and network, the latest few analyses are
+/// kept. This saves time and changes no result: NodalAnalysis depends on the netlist alone.
 class KeptAnalyses {
 public:
     static constexpr std::size_t structuresKept = 3;
     static constexpr std::size_t nodesKept =
-        300'000; ///< over all, about a kilobyte each; beyond, all is forgotten
+        300'000; ///< of all circuits, about a kilobyte each; beyond, the cache is emptied
 
     NodalSolution const& solve(Netlist const& netlist, std::string_view network);
 
@@ -26,7 +26,7 @@ public:
 
 private:
     using Key = std::pair<ObjectId, std::string>;
-    std::map<Key, std::vector<NodalAnalysis>> kept_; // of each: the latest used last
+    std::map<Key, std::vector<NodalAnalysis>> kept_; // for each, the most recently used last
     std::size_t nodes_ = 0;
 };
 

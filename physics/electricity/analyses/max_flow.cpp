@@ -1,6 +1,6 @@
 #include "physics/electricity/analyses/max_flow.hpp"
 
-// g++ 12 thinks that Boost's iterator over all edges may begin with an edge that is none.
+// g++ 12 warns that Boost's iterator over all edges may begin with an uninitialised edge.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -31,8 +31,8 @@ using FlowVertex = Traits::vertex_descriptor;
 
 constexpr std::uint32_t notThere = std::numeric_limits<std::uint32_t>::max();
 
-/// Objects in order of their ids, each as two nodes, one for the flow in and one for the flow out, with its
-/// capacity between.
+/// The network of objects in order of their ids. Each object is two nodes, one for the flow in and one for
+/// the flow out, joined by an edge with its capacity.
 class Network {
 public:
     Network(Circuit const& circuit, std::string_view network, std::span<Microamperes const> capacities)
@@ -45,7 +45,7 @@ public:
         std::sort(order_.begin(), order_.end(),
                   [&](std::uint32_t a, std::uint32_t b) { return circuit.objects[a] < circuit.objects[b]; });
         graph_ = Graph(2 * order_.size() + 3);
-        join(gate(), source(), unlimited); // no sum can be more, however many ways there are
+        join(gate(), source(), unlimited); // limits the total, however many paths there are
         for (std::uint32_t n = 0; n < order_.size(); ++n) {
             place_[order_[n]] = n;
             join(in(n), out(n), capacities[order_[n]]);
@@ -131,8 +131,7 @@ private:
             }
         }
     }
-    // Takes the flow apart into ways from source to return. Flow that goes round in circles is left over, and
-    // does not count.
+    // Divides the flow into paths from source to return. Flow in circles remains and does not count.
     void peel(MaxFlow& found) {
         std::vector<std::size_t> next(boost::num_vertices(graph_), 0);
         std::vector<Edge> way;
@@ -164,13 +163,13 @@ private:
                 ++next[here];
             }
             if (next[here] == degree) {
-                return; // only the gate runs dry: elsewhere as much flows out as in
+                return; // only the gate can run dry: elsewhere the flow out equals the flow in
             }
             Edge const e = first[static_cast<std::ptrdiff_t>(next[here])];
             FlowVertex const to = boost::target(e, graph_);
             way.push_back(e);
             here = to;
-            if (onWay[to] != 0) { // round in a circle
+            if (onWay[to] != 0) { // a circle
                 auto const start = std::find_if(
                     way.begin(), way.end(), [&](Edge const& x) { return boost::source(x, graph_) == to; });
                 Microamperes least = unlimited;

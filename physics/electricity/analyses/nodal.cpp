@@ -5,8 +5,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace trembler {
+namespace {
+
+// A rating may be so small that the quotient is no finite number.
+double finiteRatio(double value, double rating) {
+    return std::min(value / rating, std::numeric_limits<double>::max());
+}
+
+} // namespace
 
 void NodalElectricity::update(Access& access) {
     ElectricityColumns const columns{access.read<ElectricityGraph>(), access.read<Conductor>(),
@@ -24,7 +33,7 @@ void NodalElectricity::update(Access& access) {
     writeStateAndQuantities(access, update_, found_);
 }
 
-// The objects that state something else than at the last update.
+// The objects whose stated values have changed since the last update.
 void NodalElectricity::findChangedParts(NodalColumns const& columns) {
     changed_.clear();
     std::array<std::uint64_t, 4> const versions{columns.resistances.version(), columns.emfs.version(),
@@ -96,7 +105,7 @@ void NodalElectricity::analyse(Circuit const& circuit, NodalColumns const& colum
 void NodalElectricity::solve(Circuit const& circuit, NodalColumns const& columns, CircuitQuantities& found,
                              std::vector<std::uint8_t>& on) {
     for (auto& entry : found.entries) {
-        entry.floating = true; // until a network takes it in
+        entry.floating = true; // until a network that contains it is solved
     }
     for (std::string_view const network : circuit.terminalNetworks()) {
         makeNetlist(circuit, columns, network, netlist_);
@@ -127,10 +136,10 @@ void NodalElectricity::solve(Circuit const& circuit, NodalColumns const& columns
     for (auto& entry : found.entries) {
         found.circuit.floating = found.circuit.floating && entry.floating;
         if (RatedPower const* const rated = columns.ratings.find(entry.object)) {
-            entry.brightness = entry.power / rated->power;
+            entry.brightness = finiteRatio(entry.power, rated->power);
         }
         if (Fuse const* const fuse = columns.fuses.find(entry.object); fuse != nullptr && !fuse->blown) {
-            entry.overload = entry.current / fuse->current;
+            entry.overload = finiteRatio(entry.current, fuse->current);
         }
     }
     auto& shorted = found.circuit.shorted;

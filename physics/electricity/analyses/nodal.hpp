@@ -1,4 +1,4 @@
-// Electricity's detail level nodal: real direct current, in volts, amperes and watts.
+// Electricity's detail level nodal: direct current in volts, amperes and watts.
 #pragma once
 
 #include "physics/electricity/analyses/kept_analyses.hpp"
@@ -11,10 +11,10 @@
 
 namespace trembler {
 
-/// Solves Kirchhoff's laws in every circuit that has a resistance, an EMF, a rating or a fuse in it; others
-/// are on or off as the cheaper levels have it, as nothing is known of their currents. Networks are solved
-/// one by one; an object that takes part in several carries the currents of all, and has the potential of the
-/// first by name in which it does not float.
+/// Solves Kirchhoff's laws in every circuit that contains a resistance, an EMF, a rating or a fuse; objects
+/// of other circuits are on or off as with the cheaper levels, as their currents are unknown. Networks are
+/// solved one by one; an object in several networks carries the currents of all, and has the potential of the
+/// first network by name in which it does not float.
 ///
 /// An object is on while a current flows through it: at least `leastCurrent`, at least `leastShare` of the
 /// largest in its network, and, if it has a rated power, enough for `leastPower` of that.
@@ -38,12 +38,12 @@ public:
     static constexpr double leastPower = 0.01;
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
-        leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
+        leftOut("the analyses of unchanged circuits; recomputed, they give the same results");
     static std::string why(Store const& store) { return whyElectricalLevel(store); }
     void update(Access& access);
 
 private:
-    /// Everything that an object states, as of the last update.
+    /// The stated values of an object at the last update.
     struct Part {
         ObjectId object;
         double resistance = 0;

@@ -59,7 +59,7 @@ NodalSolution const& NodalAnalysis::solve(Netlist const& netlist) {
     return solution_;
 }
 
-// Nodes that ideal conductors join are one.
+// Nodes that are joined by ideal conductors become one.
 void NodalAnalysis::contract() {
     std::size_t const count = netlist_.branches.size();
     resistances_.resize(count);
@@ -80,7 +80,7 @@ void NodalAnalysis::contract() {
     }
 }
 
-// An ideal source holds its cluster at its EMF, unless that is held at another potential already.
+// An ideal source holds its cluster at its EMF, unless the cluster is already held at another potential.
 void NodalAnalysis::fixIdealSources() {
     held_.assign(clusters_, 0);
     heldAt_.assign(clusters_, 0);
@@ -113,8 +113,8 @@ void NodalAnalysis::fixIdealSources() {
     }
 }
 
-// Nodes that no resistance joins to a given potential have none of their own; it is taken as 0 V, and no
-// current flows.
+// Nodes that no resistance connects to a given potential have no determined potential; it is set to 0 V, and
+// no current flows.
 void NodalAnalysis::markFloating() {
     Sets sets(clusters_);
     for (std::size_t b = 0; b < netlist_.branches.size(); ++b) {
@@ -146,8 +146,7 @@ void NodalAnalysis::solveBetweenClusters() {
         if (ideal(b)) {
             continue;
         }
-        if (from ==
-            to) { // a source of which ideal conductors join the poles, or a resistor's two connections
+        if (from == to) { // ideal conductors join a source's poles, or a resistor's two connections
             solution_.currents[b] = branch.emf / resistances_[b];
             continue;
         }
@@ -171,8 +170,8 @@ void NodalAnalysis::solveBetweenClusters() {
     }
 }
 
-// Ideal branches are edges of conductance 1. Each ideal source pulls its current out of a node of its
-// cluster's own, the pump; the currents that leave through resistances are known already.
+// Ideal branches are edges of conductance 1. Each ideal source takes its current from an extra node of its
+// cluster, the pump; the currents that leave through resistances are already known.
 void NodalAnalysis::solveWithinClusters() {
     std::vector<std::uint32_t> pump(clusters_, noCluster);
     std::uint32_t count = nodes();

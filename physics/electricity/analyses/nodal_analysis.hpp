@@ -8,13 +8,13 @@
 
 namespace trembler {
 
-/// The solution of a netlist. All numbers are finite, always.
+/// The solution of a netlist. All numbers are finite.
 struct NodalSolution {
     struct Object {
-        double potential = 0; ///< V, of its middle; 0 where it floats
-        double current = 0;   ///< A through it: half the sum of the sizes of the currents in its branches
-        double power = 0;     ///< W of heat, a source's internal resistance included
-        double supplied = 0;  ///< W from its EMF
+        double potential = 0; ///< V, of its middle; 0 if it floats
+        double current = 0;  ///< A through it: half the sum of the magnitudes of the currents in its branches
+        double power = 0;    ///< W of heat, a source's internal resistance included
+        double supplied = 0; ///< W from its EMF
         bool floating = false;
         bool shorted = false; ///< a source: see shortCircuit
     };
@@ -25,21 +25,23 @@ struct NodalSolution {
     double residual = 0;
 };
 
-/// A source is shorted where it keeps less than this share of its EMF, or an ideal one drives its EMF through
-/// less than `shortedOhm`. An ideal source whose poles are joined by ideal conductors, or joined with those
-/// of an ideal source of another EMF, would drive an infinite current: it is given `leastResistance` inside.
+/// A source is shorted if its voltage is less than this share of its EMF, or if an ideal source drives
+/// current through less than `shortedOhm`. An ideal source whose poles are joined by ideal conductors, or
+/// joined with those of an ideal source of another EMF, would drive an infinite current: it gets the internal
+/// resistance `leastResistance`.
 inline constexpr double shortedShare = 0.1;
 inline constexpr double shortedOhm = 0.01;
 
 /// Solves netlists one after the other, and reuses the parts of the last solution that stay valid.
 ///
-/// Ideal conductors that touch are one node, exactly, whatever the other resistances are. How the current
-/// shares itself among them is found afterwards, as the limit of equal resistances, one for each connection,
-/// that go to zero: where there is only one way, by Kirchhoff's first law alone.
+/// Ideal conductors that touch are exactly one node, whatever the other resistances are. The distribution of
+/// the current among them is computed afterwards, as the limit of equal resistances, one for each connection,
+/// that go to zero; with only one path, by Kirchhoff's first law alone.
 class NodalAnalysis {
 public:
-    /// The solution of `netlist`. Depends on nothing but the netlist, bit for bit. Where the netlist is the
-    /// one of the last call it is not computed again; where its structure is, only its numbers are.
+    /// The solution of `netlist`. Depends on the netlist alone, bit for bit. If the netlist equals that of
+    /// the last call, nothing is computed again; if only its structure is the same, the symbolic
+    /// factorisation is reused.
     NodalSolution const& solve(Netlist const& netlist);
     /// Whether the last netlist had the same structure, up to the values of resistances above zero.
     [[nodiscard]] bool sameStructure(Netlist const& netlist) const;
@@ -47,9 +49,9 @@ public:
     /// Of the last netlist, by node, the return node included: nodes that ideal conductors join have the same
     /// number.
     [[nodiscard]] std::span<std::uint32_t const> clusters() const { return cluster_; }
-    /// By node, the return node included: whether no way leads from it to a given potential.
+    /// By node, the return node included: whether it has no connection to a given potential.
     [[nodiscard]] bool floats(std::uint32_t node) const { return floating_[cluster_[node]] != 0; }
-    /// By branch, in ohm: the values of the computation, that of a limited ideal source included.
+    /// By branch, in ohm: the values used, including those of limited ideal sources.
     [[nodiscard]] std::span<double const> resistances() const { return resistances_; }
 
     /// Factorisations so far, for tests and benchmarks.

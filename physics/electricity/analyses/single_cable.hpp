@@ -24,8 +24,9 @@ public:
                 "it may take part in. Looks only at circuits that have changed.",
         .rank = 1};
     using Activation = NeedsAny<Conductor>;
+    using LeavesEmpty = ElectricalQuantities;
     static constexpr Coverage memory =
-        leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
+        leftOut("the analyses of unchanged circuits; recomputed, they give the same results");
     /// In worlds that never had a return; see neverHadReturns().
     static bool suits(Store const& store);
     static bool faithful(Store const& store);

@@ -23,7 +23,7 @@ Column<P> const& columnOf(Store const& store) {
     return column == nullptr ? nobody : *column;
 }
 
-/// One line of text, whatever is in it.
+/// The text as a single line.
 std::string oneLine(std::string_view text) {
     std::string line(text);
     std::replace_if(

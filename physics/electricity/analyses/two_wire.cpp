@@ -10,8 +10,8 @@
 namespace trembler {
 namespace {
 
-// Every connection is two directed edges of a compressed graph. The algorithm sees it just as it would see an
-// undirected one, whose edges turn up at both ends too; packing is an order of magnitude cheaper.
+// Every connection is two directed edges of a compressed graph. For the algorithm this is the same as an
+// undirected graph, whose edges are listed at both ends, too; building it is an order of magnitude cheaper.
 using Vertex = std::uint32_t;
 using BoostGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property,
                                                       boost::no_property, boost::no_property, Vertex, Vertex>;
@@ -22,7 +22,7 @@ constexpr Vertex returnNode = 1;
 constexpr Vertex firstObject = 2;
 
 // The edges of one network's part of a circuit, with source node, return node and the virtual edge between
-// them, which is the first of all.
+// them, which comes first.
 std::vector<std::pair<Vertex, Vertex>> edgesOf(Circuit const& circuit, Terminals sources, Terminals returns) {
     std::string_view const network = sources.front().network;
     std::vector<std::pair<Vertex, Vertex>> edges;

@@ -7,14 +7,14 @@
 
 namespace trembler {
 
-/// Marks every vertex that has two ways, one to the source and one to the return of a network, with nothing
-/// but the vertex itself in common: exactly those in the block (maximal 2-connected subgraph) of the virtual
+/// Marks every vertex that has two paths, one to the source and one to the return of a network, with only the
+/// vertex itself in common: exactly the vertices in the block (maximal 2-connected subgraph) of the virtual
 /// edge between source and return (A.6.1, proof in A.6.3; blocks after Tarjan 1972, by the Boost Graph
 /// Library). O(v + e) for each network that has both here.
 ///
-/// Source and return are nodes of their own to which the objects are joined, so that any number of objects
-/// can be sources, a wire straight from a source to a return is no different from others, and a battery is on
-/// only while something closes its circuit.
+/// Source and return are separate nodes to which the objects are joined, so that any number of objects can be
+/// sources, a wire directly from a source to a return is treated like others, and a battery is on only while
+/// its circuit is closed.
 void markTwoWire(Circuit const& circuit, std::vector<std::uint8_t>& on);
 
 class TwoWireElectricity final
@@ -31,9 +31,10 @@ public:
                                             "object twice. Looks only at circuits that have changed.",
                                         .rank = 2};
     using Activation = NeedsAny<Conductor>;
+    using LeavesEmpty = ElectricalQuantities;
     static constexpr Coverage memory =
-        leftOut("the analyses of circuits that have not changed; recomputed, they come to the same");
-    /// Where nothing has a resistance, an EMF, a rating or a fuse.
+        leftOut("the analyses of unchanged circuits; recomputed, they give the same results");
+    /// If no object has a resistance, an EMF, a rating or a fuse.
     static bool suits(Store const& store);
     static bool faithful(Store const& store);
     static std::string why(Store const& store) { return whyElectricalLevel(store); }

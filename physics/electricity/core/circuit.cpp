@@ -32,7 +32,7 @@ std::uint32_t CircuitWalk::enter(ElectricityColumns const& columns, ObjectId id,
     Conductor const* const conductor = columns.conductors.find(id);
     std::string_view const only = conductor == nullptr ? std::string_view{} : conductor->network;
     circuit.networks.push_back(only);
-    // An object made for one network is no terminal of another.
+    // A device of one network is no terminal of another.
     if (ElectricalSource const* const source = columns.sources.find(id)) {
         if (only.empty() || only == source->network) {
             circuit.sources.push_back({source->network, vertex});
@@ -61,7 +61,7 @@ bool CircuitWalk::walk(ElectricityColumns const& columns, ObjectId seed, Circuit
         for (ElectricityGraph::Connection const& connection :
              columns.graph[circuit.objects[open]].connections) {
             if (!columns.graph.has(connection.to)) {
-                continue; // gone, and the resolver has not had its turn yet
+                continue; // destroyed, and the resolver has not run since
             }
             Place const& place = places_[connection.to.index];
             circuit.neighbours.push_back(place.circuit == next_ ? place.vertex

@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// The columns that both detail levels of electricity read.
+/// The columns that all detail levels of electricity read.
 struct ElectricityColumns {
     Column<ElectricityGraph> const& graph;
     Column<Conductor> const& conductors;
@@ -28,8 +28,8 @@ struct Circuit {
     };
     std::vector<ObjectId> objects;          ///< by vertex
     std::vector<std::uint32_t> offsets;     ///< by vertex, one more at the end: where its neighbours begin
-    std::vector<std::uint32_t> neighbours;  ///< every connection stands in it twice
-    std::vector<std::string_view> networks; ///< by vertex: the only network it is made for, empty if any
+    std::vector<std::uint32_t> neighbours;  ///< every connection is in it twice
+    std::vector<std::string_view> networks; ///< by vertex: its only network; empty: any network
     std::vector<Terminal> sources;          ///< ascending
     std::vector<Terminal> returns;          ///< ascending
 
@@ -41,22 +41,22 @@ struct Circuit {
     [[nodiscard]] bool takesPart(std::uint32_t vertex, std::string_view network) const {
         return networks[vertex].empty() || networks[vertex] == network;
     }
-    /// The networks that have a source or a return here, ascending.
+    /// The networks that have a source or a return in this circuit, ascending.
     [[nodiscard]] std::vector<std::string_view> terminalNetworks() const;
 };
 
-/// Walks from objects to everything that they are connected to, each circuit once. Breadth first and without
-/// recursion: a chain of a million objects is a circuit like any other. Keeps its memory between walks.
+/// Walks from objects to all objects connected to them, each circuit once. Breadth first and without
+/// recursion, so that a chain of a million objects is possible. Reuses its memory between walks.
 class CircuitWalk {
 public:
     static constexpr std::uint32_t none = 0xffffffffU;
 
-    /// Forgets where it has been.
+    /// Marks all objects as not visited.
     void begin(ElectricityColumns const& columns);
-    /// Packs the circuit of `seed`. Returns false if it has been there since begin(), or the object is no
-    /// vertex.
+    /// Packs the circuit of `seed`. Returns false if the circuit was visited since begin(), or the object is
+    /// no vertex.
     bool walk(ElectricityColumns const& columns, ObjectId seed, Circuit& circuit);
-    /// The circuit in which an object was met since begin(), counted from 0 in order of walks, or `none`.
+    /// The circuit in which an object was visited since begin(), counted from 0 in order of walks, or `none`.
     [[nodiscard]] std::uint32_t circuitOf(ObjectId id) const {
         return id.index < places_.size() && places_[id.index].circuit >= base_
                    ? static_cast<std::uint32_t>(places_[id.index].circuit - base_)

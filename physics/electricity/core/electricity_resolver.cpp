@@ -7,7 +7,7 @@
 namespace trembler {
 namespace {
 
-// A reader that missed more than this looks at the whole graph; the number bounds memory, not correctness.
+// A reader that missed more entries than this reads the whole graph; the limit affects memory only.
 constexpr std::size_t journalLimit = 4096;
 
 [[nodiscard]] std::vector<ObjectId> without(std::span<ObjectId const> these,
@@ -44,7 +44,7 @@ void ElectricityResolver::followObjects(Access& access) {
     seen_ = versions;
 }
 
-// Conductors that appeared become vertices; vanished ones leave the graph with their connections.
+// New conductors become vertices; vanished ones are removed from the graph with their connections.
 void ElectricityResolver::followVertices(Access& access) {
     std::span<ObjectId const> const now = access.read<Conductor>().owners();
     std::vector<ObjectId> const missing = without(now, access.read<ElectricityGraph>().owners());
@@ -70,9 +70,8 @@ void ElectricityResolver::followVertices(Access& access) {
     }
 }
 
-// The one walk over the whole graph. An object that is gone took its row along, so the objects that were
-// connected to it can be found from their own rows only; it happens in frames in which a conductor
-// disappeared.
+// A walk over the whole graph, in frames in which a conductor disappeared. The row of a destroyed object no
+// longer exists, so the objects that were connected to it can be found by their own rows only.
 void ElectricityResolver::dropLooseEnds(Access& access) {
     auto const& graph = access.read<ElectricityGraph>();
     for (std::uint32_t r = 0; r < graph.size(); ++r) {
@@ -91,7 +90,7 @@ void ElectricityResolver::dropLooseEnds(Access& access) {
     }
 }
 
-// An object with another part in the networks than before may switch others on or off.
+// An object whose part in the networks has changed may switch others on or off.
 void ElectricityResolver::followNetworks(Access& access) {
     std::vector<NetworkPart> now;
     auto const& conductors = access.read<Conductor>();
@@ -118,9 +117,9 @@ void ElectricityResolver::followNetworks(Access& access) {
     parts_ = std::move(now);
 }
 
-// An interaction that is gone, because nothing in the scene calls for it any more, can never take back the
-// connections that it added, so they go with it, as its held calls do; if it comes again it begins with none.
-// A walk over the whole graph, in the frame after an interaction went.
+// An interaction that was removed because the scene no longer needs it cannot remove the connections that it
+// added. So they are removed here, as its held calls are; if it is constructed again it begins with none. A
+// walk over the whole graph, in the frame after an interaction was removed.
 void ElectricityResolver::followCallers(Access& access) {
     std::span<CallerId const> const now = access.callers();
     if (!first_ && std::equal(now.begin(), now.end(), callers_.begin(), callers_.end())) {
@@ -154,7 +153,7 @@ void ElectricityResolver::followCallers(Access& access) {
     }
 }
 
-// A blown fuse stays a vertex, but an isolated one. A level may start with one, wires and all.
+// A blown fuse stays a vertex, but an isolated one. A level may state a blown fuse with wires.
 void ElectricityResolver::blowFuses(Access& access) {
     struct Blown {
         ObjectId fuse;
@@ -233,7 +232,7 @@ void ElectricityResolver::carryOutCalls(Access& access) {
     }
 }
 
-// All that one frame has to say about one pair. Adding up before clamping makes the order of calls
+// Applies all changes of one pair in one frame. Adding up before clamping makes the order of calls
 // irrelevant.
 void ElectricityResolver::changePair(Access& access, std::span<Change const> changes) {
     ObjectId const a = changes.front().a;
@@ -253,7 +252,7 @@ void ElectricityResolver::changePair(Access& access, std::span<Change const> cha
     }
     setConnection(access.write<ElectricityGraph>(), a, b, after);
     if (after.any() == before.any()) {
-        return; // one caller more or less, but as connected as before
+        return; // the callers have changed, but not whether the pair is connected
     }
     std::vector<EventId> causes;
     for (Change const& change : changes) {

@@ -13,8 +13,9 @@
 
 namespace trembler {
 
-/// Light-weight: a derived property set finds which objects a change switches on or off. Objects that and
-/// callers that come and go are all that changes the graph besides calls; a frame without either costs O(1).
+/// Light-weight: a derived property set finds which objects a change switches on or off. Besides calls, only
+/// the creation and removal of objects and callers changes the graph; a frame without any of these costs
+/// O(1).
 class ElectricityResolver final
     : public Resolver<ElectricityResolver, ElectricityRole,
                       Reads<Conductor, ElectricalSource, ElectricalReturn>,
@@ -31,12 +32,12 @@ public:
                 "induced to the EMF of sources."};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
-        leftOut("who was a conductor, and in which network, in the last advance, to see what changes");
+        leftOut("the conductors and their networks in the last advance, to find changes");
     void hashMemory(StateHash& hash) const { held_.hash(hash); }
     void advance(Access& access);
 
 private:
-    /// The part of an object in the networks, unless it is a plain conductor.
+    /// The role of an object in the networks, unless it is a plain conductor.
     struct NetworkPart {
         enum class Kind : std::uint8_t { conductor, source, returning };
         ObjectId object;

@@ -1,4 +1,4 @@
-// The changes of the electricity graph, for derived property sets that follow from it.
+// The changes of the electricity graph, for derived property sets that depend on it.
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -11,8 +11,8 @@
 
 namespace trembler {
 
-/// A journal of changes, numbered, so that a reader that does not run in every frame, or has just been
-/// swapped in, knows which changes it missed.
+/// A numbered journal of changes, so that a reader that does not run in every frame, or was just constructed,
+/// can find the changes that it missed.
 struct GraphChanges {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
@@ -21,20 +21,20 @@ struct GraphChanges {
         "connection, appeared, disappeared or changed their part in a network."};
     static constexpr std::string_view standing =
         "a numbered journal, from which each reader takes what it has missed";
-    static constexpr Coverage coverage =
-        leftOut("a journal of what G_E went through, which saves its readers work; who has missed some of it "
-                "looks at all of G_E, and comes to the same");
+    static constexpr Coverage coverage = leftOut(
+        "a journal of changes of G_E, only to save work: a reader that missed entries reads all of G_E, "
+        "with the same result");
     struct Touched {
-        ObjectId object;          ///< may be gone
+        ObjectId object;          ///< may no longer exist
         EventId event;            ///< "connected" or "disconnected"; none without tracing
         std::uint64_t number = 0; ///< of the change
     };
-    std::uint64_t number = 0;    ///< of the latest change; counts up with every advance that changed anything
-    std::uint64_t forgotten = 0; ///< the journal has only the changes with a higher number
+    std::uint64_t number = 0; ///< of the latest change; increases with every advance that changed the graph
+    std::uint64_t forgotten = 0;  ///< the journal has only the changes with a higher number
     std::vector<Touched> journal; ///< ascending by number
 
-    /// Whether `seen`, the number of the latest change that a reader knows, is recent enough for the journal
-    /// to have all later ones. If not, anything may have changed.
+    /// Whether the journal contains all changes after `seen`, the number of the latest change that a reader
+    /// has read. If not, any part of the graph may have changed.
     [[nodiscard]] bool remembers(std::uint64_t seen) const { return seen >= forgotten && seen <= number; }
 };
 

@@ -12,7 +12,7 @@ constexpr std::uint32_t noNode = std::numeric_limits<std::uint32_t>::max();
 
 double withinLimits(double ohm) {
     if (!(ohm > 0)) {
-        return 0; // nor where it is not a number
+        return 0; // also if it is NaN
     }
     return std::clamp(ohm, leastResistance, greatestResistance);
 }
@@ -61,7 +61,7 @@ void makeNetlist(Circuit const& circuit, NodalColumns const& columns, std::strin
             }
         }
     }
-    // A neighbour's place in a row follows from ids already, but a circuit promises no order.
+    // Neighbours in a row are in order of ids already, but a circuit guarantees no order.
     std::sort(netlist.branches.begin(), netlist.branches.end(),
               [](auto const& a, auto const& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
     std::uint32_t const earth = netlist.earth();

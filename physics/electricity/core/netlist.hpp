@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// The columns with the objects' volts, amperes and ohms. A world without any has none.
+/// The columns with the objects' volts, amperes and ohms; null if no object has such a property.
 struct NodalColumns {
     Column<Resistance> const& resistances;
     Column<Emf> const& emfs;
@@ -18,17 +18,16 @@ struct NodalColumns {
     Column<Fuse> const& fuses;
 };
 
-/// A source that states no EMF gives this, in V, as an ideal source.
+/// The EMF, in V, of a source that states none; the source is ideal.
 inline constexpr double unstatedEmf = 12;
 
 /// The resistance of an object, in ohm: the stated one, or the one that follows from its rating, or 0. Always
-/// 0 or from leastResistance to greatestResistance, even if a program has written other values there.
+/// 0 or within leastResistance and greatestResistance, even if a program has written other values.
 [[nodiscard]] double resistanceOf(NodalColumns const& columns, ObjectId object);
 
 /// Nodes are the middles of the objects that take part in the network, in order of their ids, and after them
-/// the return node, at 0 V. A branch is a connection between two objects, or the joint of a terminal with the
-/// return node, which for a source has its EMF in it. A branch holds half the resistance of each object at
-/// its ends.
+/// the return node, at 0 V. A branch is a connection between two objects, or of a terminal with the return
+/// node; that of a source contains its EMF. A branch holds half the resistance of each object at its ends.
 struct Netlist {
     enum class Kind : std::uint8_t { connection, source, returning };
     struct Branch {

@@ -20,27 +20,27 @@ CircuitQuantities quantitiesOf(Circuit const& circuit, SufficientLevel const& le
 }
 
 void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuantities>& found,
-                     StateUpdate const& update, std::uint64_t frame, TellOfCircuit const& tell) {
+                     StateUpdate const& update, std::uint64_t frame, ReportOfCircuit const& report) {
     auto const before = [&](ObjectId first) -> ElectricalQuantities::Circuit const* {
         return quantities.circuitOf(first);
     };
-    // News, as long as it is known how things were.
+    // Events are recorded before the previous results are overwritten.
     for (std::uint32_t c = 0; c < found.size(); ++c) {
         for (ElectricalQuantities::Entry& entry : found[c].entries) {
             if (entry.overload > 1) {
-                entry.event = tell("overloaded", entry.object, c);
+                entry.event = report("overloaded", entry.object, c);
             }
         }
         auto const& circuit = found[c].circuit;
         for (ObjectId const source : circuit.shorted) {
             auto const* const was = before(source);
             if (was == nullptr || !std::binary_search(was->shorted.begin(), was->shorted.end(), source)) {
-                (void)tell("short circuit", source, c);
+                (void)report("short circuit", source, c);
             }
         }
         auto const* const entry = quantities.find(circuit.first);
         if (circuit.floating && circuit.objects > 1 && (entry == nullptr || !entry->floating)) {
-            (void)tell("floating", circuit.first, c);
+            (void)report("floating", circuit.first, c);
         }
     }
     if (update.sawAll()) {
@@ -60,7 +60,7 @@ void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuanti
             quantities.byIndex[entry.object.index] = entry;
         }
     }
-    // A circuit is as it was unless it was looked at, or its first object went to another.
+    // A circuit is unchanged unless it was analysed, or its first object is now in another one.
     std::vector<ObjectId> looked;
     looked.reserve(found.size());
     for (CircuitQuantities const& one : found) {

@@ -1,4 +1,4 @@
-// Writing the results of the more expensive detail levels of electricity.
+// Writes the results of the more expensive detail levels of electricity.
 #pragma once
 
 #include "physics/electricity/core/circuit.hpp"
@@ -18,20 +18,18 @@ struct CircuitQuantities {
     std::vector<ElectricalQuantities::Entry> entries; ///< every object of it
 };
 
-/// Those that are known before the circuit is analysed: its objects, and why it is analysed in that way.
+/// The results that are known before the analysis: the circuit's objects, and the reason for its level.
 [[nodiscard]] CircuitQuantities quantitiesOf(Circuit const& circuit, SufficientLevel const& level);
 
 /// An event for the trace: `what` happened to `object` in the circuit of that number.
-using TellOfCircuit = std::function<EventId(std::string_view what, ObjectId object, std::uint32_t circuit)>;
+using ReportOfCircuit = std::function<EventId(std::string_view what, ObjectId object, std::uint32_t circuit)>;
 
-/// Replaces the results of the circuits that were looked at, and removes circuits that are gone. `tell` is
-/// called for sources that are shorted and for islands that float, where they were not before, and for
-/// overloaded fuses.
+/// Replaces the results of the analysed circuits, and removes circuits that no longer exist. `report` is
+/// called for newly shorted sources, for newly floating islands, and for overloaded fuses.
 void writeQuantities(ElectricalQuantities& quantities, std::vector<CircuitQuantities>& found,
-                     StateUpdate const& update, std::uint64_t frame, TellOfCircuit const& tell);
+                     StateUpdate const& update, std::uint64_t frame, ReportOfCircuit const& report);
 
-/// The end of the update() of a detail level that knows quantities: writes state and quantities, where they
-/// are new.
+/// The end of the update() of a detail level with quantities: writes state and quantities if they are new.
 template <class Access>
 void writeStateAndQuantities(Access& access, StateUpdate const& update,
                              std::vector<CircuitQuantities>& found) {

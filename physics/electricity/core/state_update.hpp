@@ -1,4 +1,4 @@
-// The common part of the detail levels of electricity: which circuits must be looked at again, and which
+// The common part of the detail levels of electricity: finds which circuits must be analysed again, and which
 // results are new.
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace trembler {
 
-/// Finds the objects that are on now. Only circuits that a change has touched are analysed, unless the
-/// journal of changes does not reach back to the last update: then all are. Either way the result is compared
-/// with the state as it stands, so it does not matter which level computed that.
+/// Finds the objects that are on now. Only circuits with changes are analysed, or all circuits if the journal
+/// of changes does not reach back to the last update. In both cases the result is compared with the present
+/// state, so it does not matter which level computed that.
 class StateUpdate {
 public:
-    /// Marks which vertices of a circuit are on. `on` comes with a 0 for every vertex. Called once for each
-    /// circuit that is looked at, in the order of their numbers.
+    /// Marks which vertices of a circuit are on. `on` has a 0 for every vertex. Called once for each circuit
+    /// to be analysed, in the order of their numbers.
     using Analyse = std::function<void(Circuit const& circuit, std::vector<std::uint8_t>& on)>;
 
     /// A conductor whose entry in the state must be written.
@@ -28,21 +28,20 @@ public:
         bool switched = false; ///< from on to off or the other way; a new conductor was off
     };
 
-    /// `touched` are objects of which something has changed that the graph does not know; their circuits are
-    /// looked at, too.
+    /// `touched` are objects with changes that are not in the graph; their circuits are analysed, too.
     void run(ElectricityColumns const& columns, GraphChanges const& changes, ElectricalState const& state,
              Analyse const& analyse, std::span<ObjectId const> touched = {});
 
-    /// Whether the state must change at all.
+    /// Whether the state must change.
     [[nodiscard]] bool anything() const { return !entries_.empty() || !gone_.empty(); }
     /// Ascending by object.
     [[nodiscard]] std::span<Entry const> entries() const { return entries_; }
-    /// Objects that the state still knows and that are gone.
+    /// Objects in the state that no longer exist.
     [[nodiscard]] std::span<ObjectId const> gone() const { return gone_; }
-    /// Circuits looked at, and whether they are all that there are.
+    /// The number of analysed circuits, and whether these are all circuits.
     [[nodiscard]] std::uint32_t circuits() const { return circuits_; }
     [[nodiscard]] bool sawAll() const { return sawAll_; }
-    /// Why a circuit was looked at: the connections made and broken in it. Empty without tracing.
+    /// Why a circuit was analysed: the connections made and broken in it. Empty without tracing.
     [[nodiscard]] std::span<EventId const> causes(std::uint32_t circuit) const {
         return circuit < causes_.size() ? std::span<EventId const>(causes_[circuit])
                                         : std::span<EventId const>{};
@@ -79,7 +78,7 @@ private:
     std::size_t bound_ = 0;                    // one past the highest index of a vertex
 };
 
-/// The whole update() of a detail level that knows on and off only.
+/// The whole update() of a detail level without quantities.
 template <class Access>
 void updateElectricalState(Access& access, StateUpdate& update, StateUpdate::Analyse const& analyse) {
     ElectricityColumns const columns{
@@ -88,10 +87,10 @@ void updateElectricalState(Access& access, StateUpdate& update, StateUpdate::Ana
     update.run(columns, access.template read<GraphChanges>(), access.template derived<ElectricalState>(),
                analyse);
     if (ElectricalQuantities const& others = access.template derived<ElectricalQuantities>();
-        !others.byIndex.empty()) { // left by a level that knows more
+        !others.byIndex.empty()) { // written by a level with quantities
         access.template derive<ElectricalQuantities>() = {};
     }
-    if (update.anything()) { // otherwise components that read the state can go on sleeping
+    if (update.anything()) { // otherwise components that read the state can continue to sleep
         update.writeTo(access.template derive<ElectricalState>(), access.frame(),
                        [&](std::string_view what, std::span<ObjectId const> objects,
                            std::span<EventId const> causes) { return access.event(what, objects, causes); });

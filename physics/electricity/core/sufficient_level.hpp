@@ -1,4 +1,4 @@
-// Which detail level of electricity one circuit of a scene calls for.
+// The detail level of electricity that one circuit of a scene needs.
 #pragma once
 
 #include "physics/electricity/core/circuit.hpp"
@@ -9,11 +9,11 @@
 
 namespace trembler {
 
-/// The property of an object that calls for nodal analysis, if it has any.
+/// The first property of an object that needs nodal analysis, if any.
 [[nodiscard]] std::optional<ElectricalReason> callsForNodal(NodalColumns const& columns, ObjectId object);
 
-/// Of one circuit: single-cable in a world that never had a return, as without one nothing could flow; else
-/// nodal if anything in it has a resistance, an EMF, a rating or a fuse; else two-wire.
+/// For one circuit: single-cable in a world that never had a return, as otherwise no current could flow; else
+/// nodal if any of its objects has a resistance, an EMF, a rating or a fuse; else two-wire.
 [[nodiscard]] SufficientLevel sufficientLevel(Circuit const& circuit, NodalColumns const& columns,
                                               Column<ElectricalReturn> const& returns);
 

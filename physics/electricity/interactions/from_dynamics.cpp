@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-// The pairs that the graph holds connected by that caller.
+// The pairs that this caller connects in the graph.
 void gatherPairs(Column<ElectricityGraph> const& graph, CallerId caller, std::vector<TouchingPair>& pairs) {
     for (std::size_t r = 0; r < graph.size(); ++r) {
         ObjectId const owner = graph.owners()[r];
@@ -28,7 +28,7 @@ void ElectricityFromDynamics::apply(Access& access) {
     Contacts const& contacts = access.read<Contacts>();
     auto const& conductors = access.read<Conductor>();
     if (access.firstTime()) {
-        gatherPairs(access.read<ElectricityGraph>(), access.caller(), told_);
+        gatherPairs(access.read<ElectricityGraph>(), access.caller(), connected_);
     }
     touching_.clear();
     for (TouchingPair const& pair : contacts.current) {
@@ -40,23 +40,23 @@ void ElectricityFromDynamics::apply(Access& access) {
         access.call(AddConnection{{pair.a, pair.b}}, pair.event);
     };
     auto const end = [&](TouchingPair const& pair) {
-        if (conductors.has(pair.a) && conductors.has(pair.b)) { // else the graph has dropped it already
+        if (conductors.has(pair.a) && conductors.has(pair.b)) { // else the graph has already removed it
             access.call(RemoveConnection{{pair.a, pair.b}}, endOf(pair, contacts.ended));
         }
     };
-    auto before = told_.begin();
+    auto before = connected_.begin();
     auto now = touching_.begin();
-    while (before != told_.end() || now != touching_.end()) {
-        if (now == touching_.end() || (before != told_.end() && *before < *now)) {
+    while (before != connected_.end() || now != touching_.end()) {
+        if (now == touching_.end() || (before != connected_.end() && *before < *now)) {
             end(*before++);
-        } else if (before == told_.end() || *now < *before) {
+        } else if (before == connected_.end() || *now < *before) {
             begin(*now++);
         } else {
             ++before;
             ++now;
         }
     }
-    told_.swap(touching_);
+    connected_.swap(touching_);
 }
 
 } // namespace trembler

@@ -11,12 +11,11 @@
 
 namespace trembler {
 
-/// Connects conductors that begin to touch and disconnects conductors that cease to.
+/// Connects conductors that begin to touch and disconnects conductors that cease to touch.
 ///
-/// It does not add up C_N and C_P, it compares C_C with the connections that it has made. So nothing is
-/// counted twice, and no contact is left standing, when it misses a frame (a period), is applied for another
-/// reason than a change of contacts, or is constructed while things touch already. That is why it reads G_E,
-/// too.
+/// It does not add up C_N and C_P, but compares C_C with the connections that it has made. So no contact is
+/// counted twice, and none is left over, if it misses a frame (a period), is applied for another reason than
+/// a change of contacts, or is constructed while objects touch already. For this it reads G_E, too.
 class ElectricityFromDynamics final : public Interaction<ElectricityFromDynamics, ElectricityRole,
                                                          Reads<Contacts, Conductor, ElectricityGraph>> {
 public:
@@ -27,12 +26,12 @@ public:
                                             "Connects any new colliding objects (if both are conductors) and "
                                             "disconnects any previous colliding objects."};
     using Activation = NeedsAll<Conductor>;
-    /// The connections that it has made, and will take back.
-    void hashMemory(StateHash& hash) const { hash.members(told_); }
+    /// The connections that it has made and will remove.
+    void hashMemory(StateHash& hash) const { hash.members(connected_); }
     void apply(Access& access);
 
 private:
-    std::vector<TouchingPair> told_; // ascending
+    std::vector<TouchingPair> connected_; // ascending
     std::vector<TouchingPair> touching_;
 };
 

@@ -9,8 +9,8 @@
 namespace trembler {
 
 /// Of several overloaded fuses in one circuit the most overloaded one melts first, as it is the fastest;
-/// equals melt together. The others have their turn if the next frame still finds them overloaded. Where the
-/// level at work knows no currents, no fuse melts.
+/// equals melt together. The others can melt in the next frame if they are still overloaded. With levels that
+/// compute no currents, no fuse melts.
 class ElectricityFromFuses final
     : public Interaction<ElectricityFromFuses, ElectricityRole, Reads<ElectricalQuantities, Fuse>> {
 public:
@@ -19,7 +19,7 @@ public:
                                         .level = "",
                                         .work = "In every circuit, blows the fuse that its current overloads "
                                                 "most."};
-    /// Overloads that differ by no more than this share are equal: they are the result of arithmetic.
+    /// Overloads that differ by no more than this share count as equal, because of rounding.
     static constexpr double equality = 1e-9;
     using Activation = NeedsAll<Fuse>;
     void apply(Access& access);

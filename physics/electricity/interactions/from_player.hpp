@@ -8,8 +8,8 @@
 
 namespace trembler {
 
-/// One cut takes away one wire that the level has laid: where several are laid between two objects the others
-/// still connect them, and so does a contact. A cut where no wire is changes nothing.
+/// One cut removes one wire of the level: if the level has several between two objects, the others still
+/// connect them, and so does a contact. A cut without a wire has no effect.
 class ElectricityFromPlayer final
     : public Interaction<ElectricityFromPlayer, ElectricityRole, Reads<PlayerCommands>> {
 public:

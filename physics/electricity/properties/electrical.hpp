@@ -15,8 +15,8 @@ struct Conductor {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Conductor", "conductor",
                                        "True if the object can conduct electricity."};
-    /// A device made for one network, for example "mains", takes part in that one only (A.6.2: a battery
-    /// cannot power the laser of the power plant); empty: a plain conductor, part of whatever it touches.
+    /// A device of one network, for example "mains", takes part in that network only (A.6.2: a battery cannot
+    /// power the laser of the power plant); empty: a plain conductor, part of every network that it touches.
     std::string network;
 
     template <class Self, class Visitor>
@@ -57,14 +57,14 @@ struct ElectricalReturn {
     }
 };
 
-/// Marks a user of electricity, for people to see; to the graph it is a conductor like any other.
+/// Marks a user of electricity for display; for the graph it is an ordinary conductor.
 struct ElectricalDevice {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Electrical device", "electrical_device",
                                        "The object does something when it is on."};
 };
 
-/// Which objects are on. Derived by whichever detail level of electricity is at work.
+/// Which objects are on. Derived by the present detail level of electricity.
 struct ElectricalState {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Electrical state", "electrical_state",
@@ -83,8 +83,8 @@ struct ElectricalState {
     std::vector<Entry> byIndex;       ///< by object index
     std::vector<ObjectId> switchedOn; ///< in the last change, ascending
     std::vector<ObjectId>
-        switchedOff;         ///< in the last change, ascending; objects that are gone are in neither
-    std::uint64_t frame = 0; ///< of the last change: the two lists are news in that frame only
+        switchedOff;         ///< in the last change, ascending; destroyed objects are in neither list
+    std::uint64_t frame = 0; ///< of the last change: the two lists are new in that frame only
 
     [[nodiscard]] bool isOn(ObjectId id) const {
         return id.index < byIndex.size() && byIndex[id.index].object == id && byIndex[id.index].on;

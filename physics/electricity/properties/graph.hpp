@@ -10,8 +10,8 @@ namespace trembler {
 
 class Store;
 
-/// An object's part of G_E: the objects that it is connected to. Every connection stands in the rows of both
-/// its objects. Every conductor has a row; nothing else has.
+/// An object's part of G_E: the objects that it is connected to. Every connection is in the rows of both its
+/// objects. Every conductor has a row, and no other object.
 struct ElectricityGraph {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
@@ -21,7 +21,7 @@ struct ElectricityGraph {
         PropertyPlace::hidden};
     struct Connection {
         ObjectId to;
-        CallerCounts counts; ///< CallerId::level(): the wires that the level has laid
+        CallerCounts counts; ///< CallerId::level() counts the wires of the level
 
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
@@ -39,16 +39,16 @@ struct ElectricityGraph {
     }
 };
 
-/// How `a` and `b` are connected at present; all counts zero if they are not or one of them is no conductor.
-/// Thread-safe while the graph does not change.
+/// The counts of the connection of `a` and `b`; all zero if they are not connected or one of them is no
+/// conductor. Thread-safe while the graph does not change.
 [[nodiscard]] CallerCounts connectionBetween(Store const& store, ObjectId a, ObjectId b);
 [[nodiscard]] CallerCounts connectionBetween(Column<ElectricityGraph> const& graph, ObjectId a, ObjectId b);
 
-/// Sets how two different vertices of the graph are connected, in both rows; all counts zero takes the
-/// connection away.
+/// Sets the counts of the connection of two different vertices, in both rows; if all counts are zero, removes
+/// the connection.
 void setConnection(Column<ElectricityGraph>& graph, ObjectId a, ObjectId b, CallerCounts const& counts);
 
-/// Gives a row to each of `vertices` (ascending) that has none. O(their number) where they are the latest
+/// Adds a row for each of `vertices` (ascending) that has none. O(their number) if they are the latest
 /// objects.
 void addVertices(Column<ElectricityGraph>& graph, std::span<ObjectId const> vertices);
 

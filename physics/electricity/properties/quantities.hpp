@@ -1,4 +1,4 @@
-// Volts, amperes and watts, derived by the detail levels of electricity that know of them.
+// Volts, amperes and watts, derived by the more expensive detail levels of electricity.
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -16,19 +16,18 @@ namespace trembler {
 /// How a circuit was analysed.
 enum class ElectricalLevel : std::uint8_t { singleCable, twoWire, flow, nodal };
 
-/// Why a circuit calls for a level.
+/// Why a circuit needs a level.
 enum class ElectricalReason : std::uint8_t {
-    noReturn,   ///< the world never had a return: whole cables are meant
-    onOffOnly,  ///< it has returns, but nothing in it has a resistance, an EMF, a rating or a fuse
-    resistance, ///< something has
+    noReturn,   ///< the world never had a return: connections are whole cables
+    onOffOnly,  ///< it has returns, but no object with a resistance, an EMF, a rating or a fuse
+    resistance, ///< an object has one
     emf,
     rating,
     fuse,
-    asked, ///< the level was asked for
+    asked, ///< the level was requested
 };
 
-/// The quantities of circuits beyond on and off. Empty while the level at work, single-cable or two-wire,
-/// finds none.
+/// The quantities of circuits beyond on and off. Empty with the levels single-cable and two-wire.
 struct ElectricalQuantities {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{
@@ -44,7 +43,7 @@ struct ElectricalQuantities {
         double brightness = 0; ///< power over rated power; 0 without a rating
         double overload = 0;   ///< of a fuse: current over its rating; above 1 it will melt
         EventId event;         ///< "overloaded"; none without tracing
-        bool floating = false; ///< no way leads to a source or a return: its potential is anything
+        bool floating = false; ///< not connected to a source or a return: its potential is not determined
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "the conductor"}, self.object);
@@ -66,25 +65,24 @@ struct ElectricalQuantities {
                   self.floating);
         }
     };
-    /// One circuit: everything that is connected to `first`, the first of its objects by id.
+    /// One circuit: all objects connected to `first`, the first of them by id.
     struct Circuit {
         ObjectId first;
         std::uint32_t objects = 0;
         ElectricalLevel level = ElectricalLevel::twoWire;
         ElectricalReason reason = ElectricalReason::onOffOnly;
-        ObjectId because;    ///< the first object that is the reason, where one is
+        ObjectId because;    ///< the first object that is the reason, if any
         double residual = 0; ///< nodal: the error in Kirchhoff's first law, as a share of the largest current
-        bool floating = false;         ///< all of it
-        std::vector<ObjectId> shorted; ///< sources, ascending
-        double flow = 0;               ///< flow: A that can flow at most
-        std::vector<ObjectId>
-            bottleneck; ///< flow: objects that let no more through, nearest the source; ascending
+        bool floating = false;            ///< all of it
+        std::vector<ObjectId> shorted;    ///< sources, ascending
+        double flow = 0;                  ///< flow: A, the greatest possible current
+        std::vector<ObjectId> bottleneck; ///< flow: the objects that limit it, nearest the source; ascending
     };
     std::vector<Entry> byIndex;    ///< by object index
     std::vector<Circuit> circuits; ///< ascending by `first`
     std::uint64_t frame = 0;       ///< of the last change
 
-    /// The entry of an object, or nullptr if nothing is known of it.
+    /// The entry of an object, or nullptr if it has none.
     [[nodiscard]] Entry const* find(ObjectId id) const {
         return id.index < byIndex.size() && byIndex[id.index].object == id ? &byIndex[id.index] : nullptr;
     }

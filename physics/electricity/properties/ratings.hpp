@@ -1,16 +1,16 @@
-// The volts, amperes and ohms of objects: the properties that call for nodal analysis.
+// The volts, amperes and ohms of objects: the properties that need nodal analysis.
 #pragma once
 
 #include "runtime/property/description.hpp"
 
 namespace trembler {
 
-/// The least resistance above zero, and the greatest, in ohm. An object with 0 conducts ideally. Between the
-/// two lie twelve orders of magnitude; the solver is tested with all of them.
+/// The least resistance above zero, and the greatest, in ohm. An object with 0 conducts ideally. The solver
+/// is tested over the twelve orders of magnitude between them.
 inline constexpr double leastResistance = 1e-3;
 inline constexpr double greatestResistance = 1e9;
 
-/// Between any two of its connections a current meets the whole resistance: half of it lies between the
+/// Between any two of its connections an object has the whole resistance: half of it lies between the
 /// object's middle and each connection. So a bar with three connections is a star of three halves.
 struct Resistance {
     static constexpr PropertyKind kind = PropertyKind::object;
@@ -65,7 +65,7 @@ struct Emf {
     friend bool operator==(Emf const&, Emf const&) = default;
 };
 
-/// The rating of a lamp: 6 V, 3 W. Where no resistance is stated it follows, V²/P.
+/// The rating of a lamp: 6 V, 3 W. Without a stated resistance the rating determines it: V²/P.
 struct RatedPower {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Rated power", "rated",
@@ -96,7 +96,7 @@ struct RatedPower {
     friend bool operator==(RatedPower const&, RatedPower const&) = default;
 };
 
-/// Carries a current up to its rating. Above it blows, and does not conduct any more.
+/// Carries a current up to its rating. Above the rating it blows and no longer conducts.
 struct Fuse {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Fuse", "fuse", "Blows where a current is above its rating."};
@@ -118,7 +118,7 @@ struct Fuse {
     friend bool operator==(Fuse const&, Fuse const&) = default;
 };
 
-/// The current that an object can carry at most, for the detail level that computes flows.
+/// The greatest current that an object can carry, for the detail level flow.
 struct CurrentCapacity {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Current capacity", "current_capacity",

@@ -1,5 +1,5 @@
-// Which detail level of electricity a scene calls for: the cheapest that finds everything that the scene's
-// properties ask for. Of a single circuit: core/sufficient_level.hpp.
+// The detail level of electricity that a scene needs: the cheapest that takes all its properties into
+// account. For a single circuit: core/sufficient_level.hpp.
 #pragma once
 
 #include "physics/electricity/properties/electrical.hpp"
@@ -12,26 +12,26 @@ namespace trembler {
 
 class Store;
 
-/// A level, and the first object, by id, that calls for it.
+/// A level, and the first object, by id, that needs it.
 struct SufficientLevel {
     ElectricalLevel level = ElectricalLevel::twoWire;
     ElectricalReason reason = ElectricalReason::onOffOnly;
     ObjectId because;
 };
 
-/// In a world that has never had a return, a connection stands for a whole cable, return included. One that
-/// lost its last return must not light up because of that.
+/// Whether the world has never had a return: then a connection is a whole cable, return included. In a world
+/// that lost its last return this must not apply, or lamps would light up.
 [[nodiscard]] bool neverHadReturns(Column<ElectricalReturn> const& returns);
 
-/// Of the whole scene: the most expensive that any of its circuits may call for.
+/// For the whole scene: the most expensive level that any of its circuits may need.
 [[nodiscard]] SufficientLevel sufficientLevel(Store const& store);
 
-/// Whether a level takes everything into account that the scene has ever stated about its circuits, so that
-/// another such level would turn the same things on: single-cable in a world that never had a return;
-/// two-wire in one that had returns but nothing that calls for nodal analysis; nodal always; flow never.
+/// Whether a level takes all electrical properties into account that the scene has ever had, so that other
+/// such levels switch on the same objects: single-cable in a world that never had a return; two-wire in one
+/// that had returns but no object that needs nodal analysis; nodal always; flow never.
 [[nodiscard]] bool isFaithful(ElectricalLevel level, Store const& store);
 
-/// Why the scene calls for that level, as a sentence for people: "nodal, because 'lamp' has a rated power".
+/// Why the scene needs that level, in words for people: "nodal, because 'lamp' has a rated power".
 [[nodiscard]] std::string whyElectricalLevel(Store const& store);
 
 } // namespace trembler

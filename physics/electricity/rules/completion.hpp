@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// Whether a thing conducts by its material.
+/// Whether an object conducts because of its material.
 [[nodiscard]] inline bool conductsByMaterial(MadeOf const* of, Without const* without) {
     return of != nullptr && materialFacts(of->material).conducts && !isWithout<Conductor>(without);
 }

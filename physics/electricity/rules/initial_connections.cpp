@@ -10,8 +10,8 @@ namespace trembler {
 void layWire(Store& store, ObjectId a, ObjectId b) {
     auto& conductors = store.column<Conductor>();
     if (!conductors.has(a) || !conductors.has(b)) {
-        // Objects conduct by their material, but their completions come after this. So all of them are made
-        // conductors at once: one by one would be quadratic.
+        // Objects conduct because of their material, but completions run later. So all of them are made
+        // conductors here, at once: one by one would be quadratic.
         auto const& without = store.column<Without>();
         std::vector<ObjectId> metal;
         forEach(

@@ -1,8 +1,8 @@
-// Which objects a wire of a level may connect: known also where electricity itself is left out.
+// Which objects a wire of a level may connect.
 #pragma once
 
 #include "physics/electricity/rules/completion.hpp"
-#include "runtime/world/registry.hpp"
+#include "runtime/world/store.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 namespace trembler {
 
-/// Whether an object conducts: because that is stated, or, before its completion, by its material.
+/// Whether an object conducts: as stated or, before its completion, because of its material.
 [[nodiscard]] inline bool conducts(Store const& store, ObjectId id) {
     auto const* const conductors = store.findColumn<Conductor>();
     auto const* const made = store.findColumn<MadeOf>();
@@ -21,7 +21,7 @@ namespace trembler {
                               without == nullptr ? nullptr : without->find(id));
 }
 
-/// Why no wire can be laid between two objects and what was expected, in words; nothing if one can.
+/// Why a wire cannot connect two objects and the expected condition, in words; nothing if it can.
 [[nodiscard]] inline std::optional<std::string> refuseWire(Store const& store, ObjectId a, ObjectId b) {
     for (ObjectId const id : {a, b}) {
         if (!store.alive(id)) {
@@ -36,12 +36,6 @@ namespace trembler {
         return fmt::format("'{}' is connected to itself; expected two different objects", store.nameOf(a));
     }
     return std::nullopt;
-}
-
-/// The kind "wire" of a level's connections, laid by `lay`.
-[[nodiscard]] inline Connector wireConnector(void (*lay)(Store&, ObjectId, ObjectId)) {
-    return {"wire", "electricity", "a wire between two conductors, which the scissors can cut", refuseWire,
-            lay};
 }
 
 } // namespace trembler

@@ -1,5 +1,5 @@
-// The objects that a selector can refer to, parts that the player may place included: for finding goals that
-// can never be reached.
+// The objects that a selector can refer to, including parts that the player may place. Used to find goals
+// that can never be reached.
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"
@@ -16,8 +16,8 @@ namespace trembler {
 struct Candidates {
     std::set<std::string> names;     ///< of objects of the level
     std::set<std::string> fromTools; ///< parts that the player may place
-    std::size_t placed = 0;          ///< how many objects the player may place of them
-    bool it = false;                 ///< the object that a count looks at, too
+    std::size_t placed = 0;          ///< how many objects of these parts the player may place
+    bool it = false;                 ///< whether "it", the object that a count tests, is among them
 
     [[nodiscard]] std::size_t size() const { return names.size() + placed + (it ? 1 : 0); }
 };
@@ -26,7 +26,7 @@ struct Candidates {
 class CandidateFinder {
 public:
     CandidateFinder(LevelFile const& level, World const& world);
-    /// Adds those of a selector; what is among them already counts once.
+    /// Adds the candidates of a selector; an object that is already among them counts once.
     void add(Candidates& candidates, Selector const& selector) const;
     [[nodiscard]] Candidates of(Selector const& selector) const;
     /// Whether all objects that the selector can refer to are fixed. False if there are none, if the player

@@ -6,10 +6,10 @@
 
 namespace trembler {
 
-/// Complains about each condition, the inner ones included, that can never hold: an object that is to touch
-/// itself, a fixed object that is to move or to be elsewhere, a count of more objects than there can be.
-/// Parts that the player may place count. Objects that come into being while the world runs do not, as no
-/// goal refers to them. The world is that of the level, before its first frame.
+/// Complains about each condition, the inner ones included, that can never hold: an object must touch itself,
+/// a fixed object must move or be elsewhere, or a count demands more objects than there can be. Parts that
+/// the player may place are included. Objects created while the world runs are not, as no goal refers to
+/// them. The world is that of the level, before its first frame.
 void complainIfNever(Condition const& condition, LevelFile const& level, World const& world,
                      Problems& problems);
 

@@ -1,4 +1,4 @@
-// The contacts and magnetic forces that act on objects: the causes of conditions on where objects are.
+// The contacts and magnetic forces that act on objects: the causes of conditions on the places of objects.
 #pragma once
 
 #include "runtime/world/world.hpp"
@@ -7,8 +7,7 @@
 
 namespace trembler {
 
-/// Adds the events of all contacts and magnetic forces that act at present on the objects `ids`, which must
-/// be ascending.
+/// Adds the events of all contacts and magnetic forces that act at present on the objects `ids` (ascending).
 void collectActing(World const& world, std::vector<ObjectId> const& ids, std::vector<EventId>& events);
 
 } // namespace trembler

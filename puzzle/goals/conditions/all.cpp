@@ -25,7 +25,7 @@ public:
 
     [[nodiscard]] bool listsGoals() const override { return true; }
 
-    /// Not "both" is "either not the one or not the other" (De Morgan).
+    /// The opposite of "both" is "either not the first or not the second" (De Morgan).
     [[nodiscard]] std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,
                                      Noun const* it) const override {
         return joined(condition, words, mood, it, mood != Mood::avoid);

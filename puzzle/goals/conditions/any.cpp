@@ -21,7 +21,7 @@ public:
         return standing;
     }
 
-    /// Not "either" is "not the one and not the other" (De Morgan).
+    /// The opposite of "either" is "not the first and not the second" (De Morgan).
     [[nodiscard]] std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,
                                      Noun const* it) const override {
         return joined(condition, words, mood, it, mood == Mood::avoid);

@@ -8,7 +8,7 @@ namespace trembler::conditions {
 /// A condition on whether an object is part of a working circuit: {KEY: O}.
 class CircuitCondition : public ConditionKind {
 public:
-    /// `on`: whether the object has to be a part of one, or must not be.
+    /// `on`: true if the object must be part of a working circuit, false if it must not be.
     constexpr CircuitCondition(std::string_view key, bool on) : ConditionKind(key), on_(on) {}
 
     void read(JsonNode const& body, Condition& condition, GoalReader& reader) const final;

@@ -19,7 +19,7 @@ enum class Quantity { atLeast, atMost, exactly };
 constexpr std::array<char const*, 3> quantityKeys{"at_least", "at_most", "exactly"};
 constexpr std::int64_t greatestNumber = 100000;
 
-/// What the file states.
+/// The number of objects that the file demands.
 struct HowMany {
     Quantity quantity = Quantity::atLeast;
     int number = 1;
@@ -64,7 +64,7 @@ public:
             return;
         }
         if (reader.insideCount()) {
-            body.complain("stands inside another count", "conditions on \"it\" that do not count");
+            body.complain("is inside another count", "conditions on \"it\" that do not count");
             return;
         }
         if (auto const of = members.required("of", "a list of objects, or {\"part\": name}")) {
@@ -111,7 +111,7 @@ public:
         if (stated.quantity == Quantity::atMost || wanted <= possible) {
             return std::nullopt;
         }
-        return Impossibility{fmt::format("it wants {} of what there can be {} of", wanted, possible),
+        return Impossibility{fmt::format("it demands {} objects, but there can be only {}", wanted, possible),
                              "no more than the level has and the player may place"};
     }
 
@@ -145,7 +145,7 @@ public:
                                      Noun const* /*it*/) const override {
         Condition const& that = condition.children.front();
         HowMany wanted = howMany(condition);
-        if (mood == Mood::avoid) { // not "at least two" is "at most one"
+        if (mood == Mood::avoid) { // the opposite of "at least two" is "at most one"
             if (wanted.quantity == Quantity::exactly) {
                 Noun const who = someOf(condition.subject, wanted);
                 return "do not " + words.phrase(that, Mood::reach, &who);

@@ -55,7 +55,7 @@ public:
         if (isThere) {
             return std::nullopt;
         }
-        return Impossibility{"what is fixed never gets there",
+        return Impossibility{"a fixed object never gets there",
                              "something that can move, or an area around it"};
     }
 

@@ -5,7 +5,7 @@
 
 namespace trembler::conditions {
 
-/// A condition that is made of others: {KEY: [conditions]}.
+/// A condition that consists of other conditions: {KEY: [conditions]}.
 class ListCondition : public ConditionKind {
 public:
     explicit constexpr ListCondition(std::string_view key) : ConditionKind(key) {}
@@ -16,7 +16,7 @@ public:
     [[nodiscard]] bool isCompound(Condition const& condition) const final;
 
 protected:
-    /// All children's phrases in one, "... and ..." if `conjunction`, else "either ... or ...".
+    /// The phrases of all children joined to one: "... and ..." if `conjunction`, else "either ... or ...".
     [[nodiscard]] static std::string joined(Condition const& condition, GoalWords const& words, Mood mood,
                                             Noun const* it, bool conjunction);
 };

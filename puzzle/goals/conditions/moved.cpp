@@ -1,5 +1,5 @@
 // {"moved": {"object": O, "by": metres, "towards": "up" | "down" | "left" | "right"}}: an object is at least
-// that far from where it was at the start.
+// that far from its place at the start.
 #include "puzzle/goals/checking/candidates.hpp"
 #include "puzzle/goals/conditions/acting.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
@@ -19,7 +19,7 @@ namespace {
 constexpr double leastDistance = 1e-3;   // m
 constexpr double greatestDistance = 1e6; // m
 
-/// A direction, with words for moving an object in it and for where the object then is.
+/// A direction, with words for moving an object in this direction and for the place where it then is.
 struct Direction {
     std::string_view key; // in a file; empty: any direction
     Vec2 unit;
@@ -42,13 +42,13 @@ std::array<std::string_view, directions.size()> directionKeys() {
     return keys;
 }
 
-/// What the file states.
+/// The distance and direction that the file demands.
 struct WayToGo {
     double distance = 0; ///< m
     Direction const* towards = &anywhere;
 };
 
-/// What a state remembers.
+/// The memory of a state.
 struct StartPlaces {
     std::vector<Vec2> of; ///< m, of the subjects
 };
@@ -90,7 +90,7 @@ public:
         if (!candidates.areFixed(condition.subject)) {
             return std::nullopt;
         }
-        return Impossibility{"what is fixed never moves", "something that can move"};
+        return Impossibility{"a fixed object never moves", "something that can move"};
     }
 
     void begin(ConditionState& state, ObjectFinder const& finder, ObjectId /*it*/) const override {
@@ -111,7 +111,7 @@ public:
         std::vector<Vec2> const& starts = state.memory<StartPlaces>().of;
         double farthest = 0;
         for (std::size_t i = 0; i < subjects.size(); ++i) {
-            if (Position const* const position = world.find<Position>(subjects[i])) { // else it is gone
+            if (Position const* const position = world.find<Position>(subjects[i])) { // else destroyed
                 Vec2 const way = position->value - starts[i];
                 farthest = std::max(farthest, wanted.towards == &anywhere ? length(way)
                                                                           : dot(way, wanted.towards->unit));

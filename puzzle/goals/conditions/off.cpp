@@ -1,5 +1,4 @@
-// {"off": O}: an object is no part of a working circuit. An object that has gone from the world is neither on
-// nor off.
+// {"off": O}: an object is not part of a working circuit. A destroyed object is neither on nor off.
 #include "puzzle/goals/conditions/circuit.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 

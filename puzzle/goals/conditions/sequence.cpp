@@ -1,7 +1,8 @@
-// {"sequence": [conditions]}: they came true one after the other; then it holds for good.
+// {"sequence": [conditions]}: the conditions came true one after the other. Once all have, the sequence holds
+// permanently.
 //
-// "First the bell, then the lamp" is not met by a lamp that was lit before: a step has to begin after the one
-// before it was done. If it already holds when its turn comes, it must cease to hold first.
+// "First the bell, then the lamp" is not met by a lamp that was lit before: a step must begin to hold after
+// the previous step was done. If it already holds when its turn comes, it must first cease to hold.
 #include "puzzle/goals/conditions/list.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
@@ -11,11 +12,11 @@
 namespace trembler::conditions {
 namespace {
 
-/// What a state remembers.
+/// The memory of a state.
 struct Steps {
     std::size_t done = 0;
     bool blocked = false;        ///< the next step already held when its turn came, and has not ceased since
-    std::vector<EventId> causes; ///< of the steps that are done
+    std::vector<EventId> causes; ///< of the completed steps
 };
 
 class SequenceCondition final : public ListCondition {
@@ -57,7 +58,7 @@ public:
 
     [[nodiscard]] bool listsGoals() const override { return true; }
 
-    /// A step is done when its turn came and it was met, not when it happens to hold.
+    /// A step is done once it was met in its turn, not whenever its condition holds.
     [[nodiscard]] Standing standingOf(ConditionState const& state, std::size_t child) const override {
         std::size_t const done = state.memory<Steps>().done;
         return {child < done, child == done ? state.children()[child].progress() : 0};
@@ -73,7 +74,7 @@ public:
         return mood == Mood::avoid ? "do not " + text : text;
     }
 
-    /// Done once, it stays done.
+    /// A completed sequence stays completed, so afterwards the player only has to wait.
     [[nodiscard]] std::string lastingPhrase(Condition const& condition, GoalWords const& words,
                                             Noun const* it, std::string const& duration) const override {
         return phrase(condition, words, Mood::reach, it) + ", then wait" + duration;

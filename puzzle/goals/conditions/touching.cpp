@@ -1,5 +1,5 @@
-// {"touching": [O, O]}: an object of the first selector touches one of the second, if
-// only for a part of a frame.
+// {"touching": [O, O]}: an object of the first selector touches one of the second. A touch that lasts only a
+// part of a frame counts.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/dynamics/properties/shape.hpp"
@@ -20,7 +20,7 @@
 namespace trembler::conditions {
 namespace {
 
-/// What a state remembers.
+/// The memory of a state.
 struct LastContact {
     EventId ended; ///< when the last contact ended
 };
@@ -32,8 +32,8 @@ TouchingPair const* findPair(std::vector<TouchingPair> const& pairs, ObjectId a,
     return at != pairs.end() && *at == wanted ? &*at : nullptr;
 }
 
-/// Calls f(a, b, pair) for every contact of one of the state's subjects with another one of its objects, both
-/// of which are ascending. Looks up each pair of objects, or each contact, whichever are fewer.
+/// Calls f(a, b, pair) for every contact of one of the state's subjects with one of its objects; both lists
+/// are ascending. Looks up either each pair of objects or each contact, whichever are fewer.
 template <class F>
 void forContacts(std::vector<TouchingPair> const& pairs, ConditionState const& state, F&& f) {
     std::vector<ObjectId> const& as = state.subjects();
@@ -67,7 +67,7 @@ public:
 
     void read(JsonNode const& body, Condition& condition, GoalReader& reader) const override {
         if (!body.value().is_array() || body.size() != 2) {
-            body.complainOfType("a list of two: what shall touch what");
+            body.complainOfType("a list of two selectors");
             return;
         }
         condition.subject = reader.selector(body.element(0));
@@ -101,7 +101,7 @@ public:
         if (contacts == nullptr) {
             return {};
         }
-        // A contact that is over within the frame is a touch, too.
+        // A contact that ends within the frame counts as a touch, too.
         bool any = false;
         forContacts(contacts->current, state, [&](ObjectId, ObjectId, TouchingPair const&) { any = true; });
         // The contact that has ended; of several, that of the last pair in the order of the objects.
@@ -150,7 +150,7 @@ public:
                                      Noun const* it) const override {
         Selector const* mover = &condition.subject;
         Selector const* target = &condition.object;
-        // A fixed object cannot be brought anywhere: the other one is.
+        // A fixed object cannot be moved, so the player must bring the other object to it.
         World const& world = words.world();
         if (world.find<Fixed>(words.single(*mover)) != nullptr &&
             world.find<Fixed>(words.single(*target)) == nullptr) {

@@ -12,7 +12,7 @@ ConditionState::ConditionState(Condition const& condition, ObjectFinder const& f
                   ? World::ticksPerFrame * static_cast<std::uint64_t>(
                                                std::max(1L, std::lround(*condition.seconds / frameDuration)))
                   : 1) {
-    constexpr std::size_t own = 8; // a condition takes about as much memory as so many objects
+    constexpr std::size_t own = 8; // the memory of a condition itself, in objects
     if (!finder.take(own + subjects_.size() + objects_.size(), condition.path)) {
         subjects_.clear();
         objects_.clear();

@@ -1,5 +1,5 @@
-// What a kind of goal condition ("inside", "touching", "all" ...) states about itself. Each kind is one file
-// in conditions/ and one line in the table there; everything else asks the kind.
+// The interface of a kind of goal condition ("inside", "touching", "all" ...). Each kind is one file in
+// conditions/ and one line in the table there; no other code depends on the kind.
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -25,20 +25,20 @@ enum class Mood;
 struct Condition;
 struct Noun;
 
-/// How a condition stands at present.
+/// The present state of a condition.
 struct Standing {
-    bool holds = false;  ///< at present, for however long
-    double progress = 0; ///< 0 to 1: how much of it is done; of no account while it holds
+    bool holds = false;  ///< at present, whether or not for the required time
+    double progress = 0; ///< 0 to 1: how much of it is done; not used while it holds
 };
 
 /// Why a condition can never hold, in the words of a message.
 struct Impossibility {
     std::string message;
-    std::string expected; ///< what could stand there instead
+    std::string expected; ///< the accepted values
 };
 
-/// A kind of condition. Has no data of its own but its key: what a file states is in the Condition, what a
-/// running condition remembers in its ConditionState.
+/// A kind of condition. Has no data but its key: the data of a file are in the Condition, the memory of a
+/// running condition in its ConditionState.
 class ConditionKind {
 public:
     explicit constexpr ConditionKind(std::string_view key) : key_(key) {}
@@ -46,41 +46,42 @@ public:
     ConditionKind(ConditionKind const&) = delete;
     ConditionKind& operator=(ConditionKind const&) = delete;
 
-    /// The key under which a condition of this kind stands in a level file.
+    /// The key under which a condition of this kind is stored in a level file.
     [[nodiscard]] std::string_view key() const { return key_; }
 
-    // Reading it from a file.
+    // Reading a condition from a file.
 
-    /// Reads what stands under the key. Complains through `body`, with its place, about whatever is wrong.
+    /// Reads `body`, the value that is stored under the key. Complains through `body`, with its place, about
+    /// all faults.
     virtual void read(JsonNode const& body, Condition& condition, GoalReader& reader) const = 0;
-    /// The JSON Schema of what stands under the key.
+    /// The JSON Schema of the value that is stored under the key.
     [[nodiscard]] virtual nlohmann::ordered_json schema() const = 0;
     /// Why such a condition can never hold in its level; nothing if it may hold. Its children are checked
     /// separately.
     [[nodiscard]] virtual std::optional<Impossibility> whyNever(Condition const& condition,
                                                                 CandidateFinder const& candidates) const;
 
-    // Judging a world by it.
+    // Judging whether a condition holds in a world.
 
     /// Sets up the state of a condition whose subjects and objects have been found, before the first frame:
-    /// complains if they lack what the condition needs, and makes the state's memory. By default adds a state
-    /// for each child. `it` is the object that "it" refers to in the children.
+    /// complains if they lack properties that the condition needs, and initialises the state's memory. By
+    /// default adds a state for each child. `it` is the object that "it" refers to in the children.
     virtual void begin(ConditionState& state, ObjectFinder const& finder, ObjectId it) const;
-    /// Looks at the world after a part of a frame; the children have been updated already.
+    /// Judges the world after a part of a frame; the children have been updated already.
     [[nodiscard]] virtual Standing judge(ConditionState& state, World const& world) const = 0;
-    /// Adds the events that make it hold, or not hold if `truth` is false; empty event ids may be among them.
-    /// By default these are the causes of the children that are met or, if `truth` is false, not met.
+    /// Adds the events that make it hold or, if `truth` is false, not hold; empty event ids may be among
+    /// them. By default these are the causes of the children that are met or, if `truth` is false, not met.
     virtual void collectCauses(ConditionState const& state, World const& world, bool truth,
                                std::vector<EventId>& events) const;
 
-    // Describing it to the player.
+    // Describing a condition to the player.
 
-    /// Whether its children are goals of their own to the player.
+    /// Whether the player sees its children as separate goals.
     [[nodiscard]] virtual bool listsGoals() const { return false; }
-    /// How the child with that index stands as a goal of its own.
+    /// The present state of the child with that index as a separate goal.
     [[nodiscard]] virtual Standing standingOf(ConditionState const& state, std::size_t child) const;
-    /// The condition in words, without the time for which it must hold: "keep the lamp lit". `it` is what
-    /// "it" is called, null outside a count.
+    /// The condition in words, without the time for which it must hold: "keep the lamp lit". `it` is the noun
+    /// for "it", null outside a count.
     [[nodiscard]] virtual std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,
                                              Noun const* it) const = 0;
     /// The same with `duration`, the time for which it must hold, such as " for 3 seconds".

@@ -155,18 +155,17 @@ void GoalReader::readSingle(JsonNode const& node, Selector& selector) {
     if (*name == itName) {
         selector.it = true;
         if (!insideCount_) {
-            node.complain("'it' stands for nothing here",
+            node.complain("'it' refers to no object here",
                           "the name of an object; 'it' belongs inside a count");
         }
         return;
     }
     if (!known_.contains(*name)) {
-        addProblem(
-            node.problems(), [&] { // only if there is room for it: the suggestion looks through all names
-                return node.diagnostic(
-                    fmt::format("there is no object '{}'{}", *name, didYouMean(*name, objects_)),
-                    "the name of an object of this level; {\"part\": name} for what the player places");
-            });
+        addProblem(node.problems(), [&] { // only if the problem is kept: the suggestion searches all names
+            return node.diagnostic(
+                fmt::format("there is no object '{}'{}", *name, didYouMean(*name, objects_)),
+                "the name of an object of this level; {\"part\": name} for what the player places");
+        });
     }
     selector.names.push_back(*name);
 }

@@ -1,4 +1,5 @@
-// Reads the conditions of a level. The kinds of conditions read their selectors and inner conditions with it.
+// Reads the conditions of a level. The kinds of conditions use it to read their selectors and inner
+// conditions.
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"
@@ -11,7 +12,8 @@
 
 namespace trembler {
 
-/// For one level. Problems are added, with their places, to the list that belongs to the node (JsonNode).
+/// Reads the conditions of one level. Problems are added, with their places, to the list of the node
+/// (JsonNode).
 class GoalReader {
 public:
     explicit GoalReader(LevelFile const& level);
@@ -21,9 +23,9 @@ public:
     [[nodiscard]] Condition condition(JsonNode const& node);
     /// A list of at least one condition.
     [[nodiscard]] std::vector<Condition> conditions(JsonNode const& node);
-    /// A condition in which "it" is an object that a surrounding one counts.
+    /// A condition in which "it" is an object that a surrounding condition counts.
     [[nodiscard]] Condition conditionOnIt(JsonNode const& node);
-    /// Whether the condition that is being read stands inside a count.
+    /// Whether the condition that is being read is inside a count.
     [[nodiscard]] bool insideCount() const { return insideCount_; }
     /// The name of an object, {"part": name}, or a list of these.
     [[nodiscard]] Selector selector(JsonNode const& node);

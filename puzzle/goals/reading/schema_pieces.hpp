@@ -1,4 +1,4 @@
-// Pieces of JSON Schema that the kinds of conditions are described with.
+// Pieces of JSON Schema for the schemas of conditions.
 #pragma once
 
 #include "runtime/level/write/schema_pieces.hpp"
@@ -16,7 +16,7 @@ using json_schema::strictObject;
 [[nodiscard]] nlohmann::ordered_json selector();
 /// A condition of any kind.
 [[nodiscard]] nlohmann::ordered_json condition();
-/// A list of at least one item and at most so many.
+/// A list of 1 to `most` items.
 [[nodiscard]] nlohmann::ordered_json listOf(nlohmann::ordered_json items, std::size_t most);
 
 } // namespace trembler::goal_schema

@@ -1,4 +1,4 @@
-// The grammar that sentences about goals need.
+// English grammar for sentences about goals.
 #pragma once
 
 #include <string>

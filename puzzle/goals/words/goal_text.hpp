@@ -8,10 +8,10 @@
 
 namespace trembler {
 
-/// What a phrase asks the player to do about a condition.
+/// What a phrase asks the player to do with a condition.
 enum class Mood {
     reach, ///< make it hold: "switch on the lamp"
-    keep,  ///< let it go on holding: "keep the lamp lit"
+    keep,  ///< make it continue to hold: "keep the lamp lit"
     avoid, ///< never let it hold: "keep the lamp off"
 };
 /// The mood in which the opposite condition has to be phrased.
@@ -23,8 +23,8 @@ struct Noun {
     bool plural = false;
 };
 
-/// Makes sentences from conditions, with what the kinds need for their phrases. Looks up in the world where
-/// objects are, so that a sentence can say "lift", and what they are.
+/// Makes sentences from conditions, and provides the functions that the kinds need for their phrases. Reads
+/// the places and properties of objects from the world, for example so that a sentence can say "lift".
 class GoalWords {
 public:
     explicit GoalWords(World const& world) : world_(world) {}
@@ -32,11 +32,11 @@ public:
     /// One sentence for the player, with a capital and without a full stop: the text of the level's author if
     /// there is one, else one made from the condition.
     [[nodiscard]] std::string sentence(Condition const& condition) const;
-    /// The condition as a part of a sentence, with the time for which it must hold. `it` is what "it" is
-    /// called, null outside a count.
+    /// The condition as a part of a sentence, with the time for which it must hold. `it` is the noun for
+    /// "it", null outside a count.
     [[nodiscard]] std::string phrase(Condition const& condition, Mood mood, Noun const* it) const;
 
-    /// What the objects of a selector are called.
+    /// The noun for the objects of a selector.
     [[nodiscard]] Noun noun(Selector const& selector, Noun const* it) const;
     /// Whether all objects and parts of a selector are lamps (isLamp()), so that a sentence says "light" and
     /// not "switch on". False for "it".

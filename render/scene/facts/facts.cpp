@@ -18,7 +18,7 @@ P const* valueIn(Prototype const& prototype) {
 void guessSubstance(Facts& facts) {
     bool const attracted = facts.strength != nullptr && facts.strength->susceptibility > 0;
     facts.fixed = facts.fixed || facts.liquid; // it stays where it is
-    if (facts.look != nullptr && facts.look->pattern != trembler::Pattern::own) {
+    if (facts.look != nullptr && facts.look->pattern != LookPattern::own) {
         facts.substance = materialOf(facts.look->pattern);
     } else if (facts.madeOf != nullptr) {
         facts.substance = facts.madeOf->material;

@@ -1,4 +1,4 @@
-// As what an object is drawn besides its body: as stated, else by what it is.
+// The form in which an object is drawn besides its body: as stated, else from its properties.
 #pragma once
 
 #include "physics/look_form.hpp"

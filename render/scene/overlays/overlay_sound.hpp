@@ -7,10 +7,10 @@
 
 namespace trembler::render {
 
-/// A ring that spreads from where something sounds, as it stands now.
+/// The present state of a ring that spreads from a source of sound.
 struct Ripple {
     Point at;            ///< m, in the world
-    double radius = 0;   ///< m; none is drawn of what has none yet
+    double radius = 0;   ///< m; 0: not drawn yet
     double strength = 0; ///< 0 to 1: how dark it is
 };
 

@@ -18,7 +18,7 @@
 namespace trembler {
 namespace {
 
-/// An object about to be created, and where its properties come from.
+/// An object that will be created, with the source of its properties.
 struct Made {
     std::string name;
     PartDefinition const* part = nullptr;
@@ -56,7 +56,7 @@ public:
         : registry_(registry), level_(level), library_(library), problems_(problems) {}
 
     void addWorld() {
-        Made made; // always there, so that ids do not depend on what the level states about it
+        Made made; // always created, so that ids do not depend on whether the level states it
         made.name = "world";
         made.properties = effectiveProperties({}, level_.world);
         made.own = &level_.world;
@@ -291,10 +291,10 @@ BuiltLevel buildLevel(Registry const& registry, LevelFile const& level, PartLibr
     built.world = std::make_unique<World>(registry, std::move(options));
     Store& store = built.world->store();
     builder.create(store);
-    problems.throwIfAny(); // rules may assume that references are good
+    problems.throwIfAny(); // rules may assume that references are valid
     builder.checkRules(store);
     layConnections(registry, level, store, problems);
-    problems.throwIfAny(); // and completions may assume that rules are kept
+    problems.throwIfAny(); // and completions may assume that all rules hold
     built.world->start();
     built.objects = builder.created(Origin::Kind::object, level.objects.size());
     built.joints = builder.created(Origin::Kind::joint, level.joints.size());

@@ -12,7 +12,7 @@
 
 namespace trembler {
 
-/// A world, and which of its objects each entry of the lists that it was built from became.
+/// A world, and the objects made from each entry of the lists that it was built from.
 struct BuiltLevel {
     std::unique_ptr<World> world;     ///< started, at frame 0
     std::vector<ObjectId> objects;    ///< by index in LevelFile::objects
@@ -20,20 +20,19 @@ struct BuiltLevel {
     std::vector<ObjectId> placements; ///< by index in the placements that were given
 };
 
-/// Builds and starts the world of a level with what the player placed. Throws InputError, with the places in
-/// the file, for whatever is wrong: unknown parts, references to objects that are not there, properties that
-/// break a rule of the registry, connections that no effect, or more than one, takes, placements that are not
-/// allowed. `registry` must outlive the world. A detail level that the options name goes before the level's
-/// own.
+/// Builds and starts the world of a level with the player's placements. Throws InputError, with the places in
+/// the file, for all faults: unknown parts, references to missing objects, properties that break a rule of
+/// the registry, connections that no effect or more than one can make, placements that are not allowed.
+/// `registry` must outlive the world. Detail levels in the options override those that the level states.
 ///
 /// Objects are created in canonical order: "world", the level's objects by name, its joints by name, then the
 /// placements in their own canonical order. So neither the order of entries in the file nor the order of
-/// placing ever matters. Each object's Origin says the same as BuiltLevel, the other way round.
+/// placing ever matters. Each object's Origin is the inverse of BuiltLevel.
 [[nodiscard]] BuiltLevel buildLevel(Registry const& registry, LevelFile const& level,
                                     PartLibrary const& library, std::span<Placement const> placements = {},
                                     WorldOptions options = {});
 
-/// The same, for callers who find objects by the names that the level states.
+/// The same, for callers that find objects by the names that the level states.
 [[nodiscard]] std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& level,
                                                 PartLibrary const& library,
                                                 std::span<Placement const> placements = {},

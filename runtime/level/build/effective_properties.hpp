@@ -1,4 +1,4 @@
-// What an object gets from its part and what from its own entry.
+// Combines the properties of an object's part and of its own entry.
 #pragma once
 
 #include "runtime/level/property/property_set.hpp"
@@ -8,10 +8,10 @@
 
 namespace trembler {
 
-/// The part's properties, replaced by those that the entry states itself, without those that it takes away.
+/// The part's properties, replaced by those that the entry states, without those that the entry removes.
 [[nodiscard]] PropertySet effectiveProperties(PropertySet const& part, PropertySet const& own);
-/// The keys of the properties that an object is stated not to have, by its entry or, where that says nothing
-/// of them, by its part; ascending.
+/// The keys of the properties that an object is stated not to have, by its entry or, if the entry does not
+/// state them, by its part; ascending.
 [[nodiscard]] std::vector<std::string> statedAbsent(PropertySet const& part, PropertySet const& own);
 
 } // namespace trembler

@@ -28,7 +28,7 @@ std::vector<std::string> jointNames(LevelFile const& level) {
         taken.insert(joint.name);
         names.push_back(joint.name);
     }
-    // Equal statements are equal joints: it does not matter which of them gets which number.
+    // Joints that state the same are equal: it does not matter which of them gets which number.
     std::stable_sort(nameless.begin(), nameless.end(),
                      [](Nameless const& a, Nameless const& b) { return a.stated < b.stated; });
     int number = 0;

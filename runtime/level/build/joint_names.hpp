@@ -5,8 +5,8 @@
 
 namespace trembler {
 
-/// The names of a level's joints, in the order in which the level has them. Those without one become "joint
-/// 1", "joint 2" ..., numbered by what they state, so that their order in the file does not matter.
+/// The names of a level's joints, in the order of the level. Joints without a name become "joint 1", "joint
+/// 2" ..., in the order of their contents, so that their order in the file does not matter.
 [[nodiscard]] std::vector<std::string> jointNames(LevelFile const& level);
 
 } // namespace trembler

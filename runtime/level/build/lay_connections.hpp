@@ -1,4 +1,4 @@
-// Laying the "connections" of a level, each by the effect that it belongs to.
+// Makes the "connections" of a level, each by the effect that it belongs to.
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"
@@ -7,10 +7,10 @@
 
 namespace trembler {
 
-/// Lays every connection of a level between the objects of that name, before the first frame: by the effect
-/// whose kind it states, or else by the only one that can connect the two (Connector). Where there is none,
-/// or more than one, that is a problem at the connection's place in the file. The order of the level's list
-/// does not matter.
+/// Makes every connection of a level between the named objects, before the first frame: by the effect whose
+/// kind it states, or else by the only effect that can connect the two (Connector). If there is no such
+/// effect, or more than one, adds a problem at the connection's place in the file. The order of the level's
+/// list does not matter.
 void layConnections(Registry const& registry, LevelFile const& level, Store& store, Problems& problems);
 
 } // namespace trembler

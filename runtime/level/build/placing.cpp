@@ -14,7 +14,7 @@
 namespace trembler {
 namespace {
 
-/// Why `candidate` may not be placed beside `used` placements of the same part.
+/// Why `candidate` may not be placed in addition to `used` placements of the same part.
 std::optional<std::string> check(LevelFile const& level, PartLibrary const& library, std::size_t used,
                                  Placement const& candidate) {
     if (library.find(candidate.part) == nullptr) {
@@ -78,7 +78,7 @@ std::vector<Placement> inCanonicalOrder(std::span<Placement const> placements) {
     sorted.reserve(placements.size());
     for (std::size_t const i : canonicalOrder(placements)) {
         sorted.push_back(placements[i]);
-        sorted.back().at += Vec2{0, 0}; // -0 becomes 0, or two equal places would differ in their bits
+        sorted.back().at += Vec2{0, 0}; // makes -0 to 0, so that equal places have equal bits
         sorted.back().angle += 0.0;
     }
     return sorted;

@@ -1,4 +1,4 @@
-// Which parts a player may place where, and what names they get.
+// Checks which parts a player may place where, and names the placed objects.
 #pragma once
 
 #include "runtime/level/model/level.hpp"
@@ -14,20 +14,20 @@
 
 namespace trembler {
 
-/// Why `candidate` may not be placed beside the `others` that are already there, in words for the player;
-/// nothing if it may. Its part must exist and be left in the toolbox, and its centre must lie in one of the
-/// areas for placing (where none are stated, anywhere within the level's bounds). What it would overlap does
-/// not count here, as shapes are physics.
+/// Why `candidate` may not be placed in addition to `others`, in words for the player; nothing if it may. Its
+/// part must exist and be left in the toolbox, and its centre must lie in one of the areas for placing (if
+/// none are stated, anywhere within the level's bounds). Overlaps are not checked here, as shapes are
+/// physics.
 [[nodiscard]] std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary const& library,
                                                         std::span<Placement const> others,
                                                         Placement const& candidate);
 
-/// The same for many placements, each beside those before it that may be placed or not: their parts are
-/// counted, so that n of them cost n times as much as one. The level and the library must outlive it.
+/// The same for many placements, each in addition to all previous ones, allowed or not. Their parts are
+/// counted, so that n placements take n times as long as one. The level and the library must outlive it.
 class PlacementCount {
 public:
     PlacementCount(LevelFile const& level, PartLibrary const& library);
-    /// Why `candidate` may not be placed, as checkPlacement() says it; counts it in any case.
+    /// Why `candidate` may not be placed, as in checkPlacement(); counts it in any case.
     [[nodiscard]] std::optional<std::string> add(Placement const& candidate);
 
 private:
@@ -36,15 +36,15 @@ private:
     std::map<std::string, std::size_t, std::less<>> used_; // by part
 };
 
-/// The canonical order: by part, then x, y and angle; equal placements keep their order. It decides ids and
-/// names, so that the order in which a player placed the same parts never matters. Returns the indices of
+/// The canonical order: by part, then x, y and angle; equal placements keep their order. Ids and names follow
+/// this order, so that the order in which a player placed the parts never matters. Returns the indices of
 /// `placements` in that order.
 [[nodiscard]] std::vector<std::size_t> canonicalOrder(std::span<Placement const> placements);
 /// The placements themselves in that order, with 0 for -0.
 [[nodiscard]] std::vector<Placement> inCanonicalOrder(std::span<Placement const> placements);
 
-/// The names of the objects that placements become, in canonical order: the part's name and a number, from 1,
-/// leaving out what is taken by the level's own objects.
+/// The names of the objects made from placements, in canonical order: the part's name and a number, from 1,
+/// leaving out names of the level's own objects.
 [[nodiscard]] std::vector<std::string> placementNames(LevelFile const& level,
                                                       std::span<Placement const> placements);
 

@@ -1,4 +1,4 @@
-// Turning names into objects once all objects exist.
+// Replaces names by objects once all objects exist.
 #pragma once
 
 #include "runtime/level/property/name_table.hpp"
@@ -10,14 +10,13 @@
 
 namespace trembler {
 
-/// A reference to an object that is not there.
+/// A reference to a missing object.
 struct DanglingReference {
     std::string path; ///< of the field, inside its property; "" for a bare one
     std::string name;
 };
 
-/// Puts objects of `store` in the place of the names that the value refers to, and returns what could not be
-/// found.
+/// Replaces the names in the value by objects of `store`, and returns the references that were not found.
 [[nodiscard]] std::vector<DanglingReference> resolveReferences(PropertyValue& value, NameTable const& names,
                                                                Store const& store);
 

@@ -21,7 +21,7 @@ std::string joined(std::vector<Diagnostic> const& diagnostics) {
     return all;
 }
 
-/// A key or a text may be as long as its file, which nobody reads.
+/// Shortens a text for a message: a key or a text may be as long as its file.
 std::string shortened(std::string const& text) {
     constexpr std::size_t longest = 2000; // bytes
     if (text.size() <= longest) {
@@ -29,7 +29,7 @@ std::string shortened(std::string const& text) {
     }
     std::size_t cut = longest;
     while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) {
-        --cut; // not inside a character
+        --cut; // do not cut inside a character
     }
     return text.substr(0, cut) + "...";
 }
@@ -48,7 +48,7 @@ std::string Diagnostic::print() const {
     if (!expected.empty()) {
         text += fmt::format("; expected {}", shortened(expected));
     }
-    return visible(text); // all of it may come from the file
+    return visible(text); // any of it may come from the file
 }
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)

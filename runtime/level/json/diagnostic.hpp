@@ -1,4 +1,4 @@
-// What is wrong with a file, and where: every problem of every input file is told in this form.
+// A problem in a file and its place. All problems in input files are reported in this form.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@ struct Diagnostic {
     std::size_t column = 0; ///< from 1, in characters
     std::string path;       ///< JSON pointer (RFC 6901) to the value at fault; "" is the whole document
     std::string message;
-    std::string expected; ///< what would have been right; may be empty
+    std::string expected; ///< the accepted values; may be empty
 
     [[nodiscard]] std::string print() const;
 };
 
-/// Thrown for an input file that cannot be used. It carries everything that was found wrong with it.
+/// Thrown for an input file that cannot be used. Contains all problems that were found in it.
 class InputError : public std::runtime_error {
 public:
     explicit InputError(std::vector<Diagnostic> diagnostics);
@@ -30,19 +30,19 @@ private:
     std::vector<Diagnostic> diagnostics_;
 };
 
-/// Gathers problems, so that the author of a file sees them all at once and not one per attempt.
+/// Collects problems, so that the author of a file sees all of them at once.
 class Problems {
 public:
-    /// More than anybody reads; the rest is only counted.
+    /// The most problems that are kept; further ones are only counted.
     static constexpr std::size_t most = 100;
 
     void add(Diagnostic diagnostic);
-    /// Adds the problem that make() returns. Finding its place is a walk through the file, so it is made only
-    /// if it would be kept; else it is counted.
+    /// Adds the problem that make() returns. Finding its place takes a walk through the file, so make() is
+    /// called only if the problem will be kept; otherwise it is only counted.
     template <class Make>
     friend void addProblem(Problems& problems, Make&& make);
     [[nodiscard]] bool empty() const { return count_ == 0; }
-    /// All that were added, also those beyond the most that are kept.
+    /// The number of all problems added, including those that were not kept.
     [[nodiscard]] std::size_t count() const { return count_; }
     /// Throws InputError, in order of the places in the files, if there is any problem.
     void throwIfAny() const;

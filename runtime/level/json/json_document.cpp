@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Builds the tree. Unlike the library's own builder it notices keys that stand twice and gives up in time.
+/// Builds the tree. Unlike the library's own builder it reports repeated keys, and stops early if there are
+/// too many problems.
 class TreeBuilder : public nlohmann::json_sax<Json> {
 public:
     struct Flaw {
@@ -43,15 +44,15 @@ public:
         level.key = name;
         if (level.node->contains(name)) {
             if (std::string path = pathOfNext(); flaws_.empty() || flaws_.back().path != path) {
-                flaws_.push_back({std::move(path), fmt::format("the key '{}' stands here twice", name),
+                flaws_.push_back({std::move(path), fmt::format("the key '{}' is repeated", name),
                                   "every key once", std::nullopt, Spot::lastKey});
             }
         }
-        return flaws_.size() < Problems::most; // nobody reads on
+        return flaws_.size() < Problems::most; // further problems would not be kept
     }
     bool parse_error(std::size_t position, std::string const&,
                      nlohmann::detail::exception const& error) override {
-        // It quotes what it read, which may be no UTF-8: then nobody could print or store the message.
+        // The message quotes the text, which may not be UTF-8. Such a message could not be printed or stored.
         std::string const quoted = Json(error.what()).dump(-1, ' ', false, Json::error_handler_t::replace);
         std::string message = Json::parse(quoted).get<std::string>();
         if (std::size_t const at = message.find("syntax error"); at != std::string::npos) {
@@ -71,7 +72,7 @@ public:
 private:
     struct Level {
         Json* node;
-        std::string key; // of the member that comes next
+        std::string key; // of the next member
     };
 
     [[nodiscard]] std::string pathOfNext() const {
@@ -83,7 +84,7 @@ private:
         }
         return path;
     }
-    /// Whether there may be one more value; otherwise reading ends here.
+    /// Whether the limit allows one more value; otherwise reading ends here.
     bool mayGrow() {
         if (++values_ > limits::values) {
             flaws_.push_back({"", "has too many values", fmt::format("at most {}", limits::values),
@@ -134,7 +135,7 @@ private:
 
     Json root_;
     std::size_t values_ = 0;
-    std::vector<Level> open_; // pointers stay good: only the innermost container grows
+    std::vector<Level> open_; // pointers stay valid: only the innermost container grows
     std::vector<Flaw> flaws_;
 };
 
@@ -150,7 +151,7 @@ private:
     refuse(std::move(file), fmt::format("has {} bytes", size), fmt::format("at most {}", limits::fileSize));
 }
 
-/// Fills the text from a file, or shortens it to what there is. 0, or the errno of what went wrong.
+/// Fills the text from a file, or shortens it if the file is shorter. Returns 0, or the errno of the failure.
 int readInto(std::filesystem::path const& path, std::string& text) {
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }

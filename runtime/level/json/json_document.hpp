@@ -1,4 +1,4 @@
-// A JSON file in memory that can tell where each of its values stands.
+// A JSON file in memory that can find the place of each value in its text.
 #pragma once
 
 #include "runtime/level/json/diagnostic.hpp"
@@ -14,8 +14,8 @@ namespace trembler {
 class JsonDocument {
 public:
     /// Parses a text; `file` is its name for people. Throws InputError, and nothing else, for text that is
-    /// not JSON (RFC 8259), for keys that stand twice in one object, for numbers too large for a double, for
-    /// too deep nesting and for too much text.
+    /// not JSON (RFC 8259), for repeated keys in an object, for numbers too large for a double, for too deep
+    /// nesting and for too long text.
     [[nodiscard]] static std::shared_ptr<JsonDocument const> parse(std::string text, std::string file);
     /// Reads and parses a file. Throws InputError, also if the file cannot be read.
     [[nodiscard]] static std::shared_ptr<JsonDocument const> load(std::filesystem::path const& path);

@@ -11,7 +11,8 @@
 namespace trembler {
 namespace {
 
-/// Walks through valid JSON. Ends quietly where the text ends, so that even a text that is not valid is safe.
+/// Walks through valid JSON. Stops without an error at the end of the text, so that even invalid text is
+/// safe.
 class Walker {
 public:
     Walker(std::string_view text, std::size_t at) : text_(text), at_(at) { skipSpace(); }
@@ -22,7 +23,7 @@ public:
         ++at_;
         skipSpace();
     }
-    /// The raw token with its quotes; afterwards it stands behind it.
+    /// The raw token with its quotes; moves to the byte after it.
     std::string_view string() {
         std::size_t const begin = at_;
         for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
@@ -47,7 +48,7 @@ public:
                 ++depth;
             } else if (c == '}' || c == ']') {
                 --depth;
-            } else if (depth == 0) { // a bare number or word
+            } else if (depth == 0) { // a number, true, false or null
                 while (at_ < text_.size() &&
                        std::string_view(",]} \t\r\n").find(now()) == std::string_view::npos) {
                     ++at_;
@@ -82,7 +83,7 @@ std::string unescaped(std::string_view token) {
     return key;
 }
 
-/// Whether a token with its quotes is this key. Most have no escapes, and need not be read.
+/// Whether a token with its quotes is this key. Most tokens have no escapes and need not be parsed.
 bool stands(std::string_view token, std::string const& key) {
     if (token.find('\\') == std::string_view::npos) {
         return token.size() == key.size() + 2 && token.substr(1, key.size()) == key;

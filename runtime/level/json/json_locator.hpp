@@ -1,4 +1,4 @@
-// Where in the text of a JSON document a value stands.
+// Finds the place of a value in the text of a JSON document.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +18,12 @@ struct TextPlace {
 enum class Spot {
     value,   ///< where the value begins
     key,     ///< where its key begins
-    lastKey, ///< where its key begins for the last time, for keys that stand there twice
+    lastKey, ///< where the last occurrence of its key begins, for repeated keys
 };
 
-/// The byte at which the value at a JSON pointer stands, in a text that is known to be valid JSON. If there
-/// is none, the place of the nearest value around it. Takes one walk through the text up to the value;
-/// nothing is remembered, as only problems need places.
+/// The byte at which the value at a JSON pointer begins, in valid JSON. If there is no such value, the place
+/// of the innermost value around it. Walks through the text up to the value; stores nothing, as only problems
+/// need places.
 [[nodiscard]] std::size_t locate(std::string_view text, std::string_view pointer, Spot spot = Spot::value);
 
 /// The pointer of a member or an element: `~` and `/` in keys are escaped.

@@ -23,7 +23,7 @@ std::string shownValue(nlohmann::json const& value) {
     if (text.size() > longest) {
         std::size_t cut = longest;
         while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) {
-            --cut; // not inside a character
+            --cut; // do not cut inside a character
         }
         text = text.substr(0, cut) + "...";
     }
@@ -126,7 +126,8 @@ std::optional<double> JsonNode::number(double minimum, double maximum) const {
 }
 
 std::optional<std::int64_t> JsonNode::integer(std::int64_t minimum, std::int64_t maximum) const {
-    constexpr double exact = 9007199254740992.0; // 2^53: up to here a double is the number that was written
+    constexpr double exact =
+        9007199254740992.0; // 2^53: up to here a double represents every whole number exactly
     if (value_->is_number()) {
         auto const number = value_->get<double>();
         if (number == std::floor(number) && std::abs(number) <= exact) {

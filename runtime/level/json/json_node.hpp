@@ -1,4 +1,4 @@
-// Reading a JSON document step by step: every value knows where it stands and can complain about itself.
+// Reads a JSON document step by step: every node knows its place and can complain about its value.
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"
@@ -11,8 +11,8 @@
 
 namespace trembler {
 
-/// One value of a document. The checked reads complain, and return nothing, if the value is not as wanted.
-/// The document, the value and the problems must outlive it.
+/// One value of a document. The checked reads complain, and return nothing, if the value does not have the
+/// expected form. The document, the value and the problems must outlive it.
 class JsonNode {
 public:
     JsonNode(JsonDocument const& document, nlohmann::json const& value, std::string path, Problems& problems)
@@ -21,7 +21,7 @@ public:
     [[nodiscard]] nlohmann::json const& value() const { return *value_; }
     [[nodiscard]] std::string const& path() const { return path_; }
     [[nodiscard]] Problems& problems() const { return *problems_; }
-    /// A member or an element that is known to be there.
+    /// A member or an element that is known to exist.
     [[nodiscard]] JsonNode member(std::string const& key) const;
     [[nodiscard]] JsonNode element(std::size_t index) const;
     [[nodiscard]] std::size_t size() const { return value_->size(); }
@@ -30,16 +30,16 @@ public:
     }
 
     void complain(std::string message, std::string expected = {}) const;
-    /// What complain() adds to the problems, for addProblem(): where the words are expensive to find.
+    /// The problem that complain() would add, for addProblem(): if its words are expensive to find.
     [[nodiscard]] Diagnostic diagnostic(std::string message, std::string expected = {}) const;
-    /// About a key of this object, at the key's place.
+    /// Complains about a key of this object, at the key's place.
     void complainAboutKey(std::string const& key, std::string message, std::string expected = {}) const;
-    /// That it is not what was wanted, with the value itself in the message.
+    /// Complains that the value is not of the expected type; the message contains the value.
     void complainOfType(std::string expected) const;
 
     [[nodiscard]] bool isObject(std::string_view expected) const;
     [[nodiscard]] bool isArray(std::string_view expected) const;
-    /// A list of at most so many.
+    /// Whether it is a list of at most `most` elements.
     [[nodiscard]] bool isList(std::string_view expected, std::size_t most) const;
     [[nodiscard]] std::optional<bool> boolean(std::string_view expected = "true or false") const;
     [[nodiscard]] std::optional<std::string> text(std::string_view expected = "text") const;
@@ -60,10 +60,10 @@ private:
     Problems* problems_;
 };
 
-/// Reads the members of an object and, at the end, complains about those that nobody asked for.
+/// Reads the members of an object and finally complains about all members that were not read.
 class MemberReader {
 public:
-    /// Complains if the node is no object; then there are no members.
+    /// Complains if the node is not an object; it then has no members.
     MemberReader(JsonNode node, std::string_view expected);
     [[nodiscard]] bool valid() const { return valid_; }
     [[nodiscard]] JsonNode const& node() const { return node_; }
@@ -72,7 +72,7 @@ public:
     [[nodiscard]] std::optional<JsonNode> required(std::string const& key, std::string_view expected);
     /// Declares keys that are read elsewhere.
     void know(std::string const& key) { known_.insert(key); }
-    /// Complains about unknown keys and suggests what may have been meant.
+    /// Complains about unknown keys and suggests similar known ones.
     void finish() const;
 
 private:
@@ -81,7 +81,7 @@ private:
     std::set<std::string> known_;
 };
 
-/// A number as people write it: the shortest text that reads back as the same double.
+/// A number for people: the shortest text that reads back as the same double.
 [[nodiscard]] std::string shown(double number);
 
 } // namespace trembler

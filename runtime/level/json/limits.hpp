@@ -1,4 +1,5 @@
-// How much a level file may hold. The schema states these numbers, and who exceeds one is told.
+// How much a level file may hold. The schema states these numbers; a file that exceeds one is rejected with a
+// message.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +7,11 @@
 
 namespace trembler::limits {
 
-/// Of a file, in bytes. A level of a hundred thousand objects has about a fifth of it.
+/// Of a file, in bytes. A level of a hundred thousand objects has about a fifth of this size.
 inline constexpr std::size_t fileSize = std::size_t{64} << 20U;
-/// Lists and objects inside one another. Files of the project need about ten.
+/// Depth of nested lists and objects. Files of the project need about ten.
 inline constexpr std::size_t depth = 64;
-/// Values in one file, of whatever kind: what a file takes in memory depends on them more than on its size.
+/// Values of any kind in one file: the memory for a file depends more on their number than on its size.
 inline constexpr std::size_t values = 4'000'000;
 
 inline constexpr std::size_t objects = 200'000;
@@ -23,12 +24,12 @@ inline constexpr std::size_t areaCorners = 1000; ///< of one area
 inline constexpr std::size_t toolboxEntries = 1000;
 inline constexpr std::int64_t toolboxCount = 1000; ///< of one part
 inline constexpr std::size_t hints = 1000;
-inline constexpr std::size_t conditions = 10'000; ///< of the goals, one inside another included
+inline constexpr std::size_t conditions = 10'000; ///< of the goals, nested ones included
 inline constexpr std::size_t solutions = 1000;
 inline constexpr std::size_t placements = 100'000; ///< of one solution
 inline constexpr std::size_t inputs = 1'000'000;   ///< of one solution
 inline constexpr std::size_t changes = 100'000;    ///< of one solution
-/// Of a recording, about two days; also the longest run.
+/// Of a recording, about two days; also the limit of a run.
 inline constexpr std::int64_t frames = 10'000'000;
 
 } // namespace trembler::limits

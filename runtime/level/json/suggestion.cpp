@@ -29,7 +29,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> suggestion(std::string_view word, std::span<std::string const> known) {
-    constexpr std::size_t longest = 100; // a word longer than that is no slip of the pen
+    constexpr std::size_t longest = 100; // a longer word is not a typing error
     if (word.size() > longest) {
         return std::nullopt;
     }
@@ -51,7 +51,7 @@ std::optional<std::string> suggestion(std::string_view word, std::span<std::stri
 
 std::string didYouMean(std::string_view word, std::span<std::string const> known) {
     auto const near = suggestion(word, known);
-    return near ? fmt::format(", did you mean '{}'?", *near) : std::string();
+    return near ? fmt::format(" (did you mean '{}'?)", *near) : std::string();
 }
 
 std::string listed(std::span<std::string const> words) {

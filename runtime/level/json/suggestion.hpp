@@ -13,11 +13,12 @@ namespace trembler {
 /// other (optimal string alignment distance). O(length × length).
 [[nodiscard]] std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// The nearest of the known words, if it is near enough to be what was meant; the first of equals.
+/// The nearest of the known words, if it is so near that it may be the intended word; the first of equally
+/// near ones.
 [[nodiscard]] std::optional<std::string> suggestion(std::string_view word,
                                                     std::span<std::string const> known);
 
-/// ", did you mean 'friction'?" or nothing.
+/// " (did you mean 'friction'?)" or nothing.
 [[nodiscard]] std::string didYouMean(std::string_view word, std::span<std::string const> known);
 
 /// "'a', 'b' or 'c'", shortened where there are very many.

@@ -12,7 +12,8 @@
 namespace trembler {
 namespace {
 
-/// "solver.substeps (0 to 64)" and so on: all that a recording may set, of one property or of all.
+/// All settings that a recording may change, of one property or of all, in the form "solver.substeps (0 to
+/// 64)".
 std::vector<std::string> settings(Registry const& registry, PropertyInfo const* of = nullptr) {
     std::vector<std::string> all;
     for (PropertyInfo const* info : registry.objectProperties()) {
@@ -60,7 +61,7 @@ std::optional<ChangeFault> faultInSetting(Registry const& registry, RecordedChan
                          change.value <= number.maximum &&
                          !(number.minimumExcluded && change.value == number.minimum);
     bool const whole = field->type != FieldType::integer || change.value == std::trunc(change.value);
-    if (!inRange || !whole) { // not a number is in no range
+    if (!inRange || !whole) { // NaN is in no range
         return ChangeFault{fmt::format("'{}' of '{}' is {}", change.field, change.subject, change.value),
                            fmt::format("{}a number from {} to {}{}",
                                        number.accuracy.orAutomatic ? "0, or " : "", number.accuracy.from,
@@ -70,7 +71,7 @@ std::optional<ChangeFault> faultInSetting(Registry const& registry, RecordedChan
     return std::nullopt;
 }
 
-// In a file a component goes by its full title only.
+// Files must name a component by its full title.
 std::optional<ChangeFault> faultInPeriod(Registry const& registry, RecordedChange const& change) {
     std::vector<std::string> able;
     Registration const* found = nullptr;
@@ -148,7 +149,7 @@ bool isFaithful(Registry const& registry, Store const& store, std::string_view e
     });
 }
 
-// A level file may state a level that is other physics; then nothing but that is what it means.
+// A level file may state a level that is other physics; then no other level may replace it.
 std::optional<ChangeFault> otherPhysics(Registry const& registry, World const& world,
                                         std::map<std::string, std::string> const& statedLevels,
                                         RecordedChange const& change) {

@@ -1,4 +1,4 @@
-// What a recorded change, the components panel and a time budget may change while a level runs.
+// Which changes a recording, the components panel and a time budget may make while a level runs.
 #pragma once
 
 #include "runtime/level/model/recorded_change.hpp"
@@ -10,26 +10,27 @@
 
 namespace trembler {
 
-/// Why a change is refused, and what may be changed instead.
+/// Why a change is refused, and which changes are accepted.
 struct ChangeFault {
     std::string message;
     std::string expected;
 };
 
-// What may be changed while a level runs, by a recorded solution, the components panel and a time budget
-// alike, is how exactly it is computed, never its physics:
-//  - a setting: a number of a property of the world whose description states an AccuracyRange, within that;
-//  - a period: that of a component which declares a longest one, up to that (Registration::longestPeriod);
-//  - a detail level: one that is faithful to what the scene states (Registration::faithful), or that the
-//    level file itself states.
+// While a level runs, a recorded solution, the components panel and a time budget may change only how exactly
+// it is computed, never its physics. They may change:
+//  - a setting: a number of a property of the world, within the AccuracyRange that its description states;
+//  - a period of a component, up to the longest one that it declares (Registration::longestPeriod);
+//  - a detail level, to one that computes the scene's physics (Registration::faithful) or that the level file
+//    itself states.
 
-/// What is wrong with a change in any world of this registry; nothing if it may be made.
+/// Why no world of this registry allows the change; nothing if a world may allow it.
 [[nodiscard]] std::optional<ChangeFault> faultIn(Registry const& registry, RecordedChange const& change);
-/// In this world as it is now. What is other physics in a world stays so for as long as it runs.
+/// Why this world does not allow the change at present. A detail level that is other physics in a world stays
+/// so while it runs.
 [[nodiscard]] std::optional<ChangeFault> faultIn(Registry const& registry, World const& world,
                                                  RecordedChange const& change);
 
-/// The same where other detail levels are stated than those that the world has now.
+/// The same with `stated` in place of the world's present detail levels.
 [[nodiscard]] std::optional<ChangeFault> faultIn(Registry const& registry, World const& world,
                                                  std::map<std::string, std::string> const& stated,
                                                  RecordedChange const& change);

@@ -11,7 +11,7 @@
 namespace trembler {
 namespace {
 
-/// How a part looks is a property like any other, but it stands beside the part's title.
+/// The look of a part is an ordinary property, but files state it next to the part's title.
 constexpr std::string_view lookKey = "look";
 
 } // namespace
@@ -99,7 +99,7 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
             readProperties(part.properties, registry, PropertyPlace::properties, *properties, nullptr);
             if (look != nullptr && reader.node().has(std::string(lookKey)) &&
                 properties->has(std::string(lookKey))) {
-                properties->complainAboutKey(std::string(lookKey), "stands here twice", "\"look\" once");
+                properties->complainAboutKey(std::string(lookKey), "is stated twice", "\"look\" once");
             }
         }
         reader.finish();

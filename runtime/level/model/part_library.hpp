@@ -1,4 +1,4 @@
-// Part definitions: what the things in the toolbox are made of.
+// Part definitions, from which the objects in the toolbox are made.
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"
@@ -17,11 +17,11 @@ namespace trembler {
 struct PartDefinition {
     std::string name;  ///< by which levels refer to it, for example "steel bar"
     std::string title; ///< for players
-    std::string text;  ///< for players: what it does
+    std::string text;  ///< for players: its function
     PropertySet properties;
-    std::shared_ptr<JsonDocument const> document; ///< may be missing
+    std::shared_ptr<JsonDocument const> document; ///< may be null
 
-    /// What objects are made from while the world runs.
+    /// The prototype for making objects while the world runs.
     [[nodiscard]] Prototype prototype() const;
 };
 
@@ -41,7 +41,7 @@ private:
 /// Reads one part definition. Throws InputError.
 [[nodiscard]] PartDefinition readPart(Registry const& registry,
                                       std::shared_ptr<JsonDocument const> const& document);
-/// Reads every *.json file of a folder. Throws InputError with the problems of all of them together.
+/// Reads every *.json file of a folder. Throws InputError with the problems of all files.
 [[nodiscard]] PartLibrary loadParts(Registry const& registry, std::filesystem::path const& folder);
 
 } // namespace trembler

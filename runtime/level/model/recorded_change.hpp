@@ -1,5 +1,5 @@
-// What was changed, while a world ran, about how exactly it is computed. Recorded by frame like what the
-// player did, it makes the run repeatable.
+// A change, while a world runs, of how exactly it is computed. Recorded by frame, like player inputs, so that
+// the run is repeatable.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@ namespace trembler {
 
 struct RecordedChange {
     enum class Kind : std::uint8_t {
-        detail,  ///< `subject`, an effect, goes to the detail level `level`; "" leaves it to the scene
-        period,  ///< `subject`, the title of a component, runs in every `value`th frame
-        setting, ///< `field` of the world's property with the key `subject` becomes `value`
+        detail,  ///< sets the detail level of the effect `subject` to `level`; "": the scene decides
+        period,  ///< runs the component with the title `subject` in every `value`th frame
+        setting, ///< sets `field` of the world's property with the key `subject` to `value`
     };
-    std::uint64_t frame = 1; ///< the first frame that it counts for, from 1
+    std::uint64_t frame = 1; ///< the first frame that it affects, counted from 1
     Kind kind = Kind::detail;
     std::string subject;
     std::string field;
     std::string level;
     double value = 0;
-    std::string path; ///< in the file, for messages; empty if it came from elsewhere
+    std::string path; ///< in the file, for messages; empty if it is not from a file
 };
 
 /// The names of the kinds, as files spell them, in order.

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = RecordedChange::Kind;
 
-/// Finds a field that is a number by its key, and sets it if it is told to.
+/// Finds a number field by its key, and sets it if `set` has a value.
 class NumberField final : public IdleVisitor {
 public:
     NumberField(std::string_view key, std::optional<double> set) : key_(key), set_(set) {}

@@ -1,4 +1,4 @@
-// Changing how exactly a world is computed, by names, as recorded runs state it.
+// Applies recorded changes of how exactly a world is computed.
 #pragma once
 
 #include "runtime/level/model/change_fault.hpp"
@@ -10,17 +10,17 @@
 
 namespace trembler {
 
-/// Makes a change count from the next frame of a world of this registry on. Between frames only. Throws
-/// std::invalid_argument, saying what is wrong and what may be changed, if faultIn() finds anything.
+/// Applies a change from the next frame of a world of this registry on. Between frames only. Throws
+/// std::invalid_argument, with the fault and the accepted changes, if faultIn() finds a fault.
 void apply(Registry const& registry, World& world, RecordedChange const& change);
 
-/// Whether it would change nothing.
+/// Whether the world already has the values of the change.
 [[nodiscard]] bool holds(Registry const& registry, World const& world, RecordedChange const& change);
 
-/// In a few words: "gravity: tree", "Buoyancy Resolver: every 4th frame", "gravity_law: opening_angle 0.5".
+/// In words: "gravity: tree", "Buoyancy Resolver: every 4th frame", "gravity_law: opening_angle 0.5".
 [[nodiscard]] std::string inWords(RecordedChange const& change);
 
-/// The changes that make the one set of options into the other: detail levels and periods.
+/// The changes of detail levels and periods that turn `from` into the other options.
 [[nodiscard]] std::vector<RecordedChange> differences(Registry const& registry, WorldOptions const& from,
                                                       WorldOptions const& to);
 

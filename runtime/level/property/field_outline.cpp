@@ -51,8 +51,8 @@ double radians(double degrees) {
 
 double degrees(double radiansValue) {
     double const plain = radiansValue * (180 / pi);
-    // The product may be a rounding error away from what the file said. Prefer the roundest number that means
-    // the same angle.
+    // The product may differ from the file's number by a rounding error. Choose the shortest number that
+    // gives the same angle.
     for (int digits = 0; digits <= 17 && std::isfinite(plain); ++digits) {
         double const scale = std::pow(10.0, digits);
         double const round = std::round(plain * scale) / scale;

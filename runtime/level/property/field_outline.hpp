@@ -1,4 +1,4 @@
-// What fields a property has, found out by visiting a value of it.
+// The fields of a property, found by visiting a value of it.
 #pragma once
 
 #include "runtime/property/property_value.hpp"
@@ -15,7 +15,7 @@ struct FieldOutline {
     FieldType type;
 };
 
-/// The fields at the top of a value, in order. Which there are may depend on the value's choices.
+/// The top-level fields of a value, in order. They may depend on the value's choices.
 [[nodiscard]] std::vector<FieldOutline> outlineOf(PropertyValue& value);
 
 /// True for a property that files write bare: its one field has the key "value".
@@ -30,7 +30,7 @@ struct FieldOutline {
 
 /// True for a unit of angle or of angular speed: files state degrees.
 [[nodiscard]] bool isAngle(std::string_view unit);
-/// Radians to the degrees that files state, and back. Exactly inverse for every angle that a file can state.
+/// Convert between degrees in files and radians. Exact inverses for every angle that a file can state.
 [[nodiscard]] double radians(double degrees);
 [[nodiscard]] double degrees(double radians);
 

@@ -1,4 +1,4 @@
-// References between the objects of a file: before there are objects, there are only names.
+// References between the objects of a file by name, before the objects exist.
 #pragma once
 
 #include "runtime/object/object_id.hpp"
@@ -9,8 +9,8 @@
 
 namespace trembler {
 
-/// Numbers names. In the property values of a level file, an ObjectId stands for a name: its index is the
-/// name's number. An invalid id refers to nothing.
+/// Assigns numbers to names. In the property values of a level file, an ObjectId represents a name: its index
+/// is the name's number. An invalid id refers to nothing.
 class NameTable {
 public:
     [[nodiscard]] ObjectId refer(std::string const& name) {
@@ -20,7 +20,7 @@ public:
         }
         return {at->second, 0};
     }
-    /// The name that a reference stands for; "" for none.
+    /// The name that a reference represents; "" for an invalid id.
     [[nodiscard]] std::string nameOf(ObjectId reference) const {
         return reference.index < names_.size() ? names_[reference.index] : std::string();
     }

@@ -52,7 +52,7 @@ private:
 
 class FieldReader final : public FieldVisitor {
 public:
-    /// Of an object with one member per field, or of one bare value.
+    /// Reads an object with one member per field or, if `bare`, a single value.
     FieldReader(JsonNode node, bool bare, NameTable* names)
         : node_(std::move(node)), bare_(bare), names_(names) {}
 
@@ -132,7 +132,7 @@ public:
     }
 
 private:
-    /// A bare element of a list has the range and the unit of its list.
+    /// A list element without fields has the range and the unit of its list.
     [[nodiscard]] FieldInfo const& limits(FieldInfo const& info) const {
         return listInfo_ == nullptr ? info : *listInfo_;
     }
@@ -211,7 +211,7 @@ std::string_view wordsFor(PropertyPlace place) {
     return "";
 }
 
-/// Whether `false` can only mean that the property is not there.
+/// Whether `false` can only mean that the object does not have the property.
 bool falseTakesAway(PropertyInfo const& info) {
     auto const value = info.makeValue();
     auto const fields = outlineOf(*value);

@@ -14,7 +14,7 @@ class PropertySet {
 public:
     struct Entry {
         PropertyInfo const* info;
-        /// Empty: the property is taken away from what the object's part brings ("fixed": false).
+        /// Null: the object does not have the property, even if its part states it ("fixed": false).
         std::unique_ptr<PropertyValue> value;
     };
 
@@ -31,9 +31,9 @@ public:
     void set(P value) {
         set(std::make_unique<ValueOf<P>>(std::move(value)));
     }
-    /// States that the object does not have the property, whatever its part says.
+    /// States that the object does not have the property, even if its part states it.
     void takeAway(PropertyInfo const& info);
-    /// Forgets about the property.
+    /// Removes the entry of the property.
     void erase(PropertyInfo const& info);
 
     /// Whether anything is stated about the property.

@@ -13,10 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Writes every field of what it visits.
+/// Writes every field that it visits.
 class FieldWriter final : public FieldVisitor {
 public:
-    /// `names` are those of object fields.
+    /// `names` are the names of the objects that fields refer to.
     explicit FieldWriter(NameTable const& names) : names_(names) {}
 
     Json out = Json::object();
@@ -65,7 +65,7 @@ private:
     FieldInfo const* listInfo_ = nullptr;
 };
 
-/// Remembers the choices and the lengths of lists, in order: what decides which fields a value has.
+/// Records, in order, the choices and the lengths of lists, on which a value's fields depend.
 class StructureRecorder final : public IdleVisitor {
 public:
     std::vector<std::size_t> structure;
@@ -81,7 +81,7 @@ public:
     }
 };
 
-/// Gives an initial value the remembered structure, so that it has the same fields.
+/// Gives an initial value the recorded structure, so that it has the same fields.
 class StructureCopier final : public IdleVisitor {
 public:
     explicit StructureCopier(std::vector<std::size_t> const& structure) : structure_(structure) {}
@@ -101,7 +101,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Takes the members away that equal those of an initial value, in lock-step.
+/// Removes the members that equal those of an initial value, walking through both at once.
 class Pruner final : public FieldVisitor {
 public:
     Pruner(Json& written, Json const& structured, Json const& initial)
@@ -138,7 +138,7 @@ public:
             }
             return;
         }
-        // What one fresh element looks like before any of its choices is made.
+        // A new element, with initial values of all its choices.
         std::size_t const size = field.size();
         field.resize(size + 1);
         NameTable const unnamed;
@@ -153,7 +153,7 @@ public:
     }
 
 private:
-    /// Whether both are written alike. 0 and -0 are equal as numbers, but not the same.
+    /// Whether both are written alike. 0 and -0 are equal numbers, but written differently.
     static bool same(Json const& a, Json const& b) {
         if (a.type() != b.type()) {
             return false;
@@ -177,7 +177,7 @@ private:
 
     Json& written_;
     Json const& structured_; ///< an initial value with the same structure
-    Json const& initial_;    ///< an initial value as it is
+    Json const& initial_;    ///< an unchanged initial value
 };
 
 } // namespace
@@ -206,7 +206,7 @@ Json writeProperty(PropertyValue const& value, NameTable const& names) {
         Pruner pruner(writer.out, structuredWriter.out, initialWriter.out);
         copy->visit(pruner);
         return writer.out.contains("value") ? writer.out["value"]
-                                            : whole["value"]; // a bare value always stands
+                                            : whole["value"]; // a bare value is always written
     }
     Pruner pruner(writer.out, structuredWriter.out, initialWriter.out);
     copy->visit(pruner);

@@ -1,4 +1,4 @@
-// Writing properties as files state them: the counterpart of property_reader.hpp.
+// Writes properties as files state them: the inverse of property_reader.hpp.
 #pragma once
 
 #include "runtime/level/property/name_table.hpp"
@@ -10,11 +10,11 @@
 namespace trembler {
 
 /// The JSON that readProperty() reads back as the same value. Fields that have their initial value are left
-/// out, but for required ones. Numbers are written so that they read back bit for bit; references to objects
+/// out, except required ones. Numbers are written so that they read back bit for bit; references to objects
 /// as their names in the table.
 [[nodiscard]] nlohmann::ordered_json writeProperty(PropertyValue const& value, NameTable const& names = {});
 
-/// An object with one member per property whose place is `place`; taken-away ones are `false`.
+/// An object with one member per property whose place is `place`; removed properties are `false`.
 [[nodiscard]] nlohmann::ordered_json writeProperties(PropertySet const& set, PropertyPlace place,
                                                      NameTable const& names = {});
 

@@ -39,7 +39,7 @@ public:
         if (!wires_.contains(wire)) {
             addProblem(problems_, [&] {
                 return document_.diagnostic(input.path, "there is no wire " + words(),
-                                            "a pair that stands under \"connections\"");
+                                            "a pair of objects under \"connections\"");
             });
         } else if (!cut_.insert(wire).second) {
             addProblem(problems_, [&] {
@@ -62,7 +62,7 @@ public:
 
 private:
     bool isKnown(std::string const& name, std::string const& path) {
-        // What is created during the run is not known yet; only how such objects are called.
+        // Of objects created during the run, only the form of their names is known.
         if (name.empty() || names_.contains(name) || placed_.contains(name) || isBirthName(name)) {
             return true;
         }

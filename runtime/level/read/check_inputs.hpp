@@ -1,4 +1,4 @@
-// Whether what a solution recorded can happen in its level.
+// Checks whether the recorded inputs of a solution are possible in its level.
 #pragma once
 
 #include "runtime/level/model/level.hpp"
@@ -9,15 +9,15 @@
 
 namespace trembler {
 
-/// Knows the objects and wires of a level; made once for all of its solutions. The level must outlive it.
+/// Has the objects and wires of a level; made once for all of its solutions. The level must outlive it.
 class InputCheck {
 public:
     explicit InputCheck(LevelFile const& level);
 
     /// Complains about the inputs of a solution that name an object which the level does not have, the
-    /// solution does not place and the run cannot create (isBirthName()); about those that cut where the
-    /// level lays no wire, or cut one wire twice; and about inputs and changes after the solution's last
-    /// frame. `document` is the file in which the solution stands.
+    /// solution does not place and the run cannot create (isBirthName()); about inputs that cut a wire that
+    /// the level does not have, or cut a wire twice; and about inputs and changes after the solution's last
+    /// frame. `document` is the solution's file.
     void check(Solution const& solution, JsonDocument const& document, Problems& problems) const;
 
 private:

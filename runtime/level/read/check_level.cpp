@@ -41,8 +41,8 @@ public:
         }
     }
 
-    /// Complains about connections of one kind between the same two objects: they would look like one, but a
-    /// cut would take away only one of them.
+    /// Complains about connections of one kind between the same two objects: they would look like one
+    /// connection, but a cut would remove only one of them.
     void checkTwice() {
         std::map<std::tuple<std::string, std::string, std::string>, std::string> stated;
         for (LevelConnection const& connection : level_.connections) {
@@ -85,7 +85,7 @@ private:
 
     /// Complains that no object has that name.
     void complainAboutName(std::string const& path, std::string const& name) {
-        addProblem(problems_, [&] { // looking for what was meant costs a walk through all names
+        addProblem(problems_, [&] { // finding a suggestion takes a walk through all names
             std::vector<std::string> known;
             for (auto const& [other, where] : paths_) {
                 known.push_back(other);

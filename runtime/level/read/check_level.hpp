@@ -1,4 +1,5 @@
-// What a level file states in one place about another place: connections, recorded inputs and changes.
+// Checks statements of a level file that refer to other parts of it: connections, recorded inputs and
+// changes.
 #pragma once
 
 #include "runtime/level/model/level.hpp"

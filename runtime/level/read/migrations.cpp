@@ -28,8 +28,8 @@ void fromDraft(nlohmann::json& document) {
     }
 }
 
-/// In version 1 an object without a part stated its material in its look, and only its sound followed from
-/// it.
+/// In version 1 an object without a part stated its material in its look, and the material affected only its
+/// sound.
 void ownMaterial(nlohmann::json& properties, nlohmann::json material) {
     auto const unlessStated = [&](char const* key, nlohmann::json value) {
         if (!properties.contains(key)) {
@@ -47,9 +47,9 @@ void ownMaterial(nlohmann::json& properties, nlohmann::json material) {
     unlessStated("material", std::move(material));
 }
 
-/// Version 1 had the material in the look, and numbers that did not depend on it. They are stated now, so
-/// that everything moves as it did. An object made from a part keeps the part's material and only looks
-/// otherwise.
+/// Version 1 had the material in the look, and numbers that did not depend on it. These numbers are now
+/// stated, so that all motion stays the same. An object made from a part keeps the part's material and only
+/// its look differs.
 void fromLooks(nlohmann::json& document) {
     auto const objects = document.find("objects");
     if (objects == document.end() || !objects->is_array()) {

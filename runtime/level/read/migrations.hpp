@@ -1,4 +1,4 @@
-// How old level files are read: each step turns one version of the format into the next.
+// Converts old level files: each step turns one version of the format into the next.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@ namespace trembler {
 
 struct LevelMigration {
     int from;                               ///< turns `from` into `from` + 1
-    void (*step)(nlohmann::json& document); ///< must leave alone what it does not understand
+    void (*step)(nlohmann::json& document); ///< must not change members that it does not know
 };
 
 /// All steps, ascending; the last one leads to levelVersion.

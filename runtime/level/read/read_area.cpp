@@ -8,7 +8,7 @@
 namespace trembler {
 namespace {
 
-constexpr double smallest = 1e-3; // m: what is narrower is no area
+constexpr double smallest = 1e-3; // m: a narrower shape is not an area
 
 /// Whether all corners lie within half the smallest width of one line.
 bool isFlat(std::vector<Vec2> const& corners) {

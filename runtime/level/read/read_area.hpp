@@ -1,4 +1,4 @@
-// Reading areas of the plane: a level's bounds, where placing is allowed, where something has to get to.
+// Reads areas of the plane: a level's bounds, areas for placing, areas of goals.
 #pragma once
 
 #include "runtime/level/json/json_node.hpp"
@@ -6,7 +6,7 @@
 
 namespace trembler {
 
-/// m, of any place from the origin along each axis, like Position.
+/// m, the greatest distance of a place from the origin along each axis, like Position.
 inline constexpr double farthestPlace = 1e6;
 
 /// [x, y, width, height] in m, (x, y) the lower left corner.

@@ -8,7 +8,7 @@
 namespace trembler {
 namespace {
 
-constexpr std::int64_t longestPeriod = 3600; // as World::setPeriod has it
+constexpr std::int64_t longestPeriod = 3600; // the limit of World::setPeriod
 constexpr double anyNumber = 1e12;           // the range of a field is checked by the property's description
 
 using Kind = RecordedChange::Kind;

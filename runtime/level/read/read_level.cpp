@@ -31,7 +31,7 @@ public:
         if (!reader.valid()) {
             return;
         }
-        reader.know("version"); // has been looked at before
+        reader.know("version"); // has been read before
         reader.know("$schema"); // for editors
         if (auto const title = reader.required("title", "the name of the level, for people")) {
             level_.title = title->name("a title").value_or("");
@@ -98,7 +98,7 @@ public:
     }
 
 private:
-    /// Remembers a name; complains if it is taken.
+    /// Records a name; complains if it is taken.
     void takeName(JsonNode const& node, std::string const& name) {
         if (name == "world") {
             node.complain("the name 'world' is taken", "another name: 'world' is the object under \"world\"");
@@ -219,7 +219,7 @@ private:
             return;
         }
         if (auto const [first, isNew] = toolPaths_.try_emplace(*name, node.path()); !isNew) {
-            node.complain(fmt::format("'{}' already stands in {}", *name, first->second), "every part once");
+            node.complain(fmt::format("'{}' is already in {}", *name, first->second), "every part once");
         }
         level_.toolbox.push_back({*name, static_cast<int>(*number), node.path()});
     }
@@ -259,8 +259,7 @@ LevelFile readLevel(Registry const& registry, std::shared_ptr<JsonDocument const
         current = document->root();
         migrate(current, static_cast<int>(*version));
     }
-    // After a migration some paths are not in the text any more; their problems are shown at what is around
-    // them.
+    // After a migration some paths are not in the text; their problems are shown at the value around them.
     JsonNode const top(*document, *version < levelVersion ? current : document->root(), "", problems);
     LevelReader(registry, level).read(top);
     return level;

@@ -1,4 +1,4 @@
-// Reading a level file.
+// Reads a level file.
 #pragma once
 
 #include "runtime/level/model/level.hpp"
@@ -6,8 +6,8 @@
 
 namespace trembler {
 
-/// Reads a level by the registry's property descriptions; what a part brings is not looked at yet. Adds
-/// everything that is wrong to `problems`; the level is then incomplete.
+/// Reads a level by the registry's property descriptions; part definitions are not used yet. Adds all faults
+/// to `problems`; the level is then incomplete.
 [[nodiscard]] LevelFile readLevel(Registry const& registry,
                                   std::shared_ptr<JsonDocument const> const& document, Problems& problems);
 /// The same, but throws InputError if anything is wrong.

@@ -36,7 +36,7 @@ std::optional<Placement> readPlacement(JsonNode const& node) {
     return placement;
 }
 
-/// The keys that say what kind of input an entry is, in the order of PlayerInput::Kind.
+/// The keys of the kinds of inputs, in the order of PlayerInput::Kind.
 constexpr std::span<std::string_view const> inputKeys = playerInputNames;
 
 bool readInputBody(MemberReader& reader, JsonNode const& body, RecordedInput& input) {

@@ -1,4 +1,4 @@
-// Reading the section "world" of a level file.
+// Reads the section "world" of a level file.
 #pragma once
 
 #include "runtime/level/json/json_node.hpp"
@@ -8,7 +8,7 @@
 namespace trembler {
 
 /// Reads the properties of the world, "bounds" and "detail" into the level. Complains through `node`, with
-/// its place, about whatever is wrong.
+/// its place, about all faults.
 void readWorld(Registry const& registry, JsonNode const& node, LevelFile& level);
 
 } // namespace trembler

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the components that may miss frames.
+/// The schema of the periods of components that may miss frames.
 Json periodsSchema(Registry const& registry) {
     Json periods = Json::object();
     for (Registration const& registration : registry.components()) {
@@ -26,7 +26,7 @@ Json periodsSchema(Registry const& registry) {
     return json_schema::strictObject(std::move(periods));
 }
 
-/// Of one number of the world, as far as it is a matter of accuracy.
+/// The schema of a number of the world within its AccuracyRange.
 Json settingSchema(FieldOutline const& field) {
     Json schema{{"type", field.type == FieldType::integer ? "integer" : "number"},
                 {"minimum", field.info.accuracy.from},

@@ -1,4 +1,4 @@
-// The JSON Schema of how exactly a level is computed: stated for all of it, or changed while it runs.
+// The JSON Schema of detail levels, periods and settings: for a whole level, or changed while it runs.
 #pragma once
 
 #include "runtime/world/registry.hpp"
@@ -7,8 +7,8 @@
 
 namespace trembler {
 
-/// An object with a detail level for each effect that has some; with `orNothing` also "", which leaves the
-/// choice to the scene.
+/// An object with a detail level for each effect that has any; with `orNothing` also "", with which the scene
+/// decides.
 [[nodiscard]] nlohmann::ordered_json detailSchema(Registry const& registry, bool orNothing);
 /// An entry of a solution's "changes".
 [[nodiscard]] nlohmann::ordered_json changeSchema(Registry const& registry);

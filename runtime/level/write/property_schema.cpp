@@ -28,12 +28,13 @@ void addRange(Json& schema, FieldInfo const& info) {
     }
 }
 
-/// Gathers the schema of every field. Where fields depend on a choice it is run once for each of them.
+/// Collects the schema of every field. If fields depend on a choice, it is run once for each of the choice's
+/// values.
 class SchemaVisitor final : public FieldVisitor {
 public:
     Json properties = Json::object();
     std::set<std::string> required;
-    /// How many values the first choice has, and which of them to pretend.
+    /// The number of values of the first choice, and the value to set it to.
     std::size_t choices = 0;
     int pretended = -1;
 
@@ -80,8 +81,8 @@ public:
         put(info, json_schema::listOf(hasFields ? element.objectSchema() : element.properties["value"],
                                       limits::listInProperty));
     }
-    /// All fields that there can be, whatever the first choice; required are those that always are. visit(v)
-    /// shows an initial value to v.
+    /// All fields with any value of the first choice; a field is required if it is required with every value.
+    /// visit(v) lets v visit an initial value.
     template <class Visit>
     [[nodiscard]] static SchemaVisitor ofAllVariants(Visit&& visit) {
         SchemaVisitor all;

@@ -10,14 +10,14 @@
 
 namespace trembler {
 
-/// The schema of one property's value in files: an object with its fields or, where there is a short form,
-/// that; false takes the property away.
+/// The schema of one property's value in files: an object with its fields, or the short form if it has one;
+/// false removes the property.
 [[nodiscard]] nlohmann::ordered_json propertySchema(PropertyInfo const& info);
 /// The schema of an object that holds all fields of a property as its members, without the short forms.
 [[nodiscard]] nlohmann::ordered_json fieldsSchema(PropertyInfo const& info);
-/// The schema of an object whose members are the properties that stand in `place`, but for "name".
+/// The schema of an object whose members are the properties stated in `place`, except "name".
 [[nodiscard]] nlohmann::ordered_json propertiesSchema(Registry const& registry, PropertyPlace place);
-/// What a field means, with its unit as files state it.
+/// The meaning of a field, with its unit in files.
 [[nodiscard]] std::string describedField(FieldInfo const& info);
 
 } // namespace trembler

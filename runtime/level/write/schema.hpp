@@ -8,9 +8,8 @@
 namespace trembler {
 
 /// JSON Schema (draft 2020-12) of level files. `goals` is the schema of a condition, with its definitions
-/// under
-/// "$defs": the runtime does not know what goals mean; null allows any object. The schema says what it can;
-/// that names exist and that rules are kept only the program can tell.
+/// under "$defs": the runtime does not define goals; null allows any object. The schema cannot state that
+/// names exist and that rules hold; only the program checks that.
 [[nodiscard]] nlohmann::ordered_json levelSchema(Registry const& registry,
                                                  nlohmann::ordered_json const& goals);
 /// JSON Schema of part definitions.

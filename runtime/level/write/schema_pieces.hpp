@@ -11,7 +11,7 @@ namespace trembler::json_schema {
 
 /// {"$ref": ...} to a definition under "$defs".
 [[nodiscard]] nlohmann::ordered_json reference(std::string_view definition);
-/// A list of at most so many items.
+/// A list of at most `most` items.
 [[nodiscard]] nlohmann::ordered_json listOf(nlohmann::ordered_json items, std::size_t most);
 /// An object with these members and no others.
 [[nodiscard]] nlohmann::ordered_json strictObject(nlohmann::ordered_json properties,

@@ -1,4 +1,4 @@
-// Writing a level as a file: the counterpart of read_level.hpp.
+// Writes a level as a file: the inverse of read_level.hpp.
 #pragma once
 
 #include "runtime/level/model/level.hpp"
@@ -6,12 +6,12 @@
 
 namespace trembler {
 
-/// The level as JSON of the present version. Reading it back gives the same level, bit for bit; what has its
-/// initial value is left out.
+/// The level as JSON of the present version. Reading it back gives the same level, bit for bit; members with
+/// initial values are left out.
 [[nodiscard]] nlohmann::ordered_json writeLevel(LevelFile const& level);
-/// As it stands in a file: indented, with a newline at the end.
+/// The text of the level's file: indented, with a newline at the end.
 [[nodiscard]] std::string levelText(LevelFile const& level);
-/// One recorded solution, as it stands in a level's list.
+/// One recorded solution, as an entry of a level's list.
 [[nodiscard]] nlohmann::ordered_json writeSolution(Solution const& solution);
 
 } // namespace trembler

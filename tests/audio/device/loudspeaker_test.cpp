@@ -22,7 +22,7 @@ struct Speaker {
         output = made.get();
         loudspeaker = std::make_unique<Loudspeaker>(LoudspeakerOptions{}, std::move(made));
     }
-    /// Steps the world and keeps what is heard of it.
+    /// Steps the world and stores the rendered samples.
     void run(ListeningRoom& room, int frames, Listener const& listener) {
         for (int i = 0; i < frames; ++i) {
             room.run(1);
@@ -57,7 +57,7 @@ TEST(Loudspeaker, ABallThatFallsOnTheLeftIsHeardOnTheLeft) {
     EXPECT_GT(meanSquareIn(speaker.left), 1.5 * meanSquareIn(speaker.right));
     EXPECT_GT(meanSquareIn(speaker.left), 1e-8);
     std::span<float const> const falling = std::span(speaker.left).subspan(0, 20 * 800);
-    EXPECT_EQ(meanSquareIn(falling), 0) << "nothing is heard before it lands";
+    EXPECT_EQ(meanSquareIn(falling), 0) << "silent before it lands";
 }
 
 TEST(Loudspeaker, ListeningChangesNoState) {
@@ -96,7 +96,7 @@ TEST(Loudspeaker, EqualRunsMakeEqualSamples) {
     EXPECT_EQ(play(), play());
 }
 
-TEST(Loudspeaker, APauseRingsOut) {
+TEST(Loudspeaker, SoundsDieAwayInAPause) {
     ListeningRoom room;
     addFloor(room);
     room.body("bar", Material::steel, boxPiece(0.8, 0.05), {0, 0.6}, 0.4);
@@ -131,7 +131,7 @@ TEST(Loudspeaker, AnotherWorldBeginsInSilence) {
         speaker.loudspeaker->set(dry);
         speaker.run(room, 60, {{0, 1}, 3, {}});
         EXPECT_GT(meanSquareIn(speaker.left), 0);
-    } // gone, without a word
+    } // the world is destroyed without a call of leave()
     speaker.loudspeaker->enter(*next.world);
     speaker.left.clear();
     speaker.run(next, 30, {{0, 1}, 3, {}});
@@ -142,11 +142,11 @@ TEST(Loudspeaker, AnotherWorldBeginsInSilence) {
     EXPECT_EQ(next.of("Sound, 8 modes"), Activity::absent);
 }
 
-TEST(Loudspeaker, WithoutADeviceItSaysSoAndGoesOn) {
-    std::vector<std::string> told;
-    Loudspeaker loudspeaker({}, [&](std::string const& what) { told.push_back(what); });
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_NE(told[0].find("no sound"), std::string::npos);
+TEST(Loudspeaker, ReportsAMissingDeviceOnceAndContinues) {
+    std::vector<std::string> reports;
+    Loudspeaker loudspeaker({}, [&](std::string const& what) { reports.push_back(what); });
+    ASSERT_EQ(reports.size(), 1U);
+    EXPECT_NE(reports[0].find("no sound"), std::string::npos);
     EXPECT_FALSE(loudspeaker.output().audible());
     ListeningRoom room;
     addFloor(room);
@@ -156,7 +156,7 @@ TEST(Loudspeaker, WithoutADeviceItSaysSoAndGoesOn) {
         room.run(1);
         loudspeaker.frame(*room.world, {});
     }
-    EXPECT_EQ(room.of("Sound, 8 modes"), Activity::absent) << "nobody hears it, so nobody works it out";
+    EXPECT_EQ(room.of("Sound, 8 modes"), Activity::absent) << "without a listener the sound is not computed";
     loudspeaker.leave();
 }
 

@@ -25,7 +25,7 @@ struct Heard {
     std::vector<float> right;
 };
 
-/// Plays tones for some blocks, then nothing for others.
+/// Plays tones for `blocks` blocks, then silence for `after` blocks.
 Heard hear(std::vector<Tone> const& tones, int blocks, Listener const& listener, OutputSettings settings = {},
            RoomAcoustics const& room = {}, int after = 0) {
     std::string why;
@@ -58,7 +58,7 @@ Heard hear(std::vector<Tone> const& tones, int blocks, Listener const& listener,
             heard.right.push_back(output->rendered()[n + 1]);
         }
     }
-    EXPECT_EQ(output->slips(), 0U) << "no stream has run dry";
+    EXPECT_EQ(output->slips(), 0U) << "no stream has run out of samples";
     return heard;
 }
 
@@ -66,7 +66,7 @@ double levelDifference(std::vector<float> const& a, std::vector<float> const& b)
     return 10 * std::log10(meanSquareIn(a) / meanSquareIn(b));
 }
 
-TEST(OpenAlOutput, WhatIsOnTheLeftIsLouderOnTheLeft) {
+TEST(OpenAlOutput, ASoundOnTheLeftIsLouderOnTheLeft) {
     for (bool const hrtf : {false, true}) {
         OutputSettings settings;
         settings.hrtf = hrtf;
@@ -77,11 +77,11 @@ TEST(OpenAlOutput, WhatIsOnTheLeftIsLouderOnTheLeft) {
         Heard const middle = hear({{{0, 0}}}, 30, {{0, 0}, 2, {}}, settings);
         EXPECT_NEAR(levelDifference(middle.left, middle.right), 0, 0.5) << hrtf;
         Heard const moved = hear({{{5, 3}}}, 30, {{7, 3}, 2, {}}, settings);
-        EXPECT_GT(levelDifference(moved.left, moved.right), 3) << "left of the listener, wherever that is";
+        EXPECT_GT(levelDifference(moved.left, moved.right), 3) << "left of the listener, at any place";
     }
 }
 
-TEST(OpenAlOutput, HeadphonesHearAnotherPicture) {
+TEST(OpenAlOutput, HeadphonesGetOtherSamplesThanLoudspeakers) {
     OutputSettings settings;
     settings.hrtf = true;
     EXPECT_NE(hear({{{-2, 0}}}, 20, {{0, 0}, 2, {}}, settings).left,
@@ -103,7 +103,7 @@ TEST(OpenAlOutput, KeepsThePitch) {
     Heard const heard = hear({{{1, 0}, 1000}}, 60, {{0, 0}, 2, {}});
     std::span<float const> const steady = std::span(heard.left).subspan(4000);
     EXPECT_NEAR(test::peakNear(steady, 48000, 1000, 30), 1000, 0.2);
-    // And the seams between blocks are silent: no more than 1 in 10,000 lies outside of the tone.
+    // The seams between blocks cannot be heard: at most a thousandth of the power is outside the tone.
     double const tone = std::norm(test::toneIn(steady, 48000, 1000)) / 2;
     EXPECT_NEAR(meanSquareIn(steady) / tone, 1, 1e-3);
 }
@@ -113,7 +113,7 @@ TEST(OpenAlOutput, SilenceIsSilent) {
     EXPECT_EQ(meanSquareIn(heard.left), 0);
     EXPECT_EQ(meanSquareIn(heard.right), 0);
     Heard const ended = hear({{{0, 0}}}, 20, {}, {}, {}, 20);
-    EXPECT_EQ(meanSquareIn(std::span(ended.left).last(8000)), 0) << "and so is what has ended";
+    EXPECT_EQ(meanSquareIn(std::span(ended.left).last(8000)), 0) << "so is a tone that has ended";
 }
 
 TEST(OpenAlOutput, EqualStreamsMakeEqualSamples) {
@@ -136,7 +136,7 @@ TEST(OpenAlOutput, EqualStreamsMakeEqualSamples) {
     }
 }
 
-TEST(OpenAlOutput, MoreStreamsThanPlacesAreAllHeard) {
+TEST(OpenAlOutput, StreamsBeyondTheLimitAreMixedAndHeard) {
     auto const power = [](std::size_t count) {
         std::vector<Tone> tones;
         for (std::size_t i = 0; i < count; ++i) {
@@ -181,9 +181,9 @@ TEST(OpenAlOutput, VolumeTurnsItDown) {
     EXPECT_EQ(meanSquareIn(hear({{{0, 0}}}, 20, {}, off).left), 0);
 }
 
-TEST(OpenAlOutput, SaysWhyThereIsNoDevice) {
+TEST(OpenAlOutput, ReportsWhyThereIsNoDevice) {
     std::string why;
-    EXPECT_EQ(OpenAlOutput::open(format, why), nullptr) << "silent_machine.cpp takes all drivers away";
+    EXPECT_EQ(OpenAlOutput::open(format, why), nullptr) << "silent_machine.cpp disables all drivers";
     EXPECT_FALSE(why.empty());
 }
 

@@ -21,7 +21,7 @@ protected:
     }
     void TearDown() override { fs::remove_all(folder); }
 
-    /// A tone of half a second, in the format that libsndfile calls so.
+    /// A tone of half a second, in the format of this name in libsndfile.
     void write(std::string const& name, int form, int rate, int channels) const {
         SF_INFO info{};
         info.samplerate = rate;
@@ -40,11 +40,11 @@ protected:
     }
     [[nodiscard]] SampleFiles files() {
         return SampleFiles({"/nowhere at all", folder},
-                           [this](std::string const& what) { told.push_back(what); });
+                           [this](std::string const& what) { reports.push_back(what); });
     }
 
     fs::path folder;
-    std::vector<std::string> told;
+    std::vector<std::string> reports;
 };
 
 TEST_F(SampleFilesTest, ReadsOggWavAndFlac) {
@@ -60,11 +60,11 @@ TEST_F(SampleFilesTest, ReadsOggWavAndFlac) {
         EXPECT_NEAR(test::peakNear(data->samples, data->rate, 1000, 30), 1000, 1) << name;
         EXPECT_EQ(source.find(name), data) << "read once";
     }
-    EXPECT_TRUE(told.empty());
+    EXPECT_TRUE(reports.empty());
 }
 
-TEST_F(SampleFilesTest, TellsOnceWhatCannotBePlayed) {
-    std::ofstream(folder / "noise.ogg") << "this is no recording";
+TEST_F(SampleFilesTest, ReportsOnceWhyARecordingCannotBePlayed) {
+    std::ofstream(folder / "noise.ogg") << "this is not a recording";
     write("cut.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 1);
     fs::resize_file(folder / "cut.wav", 20);
     write("empty.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 1);
@@ -73,13 +73,13 @@ TEST_F(SampleFilesTest, TellsOnceWhatCannotBePlayed) {
     for (std::string const name : {"gone.ogg", "noise.ogg", "cut.wav", "empty.wav", "inner"}) {
         EXPECT_EQ(source.find(name), nullptr) << name;
         EXPECT_EQ(source.find(name), nullptr) << name;
-        ASSERT_FALSE(told.empty());
-        EXPECT_NE(told.back().find(name), std::string::npos) << told.back();
+        ASSERT_FALSE(reports.empty());
+        EXPECT_NE(reports.back().find(name), std::string::npos) << reports.back();
     }
-    EXPECT_EQ(told.size(), 5U);
+    EXPECT_EQ(reports.size(), 5U);
 }
 
-TEST_F(SampleFilesTest, StaysInItsFolders) {
+TEST_F(SampleFilesTest, ReadsNoFileOutsideItsFolders) {
     write("secret.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 1);
     SampleFiles source({folder / "inner"});
     EXPECT_EQ(source.find("../secret.wav"), nullptr);

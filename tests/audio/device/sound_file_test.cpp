@@ -48,7 +48,7 @@ protected:
     fs::path folder;
 };
 
-TEST_F(SoundFiles, HoldWhatTheLoudspeakerPlays) {
+TEST_F(SoundFiles, ContainTheSamplesOfTheLoudspeaker) {
     constexpr int frames = 90;
     test::Wav const file = write("ball.wav", true, frames);
     EXPECT_EQ(file.rate, 48000U);
@@ -74,7 +74,7 @@ TEST_F(SoundFiles, HoldWhatTheLoudspeakerPlays) {
                                                    static_cast<double>(file.left[at])));
         }
     }
-    EXPECT_LT(furthest, 1.01 / 32768) << "but for rounding";
+    EXPECT_LT(furthest, 1.01 / 32768) << "equal up to rounding";
 }
 
 TEST_F(SoundFiles, AreTheSameBitForBit) {
@@ -88,17 +88,17 @@ TEST_F(SoundFiles, AreSilentWhereNothingHappens) {
     EXPECT_EQ(test::meanSquareIn(file.right), 0);
 }
 
-TEST_F(SoundFiles, SayWhatIsWrong) {
+TEST_F(SoundFiles, ReportErrors) {
     EXPECT_THROW(SoundFile(folder / "sound.mp3", {}), std::invalid_argument);
     EXPECT_THROW(SoundFile(folder / "nowhere" / "sound.wav", {}), OutputError);
-    if (fs::exists("/dev/full")) { // a disk without room
+    if (fs::exists("/dev/full")) { // a full disk
         fs::create_symlink("/dev/full", folder / "full.wav");
         auto const writing = [&] { write("full.wav", true, 60); };
         EXPECT_ANY_THROW(writing());
     }
 }
 
-TEST_F(SoundFiles, ThatAreNotFinishedReplaceNothing) {
+TEST_F(SoundFiles, ReplaceNothingUntilTheyAreComplete) {
     test::Wav const first = write("sound.wav", true, 30);
     {
         auto const heard = room(true);

@@ -25,7 +25,7 @@ struct Wav {
         std::ifstream in(file, std::ios::binary);
         bytes.assign(std::istreambuf_iterator<char>(in), {});
         if (bytes.size() < 12 || bytes.substr(0, 4) != "RIFF" || bytes.substr(8, 4) != "WAVE") {
-            ADD_FAILURE() << file << " is no .wav file";
+            ADD_FAILURE() << file << " is not a .wav file";
             return;
         }
         for (std::size_t at = 12; at + 8 <= bytes.size();) {

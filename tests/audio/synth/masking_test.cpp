@@ -44,7 +44,8 @@ TEST(Masking, AQuietToneBesideALoudOneIsDropped) {
     EXPECT_EQ(audible, (std::vector<std::uint8_t>{1, 1})) << "masking hardly reaches down";
     std::vector<Tone> const alone{toneOf(1060, 45), toneOf(1060, -10)};
     masker.findAudible(alone, audible);
-    EXPECT_EQ(audible, (std::vector<std::uint8_t>{1, 0})) << "and what nobody could hear anyway";
+    EXPECT_EQ(audible, (std::vector<std::uint8_t>{1, 0}))
+        << "sounds below the threshold of hearing are dropped as well";
 }
 
 TEST(Masking, MasksUpwardsMoreThanDownwardsAndMoreWhenLoud) {
@@ -55,7 +56,7 @@ TEST(Masking, MasksUpwardsMoreThanDownwardsAndMoreWhenLoud) {
     }
 }
 
-TEST(Masking, WhatIsDroppedIsCoveredByWhatIsKept) {
+TEST(Masking, DroppedSoundsAreMaskedByTheRemainingOnes) {
     EXPECT_TRUE(
         rc::check("per quarter Bark, all that is dropped lies below what the kept mask or below hearing", [] {
             int const count = *rc::gen::inRange(1, 200);

@@ -135,7 +135,7 @@ TEST(ModalBank, NothingAboveHalfTheRateAliases) {
     }
 }
 
-TEST(ModalBank, TuningKeepsPhases) {
+TEST(ModalBank, TuningKeepsThePhases) {
     std::vector<Sounds::Ring> const rings{{.frequency = 440, .decay = 0.1}};
     ModalBank bank(rate);
     bank.tune(rings, 1, 0);

@@ -22,11 +22,11 @@ RoomAcoustics boxOf(Material material, bool ceiling = true, bool rightWall = tru
     if (rightWall) {
         world.fixed("right wall", material, boxPiece(0.5, 5), {6.25, 2});
     }
-    world.body("crate", Material::wood, boxPiece(0.6, 0.6), {3, 0.3}); // moves, and is no wall
+    world.body("crate", Material::wood, boxPiece(0.6, 0.6), {3, 0.3}); // movable, so it is not a wall
     return roomAround(world.world->store(), at);
 }
 
-TEST(Room, AClosedBoxIsSabines) {
+TEST(Room, AClosedBoxFollowsSabinesFormula) {
     double const area = 24;
     double const depth = std::sqrt(area);
     double const surface = 20 * depth + 2 * area;
@@ -39,13 +39,13 @@ TEST(Room, AClosedBoxIsSabines) {
     double const expected = 0.161 * volume / (0.02 * surface + 0.012 * volume);
     EXPECT_NEAR(stone.reverberation, expected, 0.02 * expected);
     EXPECT_NEAR(boxOf(Material::stone, true, true, {5, 3}).reverberation, expected, 0.03 * expected)
-        << "wherever one listens";
+        << "for a listener at any place";
     EXPECT_GT(stone.reverberation, 2 * boxOf(Material::wood).reverberation);
     EXPECT_GT(boxOf(Material::wood).reverberation, boxOf(Material::rubber).reverberation);
     EXPECT_GT(stone.echo, boxOf(Material::wood).echo);
 }
 
-TEST(Room, OpeningsSwallowSound) {
+TEST(Room, OpeningsAbsorbSound) {
     double const closed = boxOf(Material::stone).reverberation;
     double const roofless = boxOf(Material::stone, false).reverberation;
     double const yard = boxOf(Material::stone, false, false).reverberation;
@@ -57,7 +57,7 @@ TEST(Room, OpeningsSwallowSound) {
     EXPECT_EQ(field.echo, 0);
 }
 
-TEST(Room, ListeningInsideAWallIsNotBeingWalledIn) {
+TEST(Room, AListenerInsideAWallIsNotInAClosedRoom) {
     RoomAcoustics const inFloor = boxOf(Material::stone, true, true, {3, -0.1});
     EXPECT_GT(inFloor.area, 20);
 }

@@ -20,7 +20,7 @@ using test::peakNear;
 constexpr double rate = 48000;
 constexpr SynthesiserOptions plain{.masking = false, .doppler = false, .compression = 1};
 
-/// What the synthesiser makes of one object, or of all.
+/// The samples that the synthesiser makes of one object, or of all.
 std::vector<float> listen(ListeningRoom& room, int frames, SynthesiserOptions options = plain,
                           ObjectId only = {}, SampleSource* source = nullptr, Listener listener = {}) {
     Synthesiser synthesiser(options, source);
@@ -158,13 +158,13 @@ TEST(Synthesiser, MaterialsDieAwayAtTheirOwnPace) {
     Tone const wood = lowest(Material::wood);
     EXPECT_LT(1.5 * steel.decay, glass.decay);
     EXPECT_LT(1.5 * glass.decay, wood.decay);
-    // The material's own damping, π f η, and the rest is sound: ρ c S σ / 2 M, which is less for what is
-    // heavy.
+    // The material's own damping is π f η. The rest is radiation, ρ c S σ / 2 M, which is less for heavy
+    // bodies.
     EXPECT_GT(steel.decay, pi * steel.frequency * 0.0012);
     EXPECT_LT(steel.decay, pi * steel.frequency * 0.0012 + 413 * 0.1 / (2 * 7.85));
 }
 
-TEST(Synthesiser, TheLevelIsThatOfTheSimulation) {
+TEST(Synthesiser, TheSamplesHaveTheLevelOfTheSimulation) {
     // The samples' power and the resolver's bookkeeping must agree, mode by mode.
     Xylophone x(0.8, 0.02, Material::copper, 3);
     auto const out = listen(x.room, 90, plain, x.bar);
@@ -176,7 +176,7 @@ TEST(Synthesiser, TheLevelIsThatOfTheSimulation) {
     EXPECT_NEAR(10 * std::log10(meanSquareIn(last) / booked), 0, 1.0);
 }
 
-TEST(Synthesiser, WhatApproachesSoundsHigher) {
+TEST(Synthesiser, AnApproachingSourceSoundsHigher) {
     for (double const speed : {-30.0, 0.0, 30.0}) {
         ListeningRoom room;
         room.give(room.world->store().find("world"), GravityField{{0, 0}});
@@ -230,10 +230,10 @@ TEST(Synthesiser, MaskingSavesModesAndCannotBeHeard) {
     std::size_t unused = 0;
     auto const culled = crash(true, &rendered, &modes);
     auto const whole = crash(false, &all, &unused);
-    EXPECT_LT(rendered, modes * 3 / 4) << "it is worth it";
+    EXPECT_LT(rendered, modes * 3 / 4) << "masking must save modes";
     EXPECT_EQ(all, unused);
-    // Brute force over the samples: in every stretch and every critical band, what was left out is below what
-    // the spectrum of the whole masks there, or below hearing.
+    // Brute force over the samples: in every stretch and every critical band the omitted sound is below the
+    // masking threshold of the whole spectrum, or below the threshold of hearing.
     constexpr std::size_t stretch = 4096;
     int checked = 0;
     for (std::size_t at = 0; at + stretch <= whole.size(); at += stretch) {
@@ -256,13 +256,13 @@ TEST(Synthesiser, MaskingSavesModesAndCannotBeHeard) {
             threshold[band] = std::max(threshold[band], hearingThreshold(frequency));
         }
         for (std::size_t band = 0; band < 25; ++band) {
-            double masked = 4 * threshold[band]; // each quarter of the band may lose as much
+            double masked = 4 * threshold[band]; // the threshold holds for each quarter of the band
             for (std::size_t from = 0; from < 25; ++from) {
                 masked +=
                     fullBand[from] * maskingShare(static_cast<double>(from) + 0.5, levelOf(fullBand[from]),
                                                   static_cast<double>(band) + 0.5);
             }
-            // A stretch is five blocks, and impacts within it smear: 3 dB for that.
+            // A stretch has five blocks, and the spectrum mixes impacts within it: 3 dB of tolerance.
             EXPECT_LE(lostBand[band], 2 * masked)
                 << "band " << band << " at " << static_cast<double>(at) / rate;
             checked += lostBand[band] > 0 ? 1 : 0;
@@ -318,7 +318,7 @@ TEST(Synthesiser, RecordingsPlayAtTheirPitchAndLevel) {
     EXPECT_NEAR(levelOf(meanSquareIn(sound)), 74, 0.1);
     room.world->store().column<ElectricalSource>().remove(beeper);
     auto const after = listen(room, 90, plain, {}, &source);
-    EXPECT_EQ(meanSquareIn(std::span(after).last(4000)), 0) << "until the power goes";
+    EXPECT_EQ(meanSquareIn(std::span(after).last(4000)), 0) << "it ends when the power fails";
 }
 
 TEST(Synthesiser, AMissingRecordingIsSilent) {
@@ -329,14 +329,14 @@ TEST(Synthesiser, AMissingRecordingIsSilent) {
     EXPECT_EQ(meanSquareIn(listen(room, 30, plain, {}, nullptr)), 0);
 }
 
-TEST(Synthesiser, AFrameIsHeardOnceAndAPauseRingsOn) {
+TEST(Synthesiser, AFrameIsHeardOnceAndSoundsContinueInAPause) {
     Xylophone x(0.8, 0.02, Material::steel, 4);
     Subscription const wantedSounds = x.room.world->want<Sounds>();
     ASSERT_TRUE(x.room.runToImpact());
     Synthesiser once(plain);
     once.hear(x.room.sounds(), {});
     double const first = once.render().front().power;
-    once.hear(x.room.sounds(), {}); // the world stands still
+    once.hear(x.room.sounds(), {}); // the world is paused
     double const second = once.render().front().power;
     EXPECT_GT(second, 0) << "it rings on";
     EXPECT_LT(second, 2 * first) << "but is not struck again";

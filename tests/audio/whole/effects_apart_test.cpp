@@ -32,8 +32,8 @@ std::vector<PropertyInfo const*> touched(ComponentInfo const& info) {
     return all;
 }
 
-// What a simulation chose for its own work is for people to look at.
-TEST(EffectsApart, NobodyReadsWhatTheSolverChose) {
+// The automatic settings of the solver are for display only.
+TEST(EffectsApart, NoComponentReadsTheSolverChoice) {
     bool offered = false;
     for (Registration const& registration : everything().components()) {
         ComponentInfo const& info = *registration.info;
@@ -44,8 +44,8 @@ TEST(EffectsApart, NobodyReadsWhatTheSolverChose) {
     EXPECT_TRUE(offered);
 }
 
-// What is stated of the world goes to one effect; others hear of it in interactions, and of settings not at
-// all.
+// Each property of the world is read by one effect. Others receive gravity through interactions, and never
+// receive settings.
 TEST(EffectsApart, APropertyOfTheWorldIsReadByOneEffect) {
     std::map<std::string_view, std::set<std::string_view>> readers;
     for (Registration const& registration : everything().components()) {

@@ -60,16 +60,33 @@ TEST_F(Outputs, NeverReplaceASolutionThatIsRead) {
     EXPECT_EQ(runProgram(run(input, {"--solution", solution, "--record", at("other.json")})).status, 1);
 }
 
-TEST_F(Outputs, NeverReplaceAPart) {
-    fs::path const home = folder / "home";
-    fs::create_directories(home / "levels");
-    fs::copy(fs::path(TREMBLER_SOURCE_DIR) / "assets", home / "assets", fs::copy_options::recursive);
-    fs::path const part = fs::directory_iterator(home / "assets" / "parts")->path();
-    std::string const before = contentsOf(part);
-    Ran const ran = runProgram(run(level(), {"--trace", part.string()}),
-                               {.environment = {{"TREMBLER_HOME", home.string()}}});
-    EXPECT_EQ(ran.status, 2);
-    EXPECT_EQ(contentsOf(part), before);
+TEST_F(Outputs, NeverReplaceAPartOrALevelOfTheProgram) {
+    std::string const input = level();
+    fs::path const data = home();
+    fs::path const part = data / "assets" / "parts" / "steel_bar.json";
+    ASSERT_TRUE(fs::exists(part));
+    std::vector<std::vector<std::string>> const commands{
+        run(input, {"--trace"}),
+        run(input, {"--json"}),
+        {"screenshot", input, "--out"},
+        {"accuracy", "gravity", "--brief", "--json"},
+        {"accuracy", "gravity", "--brief", "--markdown"},
+        {"components", "--levels", "--json"},
+        {"components", "--levels", "--markdown"},
+    };
+    for (fs::path const& file : {part, data / "levels" / "level.json"}) {
+        std::string const before = contentsOf(file);
+        for (std::vector<std::string> command : commands) {
+            std::string const what = command.front() + " " + command.back() + " " + file.string();
+            command.push_back(file.string());
+            Ran const ran = runProgram(command, {.environment = {{"TREMBLER_HOME", data.string()}}});
+            EXPECT_EQ(ran.status, 2) << what;
+            // A program without the window refuses the whole command.
+            EXPECT_TRUE(contains(ran.err, "not overwritten") || contains(ran.err, "made without"))
+                << what << ": " << ran.err;
+            EXPECT_EQ(contentsOf(file), before) << what;
+        }
+    }
 }
 
 TEST_F(Outputs, TwoNeverShareAFile) {
@@ -98,7 +115,7 @@ TEST_F(Outputs, HaveNames) {
     EXPECT_EQ(runProgram({"play", "--pictures", ""}).status, 2);
 }
 
-TEST_F(Outputs, SayWhyTheyCannotBeWritten) {
+TEST_F(Outputs, ThatCannotBeWrittenAreReportedWithTheReason) {
     std::string const input = level();
     fs::create_directory(folder / "a folder");
     for (std::string const& option : options()) {
@@ -117,7 +134,7 @@ TEST_F(Outputs, SayWhyTheyCannotBeWritten) {
     }
 }
 
-TEST_F(Outputs, ThatDoNotFitLeaveWhatWasThere) {
+TEST_F(Outputs, ThatExceedTheDiskLeaveTheOldFile) {
     std::string const input = level();
     auto const before = names();
     for (std::string const& option : options()) {
@@ -134,7 +151,7 @@ TEST_F(Outputs, ThatDoNotFitLeaveWhatWasThere) {
     }
 }
 
-TEST_F(Outputs, ReplaceWhatWasThereAndKeepItsPermissionsAndLinks) {
+TEST_F(Outputs, ReplaceTheOldFileAndKeepItsPermissionsAndLinks) {
     std::string const input = level();
     write(at("old"), std::string(1U << 20U, 'x'));
     fs::permissions(folder / "old", fs::perms::owner_read | fs::perms::owner_write);
@@ -146,7 +163,7 @@ TEST_F(Outputs, ReplaceWhatWasThereAndKeepItsPermissionsAndLinks) {
     EXPECT_EQ(names(), (std::vector<std::string>{"level.json", "link", "old"}));
 }
 
-/// Ends the program as soon as it holds a file of the folder open for writing.
+/// Kills the program as soon as it has opened a file of the folder for writing.
 void endWhenItWrites(int process, fs::path const& folder, int signal) {
     fs::path const files = "/proc/" + std::to_string(process) + "/fd";
     for (int tries = 0; tries < 60'000; ++tries) {
@@ -168,7 +185,7 @@ void endWhenItWrites(int process, fs::path const& folder, int signal) {
     ::kill(process, SIGKILL);
 }
 
-TEST_F(Outputs, OfAnInterruptedRunAreAsBefore) {
+TEST_F(Outputs, OfAnInterruptedRunLeaveTheOldFiles) {
     std::string const input = level();
     write(at("old"), "precious");
     auto const before = names();
@@ -201,7 +218,8 @@ TEST_F(Outputs, ToAFullDeviceFail) {
 
 TEST_F(Outputs, HaveOneConvention) {
     std::string const input = level();
-    // A hyphen, or no name where it may be left out, is the terminal; words make way.
+    // A hyphen, or a missing name where it may be left out, is the terminal; messages then go to standard
+    // error.
     for (auto const& more : std::vector<std::vector<std::string>>{{"--json"}, {"--json", "-"}}) {
         Ran const ran = runProgram(run(input, more));
         EXPECT_EQ(json::parse(ran.out)["frames"], 30);
@@ -213,7 +231,7 @@ TEST_F(Outputs, HaveOneConvention) {
     Ran const recorded = runProgram(run(input, {"--record", "-"}), {.folder = folder});
     EXPECT_EQ(json::parse(recorded.out)["name"], "recorded");
     EXPECT_FALSE(fs::exists(folder / "-"));
-    // A file leaves the terminal to words.
+    // With an output file, messages go to standard output.
     Ran const filed = runProgram(run(input, {"--json", at("report.json")}));
     EXPECT_TRUE(contains(filed.out, "state hash")) << filed.out;
     EXPECT_EQ(json::parse(contentsOf(at("report.json")))["frames"], 30);
@@ -221,11 +239,54 @@ TEST_F(Outputs, HaveOneConvention) {
     Ran const last = runProgram({"run", "--json", input, "--frames", "30"});
     EXPECT_EQ(json::parse(last.out)["level"], input);
     // The same for other commands.
-    EXPECT_EQ(runProgram({"components", "--json", at("components.json")}).out, "");
+    std::string const text = runProgram({"components"}).out;
+    EXPECT_EQ(runProgram({"components", "--json", at("components.json")}).out, text);
     EXPECT_EQ(runProgram({"components", "--json"}).out, contentsOf(at("components.json")));
-    EXPECT_EQ(runProgram({"components", "--markdown", at("components.md")}).out, "");
+    EXPECT_EQ(runProgram({"components", "--markdown", at("components.md")}).out, text);
     EXPECT_EQ(contentsOf(at("components.md")), runProgram({"components", "--markdown", "-"}).out);
     EXPECT_EQ(runProgram({"components", "--markdown", "--json"}).status, 2) << "both to the terminal";
+    // The schema is JSON already.
+    std::string const schema = runProgram({"schema"}).out;
+    EXPECT_TRUE(json::accept(schema));
+    EXPECT_EQ(runProgram({"schema", "--json"}).out, schema);
+    EXPECT_EQ(runProgram({"schema", "--json", "-"}).out, schema);
+    EXPECT_EQ(runProgram({"schema", "--json", at("schema.json")}).out, "");
+    EXPECT_EQ(contentsOf(at("schema.json")), schema);
+}
+
+TEST_F(Outputs, AreExplainedWhereThereAreAny) {
+    std::string const explained = "FILE can be \"-\"";
+    for (char const* const command :
+         {"run", "verify", "components", "schema", "accuracy", "screenshot", "keys"}) {
+        EXPECT_TRUE(contains(runProgram({command, "--help"}).out, explained)) << command;
+    }
+    EXPECT_FALSE(contains(runProgram({"play", "--help"}).out, explained));
+    EXPECT_FALSE(contains(runProgram({"--help"}).out, explained));
+}
+
+TEST_F(Outputs, OfFoldersDoNotGoToTheTerminal) {
+    Ran const plots = runProgram({"accuracy", "gravity", "--brief", "--plot", "-"}, {.folder = folder});
+    EXPECT_EQ(plots.status, 2);
+    EXPECT_TRUE(contains(plots.err, "--plot -")) << plots.err;
+    Ran const pictures = runProgram({"play", "--pictures", "-"}, {.folder = folder});
+    EXPECT_EQ(pictures.status, 2);
+    EXPECT_TRUE(contains(pictures.err, "--pictures -") || contains(pictures.err, "made without"))
+        << pictures.err;
+    EXPECT_TRUE(names().empty());
+}
+
+TEST_F(Outputs, AreWrittenWithoutANetlistThatDoesNotExist) {
+    std::string const input = level();
+    write(at("old.cir"), "precious");
+    Ran const ran = runProgram(run(input, {"--export-spice", at("old.cir"), "--json", at("report.json"),
+                                           "--record", at("solution.json")}));
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_TRUE(contains(ran.err, "--export-spice")) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "state hash")) << ran.out;
+    EXPECT_EQ(contentsOf(at("old.cir")), "precious");
+    ASSERT_TRUE(fs::exists(at("report.json")) && fs::exists(at("solution.json"))) << ran.err;
+    EXPECT_EQ(json::parse(contentsOf(at("report.json")))["frames"], 30);
+    EXPECT_EQ(json::parse(contentsOf(at("solution.json")))["name"], "recorded");
 }
 
 } // namespace

@@ -59,7 +59,7 @@ struct Pipe {
         ::_exit(126);
     }
     std::string const program = TREMBLER_BINARY_DIR "/trembler";
-    std::vector<char*> argv{const_cast<char*>(program.c_str())}; // NOLINT: exec takes them so
+    std::vector<char*> argv{const_cast<char*>(program.c_str())}; // NOLINT: the type that exec requires
     for (std::string const& argument : arguments) {
         argv.push_back(const_cast<char*>(argument.c_str())); // NOLINT
     }
@@ -68,7 +68,7 @@ struct Pipe {
     ::_exit(127);
 }
 
-/// Reads both to their ends, so that neither fills up.
+/// Reads both pipes to their ends at the same time, so that neither fills up.
 void readBoth(int outEnd, int errEnd, Ran& ran) {
     std::array<::pollfd, 2> ends{{{outEnd, POLLIN, 0}, {errEnd, POLLIN, 0}}};
     while (ends[0].fd >= 0 || ends[1].fd >= 0) {
@@ -154,6 +154,14 @@ std::vector<std::string> InAFolder::names() const {
 std::string InAFolder::level(std::string const& name) const {
     fs::copy_file(levelFile("experiments/1-switched-electromagnet.json"), folder / name);
     return at(name);
+}
+
+fs::path InAFolder::home() const {
+    fs::path const made = folder / "home";
+    fs::create_directories(made / "levels");
+    fs::copy(fs::path(TREMBLER_SOURCE_DIR) / "assets", made / "assets", fs::copy_options::recursive);
+    fs::copy_file(levelFile("experiments/1-switched-electromagnet.json"), made / "levels" / "level.json");
+    return made;
 }
 
 } // namespace trembler::test

@@ -47,6 +47,9 @@ protected:
     [[nodiscard]] std::string at(std::string const& name) const { return (folder / name).string(); }
     /// Copies the shortest level into it and returns the path.
     [[nodiscard]] std::string level(std::string const& name = "level.json") const;
+    /// A TREMBLER_HOME in it, "home", with copies of the project's assets and of the shortest level, which is
+    /// there levels/level.json. Returns its path.
+    [[nodiscard]] std::filesystem::path home() const;
 
     std::filesystem::path folder;
 };

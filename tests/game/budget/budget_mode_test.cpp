@@ -10,7 +10,7 @@
 namespace trembler::budget {
 namespace {
 
-/// So many µs per turn, by title; others take one.
+/// Microseconds per turn, by the component's title; other components take one.
 BudgetMode::Stopwatch clockOf(std::map<std::string, double> each) {
     return [each](World const& world) {
         auto all = world.status();
@@ -63,7 +63,7 @@ std::vector<std::uint64_t> runWith(Session& session, BudgetMode* mode, int frame
 
 TEST_F(Budget, IsKeptAndTheRecordingRepeatsBitForBitOnAnyNumberOfThreads) {
     LevelFile level = starDisc(gameData(), 200);
-    DynamicsSettings settings; // what flies freely would get one step by itself
+    DynamicsSettings settings; // free flight would get one step automatically
     settings.substeps = 4;
     level.world.set(settings);
     BudgetMode mode(gameData().registry, clockOf(slow));
@@ -77,7 +77,7 @@ TEST_F(Budget, IsKeptAndTheRecordingRepeatsBitForBitOnAnyNumberOfThreads) {
     EXPECT_TRUE(mode.kept()) << mode.figures().microseconds;
     EXPECT_LE(mode.decisions().size(), 3U);
     EXPECT_FALSE(first.changes().empty());
-    // Through a file, as a player would keep it.
+    // Through a file, as for a player.
     auto const document = JsonDocument::parse(writeSolution(first.record("kept")).dump(), "kept.json");
     Problems problems;
     auto const solution = readSolution(JsonNode(*document, document->root(), "", problems));
@@ -91,12 +91,12 @@ TEST_F(Budget, IsKeptAndTheRecordingRepeatsBitForBitOnAnyNumberOfThreads) {
         again.load(*solution);
         EXPECT_EQ(runWith(again, nullptr, frames), hashes) << threads << " threads";
     }
-    // And without what was decided, it is another run.
+    // Without the recorded decisions it is another run.
     Session without(gameData().registry, gameData().parts, level);
     EXPECT_NE(runWith(without, nullptr, frames), hashes);
 }
 
-TEST_F(Budget, ThatIsAmpleBuysAccuracyAndOneThatIsTooSmallSaysSo) {
+TEST_F(Budget, ThatIsLargeIncreasesAccuracyAndOneThatIsTooSmallIsReported) {
     LevelFile const level = starDisc(gameData(), 120);
     WorldOptions options;
     options.detail["gravity"] = "tree";
@@ -116,10 +116,10 @@ TEST_F(Budget, ThatIsAmpleBuysAccuracyAndOneThatIsTooSmallSaysSo) {
         << "the cheapest";
     auto const decisions = mode.decisions().size();
     (void)runWith(poor, &mode, 300);
-    EXPECT_EQ(mode.decisions().size(), decisions) << "and there it stays";
+    EXPECT_EQ(mode.decisions().size(), decisions) << "no further decision";
 }
 
-TEST(BudgetWords, SayWhatWasDoneAndWhatItCosts) {
+TEST(BudgetWords, StateTheChangeAndItsCost) {
     Decision decision;
     decision.effect = "buoyancy";
     decision.from = "exact";

@@ -36,7 +36,7 @@ protected:
     }
 };
 
-TEST_F(BuoyancyKnob, OfTheRaftSaysThatExactIsExact) {
+TEST_F(BuoyancyKnob, OfTheRaftHasNoErrorAtTheExactLevel) {
     open("4-raft.json");
     runTo(90);
     auto const knob = buoyancyKnob(world());
@@ -48,8 +48,8 @@ TEST_F(BuoyancyKnob, OfTheRaftSaysThatExactIsExact) {
     EXPECT_LT(share("4 particles"), 0.5);
     EXPECT_GT(share("4 particles"), 0.001);
     EXPECT_LE(share("exact, every 2 frames"), share("exact, every 12 frames"));
-    // The raft rides a centimetre or two off by 64 particles (docs/measurements/accuracy.md): the water holds
-    // it.
+    // With 64 particles the raft floats a centimetre or two off (docs/measurements/accuracy.md); the water
+    // limits the error.
     EXPECT_GT(named(*knob, "64 particles").error.metres, 0.002);
     EXPECT_LT(named(*knob, "64 particles").error.metres, 0.05);
 }
@@ -60,8 +60,8 @@ TEST_F(BuoyancyKnob, EveryOptionCanBeMadeAndIsThenTheCurrentOne) {
     expectOptionsAreMade(buoyancyKnob);
 }
 
-// What is under water with all of itself displaces its area, however few points stand for it.
-TEST_F(BuoyancyKnob, ParticlesAreExactForWhatLiesDeep) {
+// A body that is completely immersed displaces its area, however few points represent it.
+TEST_F(BuoyancyKnob, ParticlesAreExactForImmersedBodies) {
     open(pool(box("deep", {0, -5}, 0.7, 0.3, 1000, 25) + ", " + box("deeper", {5, -9}, 0.2, 0.9, 1000, -40),
               R"({"particles": 16})"));
     runTo(1);
@@ -74,10 +74,10 @@ TEST_F(BuoyancyKnob, ParticlesAreExactForWhatLiesDeep) {
     }
 }
 
-// The lift of an upright box grows by w per metre that it sinks, w = ρ g d times its width. Standing for P
-// frames a force is (P - 1) / 2 frames old, and a body that the water holds is off by its error over w at
-// most.
-TEST_F(BuoyancyKnob, AForceThatStandsIsOffByWhatABoxHasSunkMeanwhileUnlessItLooksAhead) {
+// The lift of an upright box grows by w per metre that it sinks, w = ρ g d times its width. Held for P
+// frames, a force is (P - 1) / 2 frames old on average, and a floating body is displaced by at most the
+// force's error over w.
+TEST_F(BuoyancyKnob, AHeldForceErrsByTheMotionOfABoxMeanwhileUnlessItLooksAhead) {
     std::string const sinking = box("box", {0, 0}, 0.5, 0.4, 500, 0, {0, -0.3});
     open(pool(sinking, R"({"look_ahead": false})"));
     runTo(1);
@@ -101,9 +101,9 @@ TEST_F(BuoyancyKnob, AForceThatStandsIsOffByWhatABoxHasSunkMeanwhileUnlessItLook
         << "an upright box's lift is linear, so looking ahead is exact";
 }
 
-// A world of particles and one of exact sections, in their first frame: the estimate tells how far apart
-// their forces are, as far as can be told from bodies that lie a little higher or lower as well.
-TEST_F(BuoyancyKnob, EstimatesAgreeWithTheForcesThatParticlesReallyMake) {
+// A world of particles and one of exact sections, in their first frame: the estimate is the difference of
+// their forces, averaged over slightly higher and lower positions of the bodies.
+TEST_F(BuoyancyKnob, EstimatesAgreeWithTheForcesOfParticlesInAWorld) {
     std::string bodies;
     for (int i = 0; i < 16; ++i) {
         bodies +=

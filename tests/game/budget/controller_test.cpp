@@ -14,7 +14,7 @@
 namespace trembler::budget {
 namespace {
 
-/// A world that is nothing but its costs: what an option really takes, which its `work` need not tell.
+/// A model of a world by its costs alone: the true time of each option, which may differ from its `work`.
 struct Costs {
     std::vector<KnobFigures> knobs;
     std::vector<std::vector<double>> truth; ///< µs
@@ -57,7 +57,7 @@ Costs someCosts() {
     return costs;
 }
 
-/// A source of noise that does not shrink with the case: a linear congruential generator (Knuth).
+/// A source of noise that RapidCheck's shrinking does not change: a linear congruential generator (Knuth).
 class Noise {
 public:
     explicit Noise(std::uint64_t seed) : state_(seed) {}
@@ -70,7 +70,7 @@ private:
     std::uint64_t state_;
 };
 
-TEST(BudgetController, ComesToRestAndKeepsTheBudgetWhereThatCanBe) {
+TEST(BudgetController, SettlesAndKeepsTheBudgetIfPossible) {
     EXPECT_TRUE(rc::check([] {
         Costs costs = someCosts();
         double const budget = 50 + *rc::gen::inRange(0, 2500);
@@ -86,7 +86,7 @@ TEST(BudgetController, ComesToRestAndKeepsTheBudgetWhereThatCanBe) {
                 costs.knobs[i].current = plan[i];
             }
         }
-        RC_ASSERT(lastChange <= 100); // figures that waver by 2 % move nothing in the end
+        RC_ASSERT(lastChange <= 100); // figures that vary by 2 % cause no further changes
         double cheapest = costs.rest;
         for (std::size_t i = 0; i < costs.knobs.size(); ++i) {
             double least = std::numeric_limits<double>::infinity();
@@ -95,15 +95,15 @@ TEST(BudgetController, ComesToRestAndKeepsTheBudgetWhereThatCanBe) {
             }
             cheapest += least;
         }
-        // Whoever believes in figures that are four times too high may miss the cheapest, but not where there
-        // is room.
+        // With figures that are four times too high the controller may miss the cheapest plan, but not if the
+        // budget is large enough.
         if (cheapest <= budget / 16) {
             RC_ASSERT(costs.now() <= 1.03 * budget);
         }
     }));
 }
 
-TEST(BudgetController, DoesNotFlipHoweverTheFiguresWaver) {
+TEST(BudgetController, DoesNotOscillateWithNoisyFigures) {
     EXPECT_TRUE(rc::check([] {
         Costs costs = someCosts();
         double const budget = 50 + *rc::gen::inRange(0, 2500);
@@ -112,7 +112,7 @@ TEST(BudgetController, DoesNotFlipHoweverTheFiguresWaver) {
         int changes = 0;
         constexpr int rounds = 400;
         for (int round = 1; round <= rounds; ++round) {
-            costs.measure([&] { return noise(0.5); }); // a computer that does other things besides
+            costs.measure([&] { return noise(0.5); }); // a computer under other load
             auto const plan = controller.decide(costs.knobs, costs.rest, budget);
             bool changed = false;
             for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -129,7 +129,7 @@ TEST(BudgetController, LearnsWhatAnOptionCosts) {
     Costs costs;
     costs.knobs.push_back(
         {"gravity", {{"real", 100, 0, true}, {"tree", 10, 0.5, true}, {"linear", 1, 2, true}}, 0, 0});
-    costs.truth.push_back({100, 90, 5}); // the tree is not what it was said to be
+    costs.truth.push_back({100, 90, 5}); // the tree is slower than its figure
     Controller controller;
     std::vector<std::size_t> went;
     for (int round = 0; round < 12; ++round) {
@@ -138,13 +138,12 @@ TEST(BudgetController, LearnsWhatAnOptionCosts) {
         went.push_back(costs.knobs[0].current);
     }
     EXPECT_FALSE(controller.hopeless());
-    EXPECT_EQ(went.front(), 1U) << "as far as anybody knew, the tree would do";
-    EXPECT_EQ(went.back(), 2U) << "it would not";
-    EXPECT_EQ(std::count(went.begin(), went.end(), 1U), 2)
-        << "tried once, for the round that it takes to measure it";
+    EXPECT_EQ(went.front(), 1U) << "by its figure, the tree is cheap enough";
+    EXPECT_EQ(went.back(), 2U) << "by measurement, it is not";
+    EXPECT_EQ(std::count(went.begin(), went.end(), 1U), 2) << "tried once, for the round of its measurement";
 }
 
-TEST(BudgetController, GivesNothingAwayWhereTheBudgetIsHopeless) {
+TEST(BudgetController, KeepsAccuracyIfTheBudgetCannotBeKept) {
     Costs costs;
     costs.knobs.push_back({"dynamics", {{"4 steps", 400, 0.01, true}, {"2 steps", 200, 0.02, true}}, 0, 0});
     costs.knobs.push_back({"gravity", {{"real", 8, 0, true}, {"real, every 4 frames", 2, 0.1, true}}, 1, 0});
@@ -158,10 +157,10 @@ TEST(BudgetController, GivesNothingAwayWhereTheBudgetIsHopeless) {
     }
     EXPECT_EQ(costs.knobs[0].current, 1U);
     EXPECT_TRUE(controller.hopeless());
-    EXPECT_EQ(costs.knobs[1].current, 0U) << "6 µs would not have saved the day";
+    EXPECT_EQ(costs.knobs[1].current, 0U) << "6 µs less would not have been enough";
 }
 
-TEST(BudgetController, ChangesNothingForNothing) {
+TEST(BudgetController, MakesNoChangeWithoutAGain) {
     Costs costs;
     costs.knobs.push_back({"gravity", {{"a", 100, 0.010, true}, {"b", 100, 0.009, true}}, 0, 0});
     costs.truth.push_back({100, 100});
@@ -169,17 +168,17 @@ TEST(BudgetController, ChangesNothingForNothing) {
     for (int round = 0; round < 5; ++round) {
         costs.measure([] { return 1.0; });
         EXPECT_EQ(controller.decide(costs.knobs, 0, 1000).front(), 0U)
-            << "a tenth of the error is not worth it";
+            << "a tenth of the error is too small a gain";
     }
     costs.knobs[0].options[1].error = 0.005;
     EXPECT_EQ(controller.decide(costs.knobs, 0, 1000).front(), 1U);
     costs.knobs[0].options[0].error = 9e-5;
     costs.knobs[0].options[1].error = 1e-7;
     costs.knobs[0].current = 0;
-    EXPECT_EQ(Controller().decide(costs.knobs, 0, 1000).front(), 0U) << "nobody can see either";
+    EXPECT_EQ(Controller().decide(costs.knobs, 0, 1000).front(), 0U) << "errors below 0.1 mm count as equal";
 }
 
-TEST(BudgetController, LeavesWhatSleeps) {
+TEST(BudgetController, LeavesSleepingEffectsUnchanged) {
     KnobFigures const asleep{"magnetism", {{"grid", 1, 0.5, true}, {"pairwise", 10, 0, true}}, 0, 0};
     std::vector<KnobFigures> const knobs{asleep};
     EXPECT_EQ(Controller().decide(knobs, 10, 1000).front(), 0U);

@@ -26,7 +26,7 @@ protected:
     }
 };
 
-TEST_F(DynamicsKnob, ErrsAsAFallingBodyDoes) {
+TEST_F(DynamicsKnob, ErrorIsThatOfAFallingBody) {
     open(levelOf(R"("world": {"gravity": [0, -9.81], "solver": {"substeps": 4}}, "objects": [
         {"name": "ball", "at": [0, 0], "properties": {"shape": [{"form": "circle", "radius": 0.1}]}}])"));
     MotionLog log;
@@ -49,8 +49,8 @@ TEST_F(DynamicsKnob, ErrsAsAFallingBodyDoes) {
     EXPECT_TRUE(knob->options[1].cannot.empty());
 }
 
-// What the budget has raised it can lower again, but not below what the level states while anything is
-// jointed.
+// The budget can reduce a number of steps that it has increased, but not below the level's number while there
+// are joints.
 TEST_F(DynamicsKnob, StepsAreNeverFewerThanStatedWhereThereAreJoints) {
     open(withSubsteps(load("4-raft.json"), 4));
     MotionLog log;
@@ -67,8 +67,8 @@ TEST_F(DynamicsKnob, StepsAreNeverFewerThanStatedWhereThereAreJoints) {
     }
 }
 
-// A chain that is pulled taut calls for many steps by itself: nothing below that is offered.
-TEST_F(DynamicsKnob, StepsAreNeverFewerThanTheSceneCallsForByItself) {
+// A taut chain needs many steps: no option with fewer is offered.
+TEST_F(DynamicsKnob, StepsAreNeverFewerThanTheSceneNeeds) {
     std::string objects;
     std::string joints;
     for (int i = 0; i < 8; ++i) {
@@ -108,7 +108,7 @@ TEST_F(DynamicsKnob, EveryOptionCanBeMadeAndIsThenTheCurrentOne) {
     }
 }
 
-TEST_F(DynamicsKnob, MoreStepsCostMoreAndErrLess) {
+TEST_F(DynamicsKnob, MoreStepsCostMoreAndHaveASmallerError) {
     open(withSubsteps(starDisc(gameData(), 20), 4));
     MotionLog log;
     for (int i = 0; i < 30; ++i) {

@@ -10,8 +10,8 @@ namespace {
 
 class ElectricityKnob : public KnobTest {
 protected:
-    /// Opens the level with this option in force from the third frame on, and returns what is on in each of
-    /// some frames.
+    /// Opens the level with this option in force from the third frame on, and returns the objects that are on
+    /// in some frames.
     std::vector<std::vector<ObjectId>> onWith(std::string const& file, Option const& option) {
         open(file);
         runTo(2);
@@ -32,7 +32,7 @@ protected:
     }
 };
 
-TEST_F(ElectricityKnob, IsNeverBelowWhatTheCircuitsCallFor) {
+TEST_F(ElectricityKnob, IsNeverBelowTheLevelThatTheCircuitsNeed) {
     open("2-doorbell.json");
     runTo(2);
     auto const knob = electricityKnob(world());
@@ -45,7 +45,7 @@ TEST_F(ElectricityKnob, IsNeverBelowWhatTheCircuitsCallFor) {
     }
 }
 
-TEST_F(ElectricityKnob, WhatIsOfferedTurnsTheSameThingsOn) {
+TEST_F(ElectricityKnob, OptionsTurnTheSameObjectsOn) {
     for (char const* const file : {"1-switched-electromagnet.json", "2-doorbell.json"}) {
         open(file);
         runTo(2);
@@ -74,7 +74,7 @@ TEST_F(ElectricityKnob, EveryOptionCanBeMadeAndIsThenTheCurrentOne) {
     expectOptionsAreMade(electricityKnob);
 }
 
-TEST_F(ElectricityKnob, WhatIsOfferedMakesNoErrorAndWorksInTheOrderOfTheLevels) {
+TEST_F(ElectricityKnob, OptionsHaveNoErrorAndTheirWorkIncreasesWithTheLevel) {
     open("2-doorbell.json");
     runTo(2);
     auto const knob = electricityKnob(world());

@@ -13,14 +13,14 @@ namespace {
 
 class GravityKnob : public KnobTest {};
 
-TEST_F(GravityKnob, EstimatesAgreeWithTheSumOverEverything) {
+TEST_F(GravityKnob, EstimatesAgreeWithTheSumOverAllPairs) {
     open(starDisc(gameData(), 300));
     session().setDetail("gravity", "tree");
     runTo(30);
     auto const knob = gravityKnob(world());
     ASSERT_TRUE(knob);
     EXPECT_EQ(knob->options[knob->current].name, "tree, opening angle 0.35");
-    // The forces of the tree as the world has computed them, from the places that it has now.
+    // The tree's forces as the world has computed them, for the present positions.
     GravityForce const& found = *world().find<GravityForce>();
     auto const& positions = *world().store().findColumn<Position>();
     auto const& masses = *world().store().findColumn<Mass>();
@@ -45,7 +45,7 @@ TEST_F(GravityKnob, EstimatesAgreeWithTheSumOverEverything) {
     EXPECT_LT(estimate.share, 3 * share);
     EXPECT_GT(estimate.metres, 0.3 * metres);
     EXPECT_LT(estimate.metres, 3 * metres);
-    // Wider angles are worse, and so is standing for longer.
+    // Wider angles have larger errors, and so have longer periods.
     auto const off2 = [&](std::string const& name) { return named(*knob, name).error.metres; };
     EXPECT_EQ(off2("real"), 0);
     EXPECT_LT(off2("tree, opening angle 0.15"), off2("tree, opening angle 0.7"));
@@ -58,8 +58,8 @@ TEST_F(GravityKnob, EveryOptionCanBeMadeAndIsThenTheCurrentOne) {
     expectOptionsAreMade(gravityKnob);
 }
 
-// Two masses in a field that has nothing to do with them: linear gravity knows of the field alone.
-TEST_F(GravityKnob, LinearGravityIsOffByAllThatTwoMassesDoToEachOther) {
+// Two masses in an external field: linear gravity computes the field alone.
+TEST_F(GravityKnob, LinearGravityErrsByTheForcesBetweenTwoMasses) {
     open(levelOf(R"("world": {"gravity": [0, -1], "gravity_law": {"constant": 2, "softening": 1e-6}},
         "objects": [
         {"name": "a", "at": [0, 0], "properties": {"shape": [{"form": "circle", "radius": 0.05}], "mass": 3}},
@@ -73,7 +73,7 @@ TEST_F(GravityKnob, LinearGravityIsOffByAllThatTwoMassesDoToEachOther) {
     Vec2 const onB = -2 * 3 / lengthSquared(between) * along;
     Vec2 const field{0, -1};
     Error const error = named(*knob, "linear").error;
-    // Half an acceleration is a way in the first second.
+    // An acceleration displaces by half its value in the first second.
     EXPECT_NEAR(error.metres, std::sqrt((lengthSquared(field - onA) + lengthSquared(field - onB)) / 2) / 2,
                 1e-6);
     EXPECT_NEAR(error.share,
@@ -84,8 +84,8 @@ TEST_F(GravityKnob, LinearGravityIsOffByAllThatTwoMassesDoToEachOther) {
     EXPECT_LT(named(*knob, "tree, opening angle 0.7").error.metres, 1e-9) << "two masses are no cluster";
 }
 
-// A body that passes another at a distance feels a force that is another when it is carried out late.
-TEST_F(GravityKnob, AForceThatStandsIsOffByWhatHasMovedMeanwhile) {
+// The force on a body that passes another one depends on the time at which it is computed.
+TEST_F(GravityKnob, AHeldForceErrsByTheMotionMeanwhile) {
     open(levelOf(R"("world": {"gravity_law": {"constant": 10, "softening": 1e-6}}, "objects": [
         {"name": "sun", "at": [0, 0], "properties": {"shape": [{"form": "circle", "radius": 0.1}],
          "mass": 1000, "fixed": true}},
@@ -105,8 +105,8 @@ TEST_F(GravityKnob, AForceThatStandsIsOffByWhatHasMovedMeanwhile) {
     }
 }
 
-TEST_F(GravityKnob, WorkGrowsWithAccuracyAndIsSharedByTheFramesForWhichAForceStands) {
-    open(starDisc(gameData(), 1500)); // enough for a tree to be worth its while
+TEST_F(GravityKnob, WorkGrowsWithAccuracyAndIsDividedByThePeriod) {
+    open(starDisc(gameData(), 1500)); // enough for the tree to be cheaper
     runTo(1);
     auto const knob = gravityKnob(world());
     ASSERT_TRUE(knob);

@@ -15,8 +15,8 @@ namespace {
 
 class Knobs : public KnobTest {};
 
-/// Where all stars are a second after the thirtieth frame, from which on these changes hold; and what was
-/// estimated then for the options of these names.
+/// The positions of all stars a second after frame 30, from which on these changes hold; and the errors
+/// estimated in frame 30 for the options of these names.
 std::vector<Vec2> aSecondLater(GameData const& gameData, LevelFile const& level,
                                std::vector<std::pair<std::string, std::string>> const& options,
                                double* estimate) {
@@ -43,7 +43,7 @@ std::vector<Vec2> aSecondLater(GameData const& gameData, LevelFile const& level,
     }
     if (estimate != nullptr) {
         *estimate = std::sqrt(sum);
-    } else { // far more steps than anybody would take
+    } else { // far more steps than usual
         RecordedChange exact;
         exact.kind = RecordedChange::Kind::setting;
         exact.subject = "solver";
@@ -61,8 +61,8 @@ std::vector<Vec2> aSecondLater(GameData const& gameData, LevelFile const& level,
     return places;
 }
 
-// The one unit of all effects has to mean what it says.
-TEST_F(Knobs, TheErrorIsWhatBodiesAreOffByAfterASecond) {
+// The unit of all effects' errors is the real displacement.
+TEST_F(Knobs, TheErrorIsTheDisplacementOfBodiesAfterASecond) {
     LevelFile level = starDisc(gameData(), 150);
     DynamicsSettings settings;
     settings.substeps = 4;
@@ -87,7 +87,7 @@ TEST_F(Knobs, TheErrorIsWhatBodiesAreOffByAfterASecond) {
     }
 }
 
-TEST_F(Knobs, AreOnePerEffectThatTheSceneHasByName) {
+TEST_F(Knobs, AreOneForEachEffectOfTheScene) {
     auto const effects = [&] {
         std::vector<std::string> found;
         for (Knob const& knob : knobsOf(world(), MotionLog())) {

@@ -27,7 +27,7 @@ protected:
     }
 };
 
-TEST_F(MagnetismKnob, KnowsItsLadderInASceneOfItsOwn) {
+TEST_F(MagnetismKnob, OffersItsLadderInAScene) {
     open(spiralOf(60));
     runTo(2);
     auto const knob = magnetismKnob(world());
@@ -49,9 +49,9 @@ TEST_F(MagnetismKnob, EveryOptionCanBeMadeAndIsThenTheCurrentOne) {
     expectOptionsAreMade(magnetismKnob);
 }
 
-// Their nearest poles are 2.3 m apart: a cutoff below that leaves nothing, and one of which four fifths are
-// above 3.7 m, the distance of the farthest, leaves all.
-TEST_F(MagnetismKnob, OfTwoMagnetsACutoffLeavesAllOrNothing) {
+// Their nearest poles are 2.3 m apart: a cutoff below that removes all forces, and one of which four fifths
+// exceed 3.7 m, the distance of the farthest poles, removes none.
+TEST_F(MagnetismKnob, ACutoffKeepsAllForcesOfTwoMagnetsOrNone) {
     open(levelOf(R"("world": {"magnetism": {"look_ahead": false}, "detail": {"magnetism": "pairwise"}},
         "objects": [{"name": "one", "part": "bar magnet", "at": [0, 0]},
                     {"name": "two", "part": "bar magnet", "at": [3, 0]}])"));

@@ -25,7 +25,7 @@ Sum sumOf(std::vector<std::vector<Choice>> const& knobs, std::vector<std::size_t
     return sum;
 }
 
-/// The same by trying everything.
+/// The same by trying all combinations.
 Sum bruteForce(std::vector<std::vector<Choice>> const& knobs, double budget) {
     std::vector<std::size_t> plan(knobs.size(), 0);
     std::optional<Sum> best;
@@ -88,11 +88,11 @@ TEST(BudgetPlan, IsTheBestOfAllCombinations) {
     }));
 }
 
-TEST(BudgetPlan, OfNothingIsNothing) {
+TEST(BudgetPlan, IsEmptyWithoutKnobsAndUsesAnyOptionIfNoneIsAllowed) {
     EXPECT_TRUE(bestPlan({}, 1).empty());
     std::vector<std::vector<Choice>> const forbidden{{{2, 1, false}, {1, 2, false}}};
     EXPECT_EQ(bestPlan(forbidden, 5), std::vector<std::size_t>{0})
-        << "where nothing is allowed, everything is";
+        << "if no option is allowed, all are considered";
 }
 
 } // namespace

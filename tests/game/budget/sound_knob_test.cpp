@@ -43,7 +43,7 @@ protected:
     }
 };
 
-TEST_F(SoundKnob, ErrsAsThePageOfMeasurementsSays) {
+TEST_F(SoundKnob, ErrorIsThatOfThePageOfMeasurements) {
     std::map<std::string, double> const page = measured();
     ASSERT_EQ(page.size(), 5U);
     open(bellOver(1)); // nothing has fallen yet, so the pitch is taken to be 1000 Hz
@@ -57,7 +57,7 @@ TEST_F(SoundKnob, ErrsAsThePageOfMeasurementsSays) {
     }
 }
 
-TEST_F(SoundKnob, IsOffByAShareOfThePitchThatIsHeard) {
+TEST_F(SoundKnob, ErrorIsAShareOfTheAudiblePitch) {
     open(bellOver(0.2));
     Subscription const wanted = world().want<Sounds>();
     runTo(1);
@@ -82,11 +82,11 @@ TEST_F(SoundKnob, IsOffByAShareOfThePitchThatIsHeard) {
     for (std::size_t i = 0; i < ringing->options.size(); ++i) {
         Error const now = ringing->options[i].error;
         EXPECT_NEAR(now.share * pitch, silent->options[i].error.share * 1000, 1e-6);
-        EXPECT_LE(now.metres, 0.01 * now.share + 1e-15) << "what is heard moves nothing";
+        EXPECT_LE(now.metres, 0.01 * now.share + 1e-15) << "sound moves no body";
     }
 }
 
-TEST_F(SoundKnob, MoreModesCostMoreAndErrLess) {
+TEST_F(SoundKnob, MoreModesCostMoreAndHaveASmallerError) {
     open(bellOver(1));
     Subscription const wanted = world().want<Sounds>();
     runTo(1);
@@ -115,7 +115,7 @@ TEST_F(SoundKnob, EveryOptionCanBeMadeAndIsThenTheCurrentOne) {
     expectOptionsAreMade(soundKnob);
 }
 
-TEST_F(SoundKnob, WhereNobodyListensThereIsNone) {
+TEST_F(SoundKnob, WithoutListenersThereIsNone) {
     open(bellOver(1));
     runTo(1);
     EXPECT_FALSE(soundKnob(world()));

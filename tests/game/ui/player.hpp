@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/app/app.hpp"
+#include "game/ui/play/play_screen.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "render/window/synthetic_input.hpp"
 
@@ -31,7 +32,7 @@ inline render::Window& window() {
     }
     return *slot;
 }
-/// For tests of what opens a window of its own.
+/// For tests of code that opens its own window.
 inline void closeWindow() {
     windowSlot().reset();
 }
@@ -68,8 +69,8 @@ inline std::filesystem::path pictureFolder() {
     return folder;
 }
 
-/// A folder of the running test's own: tests run side by side, each in a process, and some remove what is
-/// there.
+/// A folder of the running test's own: tests run in parallel, each in a process, and some remove the folder's
+/// files.
 inline std::filesystem::path testFolder() {
     testing::TestInfo const& test = *testing::UnitTest::GetInstance()->current_test_info();
     std::string name = std::string(test.test_suite_name()) + "." + test.name();
@@ -80,8 +81,7 @@ inline std::filesystem::path testFolder() {
 }
 
 /// Plays the game with pushed events only, a sixtieth of a second per picture. Drawing takes a hundred times
-/// as long as everything else in a picture, so a picture is drawn only where look() or the game itself keeps
-/// it.
+/// as long as everything else in a picture, so a picture is drawn only if look() or the game itself uses it.
 class Player {
 public:
     explicit Player(render::Size size = {1280, 720}, std::filesystem::path profile = {},
@@ -102,13 +102,16 @@ public:
     }
 
     GameApp& app() { return *app_; }
-    PlayScreen& play() { return *app_->play(); }
+    /// The current screen if it shows a level, else nullptr.
+    PlayScreen* findPlay() { return dynamic_cast<PlayScreen*>(&app_->screen()); }
+    /// Only while a level is on the screen.
+    PlayScreen& play() { return *findPlay(); }
     Session& session() { return play().session(); }
     Layout const& layout() { return app_->context().layout; }
     std::filesystem::path const& films() const { return films_; }
 
-    /// From now on draws every picture, as the window does: where drawing itself, or when it is done, is what
-    /// a test is about.
+    /// From now on draws every picture, as the window does: for tests of drawing itself, or of when it is
+    /// done.
     void drawEveryPicture() { drawsAll_ = true; }
 
     void open(std::filesystem::path const& level) {
@@ -121,7 +124,7 @@ public:
             frame();
         }
     }
-    /// Lets so many frames of the running world pass in few pictures.
+    /// Computes this number of frames of the running world in few pictures.
     void simulate(int count) {
         for (; count > 0; count -= 8) {
             going_ = app_->frame(std::min(count, 8) / 60.0, drawsAll_);
@@ -129,7 +132,7 @@ public:
     }
     [[nodiscard]] bool going() const { return going_; }
 
-    // Where things are on the screen.
+    // Positions on the screen.
     Point at(Vec2 world) { return play().camera().toScreen({world.x, world.y}); }
     Point item(std::string const& name) {
         auto const rect = layout().item(name);
@@ -139,7 +142,7 @@ public:
     bool shows(std::string const& name) { return layout().item(name).has_value(); }
     bool showsCard(std::string const& name) { return layout().card(name).has_value(); }
 
-    // What hands do.
+    // Input with the mouse and the keyboard.
     void moveTo(Point to) {
         render::pushMouseMove(window(), to);
         mouse_ = to;
@@ -188,11 +191,11 @@ public:
         frame();
     }
 
-    /// What is on the screen now; with TREMBLER_PICTURES in the environment also as a file for people.
+    /// The pixels of the screen; with TREMBLER_PICTURES in the environment they are also written to a file.
     render::Image look(std::string const& name) {
         going_ = app_->frame(1.0 / 60, true);
         render::Image image = window().readPixels();
-        // Packing takes longer than drawing, and up to seconds: only for who wants to look at it.
+        // Packing takes longer than drawing, and up to seconds: only with TREMBLER_PICTURES.
         if (std::getenv("TREMBLER_PICTURES") != nullptr) {
             writePng(image, pictureFolder() / (name + ".png"));
         }

@@ -78,10 +78,10 @@ TEST(Manifest, ComplainsWithFileAndLineAndASuggestion) {
         EXPECT_NE(problems.find(part), std::string::npos) << "got: " << problems << "wanted: " << part;
     };
     expect(with("\"Position\"", "\"Positon\""),
-           "wind.lua:5:1: there is no property 'Positon', did you mean 'Position'?");
+           "wind.lua:5:1: there is no property 'Positon' (did you mean 'Position'?)");
     expect(with("calls = \"Dynamics\"", "calls = \"Dynamic\""), "begins with \"Dynamic <- \"");
     expect(with("Dynamics <- Wind", "Wind"), "wind.lua:2:1: the name 'Wind' does not say what is connected");
-    expect(with("reads =", "raeds ="), "wind.lua:5:1: unknown key 'raeds', did you mean 'reads'?");
+    expect(with("reads =", "raeds ="), "wind.lua:5:1: unknown key 'raeds' (did you mean 'reads'?)");
     expect(with("default = 8", "default = 80"),
            "the default of parameter 'speed' is not between min and max");
     expect(with("\"calm\", choices", "\"wild\", choices"), "'calm' or 'stormy'");

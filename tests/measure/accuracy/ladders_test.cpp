@@ -41,13 +41,13 @@ double errorOf(Ladder const& in, std::string const& level) {
     return found == in.rungs.end() ? std::numeric_limits<double>::quiet_NaN() : found->error;
 }
 
-TEST(Accuracy, EveryLadderIsWhole) {
+TEST(Accuracy, EveryLadderIsComplete) {
     std::set<std::string> effects;
     std::set<std::string> names;
     for (Ladder const& one : ladders()) {
         SCOPED_TRACE(one.effect + ": " + one.scene);
         effects.insert(one.effect);
-        EXPECT_TRUE(names.insert(slugOf(one)).second) << "two plots of one name";
+        EXPECT_TRUE(names.insert(slugOf(one)).second) << "two plots with the same name";
         EXPECT_FALSE(one.unit.empty());
         EXPECT_FALSE(one.error.empty());
         EXPECT_FALSE(one.reference.empty());
@@ -57,9 +57,10 @@ TEST(Accuracy, EveryLadderIsWhole) {
         for (Rung const& rung : one.rungs) {
             SCOPED_TRACE(rung.level);
             EXPECT_TRUE(levels.insert(rung.level).second);
-            EXPECT_FALSE(rung.cannotTell.empty()) << "every level has something that it cannot tell";
+            EXPECT_FALSE(rung.cannotRepresent.empty())
+                << "every level has something that it cannot represent";
             EXPECT_TRUE(std::isfinite(rung.error) && rung.error >= 0) << rung.error;
-            EXPECT_TRUE(std::isfinite(rung.microseconds) && rung.microseconds > 0) << "it was timed";
+            EXPECT_TRUE(std::isfinite(rung.microseconds) && rung.microseconds > 0) << "its time was measured";
             EXPECT_EQ(rung.onFront, one.rivals && rung.beatenBy.empty());
             front = front || rung.onFront;
         }
@@ -79,7 +80,7 @@ TEST(Accuracy, ErrorsAreTheSameEveryTime) {
     }
 }
 
-// Semi-implicit Euler's fall is late by g t h / 2: first order in the substep, and known in metres.
+// Semi-implicit Euler errs by g t h / 2 in a fall: first order in the substep h, and known in metres.
 TEST(Accuracy, AThrownBallsErrorIsThatOfEulersSteps) {
     Ladder const& ball = ladder("dynamics", "ball");
     for (int const substeps : {1, 2, 4, 8}) {
@@ -99,8 +100,9 @@ TEST(Accuracy, AThrownBallsErrorIsThatOfEulersSteps) {
     }
 }
 
-// A force that stands for a frame but is integrated in n substeps lags by (1 - 1/n)/2 of it, which lets an
-// oscillation's energy grow by ω² times that: 9.81 / 0.1 m for a box half of 0.2 m under water.
+// A force that is held for a frame but integrated in n substeps lags by (1 - 1/n)/2 of a frame. An
+// oscillation's energy grows at ω² times the lag; ω² is 9.81 / 0.1 m for a box with half of its 0.2 m under
+// water.
 TEST(Accuracy, GravitysAndMagnetismsLadders) {
     for (Ladder const* const one : {&ladder("gravity", "stars"), &ladder("magnetism", "bar magnets"),
                                     &ladder("magnetism", "north poles")}) {
@@ -111,9 +113,9 @@ TEST(Accuracy, GravitysAndMagnetismsLadders) {
             before = now;
         }
         EXPECT_LT(before, 2e-3) << one->scene;
-        EXPECT_LT(one->rungs.back().error, 1e-13) << "every pair, but in double";
+        EXPECT_LT(one->rungs.back().error, 1e-13) << "all pairs, in double precision";
     }
-    EXPECT_EQ(errorOf(ladder("gravity", "stars"), "linear"), 1) << "there is no world that pulls";
+    EXPECT_EQ(errorOf(ladder("gravity", "stars"), "linear"), 1) << "there is no external field";
     double const ground = errorOf(ladder("gravity", "on Earth"), "linear");
     EXPECT_GT(ground, 1e-7);
     EXPECT_LT(ground, 2 * 50 / 6.371e6 + 1e-6) << "weight falls by 2 h / R";
@@ -131,7 +133,7 @@ TEST(Accuracy, GravitysAndMagnetismsLadders) {
 
 TEST(Accuracy, BuoyancysAndSoundsLadders) {
     Ladder const& cuts = ladder("buoyancy", "one float");
-    EXPECT_LT(errorOf(cuts, "exact"), 1e-14) << "exact is what it is called";
+    EXPECT_LT(errorOf(cuts, "exact"), 1e-14) << "the level 'exact' has no error";
     EXPECT_GT(errorOf(cuts, "4 particles"), 5 * errorOf(cuts, "256 particles"));
     EXPECT_EQ(errorOf(ladder("buoyancy", "now and then"), "every frame"), 0);
     EXPECT_GT(errorOf(ladder("buoyancy", "now and then"), "every 3 frames"), 0);
@@ -142,7 +144,7 @@ TEST(Accuracy, BuoyancysAndSoundsLadders) {
     EXPECT_GT(errorOf(sound, "1-mode"), 1) << "something was heard";
 }
 
-// A level joins by being registered: nobody keeps a list.
+// Registered levels are included automatically, without a list.
 TEST(Accuracy, ElectricitysLevelsAreThoseOfTheRegistry) {
     std::set<std::string> registered;
     for (Registration const& one : gameData().registry.components()) {
@@ -158,7 +160,7 @@ TEST(Accuracy, ElectricitysLevelsAreThoseOfTheRegistry) {
     EXPECT_EQ(measured, registered);
     for (std::string const scene : {"schoolbook", "random"}) {
         Ladder const& one = ladder("electricity", scene);
-        EXPECT_GT(errorOf(one, "two-wire"), 0.05) << "it cannot tell a balanced bridge";
+        EXPECT_GT(errorOf(one, "two-wire"), 0.05) << "it cannot represent a balanced bridge";
         EXPECT_GT(errorOf(one, "single-cable"), errorOf(one, "two-wire"));
         if (registered.contains("nodal")) {
             EXPECT_EQ(errorOf(one, "nodal"), 0);
@@ -166,8 +168,8 @@ TEST(Accuracy, ElectricitysLevelsAreThoseOfTheRegistry) {
     }
 }
 
-// How strong a current is, against ngspice where it is installed and against elimination where it is not.
-TEST(Accuracy, NodalKnowsAmperesAndNobodyElseDoes) {
+// Currents compared with ngspice if it is installed, else with elimination.
+TEST(Accuracy, OnlyNodalComputesAmperes) {
     for (std::string const scene : {"schoolbook circuits, how much", "random, how much"}) {
         Ladder const& one = ladder("electricity", scene);
         EXPECT_EQ(one.unit, "A");
@@ -179,13 +181,13 @@ TEST(Accuracy, NodalKnowsAmperesAndNobodyElseDoes) {
     }
 }
 
-TEST(AccuracyFront, IsWhatNobodyBeats) {
+TEST(AccuracyFront, ContainsTheLevelsThatNoOtherBeats) {
     Ladder one = threeRungs();
     markFront(one);
     EXPECT_EQ(one.rungs[0].beatenBy, "");
     EXPECT_EQ(one.rungs[1].beatenBy, "cheap");
     EXPECT_EQ(one.rungs[2].beatenBy, "");
-    EXPECT_EQ(one.rungs[3].beatenBy, "") << "two percent are no difference";
+    EXPECT_EQ(one.rungs[3].beatenBy, "") << "two percent count as equal";
     EXPECT_EQ(one.rungs[4].beatenBy, "cheap");
     one.rivals = false;
     markFront(one);
@@ -194,7 +196,7 @@ TEST(AccuracyFront, IsWhatNobodyBeats) {
     }
 }
 
-TEST(Accuracy, AnUnknownEffectIsRefusedWithWhatThereIs) {
+TEST(Accuracy, AnUnknownEffectIsRefusedWithTheKnownOnes) {
     try {
         static_cast<void>(climb(gameData(), {"gravitty"}, {.brief = true, .runs = 1}));
         FAIL();

@@ -1,4 +1,4 @@
-// Plots: one dot for each level, no number that is none, and no text that XML would read.
+// Plots: one dot for each level, only finite numbers, and all text escaped for XML.
 #include "measure/accuracy/plot.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "tests/measure/accuracy/three_rungs.hpp"
@@ -8,7 +8,7 @@
 namespace trembler::accuracy {
 namespace {
 
-TEST(AccuracyPlot, HasADotForEachLevelAndEscapesWhatXmlWouldRead) {
+TEST(AccuracyPlot, HasADotForEachLevelAndEscapesTextForXml) {
     std::vector<Ladder> all = climb(GameData{}, {}, {.brief = true, .runs = 1});
     all.push_back(threeRungs());
     markFront(all.back());

@@ -1,4 +1,4 @@
-// What is reported is what was measured.
+// Reports contain the measured figures.
 #include "measure/accuracy/report.hpp"
 #include "tests/measure/accuracy/three_rungs.hpp"
 
@@ -22,7 +22,7 @@ TEST(AccuracyReport, JsonHasEveryRung) {
     EXPECT_EQ(levels[0].at("front"), true);
 }
 
-TEST(AccuracyReport, MarkdownIsATableAndTextSaysWhoIsBeaten) {
+TEST(AccuracyReport, MarkdownIsATableAndTextNamesBeatenLevels) {
     std::vector<Ladder> all{threeRungs()};
     markFront(all[0]);
     std::string const markdown = asMarkdown(all, "pictures");
@@ -32,20 +32,20 @@ TEST(AccuracyReport, MarkdownIsATableAndTextSaysWhoIsBeaten) {
     EXPECT_NE(markdown.find("(pictures/accuracy-gravity-a-made-up-scene-more.svg)"), std::string::npos);
     std::string const text = asText(all);
     EXPECT_NE(text.find("beaten by cheap"), std::string::npos);
-    EXPECT_NE(text.find("expensive cannot tell little"), std::string::npos);
+    EXPECT_NE(text.find("expensive cannot represent little"), std::string::npos);
 }
 
-TEST(AccuracyReport, WhatNoLevelCanTellIsSaidOnce) {
+TEST(AccuracyReport, WhatNoLevelCanRepresentIsStatedOnce) {
     std::vector<Ladder> all{threeRungs()};
     for (Rung& rung : all[0].rungs) {
-        rung.cannotTell = "the future";
+        rung.cannotRepresent = "the future";
     }
     markFront(all[0]);
     std::string const markdown = asMarkdown(all, "");
-    EXPECT_NE(markdown.find("None of them can tell the future.\n"), std::string::npos) << markdown;
+    EXPECT_NE(markdown.find("None of them can represent the future.\n"), std::string::npos) << markdown;
     EXPECT_NE(markdown.find("| silly | 10 | 0.6 | beaten by cheap |\n"), std::string::npos);
     EXPECT_EQ(markdown.find("the future"), markdown.rfind("the future"));
-    EXPECT_EQ(markdown.find("what it cannot tell"), std::string::npos);
+    EXPECT_EQ(markdown.find("what it cannot represent"), std::string::npos);
 }
 
 } // namespace

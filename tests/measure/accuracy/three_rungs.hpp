@@ -1,4 +1,4 @@
-// A ladder that nobody measured: figures that a test knows.
+// A ladder with fixed figures instead of measured ones.
 #pragma once
 
 #include "measure/accuracy/ladder.hpp"

@@ -25,7 +25,8 @@ namespace {
 
 constexpr int seconds = 20;
 
-// Instance counters: every component of a registry is made through one of these, which counts and passes on.
+// Instance counters: every component of a registry is made by one of these functions, which count and call
+// the original one.
 constexpr std::size_t mostComponents = 128;
 std::array<std::function<std::unique_ptr<Component>()>, mostComponents> realMakers{};
 std::array<int, mostComponents> made{};
@@ -40,7 +41,7 @@ constexpr auto countingMakers(std::index_sequence<n...>) {
     return std::array<std::unique_ptr<Component> (*)(), sizeof...(n)>{&countingMaker<n>...};
 }
 
-// All effects. The registry is this function's own and not constant, so its makers may be put in its place.
+// All effects. The registry belongs to this function and is not constant, so its makers may be replaced.
 Registry& countedRegistry() {
     static Registry registry;
     static bool const counted = [] {
@@ -69,15 +70,15 @@ std::map<std::string, int> constructions() {
     return all;
 }
 
-// What an effect cannot do without: the keys of object properties, any of which an object must have. Written
-// down here and not taken from the declarations, which are what is tested.
+// The keys of object properties, of which an effect needs at least one in the level. They are listed here and
+// not taken from the declarations, because the declarations are tested.
 std::map<std::string, std::set<std::string>> const& triggers() {
     static std::map<std::string, std::set<std::string>> const all{
         {"magnetism", {"magnet", "magnetic_poles", "electromagnet"}},
         {"electricity", {"conductor"}},
         {"buoyancy", {"liquid"}},
         {"motor", {"electric_motor", "generator"}},
-        {"sound", {"sound_sensor", "ear"}}, // nobody outside listens here
+        {"sound", {"sound_sensor", "ear"}}, // here nothing outside the world listens
         {"loudness", {"sound_sensor", "ear"}},
     };
     return all;
@@ -126,7 +127,7 @@ TEST_F(Activation, AllLevelsAreInTheTable) {
     EXPECT_EQ(levels.size(), gameData().levels().size());
 }
 
-TEST_F(Activation, WhatIsAbsentIsNeverConstructed) {
+TEST_F(Activation, AbsentComponentsAreNeverConstructed) {
     PartLibrary const parts = loadParts(countedRegistry(), gameData().home / "assets" / "parts");
     std::map<std::string, int> with;
     std::map<std::string, int> without;
@@ -162,12 +163,12 @@ TEST_F(Activation, WhatIsAbsentIsNeverConstructed) {
             auto const needs = triggers().find(std::string(status.info->text.effect));
             if (needs != triggers().end()) {
                 bool const called = std::any_of(needs->second.begin(), needs->second.end(), holds);
-                EXPECT_FALSE(there && !called) << name << " is there and nothing calls for it";
+                EXPECT_FALSE(there && !called) << name << " is constructed although no object activates it";
                 ++(called ? with : without)[needs->first];
             }
         }
-        // Not even a place for its results, but for the gravity that a world begins with, which liquids that
-        // come later must know at once.
+        // It has not even a slot for its results, except for the initial gravity of a world, which liquids
+        // that are created later need at once.
         for (ComponentStatus const& status : world->status()) {
             for (PropertyInfo const* const offer : status.info->offers) {
                 EXPECT_TRUE(offered.contains(offer) || world->store().findSlot(*offer) == nullptr ||
@@ -178,13 +179,13 @@ TEST_F(Activation, WhatIsAbsentIsNeverConstructed) {
     }
     for (auto const& [effect, keys] : triggers()) {
         if (effect != "loudness") {
-            EXPECT_GT(with[effect], 0) << "no level calls for " << effect << ": nothing was tested";
-            EXPECT_GT(without[effect], 0) << "every level calls for " << effect << ": nothing was tested";
+            EXPECT_GT(with[effect], 0) << "no level activates " << effect << ": nothing was tested";
+            EXPECT_GT(without[effect], 0) << "every level activates " << effect << ": nothing was tested";
         }
     }
 }
 
-TEST_F(Activation, ALevelAtRestDoesAtMostATwentiethOfWhatItDoesInMotion) {
+TEST_F(Activation, ALevelAtRestHasAtMostATwentiethOfTheTurnsOfMotion) {
     int atRest = 0;
     std::set<std::string> restless;
     for (LevelUse const& one : plays()) {
@@ -197,8 +198,8 @@ TEST_F(Activation, ALevelAtRestDoesAtMostATwentiethOfWhatItDoesInMotion) {
             << one.level << ", " << one.solution;
     }
     EXPECT_GE(atRest, 12) << "of " << plays().size();
-    // Nothing else moves for ever: bells that ring, motors, and a steel ball that rolls to and fro under the
-    // magnet that it hangs from, as nothing here resists rolling.
+    // Only these levels never come to rest: ringing bells, motors, and a steel ball that rolls to and fro
+    // under the magnet that holds it, as there is no rolling resistance.
     for (std::string const& each : restless) {
         bool const meantTo = each.find("doorbell") != std::string::npos ||
                              each.find("experiments/3") != std::string::npos ||
@@ -208,7 +209,7 @@ TEST_F(Activation, ALevelAtRestDoesAtMostATwentiethOfWhatItDoesInMotion) {
 }
 
 TEST_F(Activation, AFinishedCircuitsDpsSleeps) {
-    // The magnet holds what it lifted: current flows, and nobody computes it again.
+    // The magnet holds the lifted object: current flows, and is not computed again.
     open("1-switched-electromagnet.json", "hands off");
     runTo(900);
     ASSERT_TRUE(on("electromagnet"));
@@ -229,7 +230,7 @@ TEST_F(Activation, AFinishedCircuitsDpsSleeps) {
     EXPECT_EQ(dps().updates, before.updates);
 }
 
-// In a doorbell, which never rests, it has a turn when the graph has changed, and only then.
+// In a doorbell, which never rests, it has a turn only if the graph has changed.
 TEST_F(Activation, ElectricityIsComputedWhenItsGraphHasChangedOnly) {
     open("2-doorbell.json");
     std::uint64_t version = 0;
@@ -281,7 +282,7 @@ TEST_F(Activation, TheReportsHaveEveryPlayAndNoTimes) {
         EXPECT_NE(markdown.find("| " + one.level + " | "), std::string::npos);
     }
     EXPECT_EQ(markdown.find(" us"), std::string::npos);
-    // The same every time.
+    // Every report is the same.
     LevelFile const level = loadLevel(gameData().registry, gameData().levels().front());
     Solution const* const first = level.solutions.empty() ? nullptr : &level.solutions.front();
     LevelUse again = playForCalls(gameData(), level, first, seconds);

@@ -10,7 +10,7 @@
 
 namespace trembler::test {
 
-/// A number from `low` to `high` in steps of a 10000th, whatever the size of the test case.
+/// A number from `low` to `high` in steps of a 10000th, independent of the size of the test case.
 inline rc::Gen<double> number(double low, double high) {
     return rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 10001)),
                         [=](int n) { return low + (high - low) * n / 10000; });
@@ -23,7 +23,7 @@ inline rc::Gen<Vec2> point(double reach) {
                         });
 }
 
-/// Three to eight corners on an ellipse, anticlockwise, none too near to the next.
+/// Three to eight corners on an ellipse, anticlockwise, with a least distance between them.
 inline rc::Gen<ShapePiece> convexPolygon() {
     return rc::gen::exec([] {
         int const count = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(3, 9));

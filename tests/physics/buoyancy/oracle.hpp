@@ -1,5 +1,5 @@
-// The displaced area by brute force: a few thousand strips across both shapes. Shares nothing with the code
-// under test but the description of shapes.
+// The displaced area by brute force: a few thousand strips across both shapes. Shares only the description of
+// shapes with the code under test.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"

@@ -65,7 +65,7 @@ public:
     [[nodiscard]] double angle(ObjectId id) const { return world->find<Rotation>(id)->angle; }
     [[nodiscard]] double spin(ObjectId id) const { return world->find<AngularVelocity>(id)->value; }
     [[nodiscard]] double mass(ObjectId id) const { return world->find<Mass>(id)->value; }
-    /// F_B in N; zero if there is none.
+    /// The force F_B in N; zero if there is none.
     [[nodiscard]] Vec2 force(ObjectId id) const;
     /// The centre of buoyancy in the world; the object must have one.
     [[nodiscard]] Vec2 centre(ObjectId id) const;

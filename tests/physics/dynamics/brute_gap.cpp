@@ -92,8 +92,8 @@ double distance(std::vector<Vec2> const& a, std::vector<Vec2> const& b) {
     return least;
 }
 
-// The shortest way out of a convex polygon is across one of its sides: here of the polygon of all differences
-// of a point of one and a point of the other, whose sides are parallel to sides of the two.
+// The shortest displacement out of a convex polygon is across one of its sides. Here it is the polygon of all
+// differences between a point of one and a point of the other, whose sides are parallel to sides of the two.
 double wayOut(std::vector<Vec2> const& a, std::vector<Vec2> const& b) {
     double least = far;
     for (auto const& [x, y] : {std::pair{&a, &b}, std::pair{&b, &a}}) {

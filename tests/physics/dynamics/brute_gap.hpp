@@ -1,4 +1,4 @@
-// The gap between two objects from every corner and every side: the reference for contacts.
+// The gap between two objects, computed from every corner and every side: the reference for contacts.
 #pragma once
 
 #include "physics/dynamics/properties/shape.hpp"

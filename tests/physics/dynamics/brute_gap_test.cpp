@@ -1,4 +1,4 @@
-// The reference for contacts, compared with shapes of known gap and with separations tried one by one.
+// The reference for contacts, compared with shapes of known gap and with sampled separations.
 #include "tests/physics/dynamics/brute_gap.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ double gapOf(ShapePiece const& a, ShapePiece const& b, Vec2 at, double angle = 0
     return bruteGap({first, {}, 0}, {second, at, angle}, skin);
 }
 
-TEST(BruteGap, OfShapesWhoseGapIsKnown) {
+TEST(BruteGap, AgreesWithKnownGaps) {
     constexpr double precise = 1e-12;
     EXPECT_NEAR(gapOf(circlePiece(0.3), circlePiece(0.2), {3, 4}), 4.5, precise);
     EXPECT_NEAR(gapOf(circlePiece(0.3), circlePiece(0.2), {0.3, 0.4}), 0, precise);
@@ -33,7 +33,7 @@ TEST(BruteGap, OfShapesWhoseGapIsKnown) {
     EXPECT_NEAR(gapOf(boxPiece(1, 1), circlePiece(0.2), {0.9, 0.8}), 0.3, precise);    // at a corner
     EXPECT_NEAR(gapOf(boxPiece(1, 1), circlePiece(0.2), {0.4, 0}), -0.3, precise);     // its centre inside
     EXPECT_NEAR(gapOf(boxPiece(1, 1), capsulePiece(2, 0.1), {0, 0.55}), -0.05, precise);
-    EXPECT_NEAR(gapOf(boxPiece(1, 1), capsulePiece(2, 0.1), {0, 0.3}), -0.3, precise); // all through it
+    EXPECT_NEAR(gapOf(boxPiece(1, 1), capsulePiece(2, 0.1), {0, 0.3}), -0.3, precise); // across the whole box
     EXPECT_NEAR(gapOf(capsulePiece(2, 0.1), capsulePiece(2, 0.1), {0, 0.5}), 0.3, precise);
     EXPECT_NEAR(gapOf(capsulePiece(2.2, 0.1), capsulePiece(2.2, 0.1), {0, 0.7}, pi / 2), -0.5, precise);
     EXPECT_NEAR(gapOf(boxPiece(1, 1), boxPiece(1, 1), {1.1, 0}, 0, 0.01), 0.08, precise);
@@ -47,8 +47,8 @@ TEST(BruteGap, OfACompoundIsThatOfItsNearestPieces) {
     EXPECT_NEAR(bruteGap({fork, {2, 0}, pi / 2}, {ball, {2, 0.4}, 0}), -0.05, 1e-12);
 }
 
-// Out of what it overlaps a piece gets on no shorter way, whatever the direction, and on one of this length.
-TEST(BruteGap, IsTheShortestWayOut) {
+// A displacement of this length separates overlapping pieces, and no shorter one does, in any direction.
+TEST(BruteGap, IsTheShortestSeparatingDisplacement) {
     ShapePiece const wedge = polygonPiece({{0, 0}, {0.4, 0.05}, {0.1, 0.4}});
     for (ShapePiece const& other : {boxPiece(0.3, 0.1), capsulePiece(0.5, 0.05), circlePiece(0.1), wedge}) {
         for (int turn = 0; turn < 12; ++turn) {

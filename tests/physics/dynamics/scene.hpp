@@ -1,4 +1,4 @@
-// Small worlds of rigid bodies for tests, with a constant gravity of their own.
+// Small worlds of rigid bodies for tests, with constant gravity.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"
@@ -86,7 +86,7 @@ public:
         bool trace = false;
         int threads = 1;
         DynamicsSettings solver = {};
-        void (*extend)(Registry&) = nullptr; ///< registers more
+        void (*extend)(Registry&) = nullptr; ///< registers further components
     };
     Scene() : Scene(Options{}) {}
     explicit Scene(Options options);

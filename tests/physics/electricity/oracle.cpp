@@ -110,7 +110,7 @@ bool Oracle::flowsFrom(ObjectId start, std::string const& network) const {
         }
     }
     if (from == sink) {
-        return false; // takes no part in this network
+        return false; // not part of this network
     }
     int flow = 0;
     while (true) {

@@ -1,4 +1,4 @@
-// Objects and the connections between them as the columns of electricity have them, without a world.
+// Objects and their connections in the columns of electricity, without a world.
 #pragma once
 
 #include "physics/electricity/core/circuit.hpp"
@@ -27,7 +27,7 @@ public:
     }
     [[nodiscard]] ElectricityColumns columns() const { return {graph, conductors, sources, returns}; }
     [[nodiscard]] NodalColumns nodal() const { return {resistances, emfs, ratings, fuses}; }
-    /// The circuit of that object; its names live as long as this does.
+    /// The circuit of that object; its names are valid as long as this object exists.
     [[nodiscard]] Circuit circuitOf(ObjectId seed) const {
         CircuitWalk walk;
         Circuit circuit;

@@ -21,8 +21,8 @@ TEST(LinearGravity, IsMassTimesAcceleration) {
     }
 }
 
-// Mars is one number in one place (3.3.3): changed in a running world, every weight changes with it.
-TEST(LinearGravity, FollowsTheOneNumberInTheOnePlace) {
+// Gravity is one number in one place (3.3.3): if it changes in a running world, every weight changes.
+TEST(LinearGravity, FollowsTheWorldsGravity) {
     MassWorld scene;
     scene.linear({0, -9.81});
     scene.mass(10);
@@ -33,7 +33,7 @@ TEST(LinearGravity, FollowsTheOneNumberInTheOnePlace) {
     EXPECT_DOUBLE_EQ(scene.world.find<GravityForce>()->forces[0].force.y, -37.2);
 }
 
-TEST(LinearGravity, SleepsWhileThingsOnlyMove) {
+TEST(LinearGravity, SleepsWhileBodiesOnlyMove) {
     MassWorld scene;
     scene.linear({0, -9.81});
     ObjectId const ball = scene.mass(1);

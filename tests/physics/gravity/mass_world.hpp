@@ -1,4 +1,4 @@
-// A world of masses that gravity pulls at and nothing moves.
+// A world of masses with forces of gravity, but without motion.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
@@ -23,7 +23,7 @@ inline Registry const& gravityOnly() {
     return registry;
 }
 
-/// Masses and a law of gravity, and nothing that moves them.
+/// Masses and a law of gravity, without Dynamics.
 struct MassWorld {
     explicit MassWorld(int threads = 1)
         : world(gravityOnly(), {.threads = threads, .detail = {}, .periods = {}}) {}

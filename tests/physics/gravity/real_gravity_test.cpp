@@ -17,7 +17,7 @@ TEST(RealGravity, IsNewtonsLawSoftenedAfterPlummer) {
     scene.mass(11, {-2, 1});
     auto const& forces = scene.forces();
     ASSERT_EQ(forces.size(), 3U);
-    // On the first: from the second, 5 m away, and from the third, sqrt(5) m away.
+    // The force on the first mass: from the second, 5 m away, and from the third, sqrt(5) m away.
     double const second = 2 * 5 * 7 / std::pow(25 + 0.09, 1.5);
     double const third = 2 * 5 * 11 / std::pow(5 + 0.09, 1.5);
     EXPECT_NEAR(forces[0].force.x, 3 * second - 2 * third, 1e-13);
@@ -25,13 +25,14 @@ TEST(RealGravity, IsNewtonsLawSoftenedAfterPlummer) {
 }
 
 // Two spheres of 1000 kg, 1 m apart: 6.6743e-5 N, Newton's constant as it is measured (CODATA 2018).
-TEST(RealGravity, HasTheRealConstantUnlessTheWorldSaysOtherwise) {
+TEST(RealGravity, HasTheRealConstantUnlessTheWorldStatesAnother) {
     MassWorld scene;
     scene.world.store().column<GravityLaw>().addDefault(scene.world.store().create("law"));
     scene.mass(1000, {0, 0});
     scene.mass(1000, {1, 0});
     double const plain = 6.6743e-11 * 1e6;
-    EXPECT_NEAR(scene.forces()[0].force.x, plain, 2e-4 * plain) << "the softening of 1 cm takes 0.015 %";
+    EXPECT_NEAR(scene.forces()[0].force.x, plain, 2e-4 * plain)
+        << "the softening of 1 cm reduces the force by 0.015 %";
 }
 
 TEST(RealGravity, ConservesMomentumAndExertsNoTorqueOnTheWhole) {
@@ -88,7 +89,7 @@ TEST(RealGravityParallel, IsTheSameBitsForAnyNumberOfThreads) {
     for (int const threads : {1, 2, 3, 8}) {
         MassWorld scene(threads);
         scene.real(1, 0.01);
-        scene.world.setDetail("gravity", "real"); // or so many masses would get a tree
+        scene.world.setDetail("gravity", "real"); // else so many masses would get the tree
         for (int i = 0; i < 3000; ++i) {
             scene.mass(1 + i % 7, {0.37 * (i % 60), 0.41 * (i / 60)});
         }

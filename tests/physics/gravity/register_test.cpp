@@ -1,4 +1,4 @@
-// The levels of gravity beside each other.
+// The detail levels of gravity together.
 #include "tests/physics/gravity/mass_world.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace trembler::test {
 namespace {
 
-TEST(GravityLevels, OfferTheSamePropertyAndAWorldWithALawMeansIt) {
+TEST(GravityLevels, OfferTheSamePropertyAndALawSelectsRealGravity) {
     MassWorld scene;
     scene.linear({0, -10});
     scene.real(1, 0.001);

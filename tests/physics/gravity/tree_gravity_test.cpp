@@ -48,7 +48,7 @@ std::vector<Vec2> forces(std::vector<Body> const& bodies, std::string const& lev
     return found;
 }
 
-TEST(TreeGravity, IsRealGravityWithinWhatTheOpeningAngleAllows) {
+TEST(TreeGravity, IsRealGravityWithinTheErrorOfTheOpeningAngle) {
     auto const bodies = galaxy(900);
     auto const real = forces(bodies, "real", 0);
     double before = 1;
@@ -81,7 +81,7 @@ TEST(TreeGravity, NearlyConservesMomentum) {
     }
 }
 
-TEST(TreeGravity, TakesOneMassAndManyInOnePlace) {
+TEST(TreeGravity, AcceptsOneMassAndManyInOnePlace) {
     EXPECT_EQ(forces({{5, {1, 2}}}, "tree", 0.5), (std::vector<Vec2>{{0, 0}}));
     std::vector<Body> heap(100, Body{1e9, {1, 1}});
     for (Vec2 const force : forces(heap, "tree", 0.5)) {
@@ -89,7 +89,7 @@ TEST(TreeGravity, TakesOneMassAndManyInOnePlace) {
     }
 }
 
-TEST(TreeGravity, IsPickedWhereThereAreManyMassesAndStepsAsideOnRequest) {
+TEST(TreeGravity, IsPickedForManyMassesUnlessAnotherLevelIsRequested) {
     auto const levelAtWork = [](int count, std::string const& asked) {
         World world(test::gravityOnly(), {.threads = 1, .detail = {}, .periods = {}});
         world.store().column<GravityLaw>().addDefault(world.store().create("law"));
@@ -123,7 +123,7 @@ TEST(TreeGravityParallel, IsTheSameBitsForAnyNumberOfThreads) {
     }
 }
 
-// The forces are a function of where the masses are, not of how their objects are numbered.
+// The forces depend on the positions of the masses, not on the ids of their objects.
 TEST(TreeGravity, DoesNotDependOnTheOrderOfObjects) {
     auto bodies = galaxy(900);
     auto first = forces(bodies, "tree", 0.5);

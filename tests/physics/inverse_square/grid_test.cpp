@@ -27,7 +27,7 @@ std::vector<Vec2> byGrid(Points const& sources, Points const& receivers, double 
     return totals;
 }
 
-/// In full up to `inner`, not at all from `cutoff` on, and by the smooth step 3t² - 2t³ in r² between.
+/// The window: 1 up to `inner`, 0 from `cutoff` on, and the smooth step 3t² - 2t³ in r² in between.
 std::vector<Sum> windowed(Points const& sources, Points const& receivers, double inner, double cutoff) {
     std::vector<Sum> sums(receivers.size());
     for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -57,7 +57,7 @@ std::vector<Sum> windowed(Points const& sources, Points const& receivers, double
 void expectSums(std::vector<Vec2> const& totals, std::vector<Sum> const& right) {
     ASSERT_EQ(totals.size(), right.size());
     for (std::size_t i = 0; i < right.size(); ++i) {
-        // Where the window has all but closed, its last digits are those of r².
+        // Where the window is nearly 0, its relative error is that of r².
         ASSERT_LE(length(totals[i] - right[i].total), 1e-11 * right[i].scale + 1e-12) << i;
     }
 }
@@ -72,18 +72,18 @@ TEST(InverseSquareGrid, IsTheSumWithinTheCutoff) {
     }
 }
 
-TEST(InverseSquareGrid, ReceiversMayBeElsewhereAndFarOutside) {
+TEST(InverseSquareGrid, ReceiversMayBeAnywhere) {
     Points const sources = cluster(300, 12, true);
     Points receivers;
     for (int i = -60; i <= 60; ++i) {
         receivers.add({3.0 * i, 2.5 * i - 7}, 1.5, 1e6 + i);
         receivers.add({1e9 * i, -1e12 * i}, 1, 2e6 + i); // beyond every square
     }
-    receivers.add(sources.at(5), 2, sources.owner[5]); // its own source is left out
+    receivers.add(sources.at(5), 2, sources.owner[5]); // the source of the same owner is left out
     expectSums(byGrid(sources, receivers, 6, 10), windowed(sources, receivers, 6, 10));
 }
 
-TEST(InverseSquareGrid, NoBitDependsOnTheOrderOfPointsOrOnRanges) {
+TEST(InverseSquareGrid, BitsDoNotDependOnTheOrderOfPointsOrOnRanges) {
     Points const points = cluster(300, 13, true);
     std::vector<Vec2> const first = byGrid(points, points, 4, 6);
     for (std::size_t const chunk : {1U, 3U, 64U}) {
@@ -103,8 +103,8 @@ TEST(InverseSquareGrid, NoBitDependsOnTheOrderOfPointsOrOnRanges) {
     }
 }
 
-// Two points that have moved a little farther apart than the cutoff feel nothing, exactly.
-TEST(InverseSquareGrid, BeyondTheCutoffIsExactlyNothingWhereverSquaresEnd) {
+// The force between two points slightly farther apart than the cutoff is exactly zero.
+TEST(InverseSquareGrid, BeyondTheCutoffIsExactlyZeroForAnySquares) {
     EXPECT_TRUE(rc::check("within: something; beyond: nothing", [] {
         auto const number = [](double low, double high) {
             return low + (high - low) * *rc::gen::inRange(0, 1000001) / 1e6;
@@ -123,7 +123,7 @@ TEST(InverseSquareGrid, BeyondTheCutoffIsExactlyNothingWhereverSquaresEnd) {
     }));
 }
 
-TEST(InverseSquareGrid, TakesNoSourcesAndAddsToWhatIsThere) {
+TEST(InverseSquareGrid, AcceptsNoSourcesAndAddsToExistingValues) {
     EXPECT_TRUE(byGrid({}, {}, 1, 2).empty());
     Points one;
     one.add({3, 4}, 2, 0);

@@ -20,7 +20,7 @@ TEST(InverseSquarePairs, AreThePlainSum) {
     }
 }
 
-TEST(InverseSquarePairs, TellHowStiffTheyAre) {
+TEST(InverseSquarePairs, ReturnTheStiffness) {
     Points const points = cluster(203, 1, true);
     auto const right = reference(points, points);
     std::vector<Vec2> totals(points.size());

@@ -37,7 +37,7 @@ inline Points cluster(std::size_t count, unsigned seed, bool bothSigns) {
 
 struct Sum {
     Vec2 total;
-    double scale = 0;     ///< sum of the absolute values of what was added
+    double scale = 0;     ///< sum of the absolute values of the summands
     double stiffness = 0; ///< sum of them, per distance
 };
 inline std::vector<Sum> reference(Points const& sources, Points const& receivers) {

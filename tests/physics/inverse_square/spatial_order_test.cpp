@@ -1,4 +1,4 @@
-// An order along a curve, against interleaving bits one by one.
+// An order along a curve, compared with interleaving single bits.
 #include "physics/inverse_square/spatial_order.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ namespace trembler::inverse_square {
 namespace spatial_order_test {
 namespace {
 
-/// Whether a comes before b on Morton's curve, found by halving the square, y first, until they part.
+/// Whether a comes before b on Morton's curve, found by halving the square, y first, until they are in
+/// different halves.
 bool before(Vec2 a, Vec2 b, Vec2 low, double extent) {
     for (int level = 0; level < 32; ++level) {
         extent /= 2;
@@ -31,7 +32,7 @@ bool before(Vec2 a, Vec2 b, Vec2 low, double extent) {
     return false;
 }
 
-TEST(SpatialOrder, IsThatOfSquaresHalvedAgainAndAgain) {
+TEST(SpatialOrder, IsThatOfRepeatedlyHalvedSquares) {
     EXPECT_TRUE(rc::check("the same as by halving", [] {
         // Whole numbers in a square of 1024, whose halves are exact.
         Points points;
@@ -63,7 +64,7 @@ TEST(SpatialOrder, IsThatOfSquaresHalvedAgainAndAgain) {
     }));
 }
 
-TEST(SpatialOrder, DoesNotKnowInWhichOrderThePointsCame) {
+TEST(SpatialOrder, DoesNotDependOnTheOrderOfPoints) {
     EXPECT_TRUE(rc::check("sorted points are the same points", [] {
         std::vector<std::array<int, 4>> all =
             *rc::gen::container<std::vector<std::array<int, 4>>>(rc::gen::apply(
@@ -91,7 +92,7 @@ TEST(SpatialOrder, DoesNotKnowInWhichOrderThePointsCame) {
     }));
 }
 
-TEST(SpatialOrder, TakesNoneOneInOnePlaceAndWhatIsNoNumber) {
+TEST(SpatialOrder, AcceptsNoPointOnePointAndNonFiniteNumbers) {
     std::vector<Ordered> order{{7, 7}};
     orderAlongCurve({}, order);
     EXPECT_TRUE(order.empty());
@@ -102,7 +103,8 @@ TEST(SpatialOrder, TakesNoneOneInOnePlaceAndWhatIsNoNumber) {
     orderAlongCurve(heap, order);
     ASSERT_EQ(order.size(), 5U);
     for (std::size_t i = 0; i < 5; ++i) {
-        EXPECT_EQ(heap.owner[order[i].row], static_cast<double>(i)) << "by owner where all else is equal";
+        EXPECT_EQ(heap.owner[order[i].row], static_cast<double>(i))
+            << "ordered by owner if all else is equal";
     }
     Points line;
     for (int i = 0; i < 100; ++i) {

@@ -37,8 +37,9 @@ double error(std::vector<Vec2> const& totals, std::vector<Sum> const& right) {
     return std::sqrt(wrong / all);
 }
 
-// Far clusters count with all of their weights: what cancels in the force does not cancel in how it varies.
-TEST(InverseSquareTree, TellsHowStiffItIs) {
+// Far clusters count with the sum of their absolute weights: weights that cancel in the force do not cancel
+// in its stiffness.
+TEST(InverseSquareTree, ReturnsTheStiffness) {
     Points const points = cluster(1500, 4, true);
     auto const right = reference(points, points);
     for (double const angle : {0.0, 0.35}) {
@@ -54,14 +55,14 @@ TEST(InverseSquareTree, TellsHowStiffItIs) {
     }
 }
 
-TEST(InverseSquareTree, AtAngleZeroIsEveryPair) {
+TEST(InverseSquareTree, AtAngleZeroIsTheSumOverAllPairs) {
     for (bool const signs : {false, true}) {
         Points const points = cluster(700, 3, signs);
         expectAllPairs(byTree(points, points, 0, false), reference(points, points));
     }
 }
 
-TEST(InverseSquareTree, ErrsLessTheSmallerTheAngle) {
+TEST(InverseSquareTree, SmallerAnglesHaveSmallerErrors) {
     for (bool const signs : {false, true}) {
         Points const points = cluster(1500, 4, signs);
         auto const right = reference(points, points);
@@ -93,7 +94,7 @@ TEST(InverseSquareTree, OneClustersErrorFallsWithTheCubeOfItsDistance) {
     }
 }
 
-TEST(InverseSquareTree, DoesNotKnowInWhichOrderThePointsCame) {
+TEST(InverseSquareTree, DoesNotDependOnTheOrderOfPoints) {
     Points const points = cluster(700, 6, true);
     std::vector<Vec2> const first = byTree(points, points, 0.6, false);
     std::vector<std::size_t> order(points.size());
@@ -112,9 +113,9 @@ TEST(InverseSquareTree, DoesNotKnowInWhichOrderThePointsCame) {
     }
 }
 
-// Both poles of a long bar belong to one owner: however far apart, one never feels the other, not even as a
+// Both poles of a long bar belong to one owner: at any distance, one never acts on the other, not even as a
 // part of a cluster.
-TEST(InverseSquareTree, LeavesOutWhatBelongsToTheReceiversOwner) {
+TEST(InverseSquareTree, LeavesOutSourcesOfTheReceiversOwner) {
     Points points = cluster(600, 8, true);
     for (std::size_t i = 0; i < points.size(); ++i) {
         points.owner[i] = static_cast<double>(i % 300); // its twin is far away, in another cluster
@@ -127,7 +128,7 @@ TEST(InverseSquareTree, LeavesOutWhatBelongsToTheReceiversOwner) {
     expectAllPairs(byTree(points, points, 0, true), right);
 }
 
-TEST(InverseSquareTree, TakesPointsInOnePlaceNoneAndOne) {
+TEST(InverseSquareTree, AcceptsPointsInOnePlaceNoPointAndOnePoint) {
     EXPECT_TRUE(byTree({}, {}, 0.5, false).empty());
     Points one;
     one.add({3, 4}, 2, 0);

@@ -18,8 +18,7 @@ namespace trembler::test {
 /// A switch of an electromagnet that the test operates, instead of electricity.
 struct Switch {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Switch", "test_switch",
-                                       "Whether somebody keeps the magnet on, for tests."};
+    static constexpr PropertyText text{"Switch", "test_switch", "Whether the magnet is kept on, for tests."};
     bool on = false;
 
     template <class Self, class Visitor>
@@ -87,7 +86,7 @@ public:
     [[nodiscard]] std::vector<MagneticForce::Entry> const& forces() const {
         return world.find<MagneticForce>()->forces;
     }
-    /// In N, over all poles and the centre of an object.
+    /// The force in N, summed over all poles and the centre of an object.
     [[nodiscard]] Vec2 force(ObjectId id) const {
         Vec2 sum;
         for (MagneticForce::Entry const& entry : forces()) {

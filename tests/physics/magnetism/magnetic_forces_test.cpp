@@ -25,7 +25,7 @@ std::pair<long double, long double> coulomb(Point const& on, Point const& from) 
     long double const dy = on.y - from.y;
     long double const d = std::sqrt(dx * dx + dy * dy + 0.05L * 0.05L);
     long double const strength = 1e-7L * on.q * from.q / (d * d); // along the line to the raised point
-    return {strength * dx / d, strength * dy / d};                // like signs push away
+    return {strength * dx / d, strength * dy / d};                // like poles repel
 }
 std::vector<Point> polesOf(Vec2 at, double angle, double q, MagneticPoles const& poles) {
     std::vector<Point> all;
@@ -62,7 +62,7 @@ TEST(MagneticForces, OfTwoBarMagnetsIsTheSumOverTheirPoles) {
             y += fy;
         }
     }
-    EXPECT_GT(std::hypot(x, y), 1e-3L) << "a force worth testing";
+    EXPECT_GT(std::hypot(x, y), 1e-3L) << "the force must be large enough to test";
     expectNear(magnets.force(a), x, y, 1e-12);
     expectNear(magnets.force(b), -x, -y, 1e-12);
 }
@@ -110,7 +110,7 @@ TEST(MagneticForces, AttractSoftIronToEitherPole) {
         EXPECT_NEAR(magnets.force(iron).y, -pull, 1e-15);
         EXPECT_NEAR(magnets.force(magnet).y, pull, 1e-15);
     }
-    // Of a bar's poles the nearer one is not pushed off by the other's sign: both pull.
+    // Both poles of a bar attract iron, whatever their sign.
     MagnetWorld magnets;
     magnets.magnet({0, 0}, 0, 1000, barPoles(0.4));
     ObjectId const iron = magnets.soft({1, 0}, 200);
@@ -120,7 +120,7 @@ TEST(MagneticForces, AttractSoftIronToEitherPole) {
     EXPECT_NEAR(magnets.force(iron).x, -(near + far), 1e-15);
 }
 
-TEST(MagneticForces, LeaveSoftIronAmongItselfAndMagnetsByThemselvesAlone) {
+TEST(MagneticForces, AreZeroBetweenSoftIronsAndForASingleMagnet) {
     MagnetWorld irons;
     irons.soft({0, 0}, 100);
     irons.soft({0.3, 0}, 100);
@@ -128,12 +128,13 @@ TEST(MagneticForces, LeaveSoftIronAmongItselfAndMagnetsByThemselvesAlone) {
     irons.run(1);
     EXPECT_TRUE(irons.forces().empty());
     MagnetWorld alone;
-    ObjectId const magnet = alone.magnet({0, 0}, 0, 1000, barPoles(0.4), 500); // a magnet of soft iron itself
+    ObjectId const magnet =
+        alone.magnet({0, 0}, 0, 1000, barPoles(0.4), 500); // a magnet that is also soft iron
     alone.run(1);
     EXPECT_EQ(alone.force(magnet), (Vec2{0, 0}));
 }
 
-TEST(MagneticForces, ActAtThePolesAndAtTheCentreOfWhatHasNone) {
+TEST(MagneticForces, ActAtThePolesAndElseAtTheCentre) {
     MagnetWorld magnets;
     ObjectId const bar = magnets.magnet({1, 2}, pi / 2, 1000, barPoles(0.4));
     ObjectId const iron = magnets.soft({5, 5}, 10);
@@ -142,13 +143,13 @@ TEST(MagneticForces, ActAtThePolesAndAtTheCentreOfWhatHasNone) {
     ASSERT_EQ(forces.size(), 3U);
     EXPECT_EQ(forces[0].object, bar);
     EXPECT_NEAR(forces[0].point.x, 1, 1e-15);
-    EXPECT_NEAR(forces[0].point.y, 2.2, 1e-15); // its north, turned by a quarter
+    EXPECT_NEAR(forces[0].point.y, 2.2, 1e-15); // its north pole, turned by a quarter
     EXPECT_NEAR(forces[1].point.y, 1.8, 1e-15);
     EXPECT_EQ(forces[2].object, iron);
     EXPECT_EQ(forces[2].point, (Vec2{5, 5}));
 }
 
-// Newton's third law in full: no set of magnets and irons pushes or turns itself as a whole.
+// Newton's third law: the total force and torque of any set of magnets and irons are zero.
 TEST(MagneticForces, ActionEqualsReaction) {
     EXPECT_TRUE(rc::check([] {
         auto const number = [](double low, double high) {
@@ -166,7 +167,7 @@ TEST(MagneticForces, ActionEqualsReaction) {
             case 1:
                 magnets.magnet(at, number(-3, 3), number(0, 1e4), {poles, {0.2, 0.1}, {-0.3, 0}});
                 break;
-            default: // attracted as iron is, besides
+            default: // also attracted like iron
                 magnets.magnet(at, number(-3, 3), number(0, 1e4), {poles, {0.2, 0}, {-0.2, 0}},
                                number(0, 1000));
                 break;
@@ -213,7 +214,7 @@ TEST(MagneticForces, AreSoftenedAsDocumented) {
         EXPECT_GE(shareOfInverseSquare(r), 0.99) << r;
         EXPECT_LT(shareOfInverseSquare(r), 1 + 1e-15) << r;
     }
-    // The strongest pull is at s / sqrt(2), from where it falls to both sides.
+    // The force is greatest at s / sqrt(2), and falls on both sides.
     double const peak = magneticSoftening / std::sqrt(2.0);
     double const strongest = length(poleForce({peak, 0}, 1, 1));
     for (double r = 0; r < 1; r += 0.001) {
@@ -221,7 +222,7 @@ TEST(MagneticForces, AreSoftenedAsDocumented) {
     }
 }
 
-TEST(MagneticForces, DoNotDependOnTheOrderInWhichThingsWerePlaced) {
+TEST(MagneticForces, DoNotDependOnTheOrderOfPlacing) {
     auto const forceOnMiddle = [](bool reversed) {
         MagnetWorld magnets;
         ObjectId middle;
@@ -240,12 +241,12 @@ TEST(MagneticForces, DoNotDependOnTheOrderInWhichThingsWerePlaced) {
     EXPECT_NEAR(length(forceOnMiddle(true) - forceOnMiddle(false)), 0, 1e-15);
 }
 
-// The sum for every pole is its own, in the order of objects: not a bit may depend on threads.
+// The sum for each pole is separate, in the order of objects: no bit may depend on threads.
 TEST(MagneticForcesParallel, OfThreeThousandPolesAreTheSameBitsForAnyNumberOfThreads) {
     std::vector<MagneticForce::Entry> first;
     for (int const threads : {1, 2, 3, 8}) {
         MagnetWorld magnets(threads);
-        magnets.world.setDetail("magnetism", "pairwise"); // or so many magnets would get a tree
+        magnets.world.setDetail("magnetism", "pairwise"); // else so many magnets would get the tree
         for (int i = 0; i < 1500; ++i) {
             Vec2 const at{0.37 * (i % 40), 0.41 * (i / 40)};
             magnets.magnet(at, 0.1 * i, 100 + i, barPoles(0.2));

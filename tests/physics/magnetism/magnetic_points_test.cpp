@@ -1,4 +1,4 @@
-// Magnets and irons as points, their forces by formulas, and the rates at which they swing things.
+// Magnets and irons as points, their forces by formulas, and the rates of these forces.
 #include "physics/inverse_square/kernels.hpp"
 #include "physics/magnetism/magnetic_points.hpp"
 
@@ -30,7 +30,7 @@ struct Things {
     [[nodiscard]] MagneticColumns columns() const {
         return {positions, rotations, velocities, spins, masses, shapes, poleSets, strengths, magnets};
     }
-    /// Every pair, as the pairwise level adds them.
+    /// The sum over every pair, as in the pairwise level.
     MagneticForce forces(double lag = 0) {
         points.gather(columns(), lag);
         for (Sums const sum : {Sums::polesOnPoles, Sums::softOnPoles, Sums::polesOnSoft}) {
@@ -83,7 +83,7 @@ TEST(PoleForce, IsTheSlopeOfASoftenedPotential) {
                          (energy(r + Vec2{0, step}) - energy(r - Vec2{0, step})) / (2 * step)};
         RC_ASSERT(length(poleForce(r, q1, q2) - slope) < 1e-4);
     }));
-    EXPECT_NEAR(poleForce({3, 0}, 1e4, 1e4).x, -1e-7 * 1e8 / 9, 1e-3) << "like poles part";
+    EXPECT_NEAR(poleForce({3, 0}, 1e4, 1e4).x, -1e-7 * 1e8 / 9, 1e-3) << "like poles repel";
     EXPECT_EQ(poleForce({}, 1e4, 1e4), (Vec2{}));
 }
 
@@ -117,7 +117,7 @@ TEST(MagneticPoints, ActionIsReactionAndNothingActsOnItself) {
     }
 }
 
-TEST(MagneticPoints, PolesStandWhereTheirObjectsHoldThemAndIronAtItsCentreOfMass) {
+TEST(MagneticPoints, PolesMoveWithTheirObjectsAndIronIsAtItsCentreOfMass) {
     Things things;
     double const quarter = std::acos(-1.0) / 2;
     ObjectId const magnet = things.thing({1, 2}, quarter, 100, 0, {PoleSet::both, {0.5, 0}, {-0.25, 0}});
@@ -132,7 +132,7 @@ TEST(MagneticPoints, PolesStandWhereTheirObjectsHoldThemAndIronAtItsCentreOfMass
     EXPECT_EQ(forces[2].object, north);
     EXPECT_EQ(forces[3].object, iron);
     EXPECT_NEAR(length(forces[3].point - Vec2{5, 5.5}), 0, 1e-12);
-    // A magnet that is off, half off, or has no strength.
+    // A magnet that is off, partly on, or has no strength.
     things.magnets.set(magnet, Magnet{false, 0});
     EXPECT_EQ(things.forces().forces.size(), 2U);
     Vec2 const full = things.forces().forces[1].force;
@@ -143,8 +143,8 @@ TEST(MagneticPoints, PolesStandWhereTheirObjectsHoldThemAndIronAtItsCentreOfMass
     EXPECT_FALSE(things.points.active());
 }
 
-// Points are taken where their objects will be, but the forces act where they are; nothing is taken further
-// ahead than half a softening length.
+// Points are taken at the future places of their objects, but the forces act at the present ones; the shift
+// is at most half a softening length.
 TEST(MagneticPoints, LookAheadByTheirLag) {
     Things things;
     ObjectId const moving = things.thing({}, 0, 1000, 0, {PoleSet::north, {}, {}});
@@ -156,7 +156,7 @@ TEST(MagneticPoints, LookAheadByTheirLag) {
     EXPECT_NEAR(ahead[0].force.x, poleForce({1 - 0.02, 0}, 1000, -1000).x, 1e-12);
     things.velocities.set(moving, {{2000, 0}});
     EXPECT_NEAR(things.forces(lag).forces[0].force.x, poleForce({1 - 0.025, 0}, 1000, -1000).x, 1e-12);
-    // What turns, turns about its centre of mass.
+    // A rotating body turns about its centre of mass.
     Things bars;
     ObjectId const needle = bars.thing({}, 0, 1000, 0, bar(0.5));
     bars.spins.set(needle, {10});
@@ -167,18 +167,18 @@ TEST(MagneticPoints, LookAheadByTheirLag) {
 }
 
 // A free north pole in the field of a fixed south pole at its side: k = q q' µ/4π / r³ across the line.
-TEST(MagneticPoints, RatesAreThoseOfTheSwing) {
+TEST(MagneticPoints, RatesAreThoseOfTheOscillation) {
     Things things;
     ObjectId const bob = things.thing({}, 0, 1000, 0, {PoleSet::north, {}, {}});
     static_cast<void>(things.thing({1, 0}, 0, 2000, 0, {PoleSet::south, {}, {}}));
-    EXPECT_TRUE(things.forces().rates.empty()) << "nobody has a mass";
+    EXPECT_TRUE(things.forces().rates.empty()) << "without masses there are no rates";
     things.masses.set(bob, {0.1});
     auto const rates = things.forces().rates;
     ASSERT_EQ(rates.size(), 1U);
     EXPECT_EQ(rates[0].object, bob);
     double const stiffness = 1e-7 * 1000 * 2000 / std::pow(1 + 0.05 * 0.05, 1.5);
     EXPECT_NEAR(rates[0].rate, std::sqrt(stiffness / 0.1), 1e-9);
-    // Off the centre of mass it turns as well: 1/m + a²/I, I = m r²/2 of a disc.
+    // Off the centre of mass the force also turns it: 1/m + a²/I, I = m r²/2 of a disc.
     things.shapes.set(bob, Shape{{circlePiece(0.2)}});
     things.poleSets.set(bob, {PoleSet::north, {0, 0.3}, {}});
     things.positions.set(bob, {{0, -0.3}});
@@ -200,7 +200,7 @@ TEST(MagneticPoints, EachForceNamesTheSwitchOfTheStrongestMagnet) {
     EXPECT_EQ(found.forces[0].cause, EventId{12}) << "the nearer one";
     EXPECT_EQ(found.forces[1].cause, EventId{12}) << "each pole is pushed by the other";
     EXPECT_EQ(found.forces[2].cause, EventId{11});
-    EXPECT_EQ(things.forces().forces[0].cause, EventId{}) << "nobody traces";
+    EXPECT_EQ(things.forces().forces[0].cause, EventId{}) << "without tracing there are no causes";
 }
 
 } // namespace

@@ -29,9 +29,9 @@ TEST(Magnetics, PermanentMagnetsAreOnFromTheStart) {
     magnets.run(1);
     EXPECT_TRUE(on(magnets, bar));
     EXPECT_EQ(level(magnets, bar), 1);
-    EXPECT_EQ(magnets.world.find<Magnet>(iron), nullptr) << "what has no poles is no magnet";
+    EXPECT_EQ(magnets.world.find<Magnet>(iron), nullptr) << "an object without poles is not a magnet";
     EXPECT_FALSE(on(magnets, coil));
-    EXPECT_EQ(level(magnets, coil), 0) << "no electricity, no magnet";
+    EXPECT_EQ(level(magnets, coil), 0) << "off without electricity";
     magnets.run(100);
     EXPECT_EQ(level(magnets, bar), 1);
 }
@@ -48,13 +48,13 @@ TEST(Magnetics, AnElectromagnetIsOnOneFrameAfterTheCall) {
     magnets.run(1);
     EXPECT_TRUE(on(magnets, coil));
     EXPECT_EQ(level(magnets, coil), 1);
-    EXPECT_LT(magnets.force(iron).y, 0) << "the force stands in the same frame";
+    EXPECT_LT(magnets.force(iron).y, 0) << "the force is computed in the same frame";
     magnets.run(50); // the call is held while its interaction sleeps
     EXPECT_TRUE(on(magnets, coil));
     EXPECT_EQ(level(magnets, coil), 1);
 }
 
-TEST(Magnetics, CoolingDownTakesExactlyAsManyFramesAsTheCoilSays) {
+TEST(Magnetics, CoolingDownTakesExactlyTheFramesOfTheCoil) {
     for (int frames = 1; frames <= 600; ++frames) {
         MagnetWorld magnets;
         ObjectId const coil = magnets.electromagnet({0, 0}, frames);
@@ -62,7 +62,7 @@ TEST(Magnetics, CoolingDownTakesExactlyAsManyFramesAsTheCoilSays) {
         magnets.run(2);
         ASSERT_EQ(level(magnets, coil), 1);
         flip(magnets, coil, false);
-        magnets.run(1); // nobody calls any more
+        magnets.run(1); // no further calls
         ASSERT_EQ(level(magnets, coil), 1);
         for (int left = frames - 1; left >= 0; --left) {
             magnets.run(1);
@@ -96,7 +96,7 @@ TEST(Magnetics, TheForceFallsWithTheLevel) {
     EXPECT_TRUE(magnets.forces().empty());
 }
 
-TEST(Magnetics, SwitchingOnAgainWhileCoolingIsAtOnceAtFullStrength) {
+TEST(Magnetics, SwitchingOnWhileCoolingRestoresFullStrengthAtOnce) {
     MagnetWorld magnets;
     ObjectId const coil = magnets.electromagnet({0, 0}, 10);
     flip(magnets, coil, true);
@@ -110,7 +110,7 @@ TEST(Magnetics, SwitchingOnAgainWhileCoolingIsAtOnceAtFullStrength) {
     EXPECT_EQ(level(magnets, coil), 1);
 }
 
-TEST(Magnetics, SleepOnceEverythingHasCooledDown) {
+TEST(Magnetics, SleepsOnceAllMagnetsHaveCooledDown) {
     MagnetWorld magnets;
     ObjectId const coil = magnets.electromagnet({0, 0}, 4);
     flip(magnets, coil, true);

@@ -12,7 +12,7 @@ namespace torque_test {
 namespace {
 
 // Equal and opposite torques on two free bodies: their relative speed changes as that of one body would.
-TEST(ReducedInertia, IsWhatARelativeTurningFeels) {
+TEST(ReducedInertia, IsTheInertiaOfARelativeRotation) {
     double const a = 0.3;
     double const b = 1.7;
     double const torque = 2.5;
@@ -35,7 +35,7 @@ TEST(MotorTorque, IsAStraightLineThatNeverOvershoots) {
         double const after = speed + torque / inertia / 60;
         RC_ASSERT((idle - after) * (idle - speed) >= -1e-9); // never beyond
         RC_ASSERT(std::abs(torque) <= std::abs(motor.torque * (1 - speed / idle)) + 1e-9);
-        if (inertia * 60 * motor.idleSpeed >= std::abs(motor.torque)) { // heavy enough: the very line
+        if (inertia * 60 * motor.idleSpeed >= std::abs(motor.torque)) { // heavy enough to follow the line
             RC_ASSERT(std::abs(torque - motor.torque * (1 - speed / idle)) < 1e-6);
         }
     }));

@@ -104,7 +104,7 @@ public:
     void apply(Access& access) {
         for (WindForce::Entry const& entry : access.read<WindForce>().forces) {
             access.call(AddForce{entry.object, entry.force});
-            access.call(TellRate{entry.object, entry.rate});
+            access.call(StateRate{entry.object, entry.rate});
         }
     }
 };
@@ -130,8 +130,8 @@ TEST(ExampleEffect, BlowsASailUpToTheSpeedOfTheWind) {
     for (int frame = 0; frame < 60 * 600; ++frame) {
         world.step();
         if (frame == 1) {
-            double const told = 2 * 0.5 * 1.2 * 2 * 10 / world.find<Mass>(boat)->value;
-            EXPECT_NEAR(world.find<ForceRates>()->greatest, told, 1e-3 * told);
+            double const stated = 2 * 0.5 * 1.2 * 2 * 10 / world.find<Mass>(boat)->value;
+            EXPECT_NEAR(world.find<ForceRates>()->greatest, stated, 1e-3 * stated);
         }
     }
     // m dv/dt = c (w - v)²  gives  v = w (1 - 1 / (1 + c w t / m)),  c = half density times drag area.
@@ -142,7 +142,7 @@ TEST(ExampleEffect, BlowsASailUpToTheSpeedOfTheWind) {
     EXPECT_NE(notationText(registry).find("(Dynamics <- Wind) Interaction"), std::string::npos);
 }
 
-TEST(ExampleEffect, IsAbsentWhereNothingCallsForIt) {
+TEST(ExampleEffect, IsAbsentWithoutItsProperties) {
     Registry registry;
     registerEverything(registry);
     registerWind(registry);

@@ -1,6 +1,7 @@
 // The rate of forces that each effect states, compared with the oscillation or decay of bodies.
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/depth.hpp"
+#include "physics/dynamics/calls.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/force_rates.hpp"
 #include "physics/dynamics/properties/settings.hpp"
@@ -17,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 namespace trembler {
 namespace {
@@ -100,7 +102,7 @@ TEST_F(EffectRates, OfGravityAreTheMeanMotionOnAnOrbit) {
         world().setDetail("gravity", level);
         run(2);
         // No force acts in the first frames, in which the planet flies straight on and gets farther away.
-        // What is told in a frame is in force in the next one.
+        // Rates stated in a frame hold in the next one.
         Vec2 const apart = world().find<Position>(planet)->value - world().find<Position>(star)->value;
         run(1);
         EXPECT_NEAR(rates().greatest, std::sqrt(125 / std::pow(length(apart), 3)), 2e-5) << level;
@@ -113,7 +115,7 @@ TEST_F(EffectRates, OfGravityAreTheMeanMotionOnAnOrbit) {
 }
 
 // Opposite poles, one in the other, are a spring of stiffness µ0/4π q² / s³.
-TEST_F(EffectRates, OfMagnetsAreTheirSwing) {
+TEST_F(EffectRates, OfMagnetsAreTheirOscillation) {
     auto const pole = [&](char const* name, Vec2 at, PoleSet which) {
         ObjectId const id = body(name, circlePiece(0.05), at, 2);
         give(id, MagneticStrength{.strength = 500, .susceptibility = 0});
@@ -137,8 +139,8 @@ TEST_F(EffectRates, OfMagnetsAreTheirSwing) {
     EXPECT_EQ(rates().unforeseen, rates().greatest);
 }
 
-// A pole far out on a bar turns it more easily than it moves it.
-TEST_F(EffectRates, OfMagnetsCountTheirTurning) {
+// A pole far out on a bar turns the bar more easily than it moves it.
+TEST_F(EffectRates, OfMagnetsIncludeTheirRotation) {
     auto const bar = [&](char const* name, Vec2 at) {
         ObjectId const id = body(name, boxPiece(0.4, 0.02), at, 1);
         give(id, MagneticStrength{.strength = 300, .susceptibility = 0});
@@ -160,8 +162,9 @@ TEST_F(EffectRates, OfMagnetsCountTheirTurning) {
     EXPECT_LE(told, 1.8 * turning);
 }
 
-// A float of draught d bobs with ω² = g / d; one that does not lean says no more than √3 of it.
-TEST_F(EffectRates, OfFloatsAreTheirBobbing) {
+// A float of draught d oscillates with ω² = g / d; for an upright one the stated rate is at most √3 times
+// that.
+TEST_F(EffectRates, OfFloatingBodiesAreTheirOscillation) {
     for (double const g : {9.81, 1.62}) {
         World one(registry);
         Store& all = one.store();
@@ -200,7 +203,7 @@ TEST_F(EffectRates, OfTheHandAreItsSpring) {
 }
 
 // I dω/dt = τ (1 - ω/ω0): it nears its idling speed at the rate τ / (I ω0).
-TEST_F(EffectRates, OfMotorsAreHowFastTheyRunUp) {
+TEST_F(EffectRates, OfMotorsAreTheirRatesOfRunningUp) {
     ObjectId const rotor = body("rotor", circlePiece(0.5), {0, 0}, 8); // I = 1 kg m²
     ObjectId const plus = store().create("plus");
     ObjectId const minus = store().create("minus");
@@ -214,10 +217,115 @@ TEST_F(EffectRates, OfMotorsAreHowFastTheyRunUp) {
     ASSERT_EQ(connectInitially(store(), rotor, minus), std::nullopt);
     run(3);
     EXPECT_NEAR(rates().greatest, 0.25, 1e-12);
-    EXPECT_EQ(rates().swinging, 0) << "it runs up, and swings by nothing";
+    EXPECT_EQ(rates().swinging, 0) << "a motor that runs up does not oscillate";
     store().column<ElectricMotor>().set(rotor, {3, 0, {}});
     run(2);
     EXPECT_EQ(rates(), (ForceRates{})) << "a constant torque";
+}
+
+struct CallsMade {
+    bool force = false;
+    bool rate = false;
+};
+
+/// Runs a new instance of every interaction that calls Dynamics, on the world as it is, and notes which calls
+/// it makes. The world's own interactions and calls stay as they are.
+void noteCalls(World& world, Registry const& registry, std::map<std::string, CallsMade>& all) {
+    Executor executor(1);
+    for (Registration const& registration : registry.components()) {
+        ComponentInfo const& info = *registration.info;
+        if (info.kind != ComponentKind::interaction || info.role != std::type_index(typeid(DynamicsRole))) {
+            continue;
+        }
+        Callers callers;
+        Channels channels(callers);
+        std::unique_ptr<Component> const component = registration.make();
+        component->bind(world.store(), channels);
+        FrameContext context;
+        context.executor = &executor;
+        context.store = &world.store();
+        component->run(context);
+        CallsMade& made = all[std::string(info.text.name)];
+        auto const force = [&made](auto const&, CallOrigin const&) { made.force = true; };
+        Channel<DynamicsRole> const& channel = channels.of<DynamicsRole>();
+        channel.forCalls<AddForce>(force);
+        channel.forCalls<AddForceToPoint>(force);
+        channel.forCalls<AddTorque>(force);
+        channel.forCalls<AddDrag>(force);
+        channel.forCalls<StateRate>([&made](auto const&, CallOrigin const&) { made.rate = true; });
+    }
+}
+
+// Over the registry, so that an interaction of a new effect is tested as well.
+TEST_F(EffectRates, AreReportedByEveryInteractionThatAddsAForce) {
+    std::map<std::string, std::string> const reasons{
+        {"Dynamics <- Buoyancy", "(Dynamics <- Liquid Drag) reports it with the resistance that looks ahead"},
+        {"Dynamics <- Generators", "the torque is constant, and never turns the rotor back"},
+    };
+    std::map<std::string, CallsMade> calls;
+
+    // A float, for the interactions of buoyancy.
+    World wet(registry);
+    Store& all = wet.store();
+    all.column<GravityField>().set(all.create("world"), {{0, -9.81}});
+    ObjectId const sea = all.create("sea");
+    all.column<Shape>().set(sea, {{boxPiece(20, 10)}});
+    all.column<Position>().set(sea, {{0, -5}});
+    all.column<Density>().set(sea, {1000});
+    all.column<Liquid>().set(sea, {0, 0, {}});
+    ObjectId const raft = all.create("raft");
+    all.column<Shape>().set(raft, {{boxPiece(3, 1)}});
+    all.column<Position>().set(raft, {{0, 0}});
+    all.column<Density>().set(raft, {500});
+    wet.start();
+    for (int frame = 0; frame < 30; ++frame) {
+        wet.step();
+    }
+    noteCalls(wet, registry, calls);
+
+    // Two masses, two magnetic poles, a motor, a generator and the hand, for the others.
+    body("star", circlePiece(0.2), {100, 0}, 1e6);
+    body("planet", circlePiece(0.1), {105, 0}, 1);
+    GravityLaw law;
+    law.constant = 125e-6;
+    give(settings, law);
+    world().setDetail("gravity", "real");
+    for (auto const& [name, x, which] :
+         {std::tuple{"north", 0.0, PoleSet::north}, std::tuple{"south", 0.12, PoleSet::south}}) {
+        ObjectId const id = body(name, circlePiece(0.05), {x, 0}, 2);
+        give(id, MagneticStrength{.strength = 500, .susceptibility = 0});
+        give(id, MagneticPoles{.poles = which, .north = {}, .south = {}});
+    }
+    ObjectId const plus = store().create("plus");
+    ObjectId const minus = store().create("minus");
+    ObjectId const motor = body("motor", circlePiece(0.5), {10, 0}, 8);
+    ObjectId const generator = body("generator", circlePiece(0.5), {20, 0}, 8);
+    for (ObjectId const id : {plus, minus, motor, generator}) {
+        give(id, Conductor{});
+    }
+    give(plus, ElectricalSource{});
+    give(minus, ElectricalReturn{});
+    give(motor, ElectricMotor{3, 12, {}});
+    give(generator, Generator{.source = plus, .speed = 1, .braking = 1});
+    give(generator, AngularVelocity{5});
+    for (ObjectId const id : {motor, generator}) {
+        ASSERT_EQ(connectInitially(store(), plus, id), std::nullopt);
+        ASSERT_EQ(connectInitially(store(), id, minus), std::nullopt);
+    }
+    ObjectId const box = body("box", boxPiece(0.5, 0.5), {30, 0}, 3);
+    run(1);
+    world().feed({.kind = PlayerInput::Kind::grab, .object = box, .other = {}, .at = {30, 0.1}});
+    run(3);
+    noteCalls(world(), registry, calls);
+
+    EXPECT_GE(calls.size(), 7U);
+    for (auto const& [name, made] : calls) {
+        EXPECT_TRUE(made.force) << name << " adds no force in these scenes; add what makes it act";
+        EXPECT_NE(made.rate, reasons.contains(name)) << name << ": expected a rate, or a reason for none";
+    }
+    for (auto const& [name, why] : reasons) {
+        EXPECT_TRUE(calls.contains(name)) << name << " is listed, but not registered";
+    }
 }
 
 } // namespace

@@ -15,7 +15,7 @@
 namespace trembler {
 namespace {
 
-// What 6.13.2 prints of Buoyancy, over the real properties of the other effects.
+// The Buoyancy of 6.13.2, with the real properties of the other effects.
 struct TestLiquid {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Liquid", "test_liquid",
@@ -66,7 +66,7 @@ TEST_F(RealSchedule, PassesAllRules) {
     EXPECT_NO_THROW(registry.check());
 }
 
-TEST_F(RealSchedule, RunsElectricityAndMagneticsBesideEachOtherAndBesideDynamics) {
+TEST_F(RealSchedule, RunsElectricityAndMagneticsInParallelWithDynamics) {
     ComponentInfo const& electricity = named("Electricity Resolver");
     ComponentInfo const& magnetics = named("Magnetics Resolver");
     ComponentInfo const& dynamics = named("Dynamics Resolver");
@@ -75,7 +75,7 @@ TEST_F(RealSchedule, RunsElectricityAndMagneticsBesideEachOtherAndBesideDynamics
     EXPECT_TRUE(mayRunTogether(magnetics, dynamics));
 }
 
-TEST_F(RealSchedule, RunsBuoyancyAfterDynamicsAndBesideTheOthers) {
+TEST_F(RealSchedule, RunsBuoyancyAfterDynamicsAndInParallelWithTheOthers) {
     ComponentInfo const& dynamics = named("Dynamics Resolver");
     EXPECT_FALSE(mayRunTogether(dynamics, TestBuoyancy::describeSelf()));
     EXPECT_LT(place("Dynamics Resolver"), place("Test Buoyancy Resolver"))
@@ -90,7 +90,7 @@ TEST_F(RealSchedule, RunsBuoyancyAfterDynamicsAndBesideTheOthers) {
     EXPECT_NE(text.find("Electricity Resolver beside Magnetics Resolver"), std::string::npos);
 }
 
-TEST_F(RealSchedule, RunsPopulationBeforeEveryoneWhoTouchesObjects) {
+TEST_F(RealSchedule, RunsPopulationBeforeAllThatTouchObjects) {
     ComponentInfo const& population = named("Population Resolver");
     for (std::string_view const other : {"Dynamics Resolver", "Electricity Resolver", "Magnetics Resolver"}) {
         EXPECT_FALSE(mayRunTogether(population, named(other)));
@@ -98,7 +98,7 @@ TEST_F(RealSchedule, RunsPopulationBeforeEveryoneWhoTouchesObjects) {
     }
 }
 
-// The sets of 6.13.2, as far as the property names are the thesis's: what Dynamics writes is what moves.
+// The sets of 6.13.2, as far as the property names are the thesis's: Dynamics writes the state of motion.
 TEST_F(RealSchedule, DynamicsWritesExactlyWhatTheThesisLists) {
     auto const& writes = named("Dynamics Resolver").writes;
     for (PropertyInfo const* p : {&propertyInfo<Position>(), &propertyInfo<Velocity>(),

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(GoalJudge, SeesPlacesContactsAndCurrents) {
+TEST(GoalJudge, ReadsPlacesContactsAndCurrents) {
     GoalStage stage(R"({"all": [
         {"inside": {"object": "crate", "area": [0, 0, 1, 1]}},
         {"inside": {"object": "crate", "area": [[0, 0], [2, 0], [0, 2]]}},
@@ -38,11 +38,11 @@ TEST(GoalJudge, SeesPlacesContactsAndCurrents) {
     EXPECT_EQ(stage.judge().status()[0].frame, 2U);
     EXPECT_EQ(stage.judge().status()[4].frame, 1U);
     stage.turn("lamp", false);
-    stage.step(); // solved is solved
+    stage.step(); // a solved goal stays solved
     EXPECT_EQ(stage.met(), "111111");
 }
 
-TEST(GoalJudge, WantsTimesWithoutABreak) {
+TEST(GoalJudge, RequiresDurationsWithoutABreak) {
     GoalStage stage(R"({"on": "lamp", "for": 0.5})");
     stage.turn("lamp", true);
     stage.step(29);
@@ -81,7 +81,7 @@ TEST(GoalJudge, NamesTheEventsThatMadeAGoalTrue) {
     EXPECT_EQ(stage.judge().causes(stage.world()), (std::vector<EventId>{{11}, {13}, {14}, {15}, {16}}));
 }
 
-TEST(GoalJudge, SeesWhatLastsForAPartOfAFrameOnly) {
+TEST(GoalJudge, SeesStatesThatLastForAPartOfAFrame) {
     GoalStage stage(R"({"all": [{"sequence": [{"on": "lamp"}, {"touching": ["crate", "floor"]}]},
         {"touching": ["metal object", "floor"]}]})");
     stage.stepInParts([&](std::uint32_t part) { stage.turn("lamp", part == 1); });
@@ -101,7 +101,7 @@ TEST(GoalJudge, SeesWhatLastsForAPartOfAFrameOnly) {
     });
     EXPECT_EQ(stage.judge().status()[1].frame, 3U);
     EXPECT_EQ(stage.judge().solvedFrame(), 3U);
-    EXPECT_TRUE(stage.judge().newlyMet().empty()) << "the last part brought nothing new";
+    EXPECT_TRUE(stage.judge().newlyMet().empty()) << "nothing was newly met in the last part";
 }
 
 TEST(GoalJudge, HoldsForTheStatedTimeInPartsToo) {
@@ -111,7 +111,7 @@ TEST(GoalJudge, HoldsForTheStatedTimeInPartsToo) {
     for (; frames < 10 && !stage.judge().solved(); ++frames) {
         stage.stepInParts([](std::uint32_t) {});
     }
-    EXPECT_EQ(frames, 3) << "what it was on for before they began does not make a frame";
+    EXPECT_EQ(frames, 3) << "the time before the first whole frame does not count";
     GoalStage flickering(R"({"on": "lamp", "for": 0.05})");
     for (int i = 0; i < 10; ++i) {
         flickering.stepInParts([&](std::uint32_t part) { flickering.turn("lamp", part == 4); });
@@ -119,7 +119,7 @@ TEST(GoalJudge, HoldsForTheStatedTimeInPartsToo) {
     EXPECT_FALSE(flickering.judge().solved()) << "it was off in every frame";
 }
 
-TEST(GoalJudge, HasNothingToSayWithoutGoals) {
+TEST(GoalJudge, HasNoStatusWithoutGoals) {
     GoalStage stage("{\"on\": \"lamp\"}");
     LevelFile level;
     GoalJudge judge(level, stage.world());
@@ -129,7 +129,7 @@ TEST(GoalJudge, HasNothingToSayWithoutGoals) {
     EXPECT_TRUE(judge.status().empty());
 }
 
-/// Conditions on three lamps: an independent evaluation on whole histories, for every frame.
+/// Conditions on three lamps, evaluated independently on whole histories, for every frame.
 struct Formula {
     enum class Kind { lamp, conjunction, disjunction, negation } kind = Kind::lamp;
     int lamp = 0;
@@ -181,8 +181,8 @@ nlohmann::json toJson(Formula const& formula) {
 
 using History = std::vector<std::array<bool, 3>>;
 
-/// Straight from the definition: it holds at frame f if it has held, time aside, at each of the last `hold`
-/// frames.
+/// By the definition: it holds at frame f if its condition, without the required duration, held in each of
+/// the last `hold` frames.
 bool holdsAt(Formula const& formula, History const& history, int frame) {
     if (frame - formula.hold + 1 < 0) {
         return false;

@@ -13,11 +13,11 @@ LevelFile levelWith(nlohmann::json goals) {
     return level;
 }
 
-TEST(ReadGoals, HasNothingToReadInALevelWithoutGoals) {
+TEST(ReadGoals, ReadsNothingInALevelWithoutGoals) {
     EXPECT_FALSE(readGoals(levelWith(nullptr)).has_value());
 }
 
-TEST(ReadGoals, ReadsLevelsThatNeverWereFiles) {
+TEST(ReadGoals, ReadsLevelsThatWereNotReadFromFiles) {
     auto const goals = readGoals(levelWith({{"on", "bell"}, {"for", 2}, {"id", "light"}, {"text", "Ring"}}));
     ASSERT_TRUE(goals.has_value());
     EXPECT_EQ(goals->kind->key(), "on");
@@ -28,14 +28,14 @@ TEST(ReadGoals, ReadsLevelsThatNeverWereFiles) {
     EXPECT_EQ(goals->path, "/goals");
 }
 
-TEST(ReadGoals, TellsWhereGoalsAreWrong) {
+TEST(ReadGoals, ReportsErrorsWithTheirPlaces) {
     try {
         (void)readGoals(levelWith(nlohmann::json::parse(R"({"all": [{"on": "bel"}]})")));
         FAIL();
     } catch (InputError const& error) {
         ASSERT_EQ(error.diagnostics().size(), 1U);
         EXPECT_EQ(error.diagnostics()[0].path, "/goals/all/0/on");
-        EXPECT_EQ(error.diagnostics()[0].message, "there is no object 'bel', did you mean 'bell'?");
+        EXPECT_EQ(error.diagnostics()[0].message, "there is no object 'bel' (did you mean 'bell'?)");
     }
     Problems problems;
     auto const none = readGoals(levelWith(nlohmann::json::object()), problems);

@@ -12,7 +12,7 @@
 namespace trembler {
 
 GoalStage::GoalStage(std::string const& goals, int crowd) {
-    // No physics runs here: nothing but the test moves anything.
+    // No physics runs here: only the test moves objects.
     registerRuntime(registry_);
     registry_.property<Shape>();
     registry_.property<Fixed>();

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] GoalJudge const& judge() const { return *judge_; }
     [[nodiscard]] World& world() { return *world_; }
     [[nodiscard]] ObjectId id(std::string const& name) const;
-    /// For each goal whether it is met, "1" or "0".
+    /// For each goal "1" if it is met, else "0".
     [[nodiscard]] std::string met() const;
 
     void put(std::string const& name, Vec2 at);

@@ -8,7 +8,7 @@
 namespace trembler {
 namespace {
 
-// What is under one frame's heading; empty if the account leaves the frame out.
+// The text under one frame's heading; empty if the account leaves the frame out.
 std::string frameOf(std::string const& account, std::uint64_t frame) {
     std::string const heading = "### Frame " + std::to_string(frame) + " - ";
     std::size_t const begin = account.find(heading);
@@ -22,7 +22,7 @@ bool has(std::string const& text, std::string const& words) {
     return text.find(words) != std::string::npos;
 }
 
-// Whether `words` stand in a section of a frame.
+// Whether a section of a frame contains `words`.
 bool under(std::string const& frame, std::string const& section, std::string const& words) {
     std::size_t const begin = frame.find("**" + section + "**");
     if (begin == std::string::npos) {
@@ -46,7 +46,7 @@ protected:
 
 TEST_F(FrameAccount, OfExperimentOneHasTheFramesOfTheThesis) {
     std::string const text = account("1-switched-electromagnet.json", 120);
-    // Frame 1: the metal object touches the floor, gravity is told. Frame 2: it is resolved.
+    // Frame 1: the metal object touches the floor, gravity is passed on. Frame 2: it is resolved.
     EXPECT_TRUE(under(frameOf(text, 1), resolvers, "contact begun: floor and metal object")) << text;
     EXPECT_TRUE(
         under(frameOf(text, 1), interactions,
@@ -63,7 +63,8 @@ TEST_F(FrameAccount, OfExperimentOneHasTheFramesOfTheThesis) {
     EXPECT_FALSE(has(frameOf(text, f), "from now on")) << "a connection is added once";
     // f + 1: the electromagnet almost activates.
     EXPECT_TRUE(under(frameOf(text, f + 1), resolvers, "Electricity Resolver: connected: object"));
-    EXPECT_FALSE(has(frameOf(text, f + 1), "carries out addConnection")) << "that is what \"connected\" says";
+    EXPECT_FALSE(has(frameOf(text, f + 1), "carries out addConnection"))
+        << "the event \"connected\" stands for it";
     EXPECT_TRUE(under(frameOf(text, f + 1), dps, "electromagnet"));
     EXPECT_TRUE(
         under(frameOf(text, f + 1), interactions, "calls enableMagnet: electromagnet; and from now on"));
@@ -74,11 +75,11 @@ TEST_F(FrameAccount, OfExperimentOneHasTheFramesOfTheThesis) {
     // f + 3: the metal object is lifted.
     EXPECT_TRUE(under(frameOf(text, f + 3), resolvers,
                       "Dynamics Resolver: carries out addForceToPoint: metal object"));
-    // By then nothing new is said of gravity.
+    // From then on there is nothing new about gravity.
     EXPECT_FALSE(has(frameOf(text, f + 3), "addForce:"));
 }
 
-TEST_F(FrameAccount, SaysWhatTheSceneIsMadeOfAndWhatItUses) {
+TEST_F(FrameAccount, ListsTheObjectsAndTheUsedComponents) {
     std::string const text = account("1-switched-electromagnet.json", 120);
     EXPECT_TRUE(has(text, "| switch | "));
     EXPECT_TRUE(has(text, "| electromagnet | "));
@@ -90,7 +91,7 @@ TEST_F(FrameAccount, SaysWhatTheSceneIsMadeOfAndWhatItUses) {
 
 TEST_F(FrameAccount, LeavesOutRepeats) {
     std::string const text = account("2-doorbell.json", 600);
-    // No line is said twice, however long the bell rings, but for those that name no object.
+    // No line is repeated, however long the bell rings, except for lines that name no object.
     std::set<std::string> lines;
     std::istringstream in(text.substr(text.find("### Frame 0")));
     for (std::string line; std::getline(in, line);) {
@@ -101,10 +102,10 @@ TEST_F(FrameAccount, LeavesOutRepeats) {
     EXPECT_TRUE(has(text, "more of the same")) << text;
     std::size_t const events = world().tracer()->events().size();
     std::size_t const described = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-    EXPECT_LT(described, events / 2) << "the trace has it all, the account what is new";
+    EXPECT_LT(described, events / 2) << "the trace has all events, the account only new ones";
 }
 
-// Frames that follow one another are told apart from jumps.
+// Consecutive frames are distinguished from gaps.
 TEST_F(FrameAccount, EveryFrameIsDescribedOrSkippedByName) {
     std::string const text = account("1-switched-electromagnet.json", 120);
     std::set<std::uint64_t> told;

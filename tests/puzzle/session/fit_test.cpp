@@ -7,10 +7,10 @@ namespace {
 
 class Fit : public Experiment {};
 
-TEST_F(Fit, KnowsWhatIsOnlyBehind) {
+TEST_F(Fit, IgnoresObjectsThatAreOnlyBehind) {
     open("2-doorbell.json");
     Vec2 const free{0.47, 1.96};
-    EXPECT_TRUE(session().check({"wooden wedge", free, 0, ""}).ok) << "there is only the backboard";
+    EXPECT_TRUE(session().check({"wooden wedge", free, 0, ""}).ok) << "only the backboard is behind it";
     Verdict const onTheBell = session().check({"wooden wedge", at("bell"), 0, ""});
     EXPECT_FALSE(onTheBell.ok);
     EXPECT_NE(onTheBell.why.find("bell"), std::string::npos) << onTheBell.why;
@@ -22,7 +22,7 @@ TEST_F(Fit, KnowsWhatIsOnlyBehind) {
         }
     }
     open(std::move(solid));
-    EXPECT_FALSE(session().check({"wooden wedge", free, 0, ""}).ok) << "now the board is in the way";
+    EXPECT_FALSE(session().check({"wooden wedge", free, 0, ""}).ok) << "the board now collides with it";
 }
 
 } // namespace

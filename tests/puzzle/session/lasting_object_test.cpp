@@ -1,4 +1,4 @@
-// Which object is meant, when what is placed changes the names and the ids of others.
+// Identifies an object although placements change the names and ids of others.
 #include "puzzle/session/lasting_object.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/experiment.hpp"
@@ -28,7 +28,7 @@ protected:
     Session session;
 };
 
-TEST_F(LastingObjectTest, IsThePartThatWasPlacedWhateverItIsCalledLater) {
+TEST_F(LastingObjectTest, IsThePlacedPartAlsoAfterItsNameChanges) {
     auto const first = session.place({"steel ball", {-3, 3}, 0, ""});
     auto const second = session.place({"steel ball", {3, 3}, 0, ""});
     ASSERT_TRUE(first && second);
@@ -41,12 +41,12 @@ TEST_F(LastingObjectTest, IsThePartThatWasPlacedWhateverItIsCalledLater) {
     EXPECT_EQ(placeOf(meant), 3);
     EXPECT_EQ(nameOf(session.find(meant)), before);
     ASSERT_TRUE(session.putBack(*second));
-    EXPECT_FALSE(session.find(meant).valid()) << "it lies in the toolbox again";
+    EXPECT_FALSE(session.find(meant).valid()) << "it is back in the toolbox";
     ASSERT_TRUE(session.undo());
     EXPECT_EQ(placeOf(meant), 3);
 }
 
-TEST_F(LastingObjectTest, IsTheSameThroughRunsAndGoneWhereItWasRemoved) {
+TEST_F(LastingObjectTest, IsTheSameInEveryRunAndInvalidAfterItsRemoval) {
     auto const ball = session.place({"steel ball", {3, 3}, 0, ""});
     ASSERT_TRUE(ball);
     LastingObject const meant = session.lasting(session.objectOf(*ball));
@@ -74,7 +74,7 @@ TEST_F(LastingObjectTest, IsAnEntryOfTheLevel) {
     }
 }
 
-TEST_F(LastingObjectTest, OfNothingIsNothing) {
+TEST_F(LastingObjectTest, OfAnInvalidIdIsInvalid) {
     EXPECT_EQ(session.lasting({}), LastingObject{});
     EXPECT_FALSE(session.find(LastingObject{}).valid());
 }

@@ -45,13 +45,13 @@ TEST_F(PlacementsTest, NumbersNameAPartThroughUndoAndRedoAndAreNeverUsedAgain) {
     EXPECT_TRUE(placements.redo());
     EXPECT_EQ(numbersIn(placements.now()), (std::vector{a, b}));
     EXPECT_TRUE(placements.undo());
-    int const c = add(ball(3)); // which is the end of what could be redone
+    int const c = add(ball(3)); // which ends the edits that can be redone
     EXPECT_FALSE(placements.canRedo());
     EXPECT_NE(c, b);
     EXPECT_EQ(numbersIn(placements.now()), (std::vector{a, c}));
 }
 
-TEST_F(PlacementsTest, AnEditThatIsNotKeptChangesNothing) {
+TEST_F(PlacementsTest, ADiscardedEditChangesNothing) {
     int const a = add(ball(1));
     add(ball(2));
     EXPECT_TRUE(placements.undo());
@@ -65,10 +65,10 @@ TEST_F(PlacementsTest, AnEditThatIsNotKeptChangesNothing) {
     EXPECT_FALSE(placements.moved(99, {}, 0));
     EXPECT_FALSE(placements.without(99));
     EXPECT_EQ(placements.now()[0].placement.at, (Vec2{1, 2}));
-    EXPECT_TRUE(placements.canRedo()) << "what was undone is still there";
+    EXPECT_TRUE(placements.canRedo()) << "the undone edit can still be redone";
 }
 
-TEST_F(PlacementsTest, TheToolboxHasWhatIsNotPlaced) {
+TEST_F(PlacementsTest, TheToolboxHasThePartsThatAreNotPlaced) {
     auto const left = [&] {
         std::vector<int> counts;
         for (ToolboxSlot const& slot : placements.toolbox()) {
@@ -87,7 +87,7 @@ TEST_F(PlacementsTest, TheToolboxHasWhatIsNotPlaced) {
     EXPECT_EQ(placements.toolbox()[0].total, 3);
 }
 
-TEST_F(PlacementsTest, APartMayStandWhereTheLevelAllowsItAndNothingElseStands) {
+TEST_F(PlacementsTest, APartMayBePlacedAtAllowedFreePlaces) {
     int const a = add(ball(1));
     BuiltLevel const built =
         buildLevel(gameData().registry, level, gameData().parts, placementsOf(placements.now()));
@@ -101,10 +101,10 @@ TEST_F(PlacementsTest, APartMayStandWhereTheLevelAllowsItAndNothingElseStands) {
     EXPECT_NE(why({"iron ball", {3, 2}, 0, ""}), "") << "not in the toolbox";
     EXPECT_NE(why({"steel ball", {0, 0}, 0, ""}).find("post"), std::string::npos);
     EXPECT_NE(why(ball(1.1)).find("steel ball 1"), std::string::npos);
-    EXPECT_EQ(why(ball(1.1), a, built.placements[0]), "") << "it is not in its own way";
+    EXPECT_EQ(why(ball(1.1), a, built.placements[0]), "") << "it does not collide with itself";
     add(ball(2));
     add(ball(-2));
-    EXPECT_NE(why(ball(3)), "") << "none is left";
+    EXPECT_NE(why(ball(3)), "") << "no ball is left in the toolbox";
     EXPECT_EQ(why(ball(3), a, built.placements[0]), "") << "this one is only moved";
 }
 
@@ -114,7 +114,7 @@ TEST_F(PlacementsTest, ASolutionsPartsAreRefusedInItsFile) {
     int const before = add(ball(0.5));
     try {
         (void)placements.those(solution);
-        ADD_FAILURE() << "no place for the third";
+        ADD_FAILURE() << "the third part could not be placed";
     } catch (InputError const& error) {
         EXPECT_NE(std::string(error.what()).find("/placements/2"), std::string::npos) << error.what();
     }

@@ -23,8 +23,8 @@ protected:
     using Kind = PlayerInput::Kind;
 };
 
-// Against a walk through all of them, whose order inside a frame is that of the list.
-TEST_F(PlaybackTest, HasWhatBelongsToEachFrameInItsOrder) {
+// Compared with a search of the whole list, whose order is kept within a frame.
+TEST_F(PlaybackTest, ReturnsTheInputsOfEachFrameInOrder) {
     EXPECT_TRUE(rc::check([](std::vector<std::uint8_t> const& frames) {
         std::vector<RecordedInput> inputs;
         std::vector<RecordedChange> changes;
@@ -64,11 +64,11 @@ TEST_F(PlaybackTest, HasWhatBelongsToEachFrameInItsOrder) {
     EXPECT_TRUE(Playback().changesOf(1).empty());
 }
 
-TEST_F(PlaybackTest, RepeatsARunToTheBit) {
+TEST_F(PlaybackTest, RepeatsARunBitForBit) {
     LevelFile const level = load("2-doorbell.json");
     Solution const& solution = *level.findSolution("hit the bell with the switch");
     auto inputs = solution.inputs;
-    std::reverse(inputs.begin(), inputs.end()); // each has a frame of its own
+    std::reverse(inputs.begin(), inputs.end()); // each is in a different frame
     RecordedChange change;
     change.kind = RecordedChange::Kind::setting;
     change.subject = "solver";
@@ -99,7 +99,7 @@ TEST_F(PlaybackTest, RepeatsARunToTheBit) {
     EXPECT_NE(untouched.world().stateHash(), hashes[0]);
 }
 
-TEST_F(PlaybackTest, LeavesOutWhatNamesNoObjectOfThisRun) {
+TEST_F(PlaybackTest, LeavesOutInputsForObjectsThatDoNotExist) {
     LevelFile const level = load("2-doorbell.json");
     LevelRun run(gameData().registry, gameData().parts, level, {}, {});
     run.begin();
@@ -113,7 +113,7 @@ TEST_F(PlaybackTest, LeavesOutWhatNamesNoObjectOfThisRun) {
     EXPECT_EQ(run.inputs()[0].object, "switch");
     run.step();
     playback.feed(run);
-    ASSERT_EQ(run.inputs().size(), 2U) << "letting go names nothing";
+    ASSERT_EQ(run.inputs().size(), 2U) << "an input that releases names no object";
     EXPECT_EQ(run.inputs()[1].kind, Kind::release);
     EXPECT_EQ(run.inputs()[1].frame, 2U);
 }

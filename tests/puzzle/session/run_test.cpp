@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(RunTest, KnowsWhichObjectEachPlacementBecame) {
+TEST_F(RunTest, MapsPlacementsToObjects) {
     LevelFile const level = load("4-raft.json");
     std::vector<Placement> const placements{{"iron ball", {3, 1.5}, 0, ""},
                                             {"cargo box", {1, 1.5}, 0.25, ""},
@@ -51,10 +51,10 @@ TEST_F(RunTest, KnowsWhichObjectEachPlacementBecame) {
     }
     EXPECT_FALSE(run.world().store().alive(run.objectOf(1)));
     EXPECT_FALSE(run.placementOf(run.objectOf(1)));
-    EXPECT_EQ(run.placementOf(run.objectOf(4)), 4U) << "the equal one is another object";
+    EXPECT_EQ(run.placementOf(run.objectOf(4)), 4U) << "the equal placement became another object";
 }
 
-TEST_F(RunTest, LogsWhatIsDoneFromItsBeginning) {
+TEST_F(RunTest, LogsInputsAndChangesFromItsBeginning) {
     LevelFile const level = load("4-raft.json");
     LevelRun run = runOf(level);
     ObjectId const cargo = run.world().store().find("cargo 1");
@@ -69,7 +69,7 @@ TEST_F(RunTest, LogsWhatIsDoneFromItsBeginning) {
     run.step();
     run.feed({PlayerInput::Kind::grab, cargo, {}, {0.5, 0.25}});
     run.change(detail("buoyancy", ""));
-    EXPECT_EQ(run.begunWith().detail.at("buoyancy"), "particles") << "then as now";
+    EXPECT_EQ(run.begunWith().detail.at("buoyancy"), "particles") << "the run began with the same level";
     ASSERT_EQ(run.inputs().size(), 1U);
     EXPECT_EQ(run.inputs()[0].frame, 3U);
     EXPECT_EQ(run.inputs()[0].object, "cargo 1");
@@ -79,9 +79,9 @@ TEST_F(RunTest, LogsWhatIsDoneFromItsBeginning) {
     EXPECT_EQ(run.changes()[0].frame, 3U);
 
     Solution recorded = run.record();
-    EXPECT_TRUE(recorded.inputs.empty()) << "no frame has seen it yet";
+    EXPECT_TRUE(recorded.inputs.empty()) << "it belongs to no computed frame yet";
     ASSERT_EQ(recorded.changes.size(), 1U);
-    EXPECT_EQ(inWords(recorded.changes[0]), "buoyancy: particles") << "what the run began with";
+    EXPECT_EQ(inWords(recorded.changes[0]), "buoyancy: particles") << "the initial detail level of the run";
     EXPECT_EQ(recorded.frames, 2);
     run.step();
     recorded = run.record();
@@ -109,7 +109,7 @@ TEST_F(RunTest, CountsAsNoSolutionOnceItWasAltered) {
     EXPECT_FALSE(run.record().solves);
 }
 
-TEST_F(RunTest, TakesOverWhatAnotherRunBeganWith) {
+TEST_F(RunTest, TakesOverTheInitialSettingsOfAnotherRun) {
     LevelFile const level = load("4-raft.json");
     LevelRun first = runOf(level);
     first.change(detail("buoyancy", "particles"));
@@ -134,7 +134,7 @@ TEST_F(RunTest, TakesOverWhatAnotherRunBeganWith) {
 }
 
 TEST_F(RunTest, TheJudgeSeesEveryFrame) {
-    LevelFile const level = load("1-switched-electromagnet.json"); // solved with hands off
+    LevelFile const level = load("1-switched-electromagnet.json"); // solves itself
     LevelRun run = runOf(level);
     run.begin();
     while (!run.judge().solved() && run.world().frame() < 300) {
@@ -144,7 +144,7 @@ TEST_F(RunTest, TheJudgeSeesEveryFrame) {
     EXPECT_EQ(run.judge().solvedFrame(), run.world().frame());
     EXPECT_TRUE(run.record().solves);
     EXPECT_FALSE(runOf(level).record().solves);
-    EXPECT_FALSE(runOf(level).record().frames) << "nothing has run";
+    EXPECT_FALSE(runOf(level).record().frames) << "no frame was computed";
 }
 
 } // namespace

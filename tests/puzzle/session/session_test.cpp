@@ -8,8 +8,8 @@ namespace {
 
 class SessionTest : public Experiment {
 protected:
-    /// A pond, balls, and liquid from the toolbox: where this is placed upon the pond, nothing solid is in
-    /// its way, but a rule of liquids forbids it, so no world can be built.
+    /// A pond, balls, and a puddle in the toolbox: if the puddle is placed on the pond, it collides with no
+    /// solid object, but a rule of liquids forbids it, so no world can be built.
     SessionTest() {
         parts.add(readPart(gameData().registry, JsonDocument::parse(R"({"name": "puddle", "properties": {
             "material": "water", "shape": [{"form": "box", "width": 1, "height": 1}],
@@ -44,11 +44,11 @@ TEST_F(SessionTest, AnEditThatCannotBeBuiltLeavesNoTrace) {
     ASSERT_EQ(pond->placed().size(), 1U);
     EXPECT_EQ(pond->placed()[0].number, *a);
     EXPECT_EQ(pond->world().stateHash(), hash);
-    ASSERT_TRUE(pond->canRedo()) << "what was undone before is still there";
+    ASSERT_TRUE(pond->canRedo()) << "the undone edit can still be redone";
     EXPECT_TRUE(pond->redo());
     ASSERT_EQ(pond->placed().size(), 2U);
     EXPECT_EQ(pond->placed()[1].number, *b);
-    EXPECT_FALSE(pond->canRedo()) << "and nothing that cannot be built";
+    EXPECT_FALSE(pond->canRedo()) << "an edit that cannot be built cannot be redone";
 
     auto const puddleBeside = pond->place(puddle(5));
     ASSERT_TRUE(puddleBeside);
@@ -61,7 +61,7 @@ TEST_F(SessionTest, AnEditThatCannotBeBuiltLeavesNoTrace) {
     EXPECT_THROW(pond->load(bad), InputError);
     EXPECT_EQ(pond->placed().size(), 3U);
     EXPECT_TRUE(pond->undo());
-    EXPECT_EQ(pond->placed().size(), 2U) << "the step before is that of the puddle";
+    EXPECT_EQ(pond->placed().size(), 2U) << "the previous edit is the puddle's";
 }
 
 TEST_F(SessionTest, TwoPartsInOnePlaceAreTwoObjects) {
@@ -77,7 +77,7 @@ TEST_F(SessionTest, TwoPartsInOnePlaceAreTwoObjects) {
     int const first = pond->placed()[0].number;
     int const third = pond->placed()[2].number;
     EXPECT_NE(pond->objectOf(first), pond->objectOf(third));
-    // Each can be taken away by itself, and moved out of the other's way.
+    // Each can be removed and moved separately.
     ASSERT_TRUE(pond->move(third, {3, 3}, 0));
     EXPECT_EQ(pond->world().find<Position>(pond->objectOf(first))->value, (Vec2{2, 3}));
     EXPECT_EQ(pond->world().find<Position>(pond->objectOf(third))->value, (Vec2{3, 3}));
@@ -85,7 +85,7 @@ TEST_F(SessionTest, TwoPartsInOnePlaceAreTwoObjects) {
     EXPECT_FALSE(pond->numberOf(pond->world().store().find("pond")));
 }
 
-TEST_F(SessionTest, WhatIsWatchedAgainIsFedInPlaceOfTheSolution) {
+TEST_F(SessionTest, AReplayReplacesTheInputsOfTheSolution) {
     open("2-doorbell.json", "hit the bell with the switch");
     runTo(60);
     std::uint64_t const hash = world().stateHash();
@@ -96,14 +96,14 @@ TEST_F(SessionTest, WhatIsWatchedAgainIsFedInPlaceOfTheSolution) {
     session().play(done);
     EXPECT_TRUE(session().playing());
     runTo(60);
-    EXPECT_EQ(session().inputs().size(), inputs) << "each once, though the solution has them, too";
+    EXPECT_EQ(session().inputs().size(), inputs) << "each input once, although the solution has it as well";
     EXPECT_EQ(world().stateHash(), hash);
-    // For that run only: the next one has the solution again.
+    // For that run only: the next one repeats the solution again.
     session().startAgain();
     EXPECT_FALSE(session().playing());
     session().play({});
     runTo(10);
-    EXPECT_TRUE(session().inputs().empty()) << "nothing in place of it";
+    EXPECT_TRUE(session().inputs().empty()) << "without a solution there are no inputs";
     session().stop();
     EXPECT_FALSE(session().playing());
     session().play(done);
@@ -126,10 +126,10 @@ TEST_F(SessionTest, ASolutionIsFedUntilThePlacementsChange) {
     EXPECT_EQ(fed(), 1U) << "in every run";
     ASSERT_TRUE(session().undo());
     EXPECT_TRUE(session().placed().empty());
-    EXPECT_EQ(fed(), 0U) << "these are not its placements";
+    EXPECT_EQ(fed(), 0U) << "the placements differ from the solution's";
 }
 
-TEST_F(SessionTest, ARunThatIsOverLeavesItsLogBehind) {
+TEST_F(SessionTest, TheLogOfAnEndedRunIsKept) {
     open("4-raft.json");
     EXPECT_EQ(session().mode(), SessionMode::building);
     session().start();

@@ -24,7 +24,7 @@ protected:
     using Kind = RecordedChange::Kind;
 };
 
-TEST_F(ChangesInALevel, OfWhatThereIsNotAreRefusedByName) {
+TEST_F(ChangesInALevel, OfUnknownEffectsComponentsAndSettingsAreRefused) {
     std::vector<RecordedChange> const changes{make(Kind::detail, "gravity", "", 0, "moon"),
                                               make(Kind::detail, "telepathy", "", 0, "strong"),
                                               make(Kind::period, "Nobody", "", 2),
@@ -50,11 +50,11 @@ TEST_F(ChangesInALevel, OfWhatThereIsNotAreRefusedByName) {
     EXPECT_THROW(session().load(solution), InputError);
 }
 
-TEST_F(ChangesInALevel, CountFromTheirFrameOnAndAreGoneWithTheRun) {
+TEST_F(ChangesInALevel, HoldFromTheirFrameToTheEndOfTheRun) {
     open("4-raft.json");
     RecordedChange const change = make(Kind::setting, "solver", "substeps", 2);
     session().change(change);
-    EXPECT_TRUE(session().changes().empty()) << "nothing runs yet";
+    EXPECT_TRUE(session().changes().empty()) << "no run has begun";
     for (int i = 0; i < 10; ++i) {
         step();
     }
@@ -68,14 +68,14 @@ TEST_F(ChangesInALevel, CountFromTheirFrameOnAndAreGoneWithTheRun) {
     EXPECT_FALSE(holds(gameData().registry, world(), change));
 }
 
-// What the player turns while it runs, and what was turned before it began, is part of what is kept.
-TEST_F(ChangesInALevel, ARecordedRunRepeatsWithWhatThePlayerTurned) {
+// Changes by the player, before and during the run, are part of the recording.
+TEST_F(ChangesInALevel, ARecordedRunRepeatsWithThePlayersChanges) {
     std::vector<std::uint64_t> hashes;
     Solution solution;
     {
         open("4-raft.json");
         session().setDetail("buoyancy", "particles");
-        session().setPeriod("Liquid Drag", 3); // a bare name
+        session().setPeriod("Liquid Drag", 3); // without "DPS"
         for (int i = 0; i < 40; ++i) {
             step();
         }
@@ -106,7 +106,7 @@ TEST_F(ChangesInALevel, ARecordedRunRepeatsWithWhatThePlayerTurned) {
     without.changes.clear();
     session().load(without);
     runTo(120);
-    EXPECT_NE(world().stateHash(), hashes[0]) << "so the changes do make a difference";
+    EXPECT_NE(world().stateHash(), hashes[0]) << "so the changes have an effect";
 }
 
 } // namespace

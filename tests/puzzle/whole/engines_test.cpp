@@ -48,8 +48,8 @@ TEST_P(Engines, VerifyTheLevel) {
     }
 }
 
-// A motor does not notice that its bodies are computed by another engine every two seconds.
-TEST_F(Experiment, AMotorTurnsOnWhileEnginesSwap) {
+// A motor runs steadily although another engine computes its bodies every two seconds.
+TEST_F(Experiment, AMotorKeepsTurningWhileEnginesSwap) {
     std::vector<std::string> engines = otherEngines();
     engines.emplace_back("box2d");
     open("3-electric-motor.json");

@@ -32,7 +32,7 @@ Outcome play(LevelFile const& level, Registry const& registry, PartLibrary const
 
 class LeftOut : public Experiment, public ::testing::WithParamInterface<std::string> {};
 
-TEST_P(LeftOut, EveryLevelLoadsAndThoseThatDoNotCallForItEndInTheSameState) {
+TEST_P(LeftOut, EveryLevelLoadsAndLevelsWithoutTheEffectEndInTheSameState) {
     Registry registry;
     registerEffects(registry, {GetParam()});
     registry.check();

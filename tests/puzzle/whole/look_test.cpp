@@ -10,7 +10,7 @@ namespace {
 
 class LookTest : public Experiment {};
 
-// By construction: what no component, no completion and no rule is handed decides nothing.
+// By construction: a property that no component, completion or rule reads cannot influence anything.
 TEST_F(LookTest, IsReadByNoComponent) {
     auto const isLook = [](PropertyInfo const* info) { return info->type == typeid(Look); };
     for (Registration const& registration : gameData().registry.components()) {
@@ -26,7 +26,7 @@ TEST_F(LookTest, IsReadByNoComponent) {
     }
 }
 
-/// Of everything but looks.
+/// The hash of everything except looks.
 std::uint64_t hashOf(World const& world) {
     StateHash hash;
     for (ColumnBase const* column : world.store().columns()) {
@@ -37,14 +37,14 @@ std::uint64_t hashOf(World const& world) {
     return hash.digest();
 }
 
-// A level full of sound sensors, wires and magnets runs the same way in fancy dress.
-TEST_F(LookTest, OfEverythingCanBeAnotherAndNothingElseChanges) {
+// A level with sound sensors, wires and magnets runs in the same way with other looks.
+TEST_F(LookTest, OfAllObjectsCanBeChangedWithoutInfluence) {
     for (char const* const file :
          {"../sound/1-loud-enough.json", "1-switched-electromagnet.json", "4-raft.json"}) {
         LevelFile level = load(file);
         std::string const solution = level.solutions.front().name;
         std::vector<std::uint64_t> hashes;
-        for (Pattern const pattern : {Pattern::own, Pattern::rubber, Pattern::steel}) {
+        for (LookPattern const pattern : {LookPattern::own, LookPattern::rubber, LookPattern::steel}) {
             for (LevelObject& object : level.objects) {
                 object.properties.set(Look{pattern, "#123456", "x"});
             }

@@ -22,7 +22,7 @@ TEST_F(LoudEnough, TheBellLightsTheLampForAsLongAsItIsLoud) {
         loud.push_back(world().find<Loudness>()->at(id("sound sensor 1")) >= 85);
         lit += on("lamp") ? 1 : 0;
         if (loud.size() > 2) {
-            // What is heard in a frame is told in it, and done in the next.
+            // A sound level that is exceeded in a frame closes the circuit in the next one.
             EXPECT_EQ(on("lamp"), bool{loud[loud.size() - 2]} && touching("sound sensor 1", "left contact"))
                 << world().frame();
         }
@@ -32,9 +32,9 @@ TEST_F(LoudEnough, TheBellLightsTheLampForAsLongAsItIsLoud) {
     EXPECT_TRUE(session().solved());
     Event const& hit = first("contact begun", {"bell", "steel ball 1"});
     EXPECT_GT(hit.frame, 30U);
-    // First it hears itself land.
+    // First the sensor hears its own landing.
     EXPECT_TRUE(led(first("contact begun", {"right contact", "sound sensor 1"}), first("on", {"lamp"})));
-    // The noise of the bell outlasts that.
+    // The noise of the bell lasts longer.
     EXPECT_GT(first("off", {"lamp"}, hit.frame).frame, hit.frame + 60);
 }
 
@@ -50,11 +50,11 @@ TEST_F(LoudEnough, ItsOwnThudIsHeardButNotForLong) {
     EXPECT_FALSE(session().solved());
 }
 
-TEST_F(LoudEnough, NoiseThatNobodyHearsDoesNothing) {
+TEST_F(LoudEnough, NoiseWithoutASensorHasNoEffect) {
     openWith("a noise, and nothing that hears it");
     runTo(300);
     EXPECT_FALSE(on("lamp"));
-    EXPECT_EQ(world().find<Loudness>(), nullptr) << "nobody listens, so nothing is worked out";
+    EXPECT_EQ(world().find<Loudness>(), nullptr) << "without listeners no loudness is computed";
 }
 
 } // namespace

@@ -12,20 +12,20 @@
 namespace trembler {
 namespace {
 
-TEST(News, OfEveryPartReachWhoeverLooksOnceAFrame) {
+TEST(News, OfEveryPartReachReadersThatRunOncePerFrame) {
     Registry registry;
     registerEffects(registry);
-    std::set<std::string_view> telling;
+    std::set<std::string_view> reporting;
     for (Registration const& registration : registry.components()) {
         for (PropertyInfo const* const offer : registration.info->offers) {
-            if (offer->makeSlot()->tellsNews()) {
-                telling.insert(offer->text.key);
+            if (offer->makeSlot()->reportsNews()) {
+                reporting.insert(offer->text.key);
             }
         }
     }
     for (std::string_view const key :
          {"player_commands", "population_changes", "contacts", "impacts", "overloaded_joints"}) {
-        EXPECT_TRUE(telling.contains(key)) << key;
+        EXPECT_TRUE(reporting.contains(key)) << key;
     }
 }
 

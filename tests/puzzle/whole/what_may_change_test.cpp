@@ -27,7 +27,7 @@ RecordedChange make(Kind kind, std::string_view subject, std::string_view field,
     return change;
 }
 
-/// Two discs that nothing pulls, and a solution that would have them pulled.
+/// Two discs without forces, and a solution that would make them attract each other.
 std::string discs(std::string const& world, std::string const& changes) {
     return R"({
   "version": 2, "title": "two discs",
@@ -84,7 +84,7 @@ TEST_F(WhatMayChange, ASolutionThatSetsTheLawOfGravityIsRefusedWithItsPlace) {
     EXPECT_NE(failures.front().find("/solutions/0/changes/0/setting/gravity_law/constant"), std::string::npos)
         << failures.front();
 
-    // A file of its own names its own lines.
+    // For a solution in a separate file the message has the lines of that file.
     std::filesystem::path const own = std::filesystem::path(testing::TempDir()) / "pull.json";
     std::ofstream(own) << "{\"name\": \"pull\", \"changes\": [\n"
                           "  {\"frame\": 2, \"setting\": {\"gravity_law\": {\"constant\": 1}}}]}";
@@ -99,8 +99,8 @@ TEST_F(WhatMayChange, ASolutionThatSetsTheLawOfGravityIsRefusedWithItsPlace) {
     std::filesystem::remove(own);
 }
 
-// The rule is by description, so it is asked of every number of every property that there is.
-TEST_F(WhatMayChange, OnlyAccuracySettingsAreTakenOfAllPropertiesThereAre) {
+// The rule follows from descriptions, so every number of every property is tested.
+TEST_F(WhatMayChange, OnlyAccuracySettingsOfAllPropertiesAreAccepted) {
     std::set<std::string> taken;
     std::size_t refused = 0;
     for (PropertyInfo const* info : gameData().registry.objectProperties()) {
@@ -136,8 +136,8 @@ TEST_F(WhatMayChange, OnlyAccuracySettingsAreTakenOfAllPropertiesThereAre) {
     EXPECT_EQ(taken, accuracy);
 }
 
-// A cutoff of a millimetre would switch magnetism off, so not every value is a matter of accuracy.
-TEST_F(WhatMayChange, OfACutoffOnlyWhatLeavesMagnetismAsItIs) {
+// A cutoff of a millimetre would switch magnetism off, so not every value affects only the accuracy.
+TEST_F(WhatMayChange, OnlyCutoffsThatKeepMagnetismAreAccepted) {
     auto const fault = [&](std::string_view field, double value) {
         return faultIn(gameData().registry, make(Kind::setting, "magnetism", field, value)).has_value();
     };
@@ -148,7 +148,7 @@ TEST_F(WhatMayChange, OfACutoffOnlyWhatLeavesMagnetismAsItIs) {
     EXPECT_FALSE(fault("force_threshold", 0.001));
 }
 
-TEST_F(WhatMayChange, OnlyWhatMayMissAFrameGetsAPeriod) {
+TEST_F(WhatMayChange, OnlyComponentsThatMaySkipFramesGetAPeriod) {
     std::set<std::string> able;
     for (Registration const& registration : gameData().registry.components()) {
         std::string const name = title(*registration.info);
@@ -162,18 +162,18 @@ TEST_F(WhatMayChange, OnlyWhatMayMissAFrameGetsAPeriod) {
     EXPECT_TRUE(able.contains("Linear Gravity DPS"));
     EXPECT_TRUE(able.contains("Buoyancy Resolver"));
     EXPECT_FALSE(able.contains("Dynamics Resolver"));
-    EXPECT_FALSE(able.contains("(Electricity <- Dynamics) Interaction")) << "a touch would be missed";
+    EXPECT_FALSE(able.contains("(Electricity <- Dynamics) Interaction")) << "a contact would be missed";
     EXPECT_FALSE(able.contains("Electricity Resolver"));
 }
 
-// Between linear gravity and attraction between masses there lies more than accuracy.
+// Linear gravity and attraction between masses differ in physics, not only in accuracy.
 TEST_F(WhatMayChange, ADetailLevelMustComputeWhatTheLevelStates) {
     std::string const both = R"({"gravity": [0, -9.81], "gravity_law": {"constant": 1e-3}})";
     std::string const said = refusalOfLevel(discs(both, R"({"frame": 2, "detail": {"gravity": "linear"}})"));
     EXPECT_NE(said.find("/solutions/0/changes/0/detail/gravity"), std::string::npos) << said;
     EXPECT_NE(said.find("'real', 'tree'"), std::string::npos) << said;
     EXPECT_EQ(refusalOfLevel(discs(both, R"({"frame": 2, "detail": {"gravity": "tree"}})")), "");
-    // A level file may state linear gravity all the same; then that is what it means.
+    // A level file may state linear gravity nevertheless; it then keeps it.
     std::string const stated =
         R"({"gravity": [0, -9.81], "gravity_law": {"constant": 1e-3}, "detail": {"gravity": "linear"}})";
     EXPECT_EQ(refusalOfLevel(discs(stated, R"({"frame": 2, "detail": {"gravity": "linear"}})")), "");
@@ -181,7 +181,7 @@ TEST_F(WhatMayChange, ADetailLevelMustComputeWhatTheLevelStates) {
     EXPECT_NE(refusalOfLevel(discs(stated, R"({"frame": 2, "detail": {"gravity": ""}})")), "");
 }
 
-TEST_F(WhatMayChange, ACircuitKeepsItsWayBack) {
+TEST_F(WhatMayChange, ACircuitWithAReturnKeepsIt) {
     open("1-switched-electromagnet.json");
     runTo(2);
     EXPECT_THROW(session().setDetail("electricity", "single-cable"), std::invalid_argument);
@@ -195,7 +195,7 @@ TEST_F(WhatMayChange, ACircuitKeepsItsWayBack) {
     EXPECT_EQ(session().changes().size(), 4U);
 }
 
-// What was asked for on the command line is whoever asked's own affair, but no solution.
+// The command line may choose other physics, but such a run cannot be saved as a solution.
 TEST_F(WhatMayChange, ARunWithOtherPhysicsIsNoSolution) {
     LevelFile const level = load("1-switched-electromagnet.json");
     Session other(gameData().registry, gameData().parts, level,

@@ -24,13 +24,13 @@ TEST(CameraSums, RoundTripIsExactToAMillionthOfAPixel) {
     }
 }
 
-TEST(CameraSums, UpIsUp) {
+TEST(CameraSums, UpInTheWorldIsUpOnTheScreen) {
     Camera const camera;
     EXPECT_LT(camera.toScreen({0, 1}).y, camera.toScreen({0, 0}).y);
     EXPECT_EQ(camera.toScreen(camera.centre), (Point{640, 360}));
 }
 
-TEST(CameraSums, ZoomKeepsWhatIsUnderTheCursor) {
+TEST(CameraSums, ZoomKeepsThePointUnderTheCursor) {
     Camera camera{{3, -2}, 80, {1280, 720}};
     Point const cursor{200, 650};
     Point const under = camera.toWorld(cursor);
@@ -99,8 +99,8 @@ TEST(Grid, LinesLieOnWholeMetresAndAreSharp) {
     camera.viewport = {400, 300};
     for (double const metre : {-1.0, 0.0, 1.0, 2.0}) {
         auto const x = static_cast<int>(std::floor(camera.toScreen({metre, 0}).x));
-        // Away from crossings: the line's one or two candidate columns are darker than what lies three pixels
-        // beside.
+        // Away from crossings: the line's one or two candidate columns are darker than the pixels three
+        // columns beside.
         int const y = static_cast<int>(camera.toScreen({0, 0.675}).y);
         int const darkest = std::min({image.at(x - 1, y)[2], image.at(x, y)[2], image.at(x + 1, y)[2]});
         EXPECT_LT(darkest + 15, image.at(x + 4, y)[2]) << metre;

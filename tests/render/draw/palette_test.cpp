@@ -43,7 +43,7 @@ Triple lab(Triple const& rgb) {
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-// What dichromats see, for linear sRGB: Machado, Oliveira and Fernandes 2009, severity 1.
+// Colours as dichromats see them, for linear sRGB: Machado, Oliveira and Fernandes 2009, severity 1.
 constexpr std::array<Matrix, 4> eyes{
     Matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
     Matrix{
@@ -70,7 +70,7 @@ double contrast(Colour a, Colour b) {
     return (high + 0.05) / (low + 0.05);
 }
 
-TEST(Palette, PairsThatMeanOppositesAreToldApartByAllEyes) {
+TEST(Palette, ColoursOfOppositeMeaningDifferForAllKindsOfColourVision) {
     struct Pair {
         char const* what;
         Colour a;

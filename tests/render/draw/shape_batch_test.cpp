@@ -14,12 +14,12 @@ constexpr Colour black = rgb(0x000000);
 constexpr Colour white = rgb(0xFFFFFF);
 constexpr Size size{400, 300};
 
-/// White, flat, without rim and shadow, so that a pixel's brightness is how much of it is covered.
+/// White, flat, without rim and shadow, so that a pixel's brightness is its covered share.
 Style bare() {
     return {.tint = white, .outline = 0.F, .height = 0.F, .layer = Layer::Rim};
 }
 
-/// Area of all that is white, in square metres, at 100 pixels per metre.
+/// White area in square metres, at 100 pixels per metre.
 double whiteArea(Image const& image) {
     double sum = 0;
     for (std::size_t i = 1; i < image.bytes().size(); i += 4) {
@@ -30,7 +30,7 @@ double whiteArea(Image const& image) {
 
 Image whiteShape(std::function<void(Canvas&, Style const&)> const& draw) {
     auto style = bare();
-    // The rim layer is one even colour all over the shape.
+    // The rim layer has one uniform colour all over the shape.
     style.outlineColour = white;
     return picture(size, black, [&](Canvas& canvas) { draw(canvas, style); });
 }
@@ -72,7 +72,7 @@ TEST(Shapes, CapsuleCoversItsArea) {
     EXPECT_NEAR(whiteArea(image) / (span * 0.5 + std::numbers::pi * 0.0625), 1.0, 0.01);
 }
 
-TEST(Shapes, PolygonCoversItsAreaWhicheverWayRound) {
+TEST(Shapes, PolygonCoversItsAreaInEitherOrientation) {
     std::array corners{Point{-0.8, -0.6}, Point{0.9, -0.5}, Point{0.7, 0.6}, Point{-0.1, 0.9},
                        Point{-0.7, 0.3}};
     double twice = 0;
@@ -124,7 +124,7 @@ TEST(Shapes, LaterOnesLieOnTop) {
     Style second = bare();
     second.outlineColour = blue;
     std::array const square{Point{-0.5, -0.5}, Point{0.5, -0.5}, Point{0.5, 0.5}, Point{-0.5, 0.5}};
-    // Different kinds of shape must not be sorted apart.
+    // Shapes of different kinds must keep their order.
     auto const image = picture(size, black, [&](Canvas& canvas) {
         canvas.polygon({}, square, first);
         canvas.circle({}, 0.4, second);
@@ -151,7 +151,7 @@ TEST(Shapes, OutlineLiesInsideTheTrueEdge) {
     EXPECT_DOUBLE_EQ(draw(0.F), draw(6.F));
 }
 
-TEST(Shapes, NonsenseIsLeftOutAndNothingElse) {
+TEST(Shapes, OnlyInvalidShapesAreLeftOut) {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const far = std::numeric_limits<double>::infinity();
     auto const image = whiteShape([&](Canvas& canvas, Style const& style) {
@@ -175,7 +175,7 @@ TEST(Shapes, NonsenseIsLeftOutAndNothingElse) {
     EXPECT_NEAR(whiteArea(image) / (std::numbers::pi * 0.25), 1.0, 0.01);
 }
 
-TEST(Shapes, WhatIsOutOfViewIsNotSent) {
+TEST(Shapes, ShapesOutOfViewAreNotSent) {
     picture(size, black, [](Canvas& canvas) {
         for (int i = 0; i < 100; ++i) {
             canvas.circle({{50.0 + i, 0}, 0}, 0.5, {});

@@ -37,7 +37,7 @@ protected:
         window().present();
     }
 
-    /// One frame of it that nobody sees.
+    /// One frame of `draw` that is not drawn.
     void dropped(std::function<void()> const& draw) {
         input_->poll();
         gui_->beginFrame(*input_, 1.0 / 60);
@@ -49,7 +49,7 @@ protected:
     std::unique_ptr<InputEvents> input_;
 };
 
-/// A window that stays where it is, with one thing in it whose middle is remembered.
+/// A window at a fixed place with one item, whose middle is stored.
 struct Bench {
     ImVec2 middle;
     void show(std::function<void()> const& draw) {
@@ -77,7 +77,7 @@ TEST_F(Panels, TextOfBothSizesHasTheArrowKeys) {
     }
 }
 
-TEST_F(Panels, ADroppedFrameDrawsNothingAndAnswersAllTheSame) {
+TEST_F(Panels, ADroppedFrameDrawsNothingButHandlesInput) {
     Bench bench;
     int clicks = 0;
     auto const draw = [&] { bench.show([&] { clicks += ImGui::Button("Press me") ? 1 : 0; }); };
@@ -98,7 +98,7 @@ TEST_F(Panels, ADroppedFrameDrawsNothingAndAnswersAllTheSame) {
     Image const drawn = window().readPixels();
     EXPECT_NE(drawn, blank);
     frame(draw);
-    EXPECT_EQ(window().readPixels(), drawn) << "the first picture after them is complete";
+    EXPECT_EQ(window().readPixels(), drawn) << "the first picture after the dropped ones is complete";
 }
 
 TEST_F(Panels, APushedClickClicks) {
@@ -132,7 +132,7 @@ TEST_F(Panels, AClickWithinOneFrameClicks) {
     frame(draw);
     frame(draw);
     EXPECT_EQ(clicks, 1);
-    // Beside it nothing happens, and the world gets the mouse.
+    // A click beside the button is ignored by panels and left to the world.
     pushClick(window(), {900, 600});
     frame(draw);
     frame(draw);
@@ -140,7 +140,7 @@ TEST_F(Panels, AClickWithinOneFrameClicks) {
     EXPECT_FALSE(gui_->wantsMouse());
 }
 
-TEST_F(Panels, ADisabledButtonDoesNot) {
+TEST_F(Panels, ADisabledButtonCannotBeClicked) {
     Bench bench;
     int clicks = 0;
     auto const draw = [&] { bench.show([&] { clicks += bigButton("Start", {.enabled = false}) ? 1 : 0; }); };
@@ -229,7 +229,7 @@ TEST_F(Panels, ATileIsTakenWhenTheMouseGoesDown) {
     EXPECT_EQ(taken, 1);
 }
 
-TEST_F(Panels, InputTellsWhatHappened) {
+TEST_F(Panels, InputReportsTheEvents) {
     auto const nothing = [] {};
     frame(nothing);
     pushMouseMove(window(), {10, 20});
@@ -260,7 +260,7 @@ TEST_F(Panels, InputTellsWhatHappened) {
     EXPECT_TRUE(input_->quit());
 }
 
-TEST_F(Panels, LettersFollowTheScale) {
+TEST_F(Panels, LettersScaleWithTheInterface) {
     frame([] {});
     float const small = gui_->fonts().body->FontSize;
     EXPECT_FALSE(gui_->fonts().message.empty());
@@ -273,7 +273,7 @@ TEST_F(Panels, LettersFollowTheScale) {
     }
 }
 
-TEST_F(Panels, ToastsComeAndGo) {
+TEST_F(Panels, ToastsAppearAndDisappear) {
     Toasts toasts;
     for (int i = 0; i < 8; ++i) {
         toasts.add("Number " + std::to_string(i), ToastKind::News, 1);
@@ -324,7 +324,7 @@ void sampleWorld(Canvas& sheet) {
 
 TEST_F(Panels, SampleScreen) {
     std::vector<Size> sizes{{1280, 720}};
-    if (!trembler::test::underSanitizer) { // the same code draws both
+    if (!trembler::test::underSanitizer) { // both sizes are drawn by the same code
         sizes.push_back({3840, 2160});
     }
     for (Size const size : sizes) {

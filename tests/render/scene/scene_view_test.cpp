@@ -47,7 +47,7 @@ Point cableMiddle(ExperimentStage& stage, std::string const& a, std::string cons
     return centreOf(cablePath(from, poseOf(from), to, poseOf(to)));
 }
 
-TEST(ScenePicture, ExperimentForPeople) {
+TEST(ScenePicture, AnExperimentAsAnExample) {
     ExperimentStage stage;
     keepForPeople(draw(stage.world), "scene-rest");
     stage.closeSwitch();
@@ -70,14 +70,14 @@ TEST(ScenePicture, TheSameWorldGivesTheSamePicture) {
     EXPECT_EQ(draw(stage.world, {.time = 0.3}), draw(stage.world, {.time = 0.3}));
 }
 
-TEST(ScenePicture, AnObjectIsWhereItIs) {
+TEST(ScenePicture, AnObjectIsDrawnAtItsPosition) {
     ExperimentStage stage;
     Image const before = draw(stage.world);
     Vec2 const away{-0.5, 0.5};
     stage.world.store().column<Position>().set(stage.id["metal object"], {away});
     Image const after = draw(stage.world);
-    EXPECT_GT(changed(before, after, {2.4, -2.22}, 20), 1500);  // gone from here
-    EXPECT_GT(changed(before, after, toPoint(away), 20), 1500); // and there now
+    EXPECT_GT(changed(before, after, {2.4, -2.22}, 20), 1500);  // it left this place
+    EXPECT_GT(changed(before, after, toPoint(away), 20), 1500); // it is at this place now
     EXPECT_EQ(changed(before, after, {-4, 2}, 60), 0);
 }
 
@@ -89,8 +89,8 @@ TEST(ScenePicture, CurrentLightsTheCable) {
     Image const off = draw(stage.world, {.time = 0.3});
     Point const cable = cableMiddle(stage, "object 2", "object 3");
     EXPECT_GT(changed(on, off, cable, 10), 150);
-    EXPECT_EQ(changed(on, off, {0, -2}, 60), 0); // nothing happens in the middle of nowhere
-    // The lit cable is of the live colour: much more red than blue around it.
+    EXPECT_EQ(changed(on, off, {0, -2}, 60), 0); // no change at an empty place
+    // The cable has the colour of current: much more red than blue around it.
     Point const screen = stageCamera(size).toScreen(cable);
     auto const warm = [&](Image const& image) {
         int sum = 0;
@@ -139,7 +139,7 @@ TEST(ScenePicture, OverlaysAreDrawnOnlyWhenAsked) {
     EXPECT_GT(changed(with({.forces = true}), plain, {2.4, 1.6}, 30), 60);
     EXPECT_GT(changed(with({.fieldLines = true}), plain, {2.4, 0}, 200), 300);
     EXPECT_GT(changed(with({.contacts = true}), plain, {-3.5, -0.68}, 40), 40);
-    // Each keeps to its own matter.
+    // Each overlay changes only its own pixels.
     EXPECT_EQ(changed(with({.contacts = true}), plain, {2.4, 1.5}, 60), 0);
     EXPECT_EQ(changed(with({.forces = true}), plain, {-3.5, -0.68}, 60), 0);
     store.slot<MagneticForce>().value().forces.clear();
@@ -153,11 +153,11 @@ TEST(ScenePicture, SelectionAndHoverAreSeen) {
     EXPECT_GT(changed(draw(stage.world, {.selected = bar}), plain, {-2.7, 0.6}, 60), 200);
     EXPECT_GT(changed(draw(stage.world, {.hovered = bar}), plain, {-2.7, 0.6}, 60), 200);
     EXPECT_EQ(changed(draw(stage.world, {.selected = bar}), plain, {2.4, -2.2}, 60), 0);
-    // An id that names nothing selects nothing.
+    // An invalid id selects nothing.
     EXPECT_EQ(draw(stage.world, {.selected = ObjectId{9999, 3}}), plain);
 }
 
-TEST(ScenePicture, AreasAndGoalsAreSeenWhereTheyAre) {
+TEST(ScenePicture, AreasAndGoalsAreDrawnAtTheirPlaces) {
     ExperimentStage stage;
     Image const plain = draw(stage.world);
     std::vector<Area> const placing{{Box{{-0.9, -0.5}, {1, 1}}, {}}};
@@ -173,7 +173,7 @@ TEST(ScenePicture, AreasAndGoalsAreSeenWhereTheyAre) {
     EXPECT_EQ(labelAnchor(goal), (Point{1, -1}));
 }
 
-TEST(ScenePicture, AGhostTellsWhetherItMayStand) {
+TEST(ScenePicture, AGhostShowsWhetherItMayBePlaced) {
     ExperimentStage stage;
     Prototype part;
     part.values.push_back(std::make_unique<ValueOf<Shape>>(Shape{{boxPiece(0.8, 0.2), boxPiece(0.2, 0.8)}}));
@@ -235,7 +235,7 @@ TEST(ScenePicture, TheHandsCordIsSeenWhileItHolds) {
     EXPECT_GT(changed(held, free, {-1.4, 1.32}, 30), 50); // the cord
 }
 
-TEST(SceneView, ShowsWhatLiesBetweenTwoFrames) {
+TEST(SceneView, InterpolatesBetweenTwoFrames) {
     World world(everything());
     ObjectId const ball = body(world, "ball", {circlePiece(0.3)}, {0, 0});
     SceneView view;
@@ -251,7 +251,7 @@ TEST(SceneView, ShowsWhatLiesBetweenTwoFrames) {
     EXPECT_EQ(view.poseOf(world, ball, 0.25).at, (Point{1, 2}));
 }
 
-TEST(SceneView, NeverDrawsTheWayOfWhatWasPutElsewhere) {
+TEST(SceneView, DoesNotInterpolateMovesByTheLevelOrThePlayer) {
     World world(everything());
     ObjectId const ball = body(world, "ball", {circlePiece(0.3)}, {0, 0});
     SceneView view;
@@ -261,15 +261,16 @@ TEST(SceneView, NeverDrawsTheWayOfWhatWasPutElsewhere) {
     world.store().destroy({ball});
     ObjectId const stranger = body(world, "stranger", {circlePiece(0.3)}, {2, 0});
     ASSERT_EQ(stranger.index, ball.index);
-    EXPECT_EQ(view.poseOf(world, stranger, 0.5).at, (Point{2, 0})); // the place was another's
+    EXPECT_EQ(view.poseOf(world, stranger, 0.5).at,
+              (Point{2, 0})); // the previous place belonged to another object
 }
 
-TEST(SceneView, GivesTheWordsOnObjects) {
+TEST(SceneView, ReturnsTheLabelsOfObjects) {
     World world(everything());
     ObjectId const crate = body(world, "crate", {boxPiece(1, 0.5)}, {3, 1});
-    world.store().column<Look>().set(crate, {trembler::Pattern::wood, "", "XII"});
+    world.store().column<Look>().set(crate, {LookPattern::wood, "", "XII"});
     ObjectId const battery = body(world, "battery", {boxPiece(0.4, 0.4)}, {0, 0});
-    world.store().column<Look>().set(battery, {trembler::Pattern::gold, "", "+"});
+    world.store().column<Look>().set(battery, {LookPattern::gold, "", "+"});
     world.store().column<ElectricalSource>().set(battery, {}); // carries the sign already
     body(world, "ball", {circlePiece(0.3)}, {0, 3});
     auto const labels = SceneView().labels(world);
@@ -280,7 +281,7 @@ TEST(SceneView, GivesTheWordsOnObjects) {
     EXPECT_LT(labels[0].metresHigh, 0.5);
 }
 
-TEST(ScenePicture, SurvivesWhateverASimulationDoes) {
+TEST(ScenePicture, SurvivesExtremeStatesOfSimulations) {
     ExperimentStage stage;
     stage.closeSwitch();
     double const nan = std::nan("");

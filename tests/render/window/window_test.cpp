@@ -10,8 +10,8 @@
 namespace trembler::render::test {
 namespace {
 
-/// Opens a second window with one environment variable set and prints the failure; runs in a process of its
-/// own, so that SDL starts afresh.
+/// Opens a second window with one environment variable set and prints the failure; runs in a separate
+/// process, because SDL must be initialised there for the first time.
 [[noreturn]] void openAndReport(char const* variable, char const* value, WindowMode mode) {
     for (auto const* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}) {
         unsetenv(name); // NOLINT(concurrency-mt-unsafe): the only thread of a fresh process
@@ -31,19 +31,19 @@ protected:
     void SetUp() override { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
 };
 
-TEST_F(WindowFailure, NoDisplayIsSaid) {
+TEST_F(WindowFailure, AMissingDisplayIsReported) {
     EXPECT_EXIT(openAndReport("NO_SUCH_SETTING", "1", WindowMode::Visible), testing::ExitedWithCode(0),
                 "kind 0: .*no display|kind 0: .*no video driver");
 }
 
-TEST_F(WindowFailure, ADriverThatShowsNothingIsNoDisplay) {
+TEST_F(WindowFailure, ADriverWithoutAScreenIsNoDisplay) {
     EXPECT_EXIT(openAndReport("SDL_VIDEODRIVER", "dummy", WindowMode::Visible), testing::ExitedWithCode(0),
                 "kind 0: There is no display");
     EXPECT_EXIT(openAndReport("SDL_VIDEODRIVER", "offscreen", WindowMode::Visible),
                 testing::ExitedWithCode(0), "kind 0: There is no display");
 }
 
-TEST_F(WindowFailure, NoOpenGlIsSaid) {
+TEST_F(WindowFailure, MissingOpenGlIsReported) {
     EXPECT_EXIT(openAndReport("SDL_VIDEO_EGL_DRIVER", "/no/such/library.so", WindowMode::Offscreen),
                 testing::ExitedWithCode(0), "kind 1: .*OpenGL");
 }
@@ -70,10 +70,10 @@ TEST(Windows, OffscreenTakesAnySize) {
     }
     EXPECT_THROW(window().resize({1000000, 10}), RenderError);
     EXPECT_THROW(window().resize({0, 10}), RenderError);
-    EXPECT_EQ(window().size(), (Size{641, 479})); // what was there stays
+    EXPECT_EQ(window().size(), (Size{641, 479})); // the old size is kept
 }
 
-TEST(Windows, TwoKeepApart) {
+TEST(Windows, TwoAreIndependent) {
     window().resize({64, 48});
     window().beginFrame(rgb(0x336699));
     {
@@ -87,7 +87,7 @@ TEST(Windows, TwoKeepApart) {
     EXPECT_EQ(window().readPixels().at(63, 47), (Pixel{0x00, 0xAA, 0x00, 255}));
 }
 
-TEST(Pictures, ComeBackFromPngAsTheyWere) {
+TEST(Pictures, AreUnchangedAfterPngEncoding) {
     auto const image = picture({320, 200}, palette::paper, [](Canvas& canvas) {
         canvas.paper();
         canvas.circle({{0.5, 0.5}, 0}, 0.4, {.pattern = Pattern::Copper});
@@ -122,7 +122,7 @@ TEST(Pictures, FailuresNameTheFile) {
     EXPECT_THROW(Image({-1, 2}), std::invalid_argument);
 }
 
-TEST(Framebuffers, AreDrawnIntoAndReadAlone) {
+TEST(Framebuffers, AreDrawnAndReadSeparately) {
     window().resize({64, 64});
     window().beginFrame(rgb(0xFF0000));
     Framebuffer const target({32, 32});

@@ -13,7 +13,7 @@
 namespace trembler {
 namespace {
 
-TEST(CallerId, IsOrderedByRegistrationAfterTheLevelAndWhatIsOutside) {
+TEST(CallerId, IsOrderedByRegistrationAfterTheLevelAndOutsideCallers) {
     Callers callers;
     CallerId const first = callers.add("Zeta <- Alpha");
     CallerId const outside = callers.addOutside("the player");
@@ -31,14 +31,14 @@ TEST(CallerId, IsOrderedByRegistrationAfterTheLevelAndWhatIsOutside) {
     EXPECT_NE(first, second);
 }
 
-TEST(CallerCounts, AreEachCallersOwn) {
+TEST(CallerCounts, AreSeparateForEachCaller) {
     Callers callers;
     CallerId const sensor = callers.add("Electricity <- Sound");
     CallerId const dynamo = callers.add("Electricity <- Rotation");
     CallerCounts counts;
     counts.add(sensor, 1);
     counts.add(dynamo, -1);
-    EXPECT_TRUE(counts.any()) << "the second has nothing to take away";
+    EXPECT_TRUE(counts.any()) << "the second caller has no count to remove";
     EXPECT_EQ(counts.of(sensor), 1);
     EXPECT_EQ(counts.of(dynamo), 0);
     EXPECT_EQ(counts.names(), "Electricity <- Sound");
@@ -51,7 +51,7 @@ TEST(CallerCounts, AreEachCallersOwn) {
     EXPECT_EQ(counts, CallerCounts());
 }
 
-TEST(CallerCounts, StayWithinTheirNumbers) {
+TEST(CallerCounts, AreLimitedToTheirRange) {
     CallerCounts counts;
     constexpr std::int64_t far = std::numeric_limits<std::int64_t>::max();
     counts.add(CallerId::level(), far);
@@ -61,7 +61,7 @@ TEST(CallerCounts, StayWithinTheirNumbers) {
     EXPECT_EQ(counts.of(CallerId::level()), 0);
 }
 
-TEST(CallerCounts, HashTheNamesOfCallersAndNotTheirPlaces) {
+TEST(CallerCounts, HashTheNamesOfCallersAndNotTheirIndices) {
     auto const hashOf = [](int before) {
         Callers callers;
         for (int i = 0; i < before; ++i) {
@@ -77,7 +77,7 @@ TEST(CallerCounts, HashTheNamesOfCallersAndNotTheirPlaces) {
     EXPECT_EQ(hashOf(0), hashOf(3));
 }
 
-// Any sequence of calls by several callers, some of whom go, against a brute-force multiset.
+// Any sequence of calls by several callers, some of which are removed, compared with a brute-force multiset.
 TEST(CallerCounts, AreAMultisetForEachCaller) {
     EXPECT_TRUE(rc::check([] {
         Callers callers;
@@ -93,7 +93,7 @@ TEST(CallerCounts, AreAMultisetForEachCaller) {
             std::size_t const caller = deed.first % known.size();
             std::size_t const staying = 1 + deed.first % 4U;
             int const change = deed.second % 3;
-            if (deed.first >= 240) { // all but one of them go, and of course the level does not
+            if (deed.first >= 240) { // all but one of them are removed, and the level never is
                 std::vector<CallerId> const present{known[staying]};
                 RC_ASSERT(counts.onlyBy(present) ==
                           std::all_of(oracle.begin(), oracle.end(), [&](auto const& o) {
@@ -126,7 +126,7 @@ TEST(CallerCounts, AreAMultisetForEachCaller) {
             copy = moved;
             moved = CallerCounts();
             RC_ASSERT((copy == counts && !moved.any()));
-            CallerCounts again; // the same, told in another order
+            CallerCounts again; // the same calls in another order
             for (std::size_t i = known.size(); i-- > 0;) {
                 again.add(known[i], oracle[i]);
             }

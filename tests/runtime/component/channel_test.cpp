@@ -50,7 +50,7 @@ TEST(CallBuffer, KeepsCausesBesideTheirCalls) {
     EXPECT_EQ(buffer.cause(1), EventId{});
 }
 
-TEST(CallAlgebra, KnowsWhichCallsAreHeld) {
+TEST(CallAlgebra, StatesWhichCallsAreHeld) {
     EXPECT_TRUE(isHeld(Algebra::sumOfRates));
     EXPECT_TRUE(isHeld(Algebra::anyOf));
     EXPECT_TRUE(isHeld(Algebra::least));
@@ -66,7 +66,7 @@ TEST(CallAlgebra, KnowsWhichCallsAreHeld) {
           Algebra::countedSet, Algebra::create, Algebra::destroy, Algebra::sequence}) {
         names.insert(nameOf(a));
     }
-    EXPECT_EQ(names.size(), 9U) << "each has words of its own for the notation";
+    EXPECT_EQ(names.size(), 9U) << "each has a different text in the notation";
 }
 
 TEST(Channel, DrainsBySourceThenChunkThenCall) {
@@ -90,7 +90,7 @@ TEST(Channel, DrainsBySourceThenChunkThenCall) {
     EXPECT_EQ(origins, (std::vector{first.caller, first.caller, first.caller, first.caller, second.caller}));
 }
 
-TEST(Channel, ClearsOnceCallsAfterTheyWereCarriedOutAndHeldOnesWhenTheirSourceSaysSo) {
+TEST(Channel, ClearsSingleCallsOnceCarriedOutAndHeldOnesByTheirSource) {
     Source source;
     Channel<HeatRole> channel;
     channel.add(&source);
@@ -105,8 +105,8 @@ TEST(Channel, ClearsOnceCallsAfterTheyWereCarriedOutAndHeldOnesWhenTheirSourceSa
     EXPECT_TRUE(holds(channel).empty());
 }
 
-// Whatever happens to sources, a version that was seen never comes again.
-TEST(Channel, NoVersionComesTwice) {
+// No sequence of changes to the sources repeats a version.
+TEST(Channel, NoVersionIsRepeated) {
     EXPECT_TRUE(rc::check([](std::vector<std::uint8_t> const& deeds) {
         std::deque<Source> sources(4);
         std::set<std::size_t> present;
@@ -114,7 +114,7 @@ TEST(Channel, NoVersionComesTwice) {
         std::set<std::uint64_t> seen{channel.version()};
         for (std::uint8_t const deed : deeds) {
             std::size_t const n = deed % sources.size();
-            if (deed & 0x80U) { // an interaction comes or goes: all are bound again
+            if (deed & 0x80U) { // an interaction is constructed or removed: all are bound again
                 if (!present.erase(n)) {
                     present.insert(n);
                     sources[n].version = 1;
@@ -150,10 +150,10 @@ TEST(Channels, AreOnePerRole) {
     EXPECT_TRUE(channels.of<HeatRole>().sources().empty());
 }
 
-// --- what a resolver makes of them
+// --- the results of a resolver
 // ------------------------------------------------------------------------------
 
-// One call of every keyed algebra, and a resolver that carries them out as their algebra says.
+// One call of every keyed algebra, and a resolver that carries them out by their algebra.
 template <Algebra a>
 struct Keyed {
     static constexpr CallText text{"keyed", "(key, value)", "For tests."};
@@ -245,7 +245,7 @@ TEST(CallAlgebra, MakesTheOrderOfCallsIrrelevant) {
         std::reverse(shuffled.begin(), shuffled.end());
         RC_ASSERT(record(shuffled, 3) == straight);
         RC_ASSERT(record(order, 2) == straight);
-        // The sums that no order can change, counted by hand.
+        // The sums, which do not depend on the order, computed by hand.
         std::map<std::uint32_t, int> expected;
         for (Deed const& d : deeds) {
             if (d.kind == 0) {

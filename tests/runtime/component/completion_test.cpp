@@ -28,7 +28,7 @@ struct Stage {
     }
 };
 
-// Whatever is at stage n-1 gets to stage n, with one more than there.
+// Every object with stage n-1 gets stage n, whose value is greater by one.
 template <std::size_t n>
 struct NextStage final : Completion<NextStage<n>, Reads<Stage<n - 1>>, Adds<Stage<n>>> {
     using Base = Completion<NextStage, Reads<Stage<n - 1>>, Adds<Stage<n>>>;
@@ -40,7 +40,7 @@ struct NextStage final : Completion<NextStage<n>, Reads<Stage<n - 1>>, Adds<Stag
     }
 };
 
-TEST(Completions, WhatIsStatedStays) {
+TEST(Completions, StatedPropertiesAreKept) {
     Registry registry;
     registry.completion<NextStage<1>>();
     World world(registry);
@@ -55,7 +55,7 @@ TEST(Completions, WhatIsStatedStays) {
     EXPECT_EQ(world.find<Stage<1>>(stated)->value, -1);
 }
 
-TEST(Completions, RunInTheOrderOfWhatTheyNeedHoweverTheyAreRegistered) {
+TEST(Completions, RunInTheOrderOfTheirReadsInAnyOrderOfRegistration) {
     Registry forwards;
     forwards.completion<NextStage<1>>();
     forwards.completion<NextStage<2>>();
@@ -74,7 +74,7 @@ TEST(Completions, RunInTheOrderOfWhatTheyNeedHoweverTheyAreRegistered) {
     }
 }
 
-// Reads another object's stage 1, which that one gets by completion as well.
+// Reads the stage 1 of another object, which is also added by completion.
 struct Companion final : Completion<Companion, Reads<Stage<0>, Stage<1>>, Adds<Stage<2>>> {
     static constexpr CompletionText text{.name = "Companion", .work = "The other one's stage."};
     using Activation = NeedsAll<Stage<0>>;
@@ -132,7 +132,7 @@ TEST(Completions, ACircleIsRefusedByName) {
                               "Stage 2 Completion reads Stage 1, which the Stage 1 Completion adds"}) {
         EXPECT_NE(why.find(words), std::string::npos) << why;
     }
-    EXPECT_EQ(why.find("Stage 3 Completion"), std::string::npos) << "it only waits for the circle: " << why;
+    EXPECT_EQ(why.find("Stage 3 Completion"), std::string::npos) << "it only depends on the circle: " << why;
 }
 
 TEST(Completions, TwoThatAddOnePropertyAreRefusedByName) {
@@ -146,7 +146,7 @@ TEST(Completions, TwoOfOneNameAreRefused) {
               std::string::npos);
 }
 
-TEST(Completions, WhatTheyAddIsKnownToFiles) {
+TEST(Completions, AddedPropertiesAreKnownToFiles) {
     Registry registry;
     registry.completion<NextStage<1>>();
     EXPECT_EQ(registry.objectProperty("stage_0"), &propertyInfo<Stage<0>>());
@@ -168,7 +168,7 @@ TEST(Completions, TheNotationPrintsThemInTheirOrder) {
     }
 }
 
-// An interaction that speaks in the setup: its resolver knows in its first advance.
+// An interaction that makes calls in the setup: its resolver receives them in its first advance.
 struct HeatFromFuelAtOnce final : Interaction<HeatFromFuelAtOnce, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Heat <- Fuel at once", .effect = "heat", .level = "", .work = "Burns."};
@@ -198,12 +198,12 @@ double heatAfterOneFrame(bool trace = false, std::vector<std::uint64_t>* frames 
     return world.find<Heat>(coal)->value;
 }
 
-TEST(Setup, WhatSpeaksInItIsHeardInTheFirstAdvance) {
-    EXPECT_EQ(heatAfterOneFrame<HeatFromFuel>(), 0) << "others first speak at the end of frame 1";
+TEST(Setup, CallsMadeInItAreCarriedOutInTheFirstAdvance) {
+    EXPECT_EQ(heatAfterOneFrame<HeatFromFuel>(), 0) << "others make their first calls at the end of frame 1";
     EXPECT_EQ(heatAfterOneFrame<HeatFromFuelAtOnce>(), 1);
     std::vector<std::uint64_t> frames;
     EXPECT_EQ(heatAfterOneFrame<HeatFromFuelAtOnce>(true, &frames), 1);
-    EXPECT_EQ(frames, std::vector<std::uint64_t>{0}) << "an event of frame 0, and not mentioned again";
+    EXPECT_EQ(frames, std::vector<std::uint64_t>{0}) << "an event of frame 0, which is not repeated";
 }
 
 } // namespace

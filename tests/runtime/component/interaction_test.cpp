@@ -49,7 +49,7 @@ TEST(InteractionCalls, AreHeldWhileTheInteractionSleeps) {
     EXPECT_EQ(statusOf(world, "Heat <- Fuel").updates, 1U);
     EXPECT_EQ(statusOf(world, "Heat <- Fuel").activity, Activity::asleep);
     EXPECT_NEAR(world.find<Heat>(coal)->value, 50, 1e-9);
-    world.store().column<Fuel>().set(coal, {0}); // said again: the old call must be gone
+    world.store().column<Fuel>().set(coal, {0}); // called again: the old call must be replaced
     steps(world, 1);
     double const then = world.find<Heat>(coal)->value;
     steps(world, 10);
@@ -67,7 +67,7 @@ struct StrikeFromFuel final : Interaction<StrikeFromFuel, HeatRole, Reads<Fuel>>
     }
 };
 
-TEST(InteractionCalls, ThatAreNotHeldAreCarriedOutExactlyOnceWhateverThePeriods) {
+TEST(InteractionCalls, ThatAreNotHeldAreCarriedOutExactlyOnceForAnyPeriods) {
     for (int const resolverPeriod : {1, 2, 3, 7}) {
         for (int const interactionPeriod : {1, 2, 5}) {
             Registry registry;
@@ -110,7 +110,7 @@ TEST(InteractionCalls, OfASleepingResolverWakeIt) {
     EXPECT_EQ(world.find<StoveLog>()->advances, advances + 1);
 }
 
-// Has a word to say only where there is fuel left.
+// Makes calls only for objects with fuel left.
 struct HeatFromFuelLeft final : Interaction<HeatFromFuelLeft, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Heat <- Fuel left", .effect = "heat", .level = "", .work = "Burns."};
@@ -126,28 +126,27 @@ struct HeatFromFuelLeft final : Interaction<HeatFromFuelLeft, HeatRole, Reads<Fu
     }
 };
 
-TEST(InteractionCalls, NothingAfterNothingWakesNobodyButTheFirstAndTheLastWordDo) {
+TEST(InteractionCalls, AnEmptySetOfCallsAfterAnotherDoesNotWakeTheResolver) {
     Registry registry;
     registry.component<Stove>();
     registry.component<HeatFromFuelLeft>();
     World world(registry);
     ObjectId const coal = thing(world, "coal", 0, 0);
     world.start();
-    auto const say =
-        [&](double rate) { // two frames after it was said, the stove has heard of it, or never will
-            int const before = world.find<StoveLog>()->advances;
-            world.store().column<Fuel>().set(coal, {rate});
-            steps(world, 2);
-            return world.find<StoveLog>()->advances - before;
-        };
+    auto const say = [&](double rate) { // a call reaches the stove within two frames or never
+        int const before = world.find<StoveLog>()->advances;
+        world.store().column<Fuel>().set(coal, {rate});
+        steps(world, 2);
+        return world.find<StoveLog>()->advances - before;
+    };
     steps(world, 5);
     for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(say(0), 0) << "silence after silence";
+        EXPECT_EQ(say(0), 0) << "no calls, as before";
     }
-    EXPECT_EQ(statusOf(world, "Heat <- Fuel left").updates, 4U) << "it was asked each time";
+    EXPECT_EQ(statusOf(world, "Heat <- Fuel left").updates, 4U) << "it was applied each time";
     EXPECT_EQ(say(1), 1);
     EXPECT_EQ(world.find<StoveLog>()->held, 1);
-    EXPECT_EQ(say(0), 1) << "what stood was taken back";
+    EXPECT_EQ(say(0), 1) << "the held call was withdrawn";
     EXPECT_EQ(world.find<StoveLog>()->held, 0);
     EXPECT_EQ(say(0), 0);
 }
@@ -165,8 +164,8 @@ struct HeatFromEmber final : Interaction<HeatFromEmber, HeatRole, Reads<Ember>> 
     }
 };
 
-// A resolver that is asleep must hear that one of two interactions, with all that it held, is no more.
-TEST(InteractionCalls, ThatAreHeldGoWithTheirInteractionAndTheResolverHearsOfIt) {
+// A sleeping resolver must wake if one of two interactions is removed with its held calls.
+TEST(InteractionCalls, ThatAreHeldAreRemovedWithTheirInteractionAndWakeTheResolver) {
     Registry registry;
     registry.component<Stove>();
     registry.component<HeatFromFuel>();
@@ -201,7 +200,7 @@ struct Recorder final : Resolver<Recorder, HeatRole, Reads<>, Writes<Heat>, Prov
         access.forCalls<Strike>([&](Strike const& call, CallOrigin) { energies.push_back(call.energy); });
     }
 };
-// Calls before, in and after its chunks, of which there are more than at first.
+// Calls before, in and after its chunks, whose number increases.
 struct ManyStrikes final : Interaction<ManyStrikes, HeatRole, Reads<Heat>> {
     static constexpr ComponentText text{
         .name = "Strike <- Heat", .effect = "heat", .level = "", .work = "Strikes."};
@@ -218,7 +217,7 @@ struct ManyStrikes final : Interaction<ManyStrikes, HeatRole, Reads<Heat>> {
     }
 };
 
-TEST(InteractionCallsParallel, ComeOutInTheSameOrderForAnyNumberOfThreads) {
+TEST(InteractionCallsParallel, AreDrainedInTheSameOrderForAnyNumberOfThreads) {
     constexpr int count = 5000;
     std::vector<double> first;
     for (bool const trace : {false, true}) {
@@ -236,7 +235,7 @@ TEST(InteractionCallsParallel, ComeOutInTheSameOrderForAnyNumberOfThreads) {
             ASSERT_EQ(energies.size(), static_cast<std::size_t>(count + 2));
             if (first.empty()) {
                 first = energies;
-                // Chunk by chunk: what was called outside of chunks belongs to the first one.
+                // In order of chunks: calls from outside of chunks belong to the first one.
                 EXPECT_EQ(energies[0], -1);
                 EXPECT_EQ(energies[1], 0);
                 EXPECT_EQ(energies[chunkRows], chunkRows - 1);
@@ -259,7 +258,7 @@ struct FirstTimes final : Interaction<FirstTimes, HeatRole, Reads<Heat>> {
     }
 };
 
-TEST(Interaction, KnowsItsFirstTimeAfterEveryConstruction) {
+TEST(Interaction, RecognisesItsFirstTurnAfterEveryConstruction) {
     Registry registry;
     registry.component<Furnace>();
     registry.component<FirstTimes>();
@@ -268,10 +267,10 @@ TEST(Interaction, KnowsItsFirstTimeAfterEveryConstruction) {
     world.start();
     steps(world, 5);
     EXPECT_EQ(world.find<StoveLog>()->onceEver, 1);
-    world.store().column<Fuel>().remove(coal); // it goes
+    world.store().column<Fuel>().remove(coal); // the interaction is removed
     steps(world, 2);
     EXPECT_EQ(statusOf(world, "First <- Heat").activity, Activity::absent);
-    world.store().column<Fuel>().set(coal, {1}); // and comes again
+    world.store().column<Fuel>().set(coal, {1}); // it is constructed again
     steps(world, 5);
     EXPECT_EQ(world.find<StoveLog>()->onceEver, 2);
 }

@@ -1,4 +1,5 @@
-// An ordinary stream over a descriptor: every byte arrives, whatever the sizes, and a failure says why.
+// An ordinary stream over a descriptor: every byte arrives for writes of any size, and a failure has a
+// reason.
 #include "runtime/file/descriptor_stream.hpp"
 #include "runtime/file/visible_text.hpp"
 
@@ -17,7 +18,7 @@ namespace trembler {
 namespace descriptor_stream_test {
 namespace {
 
-/// A file without a name, and what stands in it.
+/// A file without a name, and its content.
 class Paper {
 public:
     Paper() : file_(std::tmpfile(), &std::fclose) {}
@@ -66,8 +67,8 @@ TEST(DescriptorBuffer, EveryByteArrivesInOrder) {
     }));
 }
 
-// However the bytes of a text fall into buffers, what arrives is what the whole text would be shown as.
-TEST(DescriptorBuffer, CharactersAreShownWholeWhereverABufferEnds) {
+// The shown text does not depend on the division of its bytes into buffers.
+TEST(DescriptorBuffer, CharactersAcrossTwoBuffersAreShownWhole) {
     std::string const line = "caf\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x98\x80 \x1b[2J\n\t\xE2\x80\xAE"
                              "abc";
     for (std::size_t pad = 0; pad < line.size() + 4; ++pad) {
@@ -96,16 +97,16 @@ TEST(DescriptorBuffer, CharactersAreShownWholeWhereverABufferEnds) {
         DescriptorBuffer buffer(paper.descriptor(), DescriptorBuffer::Filter::visible);
         std::ostream(&buffer) << "a\xE2\x82";
     }
-    EXPECT_EQ(paper.content(), "a<E2><82>") << "what never becomes a character is shown at the end";
+    EXPECT_EQ(paper.content(), "a<E2><82>") << "an incomplete character is shown at the end";
 }
 
-TEST(DescriptorBuffer, AFailureStaysAndSaysWhy) {
+TEST(DescriptorBuffer, AFailureIsKeptWithItsReason) {
     int const full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
     ASSERT_GE(full, 0);
     {
         DescriptorBuffer buffer(full);
         std::ostream out(&buffer);
-        out << "no room";
+        out << "too long";
         EXPECT_TRUE(out.good()) << "nothing has been written yet";
         EXPECT_EQ(buffer.error(), 0);
         out.flush();
@@ -113,7 +114,7 @@ TEST(DescriptorBuffer, AFailureStaysAndSaysWhy) {
         EXPECT_EQ(buffer.error(), ENOSPC);
         out.clear();
         out << std::string(100000, 'x');
-        EXPECT_FALSE(out.good()) << "nothing more is tried";
+        EXPECT_FALSE(out.good()) << "no further write is attempted";
         EXPECT_EQ(buffer.error(), ENOSPC);
     }
     ::close(full);

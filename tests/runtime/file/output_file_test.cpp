@@ -45,7 +45,7 @@ protected:
     fs::path folder;
 };
 
-TEST_F(OutputFiles, AreThereOnlyWhenComplete) {
+TEST_F(OutputFiles, AppearOnlyWhenComplete) {
     fs::path const target = folder / "new";
     {
         OutputFile file(target);
@@ -60,7 +60,7 @@ TEST_F(OutputFiles, AreThereOnlyWhenComplete) {
         file.stream() << "not finished" << std::flush;
         EXPECT_EQ(fs::file_size(target), 1U << 20U);
     }
-    EXPECT_EQ(fs::file_size(target), 1U << 20U) << "without commit() nothing has happened";
+    EXPECT_EQ(fs::file_size(target), 1U << 20U) << "without commit() the target is unchanged";
     EXPECT_EQ(files(), 1U);
     writeFile(target, "short");
     EXPECT_EQ(contentsOf(target), "short");
@@ -104,7 +104,7 @@ TEST_F(OutputFiles, OfOtherKindsAreWrittenDirectly) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(OutputFiles, SayWhyNot) {
+TEST_F(OutputFiles, ReportWhyTheyCannotBeWritten) {
     EXPECT_NE(refusalOf([] { OutputFile file(""); }).find("empty"), std::string::npos);
     EXPECT_EQ(refusalOf([&] { OutputFile file(folder); }),
               folder.string() + ": cannot be written: Is a directory");
@@ -123,7 +123,7 @@ TEST_F(OutputFiles, SayWhyNot) {
     EXPECT_FALSE(fs::exists(folder / "new"));
 }
 
-TEST_F(OutputFiles, LieBesideEachOther) {
+TEST_F(OutputFiles, AreIndependentInOneFolder) {
     std::vector<std::unique_ptr<OutputFile>> open;
     for (int i = 0; i < 8; ++i) {
         open.push_back(std::make_unique<OutputFile>(folder / std::to_string(i)));

@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-/// UTF-8 of one character, as RFC 3629 has it.
+/// UTF-8 of one character (RFC 3629).
 std::string utf8(char32_t c) {
     auto const byte = [](char32_t bits) { return static_cast<char>(bits); };
     if (c < 0x80) {
@@ -26,12 +26,12 @@ std::string utf8(char32_t c) {
             byte(0x80 | (c & 0x3F))};
 }
 
-// What terminals act on, one by one.
+// The characters that control terminals, one by one.
 constexpr std::array<char32_t, 20> dangerous{0x00,   0x07,   0x08,   0x0D,   0x1B,   0x7F,   0x80,
                                              0x85,   0x9B,   0x9F,   0x200E, 0x200F, 0x202A, 0x202D,
                                              0x202E, 0x2028, 0x2066, 0x2069, 0xFEFF, 0x61C};
 
-/// Whether nothing of it, as code points, is dangerous. nlohmann's reader decodes and so checks the UTF-8.
+/// Whether none of its code points is dangerous. nlohmann's reader decodes it and so checks the UTF-8.
 bool isHarmless(std::string const& text, bool lines) {
     if (!nlohmann::json::accept('"' + text + '"') && std::none_of(text.begin(), text.end(), [](char c) {
             return c == '"' || c == '\\' || c == '\n' || c == '\t';
@@ -47,7 +47,7 @@ bool isHarmless(std::string const& text, bool lines) {
     });
 }
 
-/// Letters, what is dangerous, and bytes that are nothing.
+/// Letters, dangerous characters, and invalid bytes.
 std::string anyText() {
     std::string text;
     auto const pieces = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 4));
@@ -71,7 +71,7 @@ std::string anyText() {
     return text;
 }
 
-TEST(VisibleText, IsHarmlessWhateverItIsMadeOf) {
+TEST(VisibleText, IsHarmlessForAnyInput) {
     EXPECT_TRUE(rc::check([] {
         std::string const text = anyText();
         RC_ASSERT(isHarmless(visible(text), false));
@@ -82,7 +82,7 @@ TEST(VisibleText, IsHarmlessWhateverItIsMadeOf) {
     }));
 }
 
-TEST(VisibleText, ShowsWhatItReplaces) {
+TEST(VisibleText, ShowsReplacedCharactersAsCodes) {
     EXPECT_EQ(visible("a\x1b[31mb"), "a<U+001B>[31mb");
     EXPECT_EQ(visible("two\nlines"), "two<U+000A>lines");
     EXPECT_EQ(visibleLines("two\nlines\r"), "two\nlines<U+000D>");
@@ -96,7 +96,7 @@ TEST(VisibleText, ShowsWhatItReplaces) {
     EXPECT_EQ(visible("9.81 m/s² – Ω 木 🙂"), "9.81 m/s² – Ω 木 🙂");
 }
 
-TEST(VisibleText, ComesInPieces) {
+TEST(VisibleText, IsTheSameIfGivenInPieces) {
     EXPECT_TRUE(rc::check([] {
         std::string const text = anyText();
         std::string made;
@@ -112,7 +112,7 @@ TEST(VisibleText, ComesInPieces) {
     }));
 }
 
-TEST(VisibleText, InJsonMeansTheSame) {
+TEST(VisibleText, KeepsItsMeaningInJson) {
     EXPECT_TRUE(rc::check([] {
         std::string text;
         do {

@@ -47,17 +47,18 @@ TEST(InputResolver, HoldsTheGrabbedPointInTheObjectsOwnFrame) {
     EXPECT_FALSE(scene.hand().object.valid()) << "not before the next frame";
     scene.world->step();
     EXPECT_EQ(scene.hand().object, scene.crate);
-    EXPECT_NEAR(scene.hand().localPoint.x, 2, 1e-15); // two above it, and it is turned by a quarter
+    EXPECT_NEAR(scene.hand().localPoint.x, 2,
+                1e-15); // 2 m above it, in the frame of an object turned by a quarter
     EXPECT_NEAR(scene.hand().localPoint.y, 0, 1e-15);
     EXPECT_EQ(scene.hand().target, (Vec2{2, 3}));
     EXPECT_TRUE(static_cast<bool>(scene.hand().event));
 }
 
-TEST(InputResolver, MovesAndReleasesWhatItHolds) {
+TEST(InputResolver, MovesAndReleasesTheHeldObject) {
     Scene scene;
-    scene.feed(Kind::move, {}, {9, 9}); // of an empty hand: nothing
+    scene.feed(Kind::move, {}, {9, 9}); // an empty hand: ignored
     scene.feed(Kind::release, {});
-    scene.feed(Kind::grab, scene.wheel, {5, 5}); // without a rotation
+    scene.feed(Kind::grab, scene.wheel, {5, 5}); // an object without a rotation
     scene.feed(Kind::move, {}, {6, 7});
     scene.world->step();
     EXPECT_EQ(scene.hand().object, scene.wheel);
@@ -70,7 +71,7 @@ TEST(InputResolver, MovesAndReleasesWhatItHolds) {
     EXPECT_EQ(released.causes, std::vector{scene.world->tracer()->events().front().id});
 }
 
-TEST(InputResolver, TellsCutsAndRemovalsForOneFrame) {
+TEST(InputResolver, OffersCutsAndRemovalsForOneFrame) {
     Scene scene;
     scene.feed(Kind::cut, scene.crate, {}, scene.wheel);
     scene.world->step();
@@ -95,7 +96,7 @@ TEST(InputResolver, SleepsWhileThePlayerDoesNothing) {
     }
 }
 
-TEST(InputResolver, IgnoresWhatIsGoneAndWhatIsNowhere) {
+TEST(InputResolver, IgnoresRemovedObjectsAndObjectsWithoutPosition) {
     Scene scene;
     double const nan = std::numeric_limits<double>::quiet_NaN();
     scene.feed(Kind::grab, ObjectId{77, 0}, {1, 1});

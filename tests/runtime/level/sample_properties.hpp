@@ -77,7 +77,7 @@ struct Cake {
         visit(FieldInfo{.key = "note", .unit = "", .meaning = "on its box"}, self.note);
         visit(FieldInfo{.key = "middle", .unit = "m", .meaning = "its centre", .minimum = -10, .maximum = 10},
               self.middle);
-        bool const turns = self.flavour == Flavour::sour; // the fields may depend on a choice
+        bool const turns = self.flavour == Flavour::sour; // fields may depend on a choice
         visit(FieldInfo{.key = turns ? "tilt_deg" : "shift",
                         .unit = turns ? "rad" : "m",
                         .meaning = "oddly",

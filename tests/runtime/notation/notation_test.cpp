@@ -24,7 +24,7 @@ struct Kit {
     }
 };
 
-// What a box says under a label, with line breaks undone.
+// The text under a label of a box, without line breaks.
 std::string under(std::string const& box, std::string const& label) {
     std::istringstream lines(box);
     std::string text;
@@ -63,7 +63,7 @@ TEST(Notation, PrintsEmptySetsDerivedPropertiesAndCalls) {
     EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Resolver properties"), "∅");
     EXPECT_EQ(under(kit.box("Linear Gravity DPS"), "Properties read"), "∅");
     EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Properties read"), "{Magnet on/off}")
-        << "what a resolver writes it may also read; the thesis has ∅ here";
+        << "a resolver may also read the properties that it writes; the thesis has ∅ here";
     EXPECT_EQ(under(kit.box("Linear Gravity DPS"), "Derived properties"), "{F_G}");
     EXPECT_EQ(under(kit.box("Real Gravity DPS"), "Derived properties"), "{F_G}")
         << "exactly the same set (6.13.3)";
@@ -72,11 +72,11 @@ TEST(Notation, PrintsEmptySetsDerivedPropertiesAndCalls) {
     std::string const box = kit.box("(Dynamics <- Gravity) Interaction");
     EXPECT_EQ(under(box, "Properties read"), "{Position, F_G}");
     EXPECT_EQ(under(box, "Calls"), "Dynamics Resolver");
-    EXPECT_EQ(under(kit.box("Buoyancy Resolver"), "Called for by"), "objects with all of {Liquid}");
-    EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Called for by"), "objects with any of {Magnetic poles}");
+    EXPECT_EQ(under(kit.box("Buoyancy Resolver"), "Activated by"), "objects with all of {Liquid}");
+    EXPECT_EQ(under(kit.box("Magnetics Resolver"), "Activated by"), "objects with any of {Magnetic poles}");
 }
 
-TEST(Notation, MarksWhereWhatIsWrittenIsWhatIsRead) {
+TEST(Notation, MarksEqualReadAndWriteSets) {
     Kit const kit;
     EXPECT_EQ(under(kit.box("Electricity Resolver"), "Properties read"), "{G_E}");
     EXPECT_EQ(under(kit.box("Electricity Resolver"), "Properties written"), "≡ read(Electricity Resolver)")
@@ -84,9 +84,9 @@ TEST(Notation, MarksWhereWhatIsWrittenIsWhatIsRead) {
     EXPECT_EQ(under(kit.box("Buoyancy Resolver"), "Properties written"), "∅");
 }
 
-TEST(Notation, WhatIsWrittenIsAmongWhatIsRead) {
+TEST(Notation, WrittenPropertiesAreAmongTheReadOnes) {
     Registry registry;
-    registry.component<heat::Stove>(); // reads nothing but what it writes
+    registry.component<heat::Stove>(); // reads only the properties that it writes
     EXPECT_EQ(under(notationBox(registry, registry.components()[0]), "Properties read"), "{Heat}");
     EXPECT_EQ(under(notationBox(registry, registry.components()[0]), "Properties written"),
               "≡ read(Stove Resolver)");
@@ -109,7 +109,7 @@ TEST(Notation, PrintsPropertyBoxes) {
     }
 }
 
-TEST(Notation, PrintsWhatTheStateHashCovers) {
+TEST(Notation, PrintsTheCoverageOfTheStateHash) {
     Kit const kit;
     std::string const text = notationText(kit.registry);
     for (char const* line : {"hashed: every member of every object property", "hashed: F_B\n",
@@ -151,7 +151,7 @@ TEST(Notation, PrintsMarkdownWithABoxForEveryComponent) {
     EXPECT_NE(text.find("## Schedule of a frame"), std::string::npos);
 }
 
-TEST(Notation, PrintsJsonThatSaysTheSame) {
+TEST(Notation, PrintsTheSameAsJson) {
     Kit const kit;
     nlohmann::json const all = nlohmann::json::parse(notationJson(kit.registry).dump());
     ASSERT_EQ(all["components"].size(), kit.registry.components().size());

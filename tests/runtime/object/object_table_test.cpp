@@ -10,7 +10,7 @@
 namespace trembler {
 namespace {
 
-TEST(ObjectTable, HandsOutTheLowestFreeIndexFirst) {
+TEST(ObjectTable, UsesTheLowestFreeIndexFirst) {
     ObjectTable table;
     for (std::uint32_t i = 0; i < 5; ++i) {
         EXPECT_EQ(table.create(), (ObjectId{i, 0}));
@@ -26,16 +26,16 @@ TEST(ObjectTable, HandsOutTheLowestFreeIndexFirst) {
     EXPECT_EQ(table.indexBound(), 6U);
 }
 
-TEST(ObjectTable, KnowsStaleAndMadeUpIds) {
+TEST(ObjectTable, RecognisesStaleAndInvalidIds) {
     ObjectTable table;
     ObjectId const first = table.create();
     EXPECT_TRUE(table.alive(first));
     EXPECT_TRUE(table.destroy(first));
     EXPECT_FALSE(table.alive(first));
-    EXPECT_FALSE(table.destroy(first)) << "destroying twice is destroying once";
+    EXPECT_FALSE(table.destroy(first)) << "a second destruction has no effect";
     EXPECT_FALSE(table.at(0).valid());
     ObjectId const second = table.create();
-    EXPECT_FALSE(table.alive(first)) << "an id kept too long does not name a stranger";
+    EXPECT_FALSE(table.alive(first)) << "a stale id does not name the next object with its index";
     EXPECT_TRUE(table.alive(second));
     EXPECT_EQ(table.at(0), second);
     EXPECT_FALSE(table.destroy(first));
@@ -50,7 +50,7 @@ TEST(ObjectTable, FollowsItsModelThroughAnySequence) {
     EXPECT_TRUE(rc::check([](std::vector<std::uint16_t> const& deeds) {
         ObjectTable table;
         std::map<std::uint32_t, std::uint32_t>
-            generations; // of every index ever used: of its living or next object
+            generations; // of every used index: the generation of its living or next object
         std::set<std::uint32_t> living;
         for (std::uint16_t const deed : deeds) {
             if (deed % 3 != 0 || generations.empty()) {

@@ -19,7 +19,7 @@ TEST(Origin, IsThatOfTheObjectAndNotOfItsIndex) {
     EXPECT_EQ(store.originOf(placed), Origin{});
     ObjectId const next = store.create("a");
     ASSERT_EQ(next.index, placed.index);
-    EXPECT_EQ(store.originOf(next), Origin{}) << "nothing is left of the object that had the index before";
+    EXPECT_EQ(store.originOf(next), Origin{}) << "it is not the origin of the earlier object with this index";
     EXPECT_EQ(store.originOf(placed), Origin{});
     EXPECT_EQ(store.originOf({}), Origin{});
     EXPECT_EQ(store.originOf({12, 0}), Origin{});
@@ -36,7 +36,7 @@ TEST(Origin, NamesThePartByItsNumber) {
         store.create("ball 1", {.kind = Origin::Kind::object, .prototype = {}, .number = 1, .maker = {}});
     ASSERT_NE(store.prototypeOf(made), nullptr);
     EXPECT_EQ(store.prototypeOf(made)->name, "ball");
-    EXPECT_EQ(store.prototypeOf(free), nullptr) << "whatever it is called";
+    EXPECT_EQ(store.prototypeOf(free), nullptr) << "its name does not matter";
     store.destroy({made});
     EXPECT_EQ(store.prototypeOf(made), nullptr);
 }

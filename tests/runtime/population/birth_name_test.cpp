@@ -16,7 +16,7 @@ TEST(BirthName, IsThePartTheMakerAndTheNumber) {
     EXPECT_EQ(birthName("spark", "bullet of cannon 3", 0), "spark of bullet of cannon 3 0");
 }
 
-TEST(BirthName, IsRecognisedWhateverPartAndMakerAreCalled) {
+TEST(BirthName, IsRecognisedForAnyNamesOfPartAndMaker) {
     EXPECT_TRUE(rc::check(
         [](std::string const& part, std::string const& maker, std::uint64_t number, std::uint64_t attempt) {
             RC_PRE(!part.empty() && !maker.empty());
@@ -28,7 +28,7 @@ TEST(BirthName, IsRecognisedWhateverPartAndMakerAreCalled) {
     EXPECT_TRUE(isBirthName(birthName(" of ", " of ", 1)));
 }
 
-// The rule once more, as a regular expression.
+// The same rule as a regular expression.
 TEST(BirthName, IsRecognisedByItsRuleAlone) {
     std::regex const rule(R"([^]+ of [^]+ (0|[1-9][0-9]*)( \(([2-9]|[1-9][0-9]+)\))?)");
     std::vector<std::string> const words{"a", "of", " ", " ", " of ", "0",   "1",

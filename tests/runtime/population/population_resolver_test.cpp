@@ -13,7 +13,7 @@
 namespace trembler {
 namespace {
 
-/// Asks of its owner's births and deaths, in whatever order they are listed.
+/// Orders of births and deaths for its owner, in any order.
 struct Orders {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Orders", "orders", "What the object wants to come and go."};
@@ -62,7 +62,7 @@ void addBall(World& world) {
     Prototype ball;
     ball.name = "ball";
     ball.values.push_back(
-        std::make_unique<ValueOf<Rotation>>(Rotation{9})); // the call's angle goes before it
+        std::make_unique<ValueOf<Rotation>>(Rotation{9})); // the angle of the call takes precedence
     ASSERT_EQ(world.store().prototypes().add(std::move(ball)), 0U);
 }
 Registry const& rules() {
@@ -70,7 +70,7 @@ Registry const& rules() {
         Registry made;
         registerRuntime(made);
         made.component<FromOrders<0>>();
-        made.component<FromOrders<1>>(); // so that every order is given twice, by two interactions
+        made.component<FromOrders<1>>(); // so every order comes from two interactions
         return made;
     }();
     return registry;
@@ -99,11 +99,11 @@ TEST(Population, MakesOneObjectForEqualKeysFromThePrototypeAndTheCall) {
     EXPECT_EQ(world.store().originOf(ball), (Origin{Origin::Kind::birth, 0, 4, gun}));
     EXPECT_EQ(world.store().prototypeOf(ball)->name, "ball");
     world.step();
-    EXPECT_TRUE(world.find<PopulationChanges>()->created.empty()) << "changes stand for one frame";
+    EXPECT_TRUE(world.find<PopulationChanges>()->created.empty()) << "changes are offered for one frame";
     EXPECT_EQ(world.store().objects().size(), 2U);
 }
 
-TEST(Population, AnotherBirthOfTheSameNumberGetsANameOfItsOwn) {
+TEST(Population, AnotherBirthOfTheSameNumberGetsADifferentName) {
     World world(rules());
     addBall(world);
     ObjectId const gun = world.store().create("gun");
@@ -126,14 +126,14 @@ TEST(Population, ReusesIndicesWithTheNextGeneration) {
     order(world, gun, {1, 2}, {old});
     world.start();
     world.step();
-    world.step(); // who goes makes room before who comes
+    world.step(); // indices are freed before new objects are created
     EXPECT_FALSE(world.store().alive(old));
     EXPECT_EQ(world.store().find("ball of gun 1"), (ObjectId{old.index, old.generation + 1}));
     EXPECT_EQ(world.store().find("ball of gun 2"), (ObjectId{last.index + 1, 0}));
     EXPECT_EQ(world.find<PopulationChanges>()->destroyed, std::vector{old});
 }
 
-TEST(Population, DestroyingTwiceIsDestroyingOnceAndTheDeadAreLeftInPeace) {
+TEST(Population, SecondDestructionsAndInvalidIdsHaveNoEffect) {
     World world(rules(), {.threads = 1, .detail = {}, .periods = {}, .trace = true});
     addBall(world);
     ObjectId const gun = world.store().create("gun");
@@ -148,14 +148,14 @@ TEST(Population, DestroyingTwiceIsDestroyingOnceAndTheDeadAreLeftInPeace) {
     for (Event const& event : world.tracer()->events()) {
         if (event.event == "destroyed") {
             ++deaths;
-            EXPECT_EQ(event.objects, std::vector<std::string>{"crate"}) << "named while it still has a name";
-            EXPECT_EQ(event.causes.size(), 4U) << "every call that asked for it";
+            EXPECT_EQ(event.objects, std::vector<std::string>{"crate"}) << "the event has the object's name";
+            EXPECT_EQ(event.causes.size(), 4U) << "all calls for it are causes";
         }
     }
     EXPECT_EQ(deaths, 1U);
 }
 
-TEST(Population, TellsWhoWentOnceEachAndAscending) {
+TEST(Population, ListsDestroyedObjectsOnceInAscendingOrder) {
     World world(rules(), {.threads = 1, .detail = {}, .periods = {}, .trace = true});
     ObjectId const gun = world.store().create("gun");
     ObjectId const a = world.store().create("a");
@@ -174,7 +174,7 @@ TEST(Population, TellsWhoWentOnceEachAndAscending) {
     EXPECT_EQ(told, (std::vector<std::string>{"a", "b"}));
 }
 
-TEST(Population, ABirthKnowsAMakerThatGoesInTheSameFrame) {
+TEST(Population, ABirthNamesAMakerThatIsDestroyedInTheSameFrame) {
     World world(rules());
     addBall(world);
     ObjectId const egg = world.store().create("egg");
@@ -185,7 +185,7 @@ TEST(Population, ABirthKnowsAMakerThatGoesInTheSameFrame) {
     EXPECT_FALSE(world.store().alive(egg));
     ObjectId const ball = world.store().find("ball of egg 1");
     ASSERT_TRUE(ball.valid());
-    EXPECT_EQ(world.store().originOf(ball).maker, egg) << "though there is no such object any more";
+    EXPECT_EQ(world.store().originOf(ball).maker, egg) << "although this object was removed";
 }
 
 struct BadBirth final : Interaction<BadBirth, PopulationRole, Reads<Orders>> {
@@ -221,7 +221,7 @@ TEST(Population, RefusesUnknownPartsAndNumbersThatAreNotFinite) {
     EXPECT_TRUE(world.store().find("ball of gun 6").valid());
 }
 
-// Thousands of births and deaths, asked for in any order, on any number of threads, by makers that were given
+// Thousands of births and deaths, ordered in any order, on any number of threads, by makers that received
 // their orders in any order: the same ids, names and bits.
 TEST(PopulationParallel, DoesNotDependOnThreadsOrOrder) {
     constexpr std::uint32_t makers = 3000;
@@ -244,7 +244,7 @@ TEST(PopulationParallel, DoesNotDependOnThreadsOrOrder) {
                     deaths = {ids[i], ids[(i * 7 + 1) % makers]};
                     std::shuffle(deaths.begin(), deaths.end(), random);
                 }
-                // Once by shuffled orders; the orders themselves must not be part of what is compared.
+                // Once with shuffled orders; the orders themselves must not be part of the comparison.
                 order(world, ids[i], births, deaths);
             }
             world.start();
@@ -255,7 +255,7 @@ TEST(PopulationParallel, DoesNotDependOnThreadsOrOrder) {
             for (ObjectId const id : ids) {
                 world.store().column<Orders>().remove(id);
             }
-            world.step(); // which carries out, or forgets, calls that still wait in the order of the orders
+            world.step(); // carries out, or drops, the waiting calls, which are in the order of the orders
             hashes.insert(world.stateHash());
             std::set<std::string> names;
             for (Name const& name : world.store().column<Name>().values()) {

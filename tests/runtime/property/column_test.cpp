@@ -19,7 +19,7 @@ void agree(Column<Place> const& column, Model const& model) {
     RC_ASSERT(column.empty() == model.empty());
     RC_ASSERT(column.values().size() == model.size());
     std::size_t row = 0;
-    for (auto const& [id, place] : model) { // ascending, as the owners must be
+    for (auto const& [id, place] : model) { // ascending, in the order that owners must have
         RC_ASSERT(column.owners()[row] == id);
         RC_ASSERT(column.row(id) == row);
         RC_ASSERT(column.has(id));
@@ -37,7 +37,7 @@ void agree(Column<Place> const& column, Model const& model) {
     }
 }
 
-TEST(Column, TakesManyAsItTakesThemOneByOne) {
+TEST(Column, AddingManyEqualsAddingOneByOne) {
     EXPECT_TRUE(rc::check([] {
         Column<Place> column;
         Column<Place> oneByOne;
@@ -96,7 +96,7 @@ TEST(Column, FollowsItsModelThroughAnySequence) {
                 break;
             default: {
                 auto ids = *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange(0U, 14U));
-                std::sort(ids.begin(), ids.end()); // repeats and strangers stay in
+                std::sort(ids.begin(), ids.end()); // including duplicates and unknown ids
                 std::vector<ObjectId> gone;
                 for (std::uint32_t const index : ids) {
                     gone.push_back({index, 0});
@@ -117,7 +117,7 @@ TEST(Column, FollowsItsModelThroughAnySequence) {
     }));
 }
 
-TEST(Column, TellsGenerationsApart) {
+TEST(Column, DistinguishesGenerations) {
     Column<Place> column;
     column.set({4, 1}, {{1, 1}});
     EXPECT_FALSE(column.has({4, 0}));
@@ -128,7 +128,7 @@ TEST(Column, TellsGenerationsApart) {
     EXPECT_FALSE(column.has({}));
 }
 
-TEST(Column, ReadingLeavesTheVersionAlone) {
+TEST(Column, ReadingDoesNotChangeTheVersion) {
     Column<Place> column;
     column.set({0, 0}, {{1, 2}});
     std::uint64_t const version = column.version();
@@ -142,8 +142,7 @@ TEST(Column, ReadingLeavesTheVersionAlone) {
     EXPECT_EQ(column.version(), version);
 }
 
-// Adding and removing in different orders, and through different calls, must not hide that sets differ or
-// agree.
+// Sets are compared correctly after additions and removals in different orders and by different calls.
 TEST(Column, SameOwnersIsNeverWrong) {
     EXPECT_TRUE(rc::check([] {
         Column<Place> a;
@@ -176,7 +175,7 @@ TEST(Column, SameOwnersIsNeverWrong) {
     }));
 }
 
-TEST(Column, OfUnknownTypeIsTheSameColumn) {
+TEST(Column, ThroughTheUntypedInterfaceIsTheSameColumn) {
     std::unique_ptr<ColumnBase> const column = propertyInfo<Place>().makeColumn();
     EXPECT_EQ(&column->info(), &propertyInfo<Place>());
     column->addDefault({3, 0});

@@ -1,4 +1,4 @@
-// Fields through a visitor that knows no types: every kind, in order, by reference.
+// Fields through a visitor without knowledge of the property's type: every kind, in order, by reference.
 #include "runtime/property/field_visitor.hpp"
 #include "tests/runtime/property/sample_properties.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace sample;
 
-// Writes down what it sees.
+// Prints the visited fields.
 class Scribe : public FieldVisitor {
 public:
     void boolean(FieldInfo const& i, bool& v) override { out << i.key << "=" << (v ? "yes" : "no") << ";"; }
@@ -34,7 +34,7 @@ public:
     std::ostringstream out;
 };
 
-// Changes everything that it sees.
+// Changes every visited field.
 class Changer final : public FieldVisitor {
 public:
     void boolean(FieldInfo const&, bool& v) override { v = !v; }
@@ -88,7 +88,7 @@ TEST(FieldVisitor, ChangesThePropertyItself) {
               "parts{size=2.5m;mood=glad;size=1.5m;mood=glad;}");
 }
 
-TEST(FieldVisitor, TellsRangesAlsoForTheElementsOfLists) {
+TEST(FieldVisitor, PassesRangesAlsoForTheElementsOfLists) {
     class Ranges final : public Scribe {
     public:
         void number(FieldInfo const& i, double&) override { out << i.minimum << ".." << i.maximum << ";"; }
@@ -100,7 +100,7 @@ TEST(FieldVisitor, TellsRangesAlsoForTheElementsOfLists) {
     EXPECT_NE(ranges.out.str().find("parts{0..9;"), std::string::npos) << ranges.out.str();
 }
 
-// A marker has nothing to describe, and what only components read need not be described. What a level file
+// A marker has no fields, and data that only components read need not be described. Data that a level file
 // can state must be: tests/compile_fail/object_property_without_fields.cpp.
 struct Marker {
     static constexpr PropertyKind kind = PropertyKind::object;
@@ -121,7 +121,7 @@ static_assert(MayLackFields<Marker> && MayLackFields<Unstated> && MayLackFields<
 static_assert(!MayLackFields<Statable> && !MayLackFields<Everything>);
 static_assert(Described<Everything> && !Described<Marker> && !Described<Kept>);
 
-TEST(FieldVisitor, SeesNothingOfWhatHasNoDescription) {
+TEST(FieldVisitor, VisitsNothingWithoutADescription) {
     Scribe scribe;
     Column<Marker> markers;
     markers.set({0, 0}, {});

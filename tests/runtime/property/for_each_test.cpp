@@ -17,7 +17,7 @@ struct Found {
     friend bool operator==(Found const&, Found const&) = default;
 };
 
-// Who has which property is given as bits by object index.
+// The owners of each property, as bits by object index.
 struct Columns {
     Column<Place> places;
     Column<Speed> speeds;
@@ -56,7 +56,7 @@ TEST(ForEach, JoinsAsBruteForceDoes) {
             },
             columns.places, columns.speeds, columns.padded);
         RC_ASSERT(joined == expected);
-        // The same through const columns, another one walked.
+        // The same through const columns, iterating over another one.
         Columns const& fixed = columns;
         joined.clear();
         forEach(
@@ -99,7 +99,7 @@ TEST(ForEach, OfOneColumnWalksAllOfIt) {
     std::size_t count = 0;
     forEach([&](ObjectId, Place const&) { ++count; }, columns.places);
     EXPECT_EQ(count, 8U);
-    forEach([&](ObjectId, Speed const&) { FAIL() << "nobody has it"; }, columns.speeds);
+    forEach([&](ObjectId, Speed const&) { FAIL() << "no object has it"; }, columns.speeds);
 }
 
 } // namespace

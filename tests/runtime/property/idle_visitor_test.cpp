@@ -34,7 +34,7 @@ TEST(IdleVisitor, LeavesEveryFieldAsItIs) {
     EXPECT_EQ(all(visited), all(filled()));
 }
 
-TEST(IdleVisitor, ShowsWhatIsOverridden) {
+TEST(IdleVisitor, CallsOverriddenFunctions) {
     struct Doubler final : IdleVisitor {
         void number(FieldInfo const&, double& value) override { value *= 2; }
     } doubler;

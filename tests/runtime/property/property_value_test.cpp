@@ -35,7 +35,7 @@ TEST(PropertyValue, IsMadeWithTheInitialValuesOfItsType) {
     EXPECT_EQ((column[ObjectId{0, 0}].mood), Mood::calm);
 }
 
-TEST(PropertyInfo, KnowsHowToMakeExactlyTheHomeOfItsKind) {
+TEST(PropertyInfo, MakesAColumnOrASlotByItsKind) {
     EXPECT_NE(propertyInfo<Place>().makeColumn, nullptr);
     EXPECT_EQ(propertyInfo<Place>().makeSlot, nullptr);
     EXPECT_EQ(propertyInfo<Kept>().makeColumn, nullptr);
@@ -44,7 +44,7 @@ TEST(PropertyInfo, KnowsHowToMakeExactlyTheHomeOfItsKind) {
     EXPECT_EQ(&propertyInfo<Kept>().makeSlot()->info(), &propertyInfo<Kept>());
 }
 
-TEST(Slot, ResetsToTheInitialValueAndSaysSo) {
+TEST(Slot, ResetsToTheInitialValueAndChangesItsVersion) {
     Slot<Kept> slot;
     slot.value().number = 8;
     std::uint64_t const version = slot.version();
@@ -53,7 +53,7 @@ TEST(Slot, ResetsToTheInitialValueAndSaysSo) {
     EXPECT_GT(slot.version(), version);
 }
 
-TEST(Store, FurnishesObjectsFromPrototypes) {
+TEST(Store, CopiesPropertiesFromPrototypes) {
     Store store;
     Prototype bar;
     bar.name = "bar";
@@ -69,7 +69,7 @@ TEST(Store, FurnishesObjectsFromPrototypes) {
     EXPECT_TRUE(store.column<Speed>().has(id));
 
     Prototype other;
-    other.name = "bar"; // read again: keeps its number
+    other.name = "bar"; // registered again: keeps its number
     EXPECT_EQ(store.prototypes().add(std::move(other)), number);
     EXPECT_TRUE(store.prototypes().find(number)->values.empty());
 }
@@ -79,7 +79,7 @@ TEST(Store, KeepsNamesUniqueAndFindsThem) {
     ObjectId const bell = store.create("bell");
     EXPECT_THROW(store.create("bell"), std::invalid_argument);
     EXPECT_THROW(store.create(""), std::invalid_argument);
-    EXPECT_EQ(store.objects().size(), 1U) << "a refused object is not there";
+    EXPECT_EQ(store.objects().size(), 1U) << "a refused object is not created";
     EXPECT_EQ(store.find("bell"), bell);
     EXPECT_EQ(store.nameOf(bell), "bell");
     store.destroy({bell, bell, ObjectId{77, 0}});
@@ -119,7 +119,7 @@ TEST(Store, RefusesTwoPropertiesOfOneKey) {
     EXPECT_THROW(static_cast<void>(store.column<AlsoPlace>()), std::logic_error);
 }
 
-TEST(Store, MakesColumnsOnlyWhenAskedToChangeThem) {
+TEST(Store, MakesColumnsOnlyForWriting) {
     Store const store;
     EXPECT_EQ(store.findColumn<Place>(), nullptr);
     EXPECT_EQ(store.findSlot<Kept>(), nullptr);

@@ -35,7 +35,7 @@ Padded paddedWith(unsigned char filling) {
     return value;
 }
 
-TEST(StateHash, DoesNotSeePadding) {
+TEST(StateHash, DoesNotDependOnPadding) {
     Padded const a = paddedWith(0x00);
     Padded const b = paddedWith(0xff);
     EXPECT_NE(std::memcmp(&a, &b, sizeof a), 0) << "no padding to test";
@@ -51,12 +51,12 @@ TEST(StateHash, DoesNotSeePadding) {
     EXPECT_EQ(hashA.digest(), hashB.digest());
 }
 
-TEST(StateHash, SeesEveryFieldOfEveryKind) {
+TEST(StateHash, DependsOnEveryFieldOfEveryKind) {
     std::vector<std::function<void(Everything&)>> const changes = {
         [](Everything& e) { e.flag = true; },
         [](Everything& e) { e.count = 1; },
         [](Everything& e) { e.ratio = 1e-300; },
-        [](Everything& e) { e.ratio = -0.0; }, // by its bits: it may behave differently
+        [](Everything& e) { e.ratio = -0.0; }, // hashed by its bits, because it may behave differently
         [](Everything& e) { e.point.x = 1; },
         [](Everything& e) { e.point.y = 1; },
         [](Everything& e) { e.label = "x"; },
@@ -89,7 +89,7 @@ TEST(StateHash, SeesEveryFieldOfEveryKind) {
     for (std::size_t i = 0; i < changes.size(); ++i) {
         Everything e;
         changes[i](e);
-        EXPECT_TRUE(hashes.insert(hashOf(e)).second) << "change " << i << " is not seen";
+        EXPECT_TRUE(hashes.insert(hashOf(e)).second) << "change " << i << " does not change the hash";
     }
     EXPECT_EQ(hashOf(Everything{}), hashOf(Everything{}));
 }
@@ -132,7 +132,7 @@ TEST(StoreHash, DoesNotDependOnTheOrderInWhichColumnsAndValuesWereMade) {
     EXPECT_NE(a->hash(), b->hash());
 }
 
-TEST(StoreHash, SeesWhoHasWhat) {
+TEST(StoreHash, DependsOnTheOwnersOfProperties) {
     std::set<std::uint64_t> hashes;
     Store store;
     EXPECT_TRUE(hashes.insert(store.hash()).second);
@@ -144,17 +144,18 @@ TEST(StoreHash, SeesWhoHasWhat) {
     EXPECT_TRUE(hashes.insert(store.hash()).second);
     store.column<Place>().remove(a);
     store.column<Place>().addDefault(b);
-    EXPECT_TRUE(hashes.insert(store.hash()).second) << "another owner, the same values";
+    EXPECT_TRUE(hashes.insert(store.hash()).second) << "the owner differs, the values are the same";
     store.column<Place>().remove(b);
     store.column<Speed>().addDefault(b);
-    EXPECT_TRUE(hashes.insert(store.hash()).second) << "another property, the same values";
+    EXPECT_TRUE(hashes.insert(store.hash()).second) << "the property differs, the values are the same";
     store.destroy({a});
     ObjectId const again = store.create("a");
     EXPECT_EQ(again.index, a.index);
-    EXPECT_TRUE(hashes.insert(store.hash()).second) << "another generation, the same names and values";
+    EXPECT_TRUE(hashes.insert(store.hash()).second)
+        << "the generation differs, names and values are the same";
 }
 
-// What is hashed a whole column at a time must consist of its fields and nothing else.
+// A property that is hashed as the bytes of a column must not have padding.
 TEST(StateHash, PropertiesHashedAsBytesHaveNoPadding) {
     EXPECT_EQ(sizeof(Position), sizeof(Vec2));
     EXPECT_EQ(sizeof(Velocity), sizeof(Vec2));

@@ -29,11 +29,11 @@ TEST(ExecutorThreads, VisitEveryIndexOnce) {
     }
 }
 
-TEST(ExecutorThreads, AreOneWhereFewerAreAskedFor) {
+TEST(ExecutorThreads, AreAtLeastOne) {
     EXPECT_EQ(Executor(0).threads(), 1);
 }
 
-// Every node notes when it starts and when it ends on one clock that only goes forward.
+// Every node records its start and end by a common counter.
 TEST(ExecutorThreads, RespectTheOrderOfRandomGraphs) {
     Executor executor(8);
     EXPECT_TRUE(rc::check([&] {
@@ -64,7 +64,8 @@ TEST(ExecutorThreads, RespectTheOrderOfRandomGraphs) {
 }
 
 TEST(ExecutorThreads, WritesBeforeAnEdgeAreSeenAfterIt) {
-    // A chain in which every node reads without a lock what the one before wrote; TSan looks at this too.
+    // A chain in which every node reads, without a lock, the value written by the previous one; the thread
+    // sanitizer checks this, too.
     Executor executor(8);
     constexpr std::size_t count = 64;
     std::vector<std::pair<std::size_t, std::size_t>> edges;
@@ -76,7 +77,7 @@ TEST(ExecutorThreads, WritesBeforeAnEdgeAreSeenAfterIt) {
     EXPECT_EQ(values.back(), count);
 }
 
-TEST(ExecutorThreads, PassExceptionsOnAndGoOnWorking) {
+TEST(ExecutorThreads, PassExceptionsOnAndContinueToWork) {
     for (int const threads : {1, 2, 8}) {
         Executor executor(threads);
         auto const failing = [](std::size_t i) {
@@ -130,17 +131,17 @@ TEST(ExecutorThreads, MayBeUsedFromWithinTheirOwnTasks) {
     }
 }
 
-TEST(ExecutorThreads, TwoExecutorsOfDifferentSizesGetOnTogether) {
+TEST(ExecutorThreads, TwoExecutorsOfDifferentSizesAreIndependent) {
     auto small = std::make_unique<Executor>(2);
     Executor large(32);
     std::atomic<int> sum{0};
     large.forIndices(100, [&](std::size_t) { small->forIndices(10, [&](std::size_t) { ++sum; }); });
-    // A modest executor does not hold the other one back: three of its tasks can wait for one another.
+    // A small executor does not limit the other one: three tasks of that can wait for one another.
     std::atomic<int> here{0};
     std::atomic<int> met{0};
     large.forIndices(3, [&](std::size_t) {
         ++here;
-        while (here.load() < 3) { // for ever, if it does: a busy machine may take its time
+        while (here.load() < 3) { // without a time limit, because the machine may be busy
             std::this_thread::yield();
         }
         met += here.load() == 3 ? 1 : 0;

@@ -40,7 +40,7 @@ ComponentInfo infoOf(unsigned reads, unsigned writes) {
     return info;
 }
 
-TEST(Schedule, RunsTogetherExactlyWhatTheThreeConditionsAllow) {
+TEST(Schedule, RunsResolversTogetherExactlyIfTheThreeConditionsHold) {
     EXPECT_TRUE(rc::check([](std::uint8_t r1, std::uint8_t w1, std::uint8_t r2, std::uint8_t w2) {
         bool const allowed = (w1 & w2) == 0 && (w1 & r2) == 0 && (w2 & r1) == 0;
         RC_ASSERT(mayRunTogether(infoOf(r1, w1), infoOf(r2, w2)) == allowed);
@@ -61,7 +61,7 @@ TEST(Schedule, NamesEveryConflictWithItsKindAndProperty) {
     EXPECT_TRUE(kinds.contains({Conflict::Kind::secondWritesRead, &propertyInfo<Position>()}));
 }
 
-TEST(Schedule, ReadingTheSameIsNoConflict) {
+TEST(Schedule, ReadingTheSamePropertyIsNoConflict) {
     EXPECT_TRUE(conflicts(infoOf(0xff, 0), infoOf(0xff, 0)).empty());
 }
 
@@ -89,7 +89,7 @@ TEST(Schedule, DerivesAnEdgeForEveryConflictInRegistrationOrderAndNoOther) {
     }));
 }
 
-TEST(Schedule, WhatWritesEverythingRunsBesideNothingThatTouchesObjects) {
+TEST(Schedule, AWriterOfEverythingRunsBesideNoComponentThatTouchesObjects) {
     ComponentInfo const& population = PopulationResolver::describeSelf();
     EXPECT_FALSE(mayRunTogether(population, infoOf(1, 0)));
     EXPECT_FALSE(mayRunTogether(infoOf(0, 1), population));
@@ -113,7 +113,7 @@ TEST(Schedule, OfTheBetterApportionmentIsTheThesiss) {
     std::vector<ComponentInfo const*> const inOrder = {&dynamics, &electricity, &magnetics, &buoyancy};
     EXPECT_EQ(deriveEdges(inOrder), (std::vector<std::pair<std::size_t, std::size_t>>{{0, 3}}));
 
-    // Equation 6.2 lists Shape too, which both only read: the conflict is about what Dynamics writes.
+    // Equation 6.2 also lists Shape, which both only read; a conflict needs a property that Dynamics writes.
     std::set<PropertyInfo const*> why;
     for (Conflict const& c : conflicts(dynamics, buoyancy)) {
         EXPECT_EQ(c.kind, Conflict::Kind::firstWritesRead);

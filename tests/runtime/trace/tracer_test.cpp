@@ -58,13 +58,13 @@ TEST(Tracer, FindsNumbersAndChains) {
 
 TEST(Tracer, WritesOneJsonObjectPerLineWithTheKeysOfTheContract) {
     Store store;
-    ObjectId const bell = store.create("the \"bell\"\n\xff"); // even what is not text
+    ObjectId const bell = store.create("the \"bell\"\n\xff"); // also invalid UTF-8
     Tracer tracer;
     EventSink sink(&store, 3, 0, 0, Phase::resolver, "Dynamics Resolver");
     EventId const touch =
         record(sink, "contact begun", {bell}, {EventId{99}}); // a cause that was never gathered
     record(sink, "rings", {bell}, {touch});
-    store.destroy({bell}); // names are taken down when things happen
+    store.destroy({bell}); // events keep the names of destroyed objects
     tracer.gather(sink);
     std::ostringstream out;
     tracer.write(out);

@@ -9,7 +9,7 @@ namespace {
 
 using namespace descriptions;
 
-TEST(ComponentGraph, KnowsWhoReadsOffersAndCallsWhat) {
+TEST(ComponentGraph, ListsReadersProvidersAndCallers) {
     Descriptions d;
     std::size_t const glue =
         d.interaction({.name = "glue", .needs = {"o2", "o1"}, .reads = {"p", "o3"}, .role = 1});
@@ -21,18 +21,18 @@ TEST(ComponentGraph, KnowsWhoReadsOffersAndCallsWhat) {
     using Numbers = ComponentGraph::Numbers;
 
     ASSERT_EQ(graph.objectProperties, (std::vector{d.property("o1"), d.property("o2")}))
-        << "o3 is read, but calls for nothing";
+        << "o3 is read, but does not activate the component";
     EXPECT_EQ(graph.components[glue].neededAll, (Numbers{1, 0}));
     EXPECT_EQ(graph.components[one].neededAny, (Numbers{0}));
 
-    ASSERT_EQ(graph.offered.size(), 3U); // by key: nobody's, p, q
+    ASSERT_EQ(graph.offered.size(), 3U); // by key: a property without provider, p, q
     EXPECT_EQ(graph.offered[0].info, d.property("nobody's"));
     EXPECT_EQ(graph.offered[0].readers, (Numbers{lost}));
     EXPECT_EQ(graph.offered[0].providers, (Numbers{}));
     EXPECT_EQ(graph.offered[1].readers, (Numbers{glue, set}));
     EXPECT_EQ(graph.offered[1].providers, (Numbers{one, two}));
     EXPECT_EQ(graph.offered[2].providers, (Numbers{set}));
-    EXPECT_EQ(graph.components[glue].reads, (Numbers{1})) << "not what belongs to objects";
+    EXPECT_EQ(graph.components[glue].reads, (Numbers{1})) << "object properties are not included";
 
     EXPECT_EQ(graph.components[one].group, graph.components[two].group);
     EXPECT_EQ(graph.components[glue].resolvers, graph.components[one].group);

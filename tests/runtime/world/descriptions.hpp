@@ -27,7 +27,7 @@ public:
         std::string level{};
         int rank = 0;
         Names needs{};    ///< objects with all of these
-        Names needsAny{}; ///< objects with one of these at least
+        Names needsAny{}; ///< objects with at least one of these
         Names reads{};    ///< resolver and derived properties; of objects those that begin with "o"
         Names offers{};   ///< resolver or derived properties
         int role = 0;     ///< of resolvers and interactions

@@ -145,7 +145,7 @@ struct ExactGlow final : Dps<ExactGlow, Reads<Heat>, Derives<Glow>> {
         ++glow.updatesByExact;
     }
 };
-/// Suits scenes of at most two hot objects, and is then the cheaper.
+/// Suits scenes with at most two hot objects, for which it is the cheaper level.
 struct RoughGlow final : Dps<RoughGlow, Reads<Heat>, Derives<Glow>> {
     static constexpr ComponentText text{.name = "Rough Glow",
                                         .effect = "glow",

@@ -25,7 +25,7 @@ void expectRefusal(Registry const& registry, std::initializer_list<char const*> 
     for (char const* word : words) {
         EXPECT_NE(why.find(word), std::string::npos) << "'" << word << "' in: " << why;
     }
-    EXPECT_THROW(World{registry}, RuleBroken) << "no world runs on it";
+    EXPECT_THROW(World{registry}, RuleBroken) << "no world can be made with it";
 }
 
 // A role and a resolver for each number, so that tests can have as many as they like.
@@ -65,12 +65,12 @@ TEST(RegistryRules, ADeclaredHandOverAllowsTwoWriters) {
     registry.handOver<Heat, WritesHeatB, WritesHeatA>(
         "what burns is B's, what glows is A's"); // in either order
     EXPECT_EQ(refusalOf(registry), "(accepted)");
-    // It holds for that property and that pair only.
+    // The declaration holds for this property and this pair only.
     registry.component<WritesFuelC>();
     expectRefusal(registry, {"B Resolver", "C Resolver", "both write Fuel"});
 }
 
-TEST(RegistryRules, TwoEffectsWithOneKindOfConnectionsAreRefusedByName) {
+TEST(RegistryRules, TwoEffectsWithTheSameKindOfConnectionsAreRefusedByName) {
     auto const refuse = [](Store const&, ObjectId, ObjectId) { return std::optional<std::string>(); };
     auto const lay = [](Store&, ObjectId, ObjectId) {};
     Registry registry;
@@ -82,7 +82,7 @@ TEST(RegistryRules, TwoEffectsWithOneKindOfConnectionsAreRefusedByName) {
     expectRefusal(registry, {"'electricity'", "'fencing'", "'wire'"});
 }
 
-TEST(RegistryRules, AHandOverOfAnotherPropertyDoesNotHelp) {
+TEST(RegistryRules, AHandOverOfAnotherPropertyIsNotSufficient) {
     Registry registry;
     registry.component<WritesHeatA>();
     registry.component<WritesHeatB>();
@@ -174,7 +174,7 @@ TEST(RegistryRules, OnlyOneResolverWritesEverything) {
     expectRefusal(registry, {"Population Resolver", "Second Population Resolver", "both write everything"});
 }
 
-TEST(Registry, KnowsEveryObjectPropertyOfItsComponentsByKey) {
+TEST(Registry, FindsEveryObjectPropertyOfItsComponentsByKey) {
     Registry registry;
     registry.component<Stove>();
     registry.component<HeatFromFuel>();
@@ -190,7 +190,7 @@ TEST(Registry, KnowsEveryObjectPropertyOfItsComponentsByKey) {
 // One type, registered for several powers.
 struct Power {
     ComponentText text;
-    double joules = 0; // in each turn
+    double joules = 0; // added in each turn
     bool (*suits)(Store const&) = nullptr;
     std::string_view missing{};
 };
@@ -217,7 +217,7 @@ constexpr Power high{.text{.name = "High", .effect = "hob", .level = "high", .wo
 constexpr Power absent{.text{.name = "Absent", .effect = "hob", .level = "absent", .work = "Nothing."},
                        .missing = "there is no gas"};
 
-TEST(Registry, RegistersATypeSeveralTimesWithValuesThatTellItsComponentsApart) {
+TEST(Registry, RegistersATypeSeveralTimesWithDifferentValues) {
     Registry registry;
     for (Power const* power : {&low, &high, &absent}) {
         registry.component<Hob>(*power);

@@ -16,14 +16,14 @@ namespace {
 
 using namespace descriptions;
 
-/// The definition of selectComponents(), carried out word by word: sets of names, everything looked at again
-/// in every round, one component on demand taken away at a time, in an order that must not matter.
+/// A literal implementation of the definition of selectComponents(): sets of names; each round examines
+/// everything again and removes one component on demand, in an order that must not matter.
 class Definition {
 public:
     Definition(std::vector<ComponentInfo const*> infos, MadeUpScene const& scene)
         : infos_(std::move(infos)), scene_(scene) {}
 
-    /// `order`: of trying what is to be taken away.
+    /// `order`: in which components are tried for removal.
     [[nodiscard]] std::set<std::size_t> chosen(std::vector<std::size_t> const& order) const {
         std::set<std::size_t> out;
         for (;;) {
@@ -41,13 +41,13 @@ public:
             }
         }
     }
-    /// Those that could be there without `out`: the least set that is closed.
+    /// The components that are possible without `out`: the least closed set.
     [[nodiscard]] std::set<std::size_t> candidates(std::set<std::size_t> const& out) const {
         std::set<std::size_t> all;
         for (bool more = true; more;) {
             more = false;
             for (std::size_t number = 0; number < infos_.size(); ++number) {
-                if (!all.contains(number) && !out.contains(number) && isCalledFor(number) &&
+                if (!all.contains(number) && !out.contains(number) && isActivated(number) &&
                     hasAllItReads(number, all) && hasResolver(number, all)) {
                     all.insert(number);
                     more = true;
@@ -56,7 +56,7 @@ public:
         }
         return all;
     }
-    [[nodiscard]] bool isCalledFor(std::size_t number) const {
+    [[nodiscard]] bool isActivated(std::size_t number) const {
         auto const there = [&](PropertyInfo const* p) {
             return scene_.inhabited.contains(std::string(p->text.key));
         };
@@ -94,7 +94,8 @@ private:
                                [&](std::size_t other) { return lists(infos_[other]->reads, offer); });
         });
     }
-    /// Whether one alternative goes before another: asked for, then suitable, then rank, then registration.
+    /// Whether one alternative takes precedence over another: requested, then suitable, then rank, then
+    /// registration.
     [[nodiscard]] bool isBefore(std::size_t a, std::size_t b) const {
         auto const asked = [&](std::size_t number) {
             auto const at = scene_.detail.find(std::string(infos_[number]->text.effect));
@@ -144,7 +145,7 @@ std::set<std::string> subsetOf(std::vector<std::string> const& names, int percen
     return some;
 }
 
-/// Lawful ones, or, with `circles`, such as may read everything; in circles nothing is computed on demand.
+/// Valid components or, with `circles`, components that may read everything; then none is on demand.
 Descriptions randomDescriptions(bool circles) {
     std::vector<std::string> const objects{"o1", "o2", "o3", "o4"};
     std::vector<std::string> const levels{"", "rough", "fine"};
@@ -213,8 +214,8 @@ std::vector<std::size_t> randomOrder(std::size_t count) {
     return order;
 }
 
-/// That each reason is true, looked up in the descriptions. (RC_ASSERT evaluates both sides of an && or ||
-/// that is not in parentheses.)
+/// Checks each reason against the descriptions. (RC_ASSERT evaluates both sides of an && or || that is not in
+/// parentheses.)
 void expectTrueReasons(std::vector<ComponentInfo const*> const& infos, MadeUpScene const& scene,
                        std::vector<Choice> const& choices, Definition const& definition,
                        std::set<std::size_t> const& chosen) {
@@ -253,15 +254,15 @@ void expectTrueReasons(std::vector<ComponentInfo const*> const& infos, MadeUpSce
             RC_ASSERT(std::none_of(rivals.begin(), rivals.end(), suits));
             break;
         case ChoiceReason::noObjects:
-            RC_ASSERT(!definition.isCalledFor(number));
+            RC_ASSERT(!definition.isActivated(number));
             RC_ASSERT((choice.property == nullptr ||
                        !scene.inhabited.contains(std::string(choice.property->text.key))));
             break;
         case ChoiceReason::noResolver:
-            RC_ASSERT((definition.isCalledFor(number) && !definition.hasResolver(number, chosen)));
+            RC_ASSERT((definition.isActivated(number) && !definition.hasResolver(number, chosen)));
             break;
         case ChoiceReason::noProvider:
-            RC_ASSERT((definition.isCalledFor(number) && !candidates.contains(number)));
+            RC_ASSERT((definition.isActivated(number) && !candidates.contains(number)));
             RC_ASSERT(std::find(info.reads.begin(), info.reads.end(), choice.property) != info.reads.end());
             for (std::size_t const other : candidates) {
                 auto const& offers = infos[other]->offers;
@@ -289,11 +290,11 @@ void expectTheDefinition(bool circles) {
     expectTrueReasons(infos, scene, choicesIn(descriptions, scene), definition, expected);
 }
 
-TEST(Selection, IsWhatTheDefinitionSaysOfRandomComponents) {
+TEST(Selection, FollowsTheDefinitionForRandomComponents) {
     EXPECT_TRUE(rc::check([] { expectTheDefinition(false); }));
 }
 
-TEST(Selection, IsWhatTheDefinitionSaysOfRandomComponentsInCircles) {
+TEST(Selection, FollowsTheDefinitionForRandomComponentsInCircles) {
     EXPECT_TRUE(rc::check([] { expectTheDefinition(true); }));
 }
 

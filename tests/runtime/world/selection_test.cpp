@@ -15,7 +15,7 @@ TEST(Selection, OfNoComponentsNoneIsChosen) {
     EXPECT_TRUE(choicesIn({}, {.inhabited = {"o"}}).empty());
 }
 
-TEST(Selection, AComponentIsThereWhileTheObjectsThatItNeedsAre) {
+TEST(Selection, AComponentIsChosenWhileTheObjectsThatItNeedsExist) {
     Descriptions d;
     d.resolver({.name = "all", .needs = {"o1", "o2"}});
     d.dps({.name = "any", .needsAny = {"o2", "o3"}, .offers = {"p"}});
@@ -28,7 +28,7 @@ TEST(Selection, AComponentIsThereWhileTheObjectsThatItNeedsAre) {
     EXPECT_EQ(chosenIn(d, {.inhabited = {"o1", "o3", "o4"}}), (Numbers{1, 2, 3}));
 }
 
-TEST(Selection, SaysWhichObjectsAreMissing) {
+TEST(Selection, StatesWhichObjectsAreMissing) {
     Descriptions d;
     d.resolver({.name = "all", .needs = {"o1", "o2"}});
     d.dps({.name = "any", .needsAny = {"o2", "o3"}, .offers = {"p"}});
@@ -36,10 +36,10 @@ TEST(Selection, SaysWhichObjectsAreMissing) {
     EXPECT_EQ(choices[0].reason, ChoiceReason::noObjects);
     EXPECT_EQ(choices[0].property, d.property("o2"));
     EXPECT_EQ(choices[1].reason, ChoiceReason::noObjects);
-    EXPECT_EQ(choices[1].property, nullptr) << "either of two would do";
+    EXPECT_EQ(choices[1].property, nullptr) << "either of two properties is sufficient";
 }
 
-TEST(Selection, WhatAComponentReadsMustBeOffered) {
+TEST(Selection, TheReadsOfAComponentMustBeOffered) {
     Descriptions d;
     d.interaction({.name = "glue", .reads = {"r", "p", "o1"}, .role = 1}); // listed first: no order is needed
     d.dps({.name = "derived", .reads = {"r"}, .offers = {"p"}});
@@ -80,7 +80,7 @@ TEST(Selection, OfAlternativesTheOneOfLeastRankThatSuitsIsChosen) {
     EXPECT_EQ(chosenIn(d, {.unsuitable = {1, 2}}), (Numbers{3}));
     EXPECT_EQ(chosenIn(d, {.unsuitable = {1, 2, 3}}), (Numbers{0}));
     choices = choicesIn(d, {.unsuitable = {0, 1, 2, 3}});
-    EXPECT_EQ(choices[0].reason, ChoiceReason::noneSuits) << "somebody must: the first registered";
+    EXPECT_EQ(choices[0].reason, ChoiceReason::noneSuits) << "one must be chosen: the first registered";
 }
 
 TEST(Selection, ResolversOfOneRoleAreAlternatives) {
@@ -90,11 +90,11 @@ TEST(Selection, ResolversOfOneRoleAreAlternatives) {
     d.resolver({.name = "c", .rank = 9, .role = 2});
     EXPECT_EQ(chosenIn(d, {}), (Numbers{0, 2}));
     EXPECT_EQ(choicesIn(d, {})[0].reason, ChoiceReason::onlyCandidate);
-    EXPECT_EQ(choicesIn(d, {})[1].alternative, 0U) << "whatever the reason, somebody else is there";
+    EXPECT_EQ(choicesIn(d, {})[1].alternative, 0U) << "for any reason, an alternative was chosen";
     EXPECT_EQ(chosenIn(d, {.inhabited = {"o1"}}), (Numbers{1, 2}));
 }
 
-TEST(Selection, ALevelAskedForGoesBeforeRankAndSuitability) {
+TEST(Selection, ARequestedLevelTakesPrecedenceOverRankAndSuitability) {
     Descriptions d;
     d.dps({.name = "a", .level = "rough", .rank = 1, .offers = {"p"}});
     d.dps({.name = "b", .level = "fine", .rank = 2, .offers = {"p"}});
@@ -102,11 +102,11 @@ TEST(Selection, ALevelAskedForGoesBeforeRankAndSuitability) {
     EXPECT_EQ(chosenIn(d, {.detail = {{"effect", "fine"}}, .unsuitable = {1}}), (Numbers{1}));
     EXPECT_EQ(choicesIn(d, {.detail = {{"effect", "fine"}}})[1].reason, ChoiceReason::levelAskedFor);
     EXPECT_EQ(chosenIn(d, {.detail = {{"another", "fine"}}}), (Numbers{0}));
-    EXPECT_EQ(chosenIn(d, {.detail = {{"effect", "finest"}}}), (Numbers{0})) << "it is no candidate";
+    EXPECT_EQ(chosenIn(d, {.detail = {{"effect", "finest"}}}), (Numbers{0})) << "it is not a candidate";
     EXPECT_EQ(chosenIn(d, {.inhabited = {"o1"}, .detail = {{"effect", "finest"}}}), (Numbers{2}));
 }
 
-TEST(Selection, SuitabilityIsAskedOnlyWhereItDecidesAndOnce) {
+TEST(Selection, SuitabilityIsQueriedOnceAndOnlyIfItDecides) {
     Descriptions d;
     d.dps({.name = "alone", .offers = {"p"}});
     d.dps({.name = "asked", .level = "fine", .rank = 5, .offers = {"q"}});
@@ -124,7 +124,7 @@ TEST(Selection, SuitabilityIsAskedOnlyWhereItDecidesAndOnce) {
     EXPECT_EQ(asked, (Numbers{4, 5}));
 }
 
-TEST(Selection, WhatNobodyReadsIsAbsentWithAllThatLivesOnIt) {
+TEST(Selection, UnreadComponentsAreAbsentWithAllThatDependOnThem) {
     Descriptions d;
     d.resolver({.name = "scribe", .rank = 1, .offers = {"diary"}, .role = 1, .onDemand = true});
     d.resolver({.name = "poet", .rank = 2, .offers = {"diary"}, .role = 1, .onDemand = true});
@@ -138,10 +138,10 @@ TEST(Selection, WhatNobodyReadsIsAbsentWithAllThatLivesOnIt) {
     EXPECT_EQ(chosenIn(d, {.inhabited = {"o1"}}), (Numbers{0, 2, 3, 4, 5}));
     auto const choices = choicesIn(d, {});
     EXPECT_EQ(choices[0].reason, ChoiceReason::notRead);
-    EXPECT_EQ(choices[1].reason, ChoiceReason::notRead) << "as its alternative is not, neither is it";
+    EXPECT_EQ(choices[1].reason, ChoiceReason::notRead) << "its alternative is not read, so neither is it";
     EXPECT_EQ(choices[1].alternative, std::nullopt);
     EXPECT_EQ(choices[2].reason, ChoiceReason::notRead)
-        << "not for want of a diary: nobody reads that either";
+        << "not because the diary is missing: its own property is not read either";
     EXPECT_EQ(choices[3].reason, ChoiceReason::noResolver);
     EXPECT_EQ(choices[5].reason, ChoiceReason::noObjects);
 }
@@ -155,8 +155,7 @@ TEST(Selection, AReaderThatIsNotChosenDoesNotCount) {
     EXPECT_EQ(chosenIn(d, {.detail = {{"effect", "fine"}}}), (Numbers{0, 2}));
 }
 
-// The teller calls the log because of what it reads in it: each is there because of the other. That is no
-// reason to go.
+// The teller reads a property of the log, which it calls: each needs the other. That does not remove them.
 TEST(Selection, AnInteractionMayReadTheResolverThatItCalls) {
     Descriptions d;
     d.resolver({.name = "log", .offers = {"log"}, .role = 1, .onDemand = true});
@@ -164,7 +163,7 @@ TEST(Selection, AnInteractionMayReadTheResolverThatItCalls) {
     EXPECT_EQ(chosenIn(d, {}), (Numbers{0, 1}));
 }
 
-TEST(Selection, ComponentsThatWaitForEachOtherAreNoCandidates) {
+TEST(Selection, ComponentsThatNeedEachOtherAreNoCandidates) {
     Descriptions d;
     d.dps({.name = "a", .reads = {"q"}, .offers = {"p"}});
     d.dps({.name = "b", .reads = {"p"}, .offers = {"q"}});
@@ -174,7 +173,7 @@ TEST(Selection, ComponentsThatWaitForEachOtherAreNoCandidates) {
     EXPECT_EQ(choicesIn(d, {})[0].property, d.property("q"));
     d.dps({.name = "way in", .rank = 1, .needs = {"o1"}, .offers = {"q"}}); // an alternative of b
     EXPECT_EQ(chosenIn(d, {}), (Numbers{}));
-    EXPECT_EQ(chosenIn(d, {.inhabited = {"o1"}}), (Numbers{0, 1})) << "by now it can be had";
+    EXPECT_EQ(chosenIn(d, {.inhabited = {"o1"}}), (Numbers{0, 1})) << "another component now provides it";
 }
 
 } // namespace

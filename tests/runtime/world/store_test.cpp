@@ -1,4 +1,4 @@
-// Objects, their names and their properties, against a map of what should be there.
+// Objects, their names and their properties, compared with a map of the expected ones.
 #include "runtime/property/state_hash.hpp"
 #include "runtime/world/store.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
@@ -49,7 +49,7 @@ void expectSame(Store const& store, std::map<std::string, Expected> const& model
     }
 }
 
-TEST(Store, IsWhatWasPutIntoItLessWhatWasTakenAway) {
+TEST(Store, ContainsWhatWasAddedAndNotRemoved) {
     EXPECT_TRUE(rc::check("the same as a map", [] {
         Store store;
         std::map<std::string, Expected> model;
@@ -60,7 +60,7 @@ TEST(Store, IsWhatWasPutIntoItLessWhatWasTakenAway) {
             if (at == model.end()) {
                 RC_ASSERT(!store.find(name).valid());
                 ObjectId const id = store.create(name);
-                RC_ASSERT(!gone.contains(id)); // an id is never given twice
+                RC_ASSERT(!gone.contains(id)); // an id is never used twice
                 model[name].id = id;
                 continue;
             }
@@ -79,7 +79,7 @@ TEST(Store, IsWhatWasPutIntoItLessWhatWasTakenAway) {
                 at->second.tagged = true;
                 break;
             default: {
-                // Some at once, repeated, with one that is gone already.
+                // Several at once, with duplicates and one that was already destroyed.
                 std::vector<ObjectId> all{at->second.id, at->second.id};
                 all.insert(all.end(), gone.begin(), gone.end());
                 if (*rc::gen::arbitrary<bool>()) {
@@ -100,7 +100,7 @@ TEST(Store, IsWhatWasPutIntoItLessWhatWasTakenAway) {
 TEST(Store, EveryObjectHasAName) {
     Store store;
     EXPECT_THROW(static_cast<void>(store.create("")), std::invalid_argument);
-    EXPECT_EQ(store.objects().size(), 0U) << "and none is left behind";
+    EXPECT_EQ(store.objects().size(), 0U) << "no object is left";
     ObjectId const id = store.create("a");
     EXPECT_THROW(static_cast<void>(store.create("a")), std::invalid_argument);
     EXPECT_EQ(store.objects().size(), 1U);
@@ -108,9 +108,9 @@ TEST(Store, EveryObjectHasAName) {
     EXPECT_NE(store.create("a"), id);
 }
 
-// The hash is of the objects: of which columns were ever made, and of how they came to their values, it must
-// show nothing.
-TEST(Store, HashesShowWhatIsThereAndNotHowItCame) {
+// The hash covers the objects. It must not depend on which columns were ever made, or on the history of the
+// values.
+TEST(Store, HashesDependOnTheObjectsAndNotOnTheirHistory) {
     Store one;
     ObjectId const a = one.create("a");
     ObjectId const b = one.create("b");
@@ -128,7 +128,7 @@ TEST(Store, HashesShowWhatIsThereAndNotHowItCame) {
     EXPECT_EQ(other.hash(), one.hash()) << "an empty column equals one that was never made";
     other.column<Weight>().set(b, {3.0000000000000004});
     EXPECT_NE(other.hash(), one.hash());
-    // The ids that the next objects get are in the state, though not in the hash of the objects.
+    // The ids of the next objects are part of the state, but not of the hash of the objects.
     Store later;
     static_cast<void>(later.create("a"));
     ObjectId const c = later.create("c");
@@ -144,7 +144,7 @@ TEST(Store, HashesShowWhatIsThereAndNotHowItCame) {
     EXPECT_NE(state(later), state(plain));
 }
 
-TEST(Store, StructureVersionCountsWhoGainsAndLosesAndNotValues) {
+TEST(Store, StructureVersionCountsAddedAndRemovedPropertiesAndNotValues) {
     Store store;
     ObjectId const a = store.create("a");
     store.column<Weight>().set(a, {1});
@@ -175,7 +175,7 @@ std::vector<ObjectId>& completed() {
     return all;
 }
 
-TEST(Store, CompletionsGetObjectsAscendingAndOnce) {
+TEST(Store, CompletionsGetEachObjectOnceInAscendingOrder) {
     Store store;
     ObjectId const a = store.create("a");
     ObjectId const b = store.create("b");
@@ -194,7 +194,7 @@ TEST(Store, CompletionsGetObjectsAscendingAndOnce) {
     EXPECT_TRUE(store.has<Tag>(a) && store.has<Tag>(b));
 }
 
-TEST(Store, APrototypeGivesAllItsPropertiesAndIsRemembered) {
+TEST(Store, APrototypeGivesAllItsPropertiesAndIsTheOrigin) {
     Store store;
     Prototype crate;
     crate.name = "crate";

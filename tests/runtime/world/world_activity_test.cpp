@@ -22,7 +22,7 @@ void steps(World& world, int n) {
     }
 }
 
-TEST(WorldActivity, WhatNoObjectCallsForIsNotConstructed) {
+TEST(WorldActivity, ComponentsThatNoObjectActivatesAreNotConstructed) {
     Registry registry;
     registry.component<Stove>();
     registry.component<ExactGlow>();
@@ -38,7 +38,7 @@ TEST(WorldActivity, WhatNoObjectCallsForIsNotConstructed) {
     EXPECT_EQ(world.find<Glow>(), nullptr); // not even its slot was made
 }
 
-TEST(WorldActivity, NeedsAllWantsEveryPropertyAndItsResolver) {
+TEST(WorldActivity, NeedsAllRequiresEveryPropertyAndTheResolver) {
     Registry registry;
     registry.component<Stove>();
     registry.component<HeatFromFuel>();
@@ -49,16 +49,16 @@ TEST(WorldActivity, NeedsAllWantsEveryPropertyAndItsResolver) {
     world.step();
     EXPECT_EQ(statusOf(world, "Heat <- Fuel").activity, Activity::absent) << "nothing has heat";
     world.store().column<Heat>().set(log, {0});
-    world.step(); // found at the end of the resolvers' phase
+    world.step(); // activated at the end of the resolvers' phase
     EXPECT_EQ(statusOf(world, "Heat <- Fuel").activity, Activity::active);
     EXPECT_EQ(statusOf(world, "Stove").activity, Activity::asleep)
-        << "constructed, but its turn is the next frame's";
+        << "constructed, but its first turn is in the next frame";
     world.step();
     EXPECT_EQ(statusOf(world, "Stove").activity, Activity::active);
     EXPECT_EQ(statusOf(world, "Stove").updates, 1U);
 }
 
-TEST(WorldActivity, WhatReadsNothingNewSleepsAndWakesWhenItDoes) {
+TEST(WorldActivity, AComponentSleepsUntilItsReadsChange) {
     Registry registry;
     registry.component<ExactGlow>();
     World world(registry);
@@ -113,8 +113,8 @@ TEST(WorldActivity, APeriodOfThreeRunsInEveryThirdFrameForThreeFramesTime) {
     }
 }
 
-// Rates times duration must add up to rate times time, however long the period.
-TEST(WorldActivity, APeriodDoesNotChangeWhatRatesAddUpTo) {
+// Rates times durations must add up to rate times time for any period.
+TEST(WorldActivity, APeriodDoesNotChangeTheSumOfRates) {
     for (int const period : {1, 2, 5}) {
         Registry registry;
         registry.component<Furnace>();
@@ -125,11 +125,11 @@ TEST(WorldActivity, APeriodDoesNotChangeWhatRatesAddUpTo) {
         world.start();
         steps(world, 1 + 20 * period); // the first advance comes before the first call
         EXPECT_NEAR(world.find<Heat>(coal)->value, 20.0 * period, 1e-9) << period;
-        EXPECT_EQ(statusOf(world, "Heat <- Fuel").updates, 1U) << "a call that is held is made once";
+        EXPECT_EQ(statusOf(world, "Heat <- Fuel").updates, 1U) << "a held call is made once";
     }
 }
 
-TEST(WorldActivity, TimeSleptThroughIsNotCaughtUp) {
+TEST(WorldActivity, SleptTimeIsNotIntegratedLater) {
     Registry registry;
     registry.component<Stove>();
     World world(registry);
@@ -177,7 +177,7 @@ TEST(WorldActivity, ComponentsAppearAndVanishWithTheirObjectsAndTheirSlotsAreRes
     steps(world, 2);
     EXPECT_EQ(statusOf(world, "Exact Glow").activity, Activity::absent);
     EXPECT_EQ(statusOf(world, "Furnace").activity, Activity::absent);
-    EXPECT_EQ(world.find<Glow>()->total, 0) << "nobody provides it any more";
+    EXPECT_EQ(world.find<Glow>()->total, 0) << "no component provides it any more";
     EXPECT_EQ(world.find<StoveLog>()->advances, 0);
 
     hotThing(world, "another", 4);
@@ -207,7 +207,7 @@ TEST(WorldActivity, StartCompletesObjects) {
     EXPECT_EQ(statusOf(world, "Stove").updates, 1U);
 }
 
-// Tells for how long it was not applied.
+// Its power equals the duration of its turn.
 struct HeatFromTime final : Interaction<HeatFromTime, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Heat <- Time", .effect = "heat", .level = "", .work = "Tells the time."};
@@ -221,8 +221,8 @@ struct HeatFromTime final : Interaction<HeatFromTime, HeatRole, Reads<Fuel>> {
     }
 };
 
-// What comes after a sleep depends on how things are, not on how long nothing has happened.
-TEST(WorldActivity, SleepIsNoTimeToBeCaughtUp) {
+// The behaviour after a sleep depends on the state, not on the length of the sleep.
+TEST(WorldActivity, SleptTimeIsNotPartOfTheNextTurn) {
     Registry registry;
     registry.component<Stove>();
     registry.component<HeatFromTime>();
@@ -237,13 +237,13 @@ TEST(WorldActivity, SleepIsNoTimeToBeCaughtUp) {
     steps(world, 2);
     EXPECT_EQ(statusOf(world, "Heat <- Time").updates, 2U);
     EXPECT_DOUBLE_EQ(world.find<Heat>(coal)->value - before, frameDuration * frameDuration)
-        << "the power is a frame, and it acts for one";
+        << "the power equals one frame's duration, and it acts for one frame";
 }
 
 TEST(WorldActivity, ComponentsThatReadDerivedPropertiesWaitForTheirProvider) {
     Registry registry;
     registry.component<Stove>();
-    registry.component<HeatFromGlow>(); // reads Glow, which nobody derives here
+    registry.component<HeatFromGlow>(); // reads Glow, which no component derives here
     World world(registry);
     hotThing(world, "coal", 1);
     world.start();

@@ -74,7 +74,7 @@ struct Porch {
     ObjectId stone;
     explicit Porch(bool bell = true) {
         registry.component<heat::Stove>();
-        registry.component<BellFromHeat>(); // registered before its resolver: no matter
+        registry.component<BellFromHeat>(); // may be registered before its resolver
         if (bell) {
             registry.component<Bell>();
         }
@@ -100,24 +100,24 @@ TEST(FedFromOutside, IsCarriedOutOnceInTheNextFrameInTheOrderOfFeeding) {
     EXPECT_EQ(porch.log().rings.size(), 3U);
 }
 
-TEST(FedFromOutside, ComesBeforeAllInteractionsUnderANameOfItsOwn) {
+TEST(FedFromOutside, ComesBeforeAllInteractionsWithASeparateName) {
     Porch porch;
     porch.world->start();
-    porch.world->step(); // the interaction says its first
+    porch.world->step(); // the interaction makes its first call
     porch.world->feed<BellRole>(Chime{porch.stone, 10});
     porch.world->step();
     EXPECT_EQ(porch.log().chimes, 11);
     EXPECT_EQ(porch.log().by, (std::vector<std::string>{"the visitor", "Bell <- Heat"}));
 }
 
-TEST(FedFromOutside, IsLostWhereNobodyTakesIt) {
+TEST(FedFromOutside, IsDroppedWithoutAResolver) {
     Porch porch;
     porch.world->feed<BellRole>(Ring{1}); // before start()
     porch.world->start();
     porch.world->step();
     EXPECT_TRUE(porch.log().rings.empty());
     porch.world->store().column<Heat>().remove(porch.stone);
-    porch.world->step(); // nothing calls for the bell any more
+    porch.world->step(); // nothing activates the bell any more
     porch.world->feed<BellRole>(Ring{2});
     porch.world->step();
     porch.world->store().column<Heat>().set(porch.stone, {1});
@@ -130,7 +130,7 @@ TEST(FedFromOutside, IsLostWhereNobodyTakesIt) {
     EXPECT_NO_THROW(silent.world->step());
 }
 
-TEST(FedFromOutside, WhatWasFedStaysWhenComponentsComeBeforeTheNextFrame) {
+TEST(FedFromOutside, IsKeptWhenComponentsAreConstructedBeforeTheNextFrame) {
     Porch porch;
     porch.world->start();
     porch.world->step();
@@ -140,8 +140,8 @@ TEST(FedFromOutside, WhatWasFedStaysWhenComponentsComeBeforeTheNextFrame) {
     EXPECT_EQ(porch.log().rings, std::vector<int>{7});
 }
 
-// The player's input is nothing but such a role.
-TEST(FedFromOutside, HoldsForThePlayer) {
+// The player's input uses such a role.
+TEST(FedFromOutside, IncludesThePlayersInput) {
     static_assert(FedFromOutside<PlayerRole>);
     static_assert(!FedFromOutside<heat::HeatRole>);
     EXPECT_EQ(PlayerRole::fedBy, "the player");

@@ -15,7 +15,7 @@ namespace {
 
 using namespace heat;
 
-/// What happened in a turn of the metronome, and when.
+/// The events of a turn of the metronome, with their times.
 struct Beats {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Beats", "beats", "The turns of the metronome."};
@@ -26,7 +26,7 @@ struct Beats {
         double duration = 0; ///< s
     };
     std::vector<Beat> beats;
-    int ever = 0; ///< how things stand
+    int ever = 0; ///< number of beats so far
 
     static void gather(Beats& frame, Beats const& part, PartSpan span) {
         frame.ever = part.ever;
@@ -40,7 +40,7 @@ struct MetronomeRole {
     static constexpr std::string_view name = "Metronome";
     using Calls = CallList<>;
 };
-/// Tells of one beat in each of its first turns, as many as somebody is hot, and of none in the next.
+/// Reports one beat in each of its first turns, whose number is the greatest heat, and none afterwards.
 struct Metronome final : Resolver<Metronome, MetronomeRole, Reads<Heat>, Writes<>, Provides<Beats>> {
     static constexpr ComponentText text{
         .name = "Metronome", .effect = "metronome", .level = "", .work = "Beats."};
@@ -79,7 +79,7 @@ struct ListenerRole {
     using Calls = CallList<>;
 };
 
-/// Remembers the length of each turn. It has one where heat has changed.
+/// Records the length of each turn. It has a turn if heat has changed.
 struct Listener final : Resolver<Listener, ListenerRole, Reads<Heat>, Writes<>, Provides<Turns>> {
     static constexpr ComponentText text{
         .name = "Listener", .effect = "listener", .level = "", .work = "Listens."};
@@ -87,7 +87,7 @@ struct Listener final : Resolver<Listener, ListenerRole, Reads<Heat>, Writes<>, 
     void advance(Access& access) { access.provide<Turns>().durations.push_back(access.duration()); }
 };
 
-/// Asks for parts as long as there is fuel, none longer than 1/rate.
+/// Requests parts of at most 1/rate while there is fuel.
 struct FrameFromFuel final : Interaction<FrameFromFuel, FrameRole, Reads<Fuel>> {
     static constexpr ComponentText text{
         .name = "Frame <- Fuel", .effect = "frame", .level = "", .work = "Splits frames."};
@@ -144,7 +144,8 @@ TEST(FrameParts, EachPartIsATurnOfThatLength) {
         EXPECT_EQ(world.find<FrameParts>()->parts, parts);
         EXPECT_EQ(statusOf(world, "Furnace").updates, 3U * static_cast<unsigned>(parts));
         EXPECT_DOUBLE_EQ(world.find<StoveLog>()->duration, frameDuration / parts);
-        // The fire is told of at the end of the first part and burns from the second one on, at 1 J a frame.
+        // The fire is passed on at the end of the first part and burns from the second one on, at 1 J a
+        // frame.
         EXPECT_NEAR(world.find<Heat>(coal)->value, 3 - 1.0 / parts, 1e-12) << parts;
     }
 }
@@ -159,18 +160,19 @@ TEST(FrameParts, OddNumbersAreRoundedUp) {
     }
 }
 
-TEST(FrameParts, AreAsShortAsTheHastiestAsksFor) {
+TEST(FrameParts, AreAsShortAsTheShortestRequest) {
     World world(registry());
     ObjectId const slow = thing(world, "slow", 0, 30);
     ObjectId const fast = thing(world, "fast", 0, 200);
     world.start();
     world.step();
-    EXPECT_EQ(world.find<FrameParts>()->parts, 1) << "nobody has asked before the first frame";
+    EXPECT_EQ(world.find<FrameParts>()->parts, 1) << "there are no requests before the first frame";
     world.step();
     EXPECT_EQ(world.find<FrameParts>()->parts, 4) << "200/s are 3.3 in a frame";
     world.store().column<Fuel>().set(fast, {70});
     world.step();
-    EXPECT_EQ(world.find<FrameParts>()->parts, 4) << "a frame keeps its parts; who asks is heard at its end";
+    EXPECT_EQ(world.find<FrameParts>()->parts, 4)
+        << "a frame keeps its number of parts; requests count from the next one on";
     world.step();
     EXPECT_EQ(world.find<FrameParts>()->parts, 2);
     world.store().column<Fuel>().remove(fast);
@@ -178,10 +180,10 @@ TEST(FrameParts, AreAsShortAsTheHastiestAsksFor) {
     EXPECT_EQ(world.find<FrameParts>()->parts, 1);
     world.store().column<Fuel>().set(slow, {1e9});
     frames(world, 2);
-    EXPECT_EQ(world.find<FrameParts>()->parts, 8) << "there are no more";
+    EXPECT_EQ(world.find<FrameParts>()->parts, 8) << "the greatest number of parts";
     state(world, 2);
     world.step();
-    EXPECT_EQ(world.find<FrameParts>()->parts, 2) << "what is stated counts, whoever asks";
+    EXPECT_EQ(world.find<FrameParts>()->parts, 2) << "a stated number overrides requests";
     state(world, FrameSettings::automatic);
     for (double const nonsense :
          {0.0, -5.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
@@ -219,8 +221,9 @@ TEST(FrameParts, APeriodCountsFrames) {
     }
 }
 
-// Parts in which everybody sleeps are skipped. Whoever is woken in the last one has slept through them.
-TEST(FrameParts, WhoeverIsWokenAfterSkippedPartsHasATurnOfOne) {
+// Parts in which all components sleep are skipped. A component that wakes in the last part slept in the
+// skipped ones.
+TEST(FrameParts, AComponentThatWakesAfterSkippedPartsHasATurnOfOnePart) {
     for (bool const somebodyIsBusy : {false, true}) {
         Registry made;
         registerRuntime(made);
@@ -233,14 +236,14 @@ TEST(FrameParts, WhoeverIsWokenAfterSkippedPartsHasATurnOfOne) {
         world.setPeriod("Furnace Resolver", 2);
         world.start();
         frames(world, 5);
-        // At first, and when the furnace has had its turns, in the last parts of frames 1, 3 and 5.
+        // First, and then after the furnace's turns in the last parts of frames 1, 3 and 5.
         EXPECT_EQ(world.find<Turns>()->durations, std::vector<double>(4, frameDuration / 8))
             << somebodyIsBusy;
         EXPECT_EQ(statusOf(world, "Metronome").updates > 8, somebodyIsBusy);
     }
 }
 
-TEST(FrameParts, WhatThePlayerDoesIsTakenInTheFirst) {
+TEST(FrameParts, PlayerInputIsTakenInTheFirst) {
     World world(registry());
     ObjectId const coal = thing(world, "coal", 0, 0);
     ObjectId const box = thing(world, "box", 0, 0);
@@ -258,7 +261,8 @@ TEST(FrameParts, WhatThePlayerDoesIsTakenInTheFirst) {
     });
     EXPECT_EQ(removals, (std::vector<std::size_t>{1, 0, 0, 0}));
     EXPECT_EQ(alive, (std::vector<bool>{true, false, false, false}));
-    EXPECT_EQ(world.find<PlayerCommands>()->removals.size(), 1U) << "the frame as a whole knows it";
+    EXPECT_EQ(world.find<PlayerCommands>()->removals.size(), 1U)
+        << "at the frame's end it is that of the whole frame";
     ASSERT_EQ(world.find<PopulationChanges>()->destroyed.size(), 1U);
     EXPECT_EQ(world.find<Hand>()->object, box);
     world.step();
@@ -266,7 +270,7 @@ TEST(FrameParts, WhatThePlayerDoesIsTakenInTheFirst) {
     EXPECT_TRUE(world.find<PopulationChanges>()->destroyed.empty());
 }
 
-TEST(FrameParts, TheNewsOfAFrameIsThatOfAllItsParts) {
+TEST(FrameParts, TheNewsOfAFrameAreThoseOfAllItsParts) {
     for (int const parts : {1, 2, 4, 8}) {
         World world(registry());
         thing(world, "coal", 6, 0); // six beats
@@ -277,7 +281,7 @@ TEST(FrameParts, TheNewsOfAFrameIsThatOfAllItsParts) {
         for (int frame = 1; frame <= 8; ++frame) {
             world.step([&](World const& inside) {
                 std::size_t const now = inside.find<Beats>()->beats.size();
-                EXPECT_LE(now, 1U) << "within a frame: those of the part";
+                EXPECT_LE(now, 1U) << "within a frame only the events of the part";
                 toldInside += static_cast<int>(now);
             });
             Beats const& beats = *world.find<Beats>();
@@ -295,7 +299,7 @@ TEST(FrameParts, TheNewsOfAFrameIsThatOfAllItsParts) {
     }
 }
 
-TEST(FrameParts, WhatSleepsCostsNoTurnInAnyPart) {
+TEST(FrameParts, SleepingComponentsHaveNoTurnInAnyPart) {
     World world(registry());
     thing(world, "stone", 0, 0);
     state(world, 8);
@@ -303,14 +307,14 @@ TEST(FrameParts, WhatSleepsCostsNoTurnInAnyPart) {
     frames(world, 2);
     ComponentStatus const before = statusOf(world, "Exact Glow");
     std::vector<std::uint32_t> looks;
-    world.setPeriod("Furnace Resolver", 3600); // the only one that is never at rest
+    world.setPeriod("Furnace Resolver", 3600); // the only restless component
     world.step([&](World const& inside) { looks.push_back(inside.moment().part); });
-    EXPECT_EQ(looks, (std::vector<std::uint32_t>{1, 8})) << "nothing can change in between";
+    EXPECT_EQ(looks, (std::vector<std::uint32_t>{1, 8})) << "the parts in between are skipped";
     EXPECT_EQ(statusOf(world, "Exact Glow").updates, before.updates);
     EXPECT_EQ(statusOf(world, "Exact Glow").activity, Activity::asleep);
 }
 
-TEST(FrameParts, TraceSaysFrameAndPart) {
+TEST(FrameParts, TraceStatesFrameAndPart) {
     World world(registry(), {.threads = 1, .detail = {}, .periods = {}, .trace = true});
     thing(world, "coal", 0, 60);
     state(world, 2);
@@ -342,7 +346,7 @@ TEST(FrameParts, TraceSaysFrameAndPart) {
     EXPECT_EQ(world.tracer()->events().back().frame, 3U);
 }
 
-// A hundred things that burn, in chunks and on threads; some ask for other parts as their fuel changes.
+// A hundred burning objects, in chunks and on threads; some request other parts when their fuel changes.
 std::vector<std::uint64_t> hashes(int threads, int parts) {
     WorldOptions options;
     options.threads = threads;
@@ -366,7 +370,7 @@ std::vector<std::uint64_t> hashes(int threads, int parts) {
     return found;
 }
 
-TEST(FrameParts, ThreadsNeverShow) {
+TEST(FrameParts, DoNotDependOnThreads) {
     for (int const parts : {FrameSettings::automatic, 1, 2, 4, 8}) {
         auto const single = hashes(1, parts);
         for (int const threads : {2, 3, 8}) {

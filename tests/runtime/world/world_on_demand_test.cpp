@@ -11,7 +11,7 @@ namespace {
 
 using namespace heat;
 
-/// A log that a resolver keeps only where somebody reads it.
+/// A log that a resolver keeps only if it is read.
 struct Diary {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Diary", "diary", "How often the scribe was told something."};
@@ -59,7 +59,7 @@ struct ScribeFromHeat final : Interaction<ScribeFromHeat, ScribeRole, Reads<Heat
         forEach([&](ObjectId id, Heat const&) { access.call(Note{id}); }, access.read<Heat>());
     }
 };
-/// Derived on demand, from what is kept on demand.
+/// Derived on demand, from a property that is kept on demand.
 struct Fame {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Fame", "fame", "Twice the entries."};
@@ -97,7 +97,7 @@ struct Scriptorium {
     [[nodiscard]] Activity of(std::string_view name) const { return statusOf(*world, name).activity; }
 };
 
-TEST(OnDemand, IsAbsentWithAllThatLivesOnItWhileNobodyReads) {
+TEST(OnDemand, IsAbsentWithAllThatDependsOnItWithoutReaders) {
     Scriptorium s;
     s.world->start();
     s.world->step();
@@ -106,32 +106,32 @@ TEST(OnDemand, IsAbsentWithAllThatLivesOnItWhileNobodyReads) {
     }
     EXPECT_EQ(statusOf(*s.world, "Scribe").choice.reason, ChoiceReason::notRead);
     EXPECT_EQ(statusOf(*s.world, "Scribe <- Heat").choice.reason, ChoiceReason::noResolver);
-    EXPECT_NE(s.of("Stove"), Activity::absent) << "what is not on demand does not care";
+    EXPECT_NE(s.of("Stove"), Activity::absent) << "components that are not on demand are not affected";
 }
 
-TEST(OnDemand, AReaderFromOutsideBringsItAndTakesItAwayAgain) {
+TEST(OnDemand, IsConstructedForASubscriptionAndRemovedWithIt) {
     Scriptorium s;
-    Subscription first = std::as_const(*s.world).want<Diary>(); // it takes no more than a look at the world
+    Subscription first = std::as_const(*s.world).want<Diary>(); // a const world is sufficient
     s.world->start();
     s.world->step();
     s.world->step();
     EXPECT_NE(s.of("Scribe"), Activity::absent);
-    EXPECT_EQ(s.of("Poet"), Activity::absent) << "one of the alternatives, as ever";
-    EXPECT_EQ(s.of("Fame"), Activity::absent) << "nobody reads that";
+    EXPECT_EQ(s.of("Poet"), Activity::absent) << "only one of the alternatives, as always";
+    EXPECT_EQ(s.of("Fame"), Activity::absent) << "its property is not read";
     EXPECT_EQ(s.world->find<Diary>()->entries, 1);
     {
         Subscription const second = s.world->want<Diary>();
         first.end();
-        first.end(); // once more does nothing
+        first.end(); // a second end() has no effect
         s.world->step();
-        EXPECT_NE(s.of("Scribe"), Activity::absent) << "they are counted";
+        EXPECT_NE(s.of("Scribe"), Activity::absent) << "subscriptions are counted";
         EXPECT_TRUE(second);
         EXPECT_FALSE(first);
     }
     s.world->step();
     EXPECT_EQ(s.of("Scribe"), Activity::absent);
     EXPECT_EQ(s.of("Scribe <- Heat"), Activity::absent);
-    EXPECT_EQ(s.world->find<Diary>()->entries, 0) << "nobody provides it any more";
+    EXPECT_EQ(s.world->find<Diary>()->entries, 0) << "no component provides it any more";
     first = s.world->want<Diary>();
     s.world->step();
     EXPECT_NE(s.of("Scribe"), Activity::absent);
@@ -144,12 +144,12 @@ TEST(OnDemand, ASubscriptionMovesAndMayOutliveItsWorld) {
         s.world->start();
         Subscription made = s.world->want<Diary>();
         Subscription moved = std::move(made);
-        EXPECT_FALSE(made); // NOLINT(bugprone-use-after-move): what is left of it is empty
+        EXPECT_FALSE(made); // NOLINT(bugprone-use-after-move): a moved-from subscription is empty
         EXPECT_TRUE(moved);
         kept = std::move(moved);
         s.world->step();
-        EXPECT_NE(s.of("Scribe"), Activity::absent) << "whoever holds it";
-        kept = s.world->want<Fame>(); // ends the one before
+        EXPECT_NE(s.of("Scribe"), Activity::absent) << "the moved subscription still counts";
+        kept = s.world->want<Fame>(); // ends the previous subscription
         s.world->step();
         EXPECT_NE(s.of("Fame"), Activity::absent);
         kept = {};
@@ -158,13 +158,13 @@ TEST(OnDemand, ASubscriptionMovesAndMayOutliveItsWorld) {
         kept = s.world->want<Diary>();
         EXPECT_TRUE(kept);
     }
-    EXPECT_FALSE(kept) << "nobody is left to be asked";
+    EXPECT_FALSE(kept) << "its world is destroyed";
     Scriptorium another;
     kept = another.world->want<Diary>();
     EXPECT_TRUE(kept);
 }
 
-TEST(OnDemand, AReaderInTheSceneBringsTheWholeChain) {
+TEST(OnDemand, AReaderInTheSceneActivatesTheWholeChain) {
     Scriptorium s;
     s.world->store().column<Fuel>().set(s.stone, {0});
     s.world->start();
@@ -177,14 +177,14 @@ TEST(OnDemand, AReaderInTheSceneBringsTheWholeChain) {
     EXPECT_EQ(s.world->find<Fame>()->twice, 2 * s.world->find<Diary>()->entries);
     s.world->store().column<Fuel>().remove(s.stone);
     s.world->step();
-    EXPECT_EQ(s.of("Scribe"), Activity::absent) << "the only reader is gone";
+    EXPECT_EQ(s.of("Scribe"), Activity::absent) << "the only reader was removed";
 }
 
-TEST(OnDemand, OnlyReadersThatTheSceneCallsForAreItsOwn) {
+TEST(OnDemand, OnlyReadersThatObjectsActivateBelongToTheScene) {
     Scriptorium s;
     s.world->start();
     SlotBase const& diary = s.world->store().slot(propertyInfo<Diary>());
-    Subscription const fame = s.world->want<Fame>(); // brings the component that reads the diary
+    Subscription const fame = s.world->want<Fame>(); // constructs the component that reads the diary
     s.world->step();
     ASSERT_NE(s.of("Fame"), Activity::absent);
     EXPECT_EQ(diary.readers(), 1);
@@ -193,7 +193,7 @@ TEST(OnDemand, OnlyReadersThatTheSceneCallsForAreItsOwn) {
     s.world->step();
     EXPECT_EQ(diary.readers(), 2);
     EXPECT_EQ(diary.ownReaders(), 0);
-    s.world->store().column<Fuel>().set(s.stone, {0}); // the scene itself now calls for Fame
+    s.world->store().column<Fuel>().set(s.stone, {0}); // now an object activates a reader of Fame
     s.world->step();
     EXPECT_EQ(diary.readers(), 2);
     EXPECT_EQ(diary.ownReaders(), 1);
@@ -204,7 +204,7 @@ TEST(OnDemand, OnlyReadersThatTheSceneCallsForAreItsOwn) {
     EXPECT_EQ(diary.ownReaders(), 0);
 }
 
-TEST(OnDemand, WantingChangesNoState) {
+TEST(OnDemand, SubscribingChangesNoState) {
     Scriptorium wanted;
     Scriptorium unwanted;
     wanted.world->start();

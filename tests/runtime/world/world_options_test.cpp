@@ -63,7 +63,7 @@ TEST(WorldOptions, TheCheapestLevelThatSuitsTheSceneIsPicked) {
     world.step();
     EXPECT_EQ(statusOf(world, "Rough Glow").activity, Activity::absent);
     EXPECT_EQ(statusOf(world, "Exact Glow").activity, Activity::active);
-    EXPECT_EQ(world.find<Glow>()->updatesByRough, 1) << "the slot was kept";
+    EXPECT_EQ(world.find<Glow>()->updatesByRough, 1) << "the slot's value is kept";
     EXPECT_EQ(world.find<Glow>()->total, 3);
 }
 
@@ -81,10 +81,10 @@ TEST(WorldOptions, ASwapKeepsTheSlotAndTakesEffectInTheNextFrame) {
     EXPECT_EQ(statusOf(world, "Rough Glow").activity, Activity::absent);
     world.step();
     EXPECT_EQ(world.find<Glow>()->updatesByExact, 1)
-        << "a new component has its first turn though nothing changed";
+        << "a new component has its first turn although nothing has changed";
     world.setDetail("glow", "");
     world.step();
-    EXPECT_EQ(world.find<Glow>()->updatesByRough, 2) << "the choice is the scene's again";
+    EXPECT_EQ(world.find<Glow>()->updatesByRough, 2) << "the scene determines the choice again";
 }
 
 TEST(WorldOptions, ASwappedResolverCarriesOnWithHeldCallsAndItsOwnSlot) {
@@ -93,7 +93,7 @@ TEST(WorldOptions, ASwappedResolverCarriesOnWithHeldCallsAndItsOwnSlot) {
     world.store().column<Fuel>().set(coal, {60});
     world.start();
     world.step();
-    world.step(); // the stove carries out the held call once and then sleeps: nothing is new
+    world.step(); // the stove carries out the held call once and then sleeps, as nothing changes
     world.step();
     EXPECT_DOUBLE_EQ(world.find<Heat>(coal)->value, 1);
     int const advances = world.find<StoveLog>()->advances;
@@ -104,10 +104,11 @@ TEST(WorldOptions, ASwappedResolverCarriesOnWithHeldCallsAndItsOwnSlot) {
     EXPECT_EQ(world.find<StoveLog>()->advances, advances + 10);
     EXPECT_EQ(world.find<StoveLog>()->held, 1);
     EXPECT_NEAR(world.find<Heat>(coal)->value, 11, 1e-12);
-    EXPECT_EQ(statusOf(world, "Heat <- Fuel").updates, 1U) << "the interaction did not have to say it again";
+    EXPECT_EQ(statusOf(world, "Heat <- Fuel").updates, 1U)
+        << "the interaction did not have to repeat the call";
 }
 
-TEST(WorldOptions, LevelsAskedForAtTheStartAreObeyed) {
+TEST(WorldOptions, LevelsRequestedAtTheStartAreUsed) {
     World world(levels(), {.threads = 1, .detail = {{"glow", "exact"}}, .periods = {}});
     hotThing(world, "a", 1);
     world.start();
@@ -117,7 +118,7 @@ TEST(WorldOptions, LevelsAskedForAtTheStartAreObeyed) {
     EXPECT_EQ(world.options().detail.at("glow"), "exact");
 }
 
-TEST(WorldOptions, UnknownLevelsAndEffectsAreRefusedWithWhatThereIs) {
+TEST(WorldOptions, UnknownLevelsAndEffectsAreRefusedWithTheKnownOnes) {
     World world(levels());
     expectMentions(messageOf([&] { world.setDetail("glow", "fine"); }), {"glow", "fine", "exact", "rough"});
     expectMentions(messageOf([&] { world.setDetail("glwo", "exact"); }), {"glwo", "glow", "heat"});
@@ -125,10 +126,10 @@ TEST(WorldOptions, UnknownLevelsAndEffectsAreRefusedWithWhatThereIs) {
                        World w(levels(), {.threads = 1, .detail = {{"glow", "x"}}, .periods = {}});
                    }),
                    {"exact", "rough"});
-    EXPECT_TRUE(world.options().detail.empty()) << "a refused level leaves no trace";
+    EXPECT_TRUE(world.options().detail.empty()) << "a refused level changes nothing";
 }
 
-TEST(WorldOptions, UnknownComponentsAndPeriodsAreRefusedWithWhatThereIs) {
+TEST(WorldOptions, UnknownComponentsAndPeriodsAreRefusedWithTheKnownOnes) {
     World world(levels());
     expectMentions(messageOf([&] { world.setPeriod("Stov", 2); }),
                    {"Stov", "Stove Resolver", "Exact Glow DPS", "(Heat <- Fuel) Interaction"});
@@ -146,7 +147,7 @@ struct StoveGlow final : Dps<StoveGlow, Reads<Fuel>, Derives<>> {
     void update(Access&) {}
 };
 
-TEST(WorldOptions, ANameOfTwoComponentsIsNoPeriodsName) {
+TEST(WorldOptions, APeriodForAnAmbiguousNameIsRefused) {
     Registry registry;
     registry.component<Stove>();
     registry.component<StoveGlow>();
@@ -168,7 +169,7 @@ struct ToldGlow final : Dps<ToldGlow, Reads<Heat>, Derives<Glow>> {
     void update(Access&) {}
 };
 
-TEST(WorldOptions, WhyIsToldOfALevelThatIsThere) {
+TEST(WorldOptions, TheReasonOfTheChosenLevelIsStated) {
     Registry registry;
     registry.component<ToldGlow>();
     registry.component<ExactGlow>();
@@ -180,10 +181,10 @@ TEST(WorldOptions, WhyIsToldOfALevelThatIsThere) {
     EXPECT_EQ(world.why("glow"), "2 hot objects");
     EXPECT_EQ(world.why("heat"), "");
     world.setDetail("glow", "exact");
-    EXPECT_EQ(world.why("glow"), "") << "the level that is there does not say";
+    EXPECT_EQ(world.why("glow"), "") << "the chosen level states no reason";
 }
 
-// Alternatives of which only one can have what it reads.
+// Alternatives of which only one has providers for its reads.
 struct NeedsGlowLog {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Nobody's", "nobodys", "What no resolver provides."};
@@ -196,7 +197,7 @@ struct CheapButBlind final : Dps<CheapButBlind, Reads<Heat, NeedsGlowLog>, Deriv
     void update(Access& access) { access.derive<Glow>().total = -1; }
 };
 
-TEST(WorldOptions, AnAlternativeWhoseReadsNobodyProvidesIsNotPicked) {
+TEST(WorldOptions, AnAlternativeWithoutProvidersOfItsReadsIsNotPicked) {
     Registry registry;
     registry.component<CheapButBlind>();
     registry.component<ExactGlow>();

@@ -104,7 +104,7 @@ struct HeatFromBoth final : Interaction<HeatFromBoth, HeatRole, Reads<Glow, Shad
     void apply(Access&) {}
 };
 
-TEST(WorldShortcut, IsRefusedToWhoReadsAnotherDerivedPropertySet) {
+TEST(WorldShortcut, IsRefusedForReadsOfAnotherDerivedPropertySet) {
     Registry registry;
     registry.component<Stove>();
     registry.component<ExactGlow>();
@@ -119,7 +119,7 @@ TEST(WorldShortcut, IsRefusedToWhoReadsAnotherDerivedPropertySet) {
     EXPECT_THROW(World{registry}, RuleBroken);
 }
 
-TEST(WorldShortcut, IsRefusedInTwoThatMayBothBeThere) {
+TEST(WorldShortcut, IsRefusedInTwoSetsThatMayCoexist) {
     Registry registry;
     registry.component<Stove>();
     registry.component<ExactGlow>();
@@ -133,7 +133,7 @@ TEST(WorldShortcut, IsRefusedInTwoThatMayBothBeThere) {
     EXPECT_NE(refusalOf(registry).find("Shading DPS"), std::string::npos) << refusalOf(registry);
 }
 
-TEST(WorldShortcut, IsRefusedToStrangersAndToOtherKinds) {
+TEST(WorldShortcut, IsRefusedForUnregisteredComponentsAndOtherKinds) {
     Registry unknown;
     unknown.component<ExactGlow>();
     unknown.shortcut<HeatFromGlow, ExactGlow>();

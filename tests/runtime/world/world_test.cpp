@@ -7,7 +7,7 @@
 namespace trembler {
 namespace {
 
-TEST(World, RemovesWhatThePlayerRemovesInTheFrameAfterTheNext) {
+TEST(World, RemovesObjectsTwoFramesAfterThePlayersInput) {
     Registry registry;
     registerRuntime(registry);
     World world(registry, {.threads = 1, .detail = {}, .periods = {}, .trace = true});

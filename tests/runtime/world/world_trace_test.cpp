@@ -24,7 +24,7 @@ std::vector<Event> eventsNamed(World const& world, std::string_view name) {
 }
 
 // "this will be done for every frame from now on and will not be mentioned again" (6.8.3)
-TEST(WorldTrace, TellsAHeldCallOnceForAsLongAsItIsHeld) {
+TEST(WorldTrace, RecordsAHeldCallOncePerPeriodOfHolding) {
     Registry registry;
     registry.component<Furnace>();
     registry.component<HeatFromFuel>();
@@ -42,7 +42,7 @@ TEST(WorldTrace, TellsAHeldCallOnceForAsLongAsItIsHeld) {
     EXPECT_EQ(eventsNamed(world, "addHeat")[0].component, "Heat <- Fuel");
     world.store().column<Fuel>().remove(coal);
     world.step();
-    world.store().column<Fuel>().set(coal, {1}); // held again after a pause: told again
+    world.store().column<Fuel>().set(coal, {1}); // held again after a pause: recorded again
     world.step();
     EXPECT_EQ(eventsNamed(world, "addHeat").size(), 2U);
 }
@@ -67,7 +67,7 @@ TEST(WorldTrace, LeadsFromAnEffectBackToItsCause) {
     EXPECT_EQ(world.tracer()->find(chain[0])->phase, Phase::interaction);
 }
 
-// Takes the last thing that calls for it away, and with that itself.
+// Removes the last object that activates it, and thereby itself.
 struct BurnsOut final : Resolver<BurnsOut, HeatRole, Reads<>, Writes<Heat>> {
     static constexpr ComponentText text{
         .name = "Burns out", .effect = "heat", .level = "", .work = "Burns everything at once."};
@@ -82,7 +82,7 @@ struct BurnsOut final : Resolver<BurnsOut, HeatRole, Reads<>, Writes<Heat>> {
     }
 };
 
-TEST(WorldTrace, KeepsWhatAComponentSaidInItsLastFrame) {
+TEST(WorldTrace, KeepsTheEventsOfAComponentsLastFrame) {
     Registry registry;
     registry.component<BurnsOut>();
     World world(registry, {.threads = 1, .detail = {}, .periods = {}, .trace = true});
@@ -93,7 +93,7 @@ TEST(WorldTrace, KeepsWhatAComponentSaidInItsLastFrame) {
     EXPECT_EQ(eventsNamed(world, "burnt out").size(), 1U);
 }
 
-TEST(WorldTrace, CostsNoMemoryWhileNobodyTraces) {
+TEST(WorldTrace, NeedsNoMemoryWithoutTracing) {
     Registry registry;
     registry.component<Furnace>();
     World world(registry);
@@ -106,7 +106,7 @@ TEST(WorldTrace, CostsNoMemoryWhileNobodyTraces) {
 }
 
 // More than 10,000 objects, several interactions in many chunks, some calls once, some held, objects that
-// come to have and lose properties: not a byte of the account, nor of the state, may depend on threads.
+// gain and lose properties: neither the trace nor the state may depend on threads.
 TEST(WorldTraceParallel, IsTheSameForAnyNumberOfThreads) {
     Registry registry;
     registerRuntime(registry);
@@ -116,7 +116,7 @@ TEST(WorldTraceParallel, IsTheSameForAnyNumberOfThreads) {
     registry.component<HeatFromGlow>();
     std::string account;
     std::vector<std::uint64_t> hashes;
-    // A sanitizer finds in one number of threads what it finds in four.
+    // For a sanitizer one number of threads is sufficient.
     for (int const threads : test::underSanitizer ? std::vector{1, 8} : std::vector{1, 2, 3, 8, 32}) {
         World world(registry,
                     {.threads = threads, .detail = {}, .periods = {{"Exact Glow", 2}}, .trace = true});
@@ -147,7 +147,7 @@ TEST(WorldTraceParallel, IsTheSameForAnyNumberOfThreads) {
             EXPECT_GT(world.tracer()->events().size(), 13000U);
             EXPECT_EQ(eventsNamed(world, "destroyed").size(), 1U);
         }
-        EXPECT_TRUE(out.str() == account) << threads << " threads tell another story";
+        EXPECT_TRUE(out.str() == account) << threads << " threads give another trace";
         EXPECT_EQ(mine, hashes) << threads;
     }
 }

@@ -18,10 +18,22 @@ std::vector<Command<PlayParts>> joinedSections() {
 }
 
 constexpr Gesture gestures[] = {
-    {.with = "wheel", .does = "turn the part in hand (Shift: 1°)", .beside = "turn-left"},
+    {.with = "drag; or click it, then its place", .does = "take a part out of the toolbox"},
+    {.with = "drag", .does = "move a part"},
     {.with = "Ctrl, Alt", .does = "hold: place without the grid", .beside = "move-down"},
+    {.with = "wheel", .does = "turn the part in hand (Shift: 1°)", .beside = "turn-left"},
+    {.with = "drag the knob beside it", .does = "turn the selected part"},
     {.with = "right click", .does = "put a part back, let go", .beside = "put-back"},
-    {.with = "wheel", .does = "zoom; drag the paper to move it", .beside = "all-back"},
+    {.with = "drag it onto the toolbox", .does = "put a part back"},
+    {.with = "drag", .does = "take hold of an object", .group = CommandGroup::running},
+    {.with = "press the scissors, then click the wire", .does = "cut a wire", .group = CommandGroup::running},
+    {.with = "click", .does = "show all properties of an object", .group = CommandGroup::looking},
+    {.with = "click a ring", .does = "show how loud a sound is", .group = CommandGroup::looking},
+    {.with = "wheel",
+     .does = "zoom; drag the paper to move it",
+     .beside = "all-back",
+     .group = CommandGroup::looking},
+    {.with = "drag with the middle button", .does = "move the paper", .group = CommandGroup::looking},
 };
 
 } // namespace

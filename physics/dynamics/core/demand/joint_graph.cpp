@@ -55,15 +55,15 @@ private:
         std::size_t joint;
     };
     struct Node {
-        double mass = 0;  // with all below it in the walk, once that is done
+        double mass = 0;  // with all nodes below it in the walk, once these are finished
         Vec2 moment;      // mass times place
         Vec2 force;       // N
-        double pulls = 0; // N, of the forces on each body, whichever way they point
+        double pulls = 0; // N, sum of the magnitudes of the forces on each body
         std::vector<Edge> edges;
-        std::size_t order = 0; // in which the walk came here, from 1
-        std::size_t low = 0;   // the earliest that it or a node below it reaches by another way
+        std::size_t order = 0; // of visits, from 1
+        std::size_t low = 0;   // the earliest node that it or a node below it reaches on another path
         std::size_t next = 0;  // edge
-        std::size_t by = none; // joint over which the walk came here
+        std::size_t by = none; // joint by which the walk reached it
         std::size_t from = none;
     };
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -99,23 +99,23 @@ private:
             finished_.push_back(at);
             Node& parent = nodes_[node.from];
             parent.low = std::min(parent.low, node.low);
-            if (node.from != ground_) { // bodies that hang side by side from the ground stay apart
+            if (node.from != ground_) { // the ground does not add up what it carries
                 parent.mass += node.mass;
                 parent.moment += node.moment;
                 parent.force += node.force;
                 parent.pulls += node.pulls;
             } else {
-                tell(at, root);
+                setLoads(at, root);
             }
             at = node.from;
         }
         if (root != ground_) {
-            tell(root, root);
+            setLoads(root, root);
         }
     }
 
-    // Everything that `top` ties together is known: `finished_`, children before their parents.
-    void tell(std::size_t top, std::size_t root) {
+    // All nodes that `top` joins are in `finished_`, children before their parents.
+    void setLoads(std::size_t top, std::size_t root) {
         double const total = nodes_[top].mass;
         Vec2 const moment = nodes_[top].moment;
         Vec2 const force = nodes_[top].force;
@@ -133,7 +133,7 @@ private:
             }
             loads_[node.by] = load;
             for (Edge const& edge : node.edges) {
-                if (loads_[edge.joint].mass == 0) { // closes a loop
+                if (loads_[edge.joint].mass == 0) { // a joint that closes a loop
                     loads_[edge.joint] = {total, pulls, {}, false};
                 }
             }

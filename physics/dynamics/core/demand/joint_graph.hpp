@@ -1,4 +1,4 @@
-// Which forces pull at which joint.
+// The forces that pull at each joint.
 #pragma once
 
 #include "physics/dynamics/core/bodies.hpp"
@@ -11,16 +11,16 @@ namespace trembler {
 
 /// The load of a joint.
 struct JointLoad {
-    double mass = 0;    ///< kg, that hangs on it
+    double mass = 0;    ///< kg, that the joint carries
     double pull = 0;    ///< N, of the forces that act on that mass
-    Vec2 centre;        ///< m, where that mass is; only if `alone`
-    bool alone = false; ///< nothing else ties that mass to the rest
+    Vec2 centre;        ///< m, centre of that mass; only if `alone`
+    bool alone = false; ///< no other joint connects that mass to the rest
 };
 
-/// By slot of the joints. One walk over the graph of bodies and joints, all fixed bodies and the world being
-/// one node of it: a joint that is a bridge of the graph (Tarjan 1974) carries everything beyond it, and so
-/// the sum of the forces there. Where a loop leaves the share open, all of the forces may pull, and none
-/// against another. `loads` by slot of the bodies.
+/// By slot of the joints. One walk over the graph of bodies and joints, in which all fixed bodies and the
+/// world are one node: a joint that is a bridge of the graph (Tarjan 1974) carries everything beyond it, and
+/// so the sum of the forces there. In a loop the shares of the joints are not determined; each is then
+/// assumed to carry the sum of the magnitudes of all forces. `loads` by slot of the bodies.
 [[nodiscard]] std::vector<JointLoad> jointLoads(DynamicsColumns const& columns, BodyTable const& bodies,
                                                 JointTable const& joints, std::span<LoadSum const> loads);
 

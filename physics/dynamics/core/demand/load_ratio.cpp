@@ -6,8 +6,9 @@
 namespace trembler {
 namespace {
 
-// Of all forces on a body, for it to count as pressed: a body that floats hangs between two that are alike. A
-// body that is pressed at all is pressed by so much along one of four directions.
+// Least share of the forces on a body along one direction for it to count as pressed. A floating body has
+// equal forces up and down. A body that is pressed at all is pressed by at least this share along one of four
+// directions.
 constexpr double leastPress = 0.3;
 
 struct Rest {
@@ -21,8 +22,8 @@ struct Support {
     SlotIndex lower; // noSlot: the ground
 };
 
-// The direction along which most of the forces on bodies that move act, one way or the other: the greater
-// principal axis of their squares. None where nothing acts.
+// The axis along which most of the forces on movable bodies act: the greater principal axis of their squares.
+// None without forces.
 Vec2 axisOf(BodyTable const& bodies, std::span<LoadSum const> loads) {
     double xx = 0;
     double xy = 0;
@@ -42,7 +43,7 @@ Vec2 axisOf(BodyTable const& bodies, std::span<LoadSum const> loads) {
     return size > 0 ? along / size : Vec2{0, yy > 0 ? 1.0 : 0.0};
 }
 
-// From the top downwards.
+// The contacts as supports, from the top downwards.
 std::vector<Support> supportsOf(BodyTable const& bodies, std::span<TouchingPair const> touching,
                                 std::vector<Rest>& rests) {
     std::vector<Support> supports;

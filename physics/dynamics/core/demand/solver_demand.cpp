@@ -11,12 +11,12 @@
 namespace trembler {
 namespace {
 
-// Where a joint holds one of its bodies, from that body's centre of mass (m).
+// The point where a joint holds one of its bodies, from that body's centre of mass (m).
 struct Hold {
     SlotIndex body = noSlot;
     Vec2 at;
     double pull = 0;   // N
-    bool weld = false; // it cannot turn about it
+    bool weld = false; // the body cannot turn about the point
 };
 
 double squareFrequency(Body const& body, std::span<Hold const> holds) {
@@ -28,7 +28,8 @@ double squareFrequency(Body const& body, std::span<Hold const> holds) {
     for (Hold const& hold : holds) {
         pull = std::max(pull, hold.pull);
     }
-    // The farthest two of many lie about as far apart as the farthest from the first one.
+    // Approximation: the greatest distance of two holds is about that of the first hold and the farthest from
+    // it.
     for (Hold const& hold : holds) {
         reach = std::max(reach, length(hold.at - holds.front().at));
     }
@@ -45,7 +46,7 @@ double thicknessOf(ShapePiece const& piece) {
     case ShapeForm::polygon:
         break;
     }
-    // A polygon's width across the side across which it is least.
+    // A polygon's least width across one of its sides.
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < piece.corners.size(); ++i) {
         Vec2 const side = piece.corners[(i + 1) % piece.corners.size()] - piece.corners[i];
@@ -95,7 +96,7 @@ double bendingFrequency(DynamicsColumns const& columns, BodyTable const& bodies,
         if (load.mass <= 0 || !load.alone || tied.joint.form != JointForm::weld) {
             continue;
         }
-        ObjectId const a = bodies[tied.a].object; // a fixed body need not state how it is turned
+        ObjectId const a = bodies[tied.a].object; // a fixed body need not have a rotation
         double const angle = columns.rotation.has(a) ? columns.rotation.find(a)->angle : 0;
         Vec2 const at = columns.position.find(a)->value + rotated(tied.anchors.onA, angle);
         double const moment = load.pull * length(load.centre - at);

@@ -10,7 +10,7 @@ namespace trembler {
 namespace {
 
 constexpr std::uintptr_t groundData = ~std::uintptr_t{0};
-// Removals times bodies that wait: some thousandths of a second.
+// Limit of removals times waiting bodies: some thousandths of a second.
 constexpr double mostLooksAtAdded = 4e6;
 
 } // namespace
@@ -88,12 +88,12 @@ void Box2dEngine::addBody(SlotIndex slot, BodySpec const& spec) {
 void Box2dEngine::findContactsOfAdded() {
     added_ = 0;
     removed_ = 0;
-    // It makes contacts, but reports nothing. Box2D has no other access to it outside of a step.
+    // Creates contacts, but reports no touches. Box2D has no other access to this outside of a step.
     guardBox2d([&] { const_cast<b2ContactManager&>(world_.GetContactManager()).FindNewContacts(); });
 }
 
 void Box2dEngine::removeBody(SlotIndex slot) {
-    // Box2D keeps a list of added bodies whose contacts it has not looked for, and each removal walks it.
+    // Box2D keeps a list of added bodies whose contacts it has not searched for, and each removal walks it.
     if (added_ > 0 && static_cast<double>(++removed_) * added_ > mostLooksAtAdded) {
         findContactsOfAdded();
     }
@@ -216,7 +216,7 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
     }
 }
 
-// Box2D has just looked for contacts, and what it knows of the bodies is no longer in the nearest cache.
+// Box2D has just searched for contacts, so its data of the bodies are no longer in the nearest cache.
 void Box2dEngine::prefetchAfter(SlotIndex slot) const {
     constexpr SlotIndex ahead = 8;
     if (slot + ahead < bodies_.size() && bodies_[slot + ahead].body != nullptr) {

@@ -1,7 +1,7 @@
 // Box2D 2.4 behind the engine interface.
 //
-// Box2D's own gravity is off: gravity is a force like any other. Its body's origin is the centre of mass, so
-// that its reckoning of moments about another origin, in single precision, never loses them.
+// Box2D's own gravity is off: gravity is a force like any other. The origin of a Box2D body is its centre of
+// mass, as Box2D would lose precision in moments about another origin.
 #pragma once
 
 #include "physics/dynamics/engines/body_core.hpp"
@@ -58,7 +58,7 @@ private:
         b2Vec2 centre = b2Vec2_zero;
         float angle = 0;
     };
-    /// A touch began or ended while Box2D went back on a body's way.
+    /// A touch that began or ended while Box2D moved a body back along its path.
     struct OnTheWay {
         SlotIndex slot = noSlot;
         Place place; // of the body then
@@ -74,7 +74,7 @@ private:
 
     void takeStep(float h, DynamicsSettings const& settings, bool last);
     void findContactsOfAdded();
-    /// Whether Box2D would spend too much on looking for impacts within the coming substep.
+    /// Whether Box2D's search for impacts within the coming substep would take too long.
     [[nodiscard]] bool tooManyImpacts(double h) const;
     [[nodiscard]] static bool stops(b2Body const& body) {
         return body.GetType() != b2_dynamicBody || body.IsBullet();
@@ -83,16 +83,17 @@ private:
         return body.GetType() != b2_staticBody && body.IsAwake();
     }
     void noteStart();
-    /// Puts what was too fast back to where its path was first blocked, after a substep without impacts.
+    /// Moves bodies that were too fast back to where their paths were first blocked, after a substep without
+    /// impacts.
     void holdBack();
-    /// The share of its way that a body's core can go before it meets something.
+    /// The share of its path that a body's core can move before it hits something.
     [[nodiscard]] float freeShare(BodyEntry const& entry, Place const& start, b2Vec2 way) const;
-    /// Whether Box2D has gone back on a body's way within the substep, and is looking at contacts there.
+    /// Whether Box2D has moved a body back along its path within the substep, and evaluates contacts there.
     [[nodiscard]] bool onTheWay(b2Contact* contact) const;
     void noteOnTheWay(b2Contact* contact, bool ended);
 
-    // What touches at a frame's end, see box2d_frame_end.cpp.
-    /// A touch that was reported as begun or ended before Box2D said so.
+    // The touches at a frame's end, see box2d_frame_end.cpp.
+    /// A touch that was reported as begun or ended before Box2D reported it.
     struct Reported {
         b2Contact const* contact = nullptr; // to be compared with only: Box2D may have destroyed it
         TouchChange change;
@@ -102,26 +103,26 @@ private:
     /// Whether the contact touches at the present positions and did not when Box2D evaluated it, or the
     /// reverse.
     [[nodiscard]] static bool isStale(b2Contact* contact);
-    /// The body's motion from `start`, in the last substep, to where it is.
+    /// The body's motion in the last substep, from `start` to its present place.
     [[nodiscard]] SubstepMotion motionFrom(SlotIndex slot, Place const& start) const;
     /// farInSubstep in engine units.
     [[nodiscard]] float farLimit() const { return static_cast<float>(farInSubstep * scale_); }
     /// Finds substepMotions_, movedFar_ and farSlots_.
     void noteSubstepMotions();
-    /// Finds bodies of which each pair that moved far apart contains one; false if they are no fewer than
-    /// farSlots_, which are such bodies, too.
+    /// Finds a set of bodies that contains at least one body of each pair that moved far apart; false if it
+    /// is not smaller than farSlots_, which is such a set, too.
     [[nodiscard]] bool findDeviating();
-    /// Reports the touches of pairs that moved far apart, where they differ from those that Box2D knows.
+    /// Reports the touches of pairs that moved far apart if they differ from those that Box2D has.
     void reportStaleTouches();
     void reportIfStale(b2Contact* contact, SlotIndex slot, SlotIndex other);
-    /// Whether the change has been reported already. It is then Box2D's, too, and no longer remembered.
+    /// Whether the change has been reported already. It is then removed from reported_.
     [[nodiscard]] bool takeReported(b2Contact const* contact, TouchChange const& change);
-    /// Takes back what Box2D, when it looked, did not find.
+    /// Reverts the reported touches that Box2D did not find when it evaluated them.
     void settleReported();
-    /// Takes back what was reported of a body that goes.
+    /// Reverts the reported touches of a body that is removed.
     void forgetReported(SlotIndex slot);
     void takeBack(Reported const& reported);
-    /// How a contact touches at the frame's end; nothing if it does not.
+    /// The manifold of a contact at the frame's end; nothing if it does not touch.
     [[nodiscard]] std::optional<b2Manifold> manifoldNow(b2Contact* contact) const;
 
     void BeginContact(b2Contact* contact) override;
@@ -135,7 +136,7 @@ private:
     void wakeAll(b2Body* body);
     void loadWoken();
     void keepAwake(SlotIndex slot, int change);
-    /// Slows down what is dragged, by what drag does in the coming substep.
+    /// Slows down bodies with drag, by the effect of drag in the coming substep.
     void applyDrags(double substep);
     void noteDragged();
     void applyJoints(float substep);
@@ -159,35 +160,35 @@ private:
     double scale_;
     CrowdFilter crowds_;
     b2World world_;
-    b2Body* ground_ = nullptr; // what joints to the world hold on to
+    b2Body* ground_ = nullptr; // the body that joints to the world connect to
     std::vector<BodyEntry> bodies_;
     SlotSet stopping_; // fixed bodies and bullets
     std::vector<JointEntry> joints_;
     std::vector<DraggedBody> dragged_;     // by slot
-    std::vector<SlotIndex> draggedSlots_;  // of those that any drag acts on
-    std::vector<std::uint8_t> awake_;      // by slot: awake, and its load is with Box2D
-    std::unique_ptr<JointsAtOnce> atOnce_; // while joints are to be solved so
-    bool tiesStale_ = false;               // it does not know of all joints
-    bool coldStart_ = false;               // what Box2D's joints have carried so far is to be forgotten
+    std::vector<SlotIndex> draggedSlots_;  // of bodies with drag
+    std::vector<std::uint8_t> awake_;      // by slot: awake, and Box2D has its load
+    std::unique_ptr<JointsAtOnce> atOnce_; // while joints are solved so
+    bool tiesStale_ = false;               // atOnce_ does not have the present joints
+    bool coldStart_ = false;               // Box2D's joint impulses of the last step must not be used
     float substep_ = 0;                    // s
     bool anyAwake_ = false;
-    bool disturbed_ = false; // Box2D may have woken bodies that awake_ does not know of
+    bool disturbed_ = false; // Box2D may have woken bodies that awake_ does not include
     std::vector<MovedBody> moved_;
     std::vector<std::uint8_t> movedMarks_;
     std::vector<TouchChange> touches_;
     std::vector<b2Body*> wakeStack_;
-    int added_ = 0;            // bodies since Box2D last looked for new contacts
+    int added_ = 0;            // bodies since Box2D last searched for new contacts
     int removed_ = 0;          // while such bodies wait
-    std::vector<Place> start_; // by slot: where what is awake began the substep
+    std::vector<Place> start_; // by slot: places of awake bodies at the beginning of the substep
     bool touchesAtEnd_ = true;
-    bool watching_ = false; // start_ is to be compared with
+    bool watching_ = false; // start_ is used
     std::vector<OnTheWay> changedOnTheWay_;
     /// In the last substep: far enough for touches to be stale, or stopped by Box2D on its way.
     enum class Moved : std::uint8_t { little, far, stopped };
     std::vector<Moved> movedFar_;               // by slot
     std::vector<SubstepMotion> substepMotions_; // by slot
     std::vector<std::uint8_t> deviates_;        // by slot
-    std::vector<SlotIndex> farSlots_;           // ascending: what moved far or was stopped
+    std::vector<SlotIndex> farSlots_;           // ascending: bodies that moved far or were stopped
     std::vector<SlotIndex> deviating_;          // ascending
     struct BodyEdge {
         b2ContactEdge* edge = nullptr;

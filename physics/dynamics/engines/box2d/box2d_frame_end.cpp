@@ -1,7 +1,7 @@
-// Touches at the end of a frame that Box2D does not know yet.
+// Touches at the end of a frame that Box2D has not evaluated yet.
 //
 // Box2D evaluates a contact at the beginning of a substep, and some contacts again where it stops a fast body
-// on its way. Bodies that are wedged are then moved by the correction of overlaps, by some hundredths of a
+// on its path. Bodies that are wedged are then moved by the correction of overlaps, by some hundredths of a
 // metre in a substep, and fast ones move as far by their speed. Contacts of two bodies that moved far
 // relative to each other are therefore evaluated again at the end of the frame, and differences are reported
 // as touches that began or ended. Box2D finds the same at the beginning of the next substep; that second
@@ -14,7 +14,7 @@
 
 namespace trembler {
 
-// As Box2D itself decides whether it evaluates a contact, and whether that touches.
+// The same conditions as in Box2D for evaluating a contact and for a touch.
 bool Box2dEngine::isStale(b2Contact* contact) {
     b2Body const* const a = contact->GetFixtureA()->GetBody();
     b2Body const* const b = contact->GetFixtureB()->GetBody();
@@ -65,8 +65,8 @@ void Box2dEngine::noteSubstepMotions() {
     }
 }
 
-// Where much moves together, as in a drum or on a vehicle, few bodies deviate from the motion of the largest
-// one, and pairs of the others have not moved relative to each other.
+// If many bodies move together, as in a drum or on a vehicle, few bodies deviate from the motion of the
+// largest one, and pairs of the others have not moved relative to each other.
 bool Box2dEngine::findDeviating() {
     deviating_.clear();
     SlotIndex largest = noSlot;
@@ -149,7 +149,7 @@ bool Box2dEngine::takeReported(b2Contact const* contact, TouchChange const& chan
 }
 
 void Box2dEngine::settleReported() {
-    for (Reported const& reported : reported_) { // something has moved between the frames
+    for (Reported const& reported : reported_) { // a body has been moved between the frames
         takeBack(reported);
     }
     reported_.clear();
@@ -178,7 +178,7 @@ std::optional<b2Manifold> Box2dEngine::manifoldNow(b2Contact* contact) const {
     if (known->change.delta < 0) {
         return std::nullopt;
     }
-    b2Manifold now; // without impulses: nothing has pressed there yet
+    b2Manifold now; // without impulses, as the contact was not solved yet
     contact->Evaluate(&now, contact->GetFixtureA()->GetBody()->GetTransform(),
                       contact->GetFixtureB()->GetBody()->GetTransform());
     for (b2ManifoldPoint& point : now.points) {

@@ -2,9 +2,9 @@
 // through others.
 //
 // Box2D finds the first impact within a substep, goes back to it, and searches all contacts for the next:
-// this costs impacts times contacts, too much where thousands of bodies land at once, or where bodies wedged
-// in each other spin so fast that a frame has hundreds of substeps. In these cases the path of each fast body
-// is tested on its own, as in the other engines.
+// this costs impacts times contacts, too much if thousands of bodies land at once, or if wedged bodies spin
+// so fast that a frame has hundreds of substeps. In these cases the path of each fast body is tested
+// separately, as in the other engines.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 #include "runtime/component/component.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 // Limit of impacts times contacts in a substep: some hundredths of a second.
 constexpr double mostLooks = 4e6;
-// In a frame of more substeps than these, the limit of contacts with what stops others, summed over its
+// In a frame of more substeps than this, the limit of contacts with bodies that stop others, summed over its
 // substeps. Box2D may find the time of impact of each eight times in a substep, at up to 0.1 ms each.
 constexpr double manySubsteps = 32;
 constexpr double mostStops = 3000;

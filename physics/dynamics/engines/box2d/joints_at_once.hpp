@@ -13,14 +13,15 @@
 namespace trembler {
 
 /// Box2D solves one joint after the other, repeatedly. The number of iterations until a tension has
-/// propagated through a chain is about the square of its links, and more the heavier the load at its end: the
-/// missing part of the tension makes the chain oscillate. Here the impulses that keep all hinges, welds and
-/// rigid distances together in the coming step are computed exactly, from J M⁻¹ Jᵀ λ = -J (v + h M⁻¹ f)
-/// (Baraff 1996), by a sparse LDLᵀ factorisation whose symbolic part is kept. They are applied to the bodies
-/// before the step; Box2D's own joints then only handle contacts, limits and motors, and correct positions.
+/// propagated through a chain is about the square of the number of its links, and grows with the load at its
+/// end: the missing part of the tension makes the chain oscillate. Here the impulses that keep all hinges,
+/// welds and rigid distances together in the coming step are computed exactly, from J M⁻¹ Jᵀ λ = -J (v + h
+/// M⁻¹ f) (Baraff 1996), by a sparse LDLᵀ factorisation whose symbolic part is kept. They are applied to the
+/// bodies before the step; Box2D's own joints then only handle contacts, limits and motors, and correct
+/// positions.
 ///
-/// Redundant joints share their load through a regularisation of 1e-12. Deterministic. Where joints form a
-/// net rather than chains, trees and rings, the factorisation would cost more than it gains, and solve() does
+/// Redundant joints share their load through a regularisation of 1e-12. Deterministic. If joints form a net
+/// rather than chains, trees and rings, the factorisation would cost more than it saves, and solve() does
 /// nothing.
 class JointsAtOnce {
 public:

@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-// The gap along the line through their centroids: the quickest test, and enough for most pairs of compact
+// Tests the gap along the line through the centroids: the fastest test, sufficient for most pairs of compact
 // shapes.
 bool apartAlongCentroids(b2PolygonShape const& a, b2Transform const& atA, b2PolygonShape const& b,
                          b2Transform const& atB, float skin) {

@@ -1,5 +1,5 @@
-// How bodies moved within a substep, and whether the parts of two of them can have come together or apart by
-// more than a limit. In Box2D's units. Asked for each contact of a scene: hence inline.
+// The motion of bodies within a substep, and whether parts of two bodies can have moved relative to each
+// other by more than a limit. In Box2D's units. Called for each contact of a scene, hence inline.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -15,8 +15,8 @@ struct SubstepMotion {
     float extent = 0;          ///< the distance of its farthest point from its centre, or a little more
 };
 
-/// Two polygons touch, as b2CollidePolygons() has it, if a point of one lies within the sum of their skins
-/// before a face of the other, and no farther beyond the face's ends: sqrt(2) of that sum, and rounding.
+/// By b2CollidePolygons(), two polygons touch if a point of one lies within the sum of their skins before a
+/// face of the other, and no farther beyond the face's ends: sqrt(2) of that sum, and rounding.
 inline constexpr float skinFactor = 1.5F;
 
 /// Whether |way| + |turn| * extent > limit.
@@ -25,7 +25,8 @@ inline constexpr float skinFactor = 1.5F;
     return rest < 0 || way.LengthSquared() > rest * rest;
 }
 
-/// By how far a body's end lies from where it would be if it had moved with the reference.
+/// The distance between a body's place at the end and the place where it would be if it had moved with the
+/// reference.
 [[nodiscard]] inline b2Vec2 deviationFrom(SubstepMotion const& reference, SubstepMotion const& body) {
     // Nearly all bodies turn by little in a substep: the series are exact to 2e-4 of a distance.
     bool const little = std::abs(reference.turn) < 0.1F;
@@ -47,10 +48,10 @@ inline constexpr float skinFactor = 1.5F;
     return exceeds(deviationFrom(large, small), small.turn - large.turn, small.extent, limit);
 }
 
-/// Bounds what movedFarApart() finds for two bodies that are within reach of each other, by what each of them
-/// does in the frame of a third one: if neither deviates by more than half of the limit from the third's
-/// motion, they have not moved apart by more than the limit. One pass over all bodies of a rotating drum
-/// replaces a look at all pairs in it.
+/// A bound for movedFarApart() of two bodies within reach of each other, by the motion of each in the frame
+/// of a third body: if neither deviates by more than half of the limit from the third's motion, they have not
+/// moved apart by more than the limit. For a rotating drum one pass over all bodies replaces a test of all
+/// pairs in it.
 [[nodiscard]] inline bool deviatesFrom(SubstepMotion const& reference, SubstepMotion const& body,
                                        float limit) {
     // Let e be the deviation of a body and t its turn beyond the reference's. The smaller one of two bodies
@@ -62,8 +63,7 @@ inline constexpr float skinFactor = 1.5F;
                    limit / 2);
 }
 
-/// Whether two bodies are so far from each other, at the beginning and at the end, that no contact of theirs
-/// touches.
+/// Whether two bodies are so far from each other, at the beginning and at the end, that they do not touch.
 [[nodiscard]] inline bool outOfReach(SubstepMotion const& a, SubstepMotion const& b) {
     float const reach = a.extent + b.extent + skinFactor * 2 * b2_polygonRadius;
     return b2DistanceSquared(a.to, b.to) > reach * reach && b2DistanceSquared(a.from, b.from) > reach * reach;
@@ -72,10 +72,10 @@ inline constexpr float skinFactor = 1.5F;
 enum class Overlap : unsigned char {
     none,    ///< so far from each other that they do not touch
     certain, ///< they have points in common
-    unknown, ///< only b2Contact::Evaluate() tells
+    unknown, ///< needs b2Contact::Evaluate()
 };
 
-/// What can be said of two shapes several times faster than by b2Contact::Evaluate().
+/// A quick test of two shapes, several times faster than b2Contact::Evaluate().
 [[nodiscard]] Overlap overlapOf(b2Shape const& a, b2Transform const& atA, b2Shape const& b,
                                 b2Transform const& atB);
 

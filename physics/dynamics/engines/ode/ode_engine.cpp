@@ -47,7 +47,7 @@ void OdeEngine::makeBody(SlotIndex slot, BodySpec const& spec) {
         dMassSetParameters(&mass, spec.mass, 0, 0, 0, inertia, inertia, inertia, 0, 0, 0);
         dBodySetMass(body, &mass);
         dBodySetGyroscopicMode(body, 0);
-        tell(slot);
+        sync(slot);
     }
     finder_.add(slot, spec);
 }
@@ -57,7 +57,7 @@ void OdeEngine::dropBody(SlotIndex slot) {
     ids_[slot].reset();
 }
 
-void OdeEngine::tell(SlotIndex slot) {
+void OdeEngine::sync(SlotIndex slot) {
     dBodyID const body = ids_[slot].get();
     Motion const& motion = motions_[slot];
     dBodySetPosition(body, motion.centre.x, motion.centre.y, 0);
@@ -71,7 +71,7 @@ void OdeEngine::setMotion(SlotIndex slot, Motion const& motion) {
     motions_[slot] = motion;
     finder_.place(slot, motion.centre, motion.angle);
     if (ids_[slot]) {
-        tell(slot);
+        sync(slot);
         return;
     }
     for (auto const& joined : joined_) { // fixed bodies are part of ODE's world
@@ -98,7 +98,7 @@ void OdeEngine::move(double h, DynamicsSettings const& settings, std::vector<Pie
     }
     solveRows(h, settings.velocityIterations);
     for (SlotIndex const slot : awakeSlots_) {
-        tell(slot);
+        sync(slot);
     }
     addContacts(h);
     prepareJoints(h);
@@ -136,7 +136,7 @@ void OdeEngine::readBack(SlotIndex slot, double h) {
     motion.centre += freeShare(slot, before, way) * way;
     motion.angle += h * motion.spin;
     finder_.place(slot, motion.centre, motion.angle);
-    tell(slot);
+    sync(slot);
 }
 
 double OdeEngine::freeShare(SlotIndex slot, Motion const& from, Vec2 way) const {

@@ -53,7 +53,7 @@ private:
     [[nodiscard]] Motion motionOrOrigin(SlotIndex slot) const {
         return slot == noSlot ? Motion{} : motions_[slot];
     }
-    void tell(SlotIndex slot);
+    void sync(SlotIndex slot);
     void readBack(SlotIndex slot, double h);
     /// The share of the path `way` that a body can move before its core hits something.
     [[nodiscard]] double freeShare(SlotIndex slot, Motion const& from, Vec2 way) const;

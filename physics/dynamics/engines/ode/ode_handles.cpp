@@ -52,7 +52,7 @@ void OdeWorld::stepExactly(double h) {
 }
 
 void OdeWorld::stepQuickly(double h, int iterations) {
-    // It shuffles rows with a random generator that all worlds of a process share.
+    // ODE shuffles rows with a random generator that all worlds of a process share.
     static std::mutex shuffling;
     std::lock_guard const lock(shuffling);
     dRandSetSeed(1);

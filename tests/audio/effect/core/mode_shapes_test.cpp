@@ -36,7 +36,7 @@ TEST(BarModes, ShapesAreFreeAtTheEndsOrthogonalAndOfUnitMeanSquare) {
         EXPECT_NEAR(integral([&](double x) { return shape(x) * shape(x); }, 0, 1), 1, 1e-6) << n;
         EXPECT_NEAR(shape(0), 2, 1e-9) << n;
         EXPECT_NEAR(std::abs(shape(1)), 2, 1e-9) << n;
-        // No force moves it as a whole, none turns it.
+        // Free vibration neither moves nor turns the bar as a whole.
         EXPECT_NEAR(integral(shape, 0, 1), 0, 1e-6) << n;
         EXPECT_NEAR(integral([&](double x) { return x * shape(x); }, 0, 1), 0, 1e-6) << n;
         for (int m = 1; m < n; ++m) {
@@ -96,7 +96,7 @@ TEST(BallModes, AreTheRootsOfLambsEquation) {
         EXPECT_GT(mode.root, before);
         before = mode.root;
     }
-    // And none is left out: count the sign changes up to the last.
+    // No root is missing: count the sign changes up to the last one.
     int roots = 0;
     for (int degree = 0; degree <= 14; ++degree) {
         for (double x = 0.5; x < before + 1e-3; x += 1e-3) {

@@ -49,8 +49,8 @@ TEST(Loudness, RisesAndFallsAsFastAsAMeter) {
     EXPECT_EQ(room.levelAt(ear), silentLevel);
 }
 
-// So many ways from sounds to ears that they are not kept all at once: each ear hears what it hears alone.
-TEST(Loudness, OfManyAtManyEarsIsWhatEachEarHearsAlone) {
+// Too many paths from sounds to ears to store them all at once: each ear must still hear the same as alone.
+TEST(Loudness, OfManySoundsAtManyEarsIsThatOfEachEarAlone) {
     constexpr std::uint32_t sources = 900;
     constexpr std::uint32_t ears = 700;
     Sounds sounds;
@@ -58,7 +58,7 @@ TEST(Loudness, OfManyAtManyEarsIsWhatEachEarHearsAlone) {
         Sounds::Body body;
         body.object = {i, 0};
         body.at = {0.5 * i, 0};
-        body.loudness = meanSquareOf(i % 2 == 0 ? 60 : 0); // of which half do not reach all
+        body.loudness = meanSquareOf(i % 2 == 0 ? 60 : 0); // half of them are too quiet to reach all ears
         body.brightness = 1000;
         sounds.bodies.push_back(body);
     }
@@ -71,7 +71,7 @@ TEST(Loudness, OfManyAtManyEarsIsWhatEachEarHearsAlone) {
         Column<Position> positions;
         for (std::uint32_t i = first; i < end; ++i) {
             listening.set({sources + i, 0}, {});
-            if (i % 7 != 0) { // else it is nowhere
+            if (i % 7 != 0) { // each seventh ear has no position
                 positions.set({sources + i, 0}, {{0.7 * i, 3}});
             }
         }
@@ -128,7 +128,7 @@ TEST(Loudness, AWallInBetweenMutesAndAGapLetsSoundAround) {
         EXPECT_LT(overTheWall, open - 10) << detail;
         EXPECT_GT(overTheWall, open - 27) << detail;
     }
-    // Closed to the roof: only through the wall. The expensive level knows, and the cheap one does not.
+    // Closed up to the roof: sound passes only through the wall, which only the expensive level computes.
     EXPECT_LT(behindWalls("around", true, true), behindWalls("around", true, false) - 15);
     EXPECT_NEAR(behindWalls("straight", true, true), behindWalls("straight", true, false), 1e-9);
 }
@@ -141,7 +141,7 @@ TEST(Loudness, IsAbsentWithoutListeners) {
     EXPECT_EQ(room.of("Sound <- Electricity"), Activity::absent);
 }
 
-// A ball is dropped beside a sensor that stands between two contacts.
+// A ball is dropped beside a sensor between two contacts.
 struct Alarm {
     explicit Alarm(double threshold, double height, bool wall = false, bool named = false,
                    WorldOptions options = {})
@@ -155,7 +155,7 @@ struct Alarm {
             room.give(contact, Fixed{});
         }
         room.give(left, ElectricalSource{});
-        // Fixed things do not collide with one another, so what is to touch must be able to move.
+        // Fixed objects do not collide with one another, so one of two that are to touch must be movable.
         if (!named) {
             for (ObjectId const contact : {left, right}) {
                 room.world->store().column<Fixed>().remove(contact);
@@ -175,7 +175,7 @@ struct Alarm {
         }
         ball = room.body("ball", Material::steel, circlePiece(0.1), {-1, height + 0.1});
     }
-    /// In how many of the next frames the right contact is on.
+    /// The number of the next frames in which the right contact is on.
     int framesOn(int frames) {
         int on = 0;
         for (int i = 0; i < frames; ++i) {
@@ -196,7 +196,7 @@ TEST(SoundSensor, ConductsOnlyWhenItIsLoudEnough) {
         Alarm loud(85, 2, false, named);
         int const on = loud.framesOn(240);
         EXPECT_GT(on, 3) << named;
-        EXPECT_LT(on, 200) << "and stops when it is quiet again";
+        EXPECT_LT(on, 200) << "it stops when it is quiet again";
         EXPECT_EQ(loud.framesOn(120), 0);
         EXPECT_FALSE(connectionBetween(loud.room.world->store(), loud.left, loud.right).any());
         Alarm soft(85, 0.002, false, named);
@@ -207,7 +207,7 @@ TEST(SoundSensor, ConductsOnlyWhenItIsLoudEnough) {
 }
 
 TEST(SoundSensor, HearsLessBehindAWall) {
-    // Find what it hears without the wall, then ask for a little less: with the wall that is not reached.
+    // Set the threshold slightly below the level without the wall: with the wall it is not reached.
     auto const loudest = [](bool wall) {
         Alarm alarm(85, 2, wall, true);
         double most = silentLevel;
@@ -245,7 +245,7 @@ TEST(SoundSensor, TheTraceLeadsFromTheConnectionToTheStroke) {
     EXPECT_TRUE(found);
 }
 
-TEST(SoundSensor, KeepsCountWhenTheWorldSwapsLevels) {
+TEST(SoundSensor, KeepsItsStateWhenTheDetailLevelIsSwapped) {
     Alarm alarm(60, 2, false, true);
     for (int i = 0; i < 300; ++i) {
         alarm.room.run(1);

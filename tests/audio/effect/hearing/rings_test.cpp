@@ -14,7 +14,7 @@ Sounds::Impact impactAt(Vec2 at, double level) {
     return impact;
 }
 
-TEST(SoundRings, SpreadFadeAndGo) {
+TEST(SoundRings, SpreadFadeAndEnd) {
     Sounds sounds;
     sounds.frame = 1;
     sounds.impacts = {impactAt({1, 2}, 100), impactAt({1, 2}, 70), impactAt({3, 0}, 60),
@@ -22,7 +22,8 @@ TEST(SoundRings, SpreadFadeAndGo) {
     SoundRings rings;
     rings.hear(sounds);
     rings.hear(sounds);
-    ASSERT_EQ(rings.rings().size(), 2U) << "one per place, none for what is too faint, none twice";
+    ASSERT_EQ(rings.rings().size(), 2U)
+        << "one per place, none for the faint impact, no second one for the same frame";
     EXPECT_GT(rings.rings()[0].strength, rings.rings()[1].strength);
     double const before = rings.rings()[0].strength;
     rings.advance(0.1);
@@ -30,7 +31,7 @@ TEST(SoundRings, SpreadFadeAndGo) {
     EXPECT_NEAR(rings.rings()[0].radius, 0.1 * SoundRings::speed, 1e-12);
     EXPECT_LT(rings.rings()[0].strength, before);
     rings.advance(0.2);
-    EXPECT_EQ(rings.rings().size(), 1U) << "the fainter goes first";
+    EXPECT_EQ(rings.rings().size(), 1U) << "the fainter one ends first";
     rings.advance(SoundRings::life);
     EXPECT_TRUE(rings.rings().empty());
 }
@@ -58,7 +59,7 @@ Sounds::Body bodyAt(ObjectId object, Vec2 at, double level) {
     return body;
 }
 
-TEST(SoundRings, WhatSoundsOnMakesOneRingAfterTheOther) {
+TEST(SoundRings, AContinuingSoundMakesRepeatedRings) {
     ObjectId const bell{1};
     ObjectId const gramophone{2};
     ObjectId const feather{3};
@@ -90,7 +91,7 @@ TEST(SoundRings, WhatSoundsOnMakesOneRingAfterTheOther) {
     EXPECT_NEAR(ofGramophone, 12, 1);
 }
 
-TEST(SoundRings, WhatWasHitHasTheImpactsRingAndNoOther) {
+TEST(SoundRings, AStruckObjectHasOnlyTheRingOfItsImpact) {
     ObjectId const striker{1};
     ObjectId const bell{2};
     Sounds sounds;

@@ -13,7 +13,7 @@ namespace {
 
 using test::ListeningRoom;
 
-/// A ball falls beside a sensor that stands between a dynamo at rest and its source.
+/// A ball falls beside a sensor between a dynamo at rest and its source.
 struct Doorbell {
     explicit Doorbell(bool generator) {
         room.fixed("floor", Material::stone, boxPiece(20, 0.4), {0, -0.2});
@@ -37,7 +37,7 @@ struct Doorbell {
     [[nodiscard]] CallerCounts connection() const {
         return connectionBetween(room.world->store(), source, dynamo);
     }
-    /// In which of the first frames the dynamo is on.
+    /// For each of the first frames, whether the dynamo is on.
     std::vector<bool> onIn(int frames) {
         std::vector<bool> found;
         for (int i = 0; i < frames; ++i) {
@@ -58,7 +58,7 @@ struct Doorbell {
     ObjectId dynamo;
 };
 
-TEST(ElectricityFromSound, IsNotUndoneByAStandingGeneratorBetweenTheSameTwo) {
+TEST(ElectricityFromSound, IsNotUndoneByAGeneratorAtRestBetweenTheSameObjects) {
     std::vector<bool> const without = Doorbell(false).onIn(240);
     auto const frames = std::count(without.begin(), without.end(), true);
     EXPECT_GT(frames, 3);
@@ -66,13 +66,13 @@ TEST(ElectricityFromSound, IsNotUndoneByAStandingGeneratorBetweenTheSameTwo) {
     EXPECT_EQ(Doorbell(true).onIn(240), without);
 }
 
-TEST(ElectricityFromSound, IsWhoTheGraphSaysConnectsThem) {
+TEST(ElectricityFromSound, IsNamedByTheGraphAsTheConnectionsOwner) {
     Doorbell bell(true);
     bell.runUntilOn();
     EXPECT_EQ(bell.connection().names(), "Electricity <- Sound");
 }
 
-TEST(ElectricityFromSound, LeavesNothingBehindWhenItsLastSensorGoes) {
+TEST(ElectricityFromSound, RemovesItsConnectionsWithItsLastSensor) {
     Doorbell bell(false);
     bell.runUntilOn();
     bell.room.world->feed({.kind = PlayerInput::Kind::remove, .object = bell.sensor, .other = {}, .at = {}});

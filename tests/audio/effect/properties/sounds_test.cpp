@@ -19,7 +19,7 @@ Sounds soundsOf(ObjectId impactOf, double since, ObjectId scrapeOf, double noise
     return made;
 }
 
-TEST(Sounds, OfAFrameHaveTheImpactsOfAllPartsInTheirPlaces) {
+TEST(Sounds, OfAFrameContainTheImpactsOfAllPartsAtTheirTimes) {
     ObjectId const bell{1, 1};
     ObjectId const plate{2, 1};
     Sounds frame;

@@ -22,7 +22,7 @@ double total(Sounds::Body const& body) {
                            [](double sum, Sounds::Ring const& ring) { return sum + ring.meanSquare; });
 }
 
-TEST(WorldSound, IsAbsentWhereNobodyListens) {
+TEST(WorldSound, IsAbsentWithoutListeners) {
     ListeningRoom room;
     addFloor(room);
     room.body("ball", Material::steel, circlePiece(0.1), {0, 1});
@@ -31,7 +31,7 @@ TEST(WorldSound, IsAbsentWhereNobodyListens) {
          {"Sound, 8 modes", "Sound <- Dynamics", "Straight Loudness", "Electricity <- Sound"}) {
         EXPECT_EQ(room.of(name), Activity::absent) << name;
     }
-    EXPECT_TRUE(room.world->find<Impacts>()->impacts.empty()) << "not even worked out";
+    EXPECT_TRUE(room.world->find<Impacts>()->impacts.empty()) << "impacts are not computed either";
 }
 
 TEST(WorldSound, AnImpactIsHeardInTheNextFrameAndDiesAway) {
@@ -63,7 +63,7 @@ TEST(WorldSound, AnImpactIsHeardInTheNextFrameAndDiesAway) {
     EXPECT_EQ(room.of("Sound, 8 modes"), Activity::asleep);
 }
 
-TEST(WorldSound, DecaysAsItsModesSay) {
+TEST(WorldSound, DecaysAtTheRatesOfItsModes) {
     ListeningRoom room;
     Subscription const wantedSounds = room.world->want<Sounds>();
     addFloor(room);
@@ -120,7 +120,7 @@ TEST(WorldSound, HarderIsLouderAndBrighter) {
     EXPECT_GT(hard.brightness, firm.brightness);
 }
 
-TEST(WorldSound, SoftThingsAreDullerThanHardOnes) {
+TEST(WorldSound, SoftBodiesSoundDullerThanHardOnes) {
     EXPECT_LT(thrown(3, Material::rubber).brightness, 0.5 * thrown(3, Material::steel).brightness);
     EXPECT_LT(thrown(3, Material::rubber).level, thrown(3, Material::steel).level);
 }
@@ -153,7 +153,7 @@ TEST(WorldSound, SlidingAndRollingAreHeardAndRestIsNot) {
     EXPECT_TRUE(room.sounds().silent());
 }
 
-// Everything that sounds, and a switch that hears nothing.
+// Objects with every kind of sound, and a sound sensor whose threshold is never reached.
 void furnish(ListeningRoom& room) {
     addFloor(room);
     for (int i = 0; i < 8; ++i) {
@@ -168,7 +168,7 @@ void furnish(ListeningRoom& room) {
     room.give(bell, acoustics);
 }
 
-TEST(WorldSound, WhatFallsIntoWaterSplashesOnce) {
+TEST(WorldSound, ABodyThatFallsIntoWaterSplashesOnce) {
     auto const loudest = [](double height, double* later) {
         ListeningRoom room;
         Subscription const wantedSounds = room.world->want<Sounds>();
@@ -192,7 +192,7 @@ TEST(WorldSound, WhatFallsIntoWaterSplashesOnce) {
     };
     double later = 0;
     double const gentle = loudest(0.1, &later);
-    EXPECT_LT(later, 30) << "it floats, and that is silent";
+    EXPECT_LT(later, 30) << "a floating body is silent";
     double const hard = loudest(2, &later);
     EXPECT_LT(later, 30);
     EXPECT_GT(gentle, 40);
@@ -218,7 +218,7 @@ TEST(WorldSound, ListeningChangesNoState) {
             joined.end();
         }
         if (i % 30 == 0) {
-            for (ListeningRoom* room : {&deaf, &listening, &joining}) { // what is asked for is state
+            for (ListeningRoom* room : {&deaf, &listening, &joining}) { // subscriptions are part of the state
                 room->world->setDetail("sound", i % 60 == 0 ? "4-modes" : "32-modes");
             }
         }
@@ -252,7 +252,7 @@ TEST(WorldSound, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one, heard(8));
 }
 
-TEST(WorldSound, RingingGoesOnWhenTheNumberOfModesIsSwapped) {
+TEST(WorldSound, RingingContinuesWhenTheNumberOfModesIsSwapped) {
     ListeningRoom room;
     Subscription const wantedSounds = room.world->want<Sounds>();
     addFloor(room);
@@ -275,7 +275,7 @@ TEST(WorldSound, RingingGoesOnWhenTheNumberOfModesIsSwapped) {
     EXPECT_GT(room.sounding(bar)->rings.size(), 8U);
 }
 
-TEST(WorldSound, WhatIsGoneFallsSilent) {
+TEST(WorldSound, ARemovedObjectIsSilent) {
     ListeningRoom room;
     Subscription const wantedSounds = room.world->want<Sounds>();
     addFloor(room);

@@ -68,15 +68,18 @@ TEST_F(Arguments, OfVerifyHoldLevels) {
         runProgram({"verify", levelFile("first/1-first-contact.json").string(), folder.string()}).status, 2);
 }
 
-TEST_F(Arguments, ThatCannotBeReadSayWhy) {
+TEST_F(Arguments, ThatCannotBeReadAreReportedWithTheReason) {
     Ran const none = runProgram({"run", at("none.json")});
     EXPECT_EQ(none.status, 2);
     EXPECT_NE(none.err.find("No such file or directory"), std::string::npos) << none.err;
+    Ran const unverified = runProgram({"verify", at("none.json")});
+    EXPECT_EQ(unverified.status, 2);
+    EXPECT_EQ(unverified.out, "");
+    EXPECT_EQ(unverified.err, none.err);
     write(at("a file"), "");
     Ran const inside = runProgram({"run", at("a file/level.json")});
     EXPECT_NE(inside.err.find("Not a directory"), std::string::npos) << inside.err;
-    Ran const device =
-        runProgram({"run", "/proc/self/mem"}); // there, but nothing to be read at its beginning
+    Ran const device = runProgram({"run", "/proc/self/mem"}); // exists, but reading its beginning fails
     EXPECT_EQ(device.status, 2);
 }
 

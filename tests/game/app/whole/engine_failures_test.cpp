@@ -18,7 +18,7 @@ protected:
             Ran const ran =
                 runProgram({"run", at(name), "--frames", "60", "--json", "--detail", "dynamics=" + engine});
             EXPECT_NE(ran.status, -1) << ran.err;
-            // Debian's Chipmunk is a debug build, which announces its spaces.
+            // Debian's Chipmunk is a debug build, which prints a message for each space.
             EXPECT_EQ((ran.out + ran.err).find("Initializing"), std::string::npos) << ran.out << ran.err;
             json const report = json::parse(ran.out, nullptr, false);
             if (!report.is_discarded() && report.contains("warnings")) {
@@ -45,7 +45,7 @@ json levelOf(json const& objects, json const& joints) {
 
 json const box = {{"form", "box"}, {"width", 1}, {"height", 1}};
 
-TEST_F(EngineFailures, OfASliderWithLimitsTheWrongWayRoundAreMessages) {
+TEST_F(EngineFailures, OfASliderWithExchangedLimitsAreReported) {
     run("slider.json",
         levelOf(json::array({object("a", 0, 0, box)}),
                 json::array({{{"form", "slider"}, {"a", "a"}, {"upper", -1}}})),
@@ -55,7 +55,7 @@ TEST_F(EngineFailures, OfASliderWithLimitsTheWrongWayRoundAreMessages) {
         });
 }
 
-TEST_F(EngineFailures, OfAStiffSpringEndNoProgram) {
+TEST_F(EngineFailures, OfAStiffSpringDoNotEndTheProgram) {
     json const polygon = {{"form", "polygon"}, {"corners", {{-1, -1}, {1, -1}, {0, 1}}}};
     run("spring.json", levelOf(json::array({object("a", 0, 3, polygon),
                                             object("b", 3, 0, {{"form", "circle"}, {"radius", 30}})}),
@@ -69,7 +69,7 @@ TEST_F(EngineFailures, OfAStiffSpringEndNoProgram) {
                                              {"stiffness", 1e9}}})));
 }
 
-TEST_F(EngineFailures, OfAFeatherOnARopeEndNoProgram) {
+TEST_F(EngineFailures, OfAFeatherOnARopeDoNotEndTheProgram) {
     run("rope.json",
         levelOf(json::array({object("a", 0, 2, box),
                              object("b", 1.2, 2, {{"form", "box"}, {"width", 1}, {"height", 0.05}},
@@ -78,7 +78,7 @@ TEST_F(EngineFailures, OfAFeatherOnARopeEndNoProgram) {
                              {{"form", "weld"}, {"a", "b"}, {"b", "a"}, {"at", {0.6, 2}}}})));
 }
 
-TEST_F(EngineFailures, OfAHundredBoxesInOnePlaceEndNoProgram) {
+TEST_F(EngineFailures, OfAHundredBoxesInOnePlaceDoNotEndTheProgram) {
     json boxes = json::array();
     for (int i = 0; i < 100; ++i) {
         boxes.push_back(

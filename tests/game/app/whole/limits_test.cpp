@@ -7,7 +7,7 @@ namespace {
 
 class Limits : public InAFolder {};
 
-constexpr std::size_t enough = std::size_t{1200} << 20U; // bytes, with room for a sanitizer's
+constexpr std::size_t enough = std::size_t{1200} << 20U; // bytes, including the overhead of a sanitizer
 
 TEST_F(Limits, OfAFilesSize) {
     write(at("level.json"), "[");

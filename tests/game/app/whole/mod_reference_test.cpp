@@ -69,8 +69,8 @@ TEST_F(ModReference, TheManualLeadsToAModThatWorks) {
     EXPECT_EQ(check.status, 1);
     EXPECT_NE(
         check.out.find(
-            "updraft.lua:17: the script does not declare that it reads 'Mas' of the object, did you mean "
-            "'Mass'?"),
+            "updraft.lua:17: the script does not declare that it reads 'Mas' of the object (did you mean "
+            "'Mass'?)"),
         std::string::npos)
         << check.out;
 }

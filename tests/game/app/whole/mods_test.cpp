@@ -48,7 +48,7 @@ TEST_F(Mods, AMistakeIsToldWithFileAndLineAndNothingIsChecked) {
     Ran const checked = run({"mod", "check", at("my-mod")});
     EXPECT_EQ(checked.status, 2);
     EXPECT_TRUE(contains(checked.err, "push.lua:")) << checked.err;
-    EXPECT_TRUE(contains(checked.err, "unknown key 'aply', did you mean 'apply'?")) << checked.err;
+    EXPECT_TRUE(contains(checked.err, "unknown key 'aply' (did you mean 'apply'?)")) << checked.err;
 }
 
 TEST_F(Mods, AScriptThatFailsInATestFailsTheCheckWithItsLine) {

@@ -22,7 +22,7 @@ protected:
         }
         ASSERT_EQ(ran.status, 1) << ran.err;
     }
-    /// Into heard.wav, as a user whose home is empty.
+    /// Writes heard.wav, as a user whose home folder is empty.
     Ran run(std::vector<std::string> const& more, std::function<void(int)> meanwhile = {}) const {
         std::vector<std::string> arguments{"run", at("level.json"), "--sound", at("heard.wav")};
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -41,7 +41,7 @@ TEST_F(Sound, LeavesNothingInTheUsersHome) {
     EXPECT_EQ(names(), (std::vector<std::string>{"heard.wav", "home", "level.json"}));
 }
 
-TEST_F(Sound, OfAnInterruptedRunIsTheOneBefore) {
+TEST_F(Sound, OfAnInterruptedRunLeavesTheOldFile) {
     std::string const before = contentsOf(at("heard.wav"));
     for (int const signal : {SIGTERM, SIGKILL}) {
         Ran const ran = run({"--frames", "10000000"}, [&](int process) {
@@ -59,6 +59,12 @@ TEST_F(Sound, DoesNotReplaceARecordingOrTheTerminal) {
     EXPECT_EQ(terminal.status, 2);
     EXPECT_NE(terminal.err.find(".wav"), std::string::npos) << terminal.err;
     EXPECT_EQ(terminal.out, "");
+    for (std::string const& name : {std::string("-"), std::string(), at("none/x.wav"), at("x.mp3")}) {
+        Ran const ran = runProgram({"run", at("level.json"), "--sound", name});
+        EXPECT_EQ(ran.status, 2) << name;
+        EXPECT_NE(ran.err.find("--sound"), std::string::npos) << ran.err;
+        EXPECT_EQ(ran.err.find("is the terminal"), std::string::npos) << ran.err;
+    }
     // The level's own recording, which it plays.
     std::string text = contentsOf(at("level.json"));
     std::size_t const name = text.find("\"properties\"");

@@ -19,7 +19,7 @@ protected:
     }
 };
 
-TEST_F(Watching, WritesATableOfWhatIsNamed) {
+TEST_F(Watching, WritesATableOfTheNamedNumbers) {
     std::string const file = at("run.csv");
     Ran const ran = runProgram(run({"--watch", "switch.position", "--watch",
                                     "electromagnet.electrical_state.on", "--every", "10", "--csv", file}));
@@ -29,22 +29,40 @@ TEST_F(Watching, WritesATableOfWhatIsNamed) {
               "frame,time [s],switch.position.x [m],switch.position.y [m],electromagnet.electrical_state.on");
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5) << "a heading, and frames 0, 10, 20 and 30";
     EXPECT_TRUE(contains(table, "\n0,0,-2.1,2.1,\n")) << table;
-    // To the terminal just as well; words make way.
+    // A table on the terminal; messages then go to standard error.
     Ran const shown = runProgram(run({"--watch", "switch.position", "--csv", "-"}));
     EXPECT_TRUE(shown.out.starts_with("frame,time [s],")) << shown.out;
     EXPECT_TRUE(contains(shown.err, "state hash")) << shown.err;
 }
 
-TEST_F(Watching, TellsWhatANameMayHaveMeant) {
+TEST_F(Watching, ReportsNamesSimilarToAnUnknownOne) {
     Ran const ran = runProgram(run({"--watch", "swicth.position", "--csv", at("run.csv")}));
     EXPECT_EQ(ran.status, 2);
-    EXPECT_TRUE(contains(ran.err, "did you mean 'switch'?")) << ran.err;
-    EXPECT_TRUE(names().empty()) << "and leaves nothing behind";
+    EXPECT_TRUE(contains(ran.err, "there is no object 'swicth' (did you mean 'switch'?); there are: "))
+        << ran.err;
+    EXPECT_TRUE(names().empty()) << "no file is left";
     EXPECT_EQ(runProgram(run({"--watch", "switch.position"})).status, 2) << "where to?";
     EXPECT_EQ(runProgram(run({"--csv", at("run.csv")})).status, 2) << "what?";
     EXPECT_EQ(runProgram(run({"--watch", "switch.position", "--csv", at("run.csv"), "--every", "0"})).status,
               2);
     EXPECT_TRUE(contains(runProgram({"run", "--help"}).out, "--watch"));
+}
+
+TEST_F(Watching, AColumnWithoutAnyValueIsReported) {
+    std::vector<std::string> const what{"--watch", "electromagnet.current", "--watch", "switch.position",
+                                        "--watch", "switch.shape.99.width", "--csv",   at("run.csv")};
+    Ran const empty = runProgram(run(what));
+    EXPECT_LT(empty.status, 2) << empty.err;
+    EXPECT_TRUE(contains(empty.err, "'electromagnet.current' had no value in any row: the detail level "
+                                    "two-wire of electricity leaves it empty; --detail electricity=nodal"))
+        << empty.err;
+    EXPECT_TRUE(contains(empty.err, "'switch.shape.99.width' had no value in any row\n")) << empty.err;
+    EXPECT_FALSE(contains(empty.err, "switch.position")) << empty.err;
+    std::vector<std::string> nodal = run(what);
+    nodal.insert(nodal.end(), {"--detail", "electricity=nodal"});
+    Ran const filled = runProgram(nodal);
+    EXPECT_FALSE(contains(filled.err, "electromagnet.current")) << filled.err;
+    EXPECT_TRUE(contains(filled.err, "'switch.shape.99.width'")) << filled.err;
 }
 
 TEST_F(Watching, AnInputIsNeverReplacedByATable) {
@@ -55,8 +73,8 @@ TEST_F(Watching, AnInputIsNeverReplacedByATable) {
     EXPECT_EQ(contentsOf(input), before);
 }
 
-// What a recording may change is told by the program that refuses the rest.
-TEST_F(Watching, ASolutionWithOtherPhysicsIsNoInput) {
+// The message about a refused change lists the changes that a recording may contain.
+TEST_F(Watching, ASolutionWithOtherPhysicsIsRefused) {
     write(at("pull.json"), "{\"name\": \"pull\", \"changes\": [\n"
                            "  {\"frame\": 2, \"setting\": {\"gravity\": {\"value\": 1}}}]}\n");
     Ran const ran = runProgram(run({"--solution", at("pull.json")}));

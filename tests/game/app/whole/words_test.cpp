@@ -10,11 +10,12 @@ using nlohmann::json;
 
 class Words : public InAFolder {};
 
-// Clears the screen; ends a string by C1; turns the order of letters round.
+// A sequence that clears the screen, a C1 control character that ends a string, and a reversal of the writing
+// direction.
 std::string const evil = "e\x1b[2Jv\xC2\x9Bi\xE2\x80\xAEl\xE2\x81\xA6\x7F";
 
-/// Whether a terminal shows this as it is: no control characters but line feeds and tabs, nothing that turns
-/// the order of letters. Looks at bytes, and so shares nothing with the program.
+/// Whether a terminal shows this unchanged: no control characters except line feeds and tabs, and none that
+/// reverses the writing direction. Compares bytes, so it shares no code with the program.
 bool isHarmless(std::string const& text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         auto const byte = [&](std::size_t at) {
@@ -99,7 +100,7 @@ TEST_F(Words, OfArgumentsAreHarmless) {
     }
 }
 
-TEST_F(Words, InJsonMeanWhatTheyMeant) {
+TEST_F(Words, InJsonKeepTheirMeaning) {
     json made = anyLevel();
     std::string const name = "e\xC2\x9Bv\xE2\x80\xAEil \xC3\xA4"; // with an a umlaut
     made["goals"] = {{"moved", {{"object", "metal object"}, {"by", 1}}}, {"text", name}};
@@ -107,7 +108,7 @@ TEST_F(Words, InJsonMeanWhatTheyMeant) {
     Ran const ran = runProgram({"run", at("level.json"), "--frames", "1", "--json"});
     EXPECT_EQ(json::parse(ran.out)["goals"][0]["text"], name);
     EXPECT_NE(ran.out.find("\\u009b"), std::string::npos);
-    EXPECT_NE(ran.out.find("\xC3\xA4"), std::string::npos) << "what is harmless stays readable";
+    EXPECT_NE(ran.out.find("\xC3\xA4"), std::string::npos) << "harmless characters stay readable";
 }
 
 } // namespace

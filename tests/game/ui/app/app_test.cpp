@@ -36,9 +36,9 @@ std::size_t colours(render::Image const& image) {
 TEST(Program, ALevelIsChosenOnTheTitleScreen) {
     Player player;
     player.drawEveryPicture(); // title, level and menus one after the other, as on a player's screen
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     player.clickItem("level first/1-first-contact.json");
-    ASSERT_NE(player.app().play(), nullptr);
+    ASSERT_NE(player.findPlay(), nullptr);
     EXPECT_EQ(player.session().level().title, loadLevel(gameData().registry, firstContact).title);
     player.key(SDLK_l);
     player.frames(2);
@@ -48,7 +48,7 @@ TEST(Program, ALevelIsChosenOnTheTitleScreen) {
     player.key(SDLK_ESCAPE);
     player.frames(2);
     player.clickItem("Title screen");
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     player.frames(2);
     EXPECT_TRUE(player.going());
     player.moveTo(player.item("quit"));
@@ -90,10 +90,10 @@ TEST(Program, ABrokenLevelIsShownAndNothingIsLost) {
     EXPECT_FALSE(levels[0].trouble.empty());
     EXPECT_TRUE(levels[1].trouble.empty());
     EXPECT_EQ(catalog.after(levels[0].file), &levels[1]);
-    EXPECT_EQ(catalog.after(levels[1].file), nullptr) << "a level that cannot be played is no next level";
+    EXPECT_EQ(catalog.after(levels[1].file), nullptr) << "a level that cannot be played is skipped";
     Player player({1280, 720}, {}, folder);
     player.clickItem("level 1-broken.json");
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     EXPECT_THROW(player.app().open(folder / "10-nonsense.json"), InputError);
     EXPECT_TRUE(player.frame());
 }
@@ -116,7 +116,7 @@ TEST(Program, SettingsAndProgressAreKept) {
     EXPECT_NEAR(kept.settings().uiScale, 1.15F, 0.001F);
     EXPECT_TRUE(kept.solved("first/1-first-contact.json"));
     EXPECT_FALSE(kept.solved("another"));
-    // A damaged file costs nothing but itself.
+    // Damaged entries of a file are ignored, the others are kept.
     std::ofstream(file) << "{\"ui_scale\": \"large\", \"solved\": [1, \"kept\"], \"shadows\": false}";
     Profile const damaged(file);
     EXPECT_EQ(damaged.settings().uiScale, 1.F);
@@ -138,7 +138,7 @@ TEST(Program, RestartPutsAllPartsBack) {
     EXPECT_TRUE(player.session().placed().empty());
 }
 
-TEST(Program, TheClockKeepsPaceAndDoesNotRunAway) {
+TEST(Program, TheClockComputesSixtyFramesASecondAndDoesNotCatchUp) {
     FrameClock clock;
     int frames = 0;
     for (int i = 0; i < 6000; ++i) {
@@ -153,7 +153,7 @@ TEST(Program, TheClockKeepsPaceAndDoesNotRunAway) {
         EXPECT_LE(clock.alpha(), 1);
     }
     EXPECT_NEAR(frames, 600, 1);
-    EXPECT_EQ(clock.due(10), FrameClock::mostFrames) << "after a long halt it does not catch up";
+    EXPECT_EQ(clock.due(10), FrameClock::mostFrames) << "after a long pause it does not catch up";
     EXPECT_LE(clock.due(0), 1);
     EXPECT_EQ(clock.due(-5), 0);
     EXPECT_EQ(clock.due(std::nan("")), 0);
@@ -171,7 +171,7 @@ TEST(Program, NumbersAreReadable) {
     EXPECT_EQ(readable(2.5e-5), "2.5e-05");
 }
 
-// These open windows of their own.
+// The following tests open windows of their own.
 TEST(Program, AScreenshotIsWrittenAndNotBlank) {
     closeWindow();
     auto const folder = freshFolder("screenshots");
@@ -212,14 +212,14 @@ TEST(Program, WithoutADisplayTheRecordedSolutionIsPlayed) {
     } else {
         EXPECT_EQ(status, level.solutions.front().solves ? 0 : 1) << out.str();
     }
-    // In the folder that the player named.
+    // It is written to the folder that the player named.
     PlayOptions elsewhere;
     elsewhere.level = firstContact;
     elsewhere.pictures = folder / "new" / "pictures";
     std::ostringstream third;
     EXPECT_EQ(playWithoutDisplay(gameData(), elsewhere, third), status);
     EXPECT_GT(colours(render::readPng(elsewhere.pictures / "trembler-1-first-contact.png")), 500U);
-    // Where the picture cannot be written it says so and still plays.
+    // If the picture cannot be written, this is reported and the solution is still played.
     options.picture = folder / "not" / "there.png";
     std::ostringstream second;
     EXPECT_EQ(playWithoutDisplay(gameData(), options, second), status);

@@ -6,9 +6,9 @@
 namespace trembler::ui::test {
 namespace {
 
-class GivingKeys : public testing::Test {
+class AssigningKeys : public testing::Test {
 protected:
-    GivingKeys() {
+    AssigningKeys() {
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
         start();
@@ -41,7 +41,7 @@ protected:
         }
         return all;
     }
-    /// Of a command in the list.
+    /// The button of a command in the list.
     [[nodiscard]] int rowOf(std::string_view id) const {
         auto const commands = player->app().context().keys.inGroups();
         auto const found = std::find_if(commands.begin(), commands.end(),
@@ -54,17 +54,17 @@ protected:
     std::unique_ptr<Player> player;
 };
 
-TEST_F(GivingKeys, ByMouse) {
+TEST_F(AssigningKeys, ByMouse) {
     openByMouse();
     player->clickItem("key of undo");
     EXPECT_TRUE(keysPage().waiting());
     player->look("changing-a-key-720");
-    player->key(SDLK_LCTRL, KMOD_LCTRL); // on the way to the key that is meant
+    player->key(SDLK_LCTRL, KMOD_LCTRL); // a modifier alone is not yet a choice
     EXPECT_TRUE(keysPage().waiting());
     player->key(SDLK_k, KMOD_LCTRL);
     EXPECT_FALSE(keysPage().waiting());
     EXPECT_EQ(keysOf("undo"), "Ctrl+K");
-    // It is kept, and works.
+    // The new key is saved, and works.
     start();
     EXPECT_EQ(keysOf("undo"), "Ctrl+K");
     player->drag(player->item("part steel bar"), player->at({-1.8, 1.5}));
@@ -83,17 +83,17 @@ TEST_F(GivingKeys, ByMouse) {
     EXPECT_EQ(keysOf("undo"), "Ctrl+Z");
 }
 
-TEST_F(GivingKeys, AKeyOfAnotherCommandIsRefused) {
+TEST_F(AssigningKeys, AKeyOfAnotherCommandIsRefused) {
     openByMouse();
     player->clickItem("key of undo");
     player->key(SDLK_SPACE);
-    EXPECT_TRUE(keysPage().waiting()) << "for another one";
+    EXPECT_TRUE(keysPage().waiting()) << "it still waits for a key";
     EXPECT_NE(keysPage().complaint().find("\"Run\""), std::string::npos) << keysPage().complaint();
     player->frames(2);
     player->look("refused-key-720");
     EXPECT_EQ(keysOf("undo"), "Ctrl+Z");
     EXPECT_EQ(keysOf("run"), "Space");
-    player->key(SDLK_ESCAPE); // leaves it as it is, and the page where it is
+    player->key(SDLK_ESCAPE); // keeps the key, and the page stays open
     EXPECT_FALSE(keysPage().waiting());
     EXPECT_EQ(page(), MenuPage::keys);
     EXPECT_EQ(keysOf("undo"), "Ctrl+Z");
@@ -105,7 +105,7 @@ TEST_F(GivingKeys, AKeyOfAnotherCommandIsRefused) {
     EXPECT_FALSE(player->app().menu().isOpen());
 }
 
-TEST_F(GivingKeys, ByKeyboardAlone) {
+TEST_F(AssigningKeys, ByKeyboardAlone) {
     player->key(SDLK_F1);
     player->frames(2);
     ASSERT_EQ(page(), MenuPage::help);
@@ -117,20 +117,20 @@ TEST_F(GivingKeys, ByKeyboardAlone) {
     press(SDLK_DOWN, row);
     player->key(SDLK_RETURN);
     ASSERT_TRUE(keysPage().waiting());
-    player->key(SDLK_DOWN); // an arrow can be a key, too: this one is taken
+    player->key(SDLK_DOWN); // an arrow is a key, too, but this one belongs to another command
     EXPECT_NE(keysPage().complaint().find("\"Move down\""), std::string::npos) << keysPage().complaint();
     player->key(SDLK_F7);
     EXPECT_FALSE(keysPage().waiting());
     EXPECT_EQ(keysOf("cut"), "F7");
     player->key(SDLK_RETURN);
-    player->key(SDLK_DELETE); // a key as well, though that of another command
+    player->key(SDLK_DELETE); // a key as well, but it belongs to another command
     EXPECT_TRUE(keysPage().waiting());
     EXPECT_EQ(keysOf("cut"), "F7");
-    player->key(SDLK_DELETE, KMOD_LCTRL); // and with Ctrl nobody's
+    player->key(SDLK_DELETE, KMOD_LCTRL); // with Ctrl it belongs to no command
     EXPECT_EQ(keysOf("cut"), "Ctrl+Delete");
-    player->key(SDLK_DELETE); // while it does not wait: no key
+    player->key(SDLK_DELETE); // removes the key while the page does not wait for one
     EXPECT_EQ(keysOf("cut"), "");
-    press(SDLK_UP, row + 2); // from the first line round to the last button but one
+    press(SDLK_UP, row + 2); // wraps from the first line to the last button but one
     player->key(SDLK_RETURN);
     EXPECT_EQ(keysOf("cut"), "X");
     player->key(SDLK_TAB);
@@ -138,7 +138,7 @@ TEST_F(GivingKeys, ByKeyboardAlone) {
     EXPECT_EQ(page(), MenuPage::help) << "back where it was opened";
 }
 
-TEST_F(GivingKeys, EscapeKeepsItsMeaning) {
+TEST_F(AssigningKeys, EscapeKeepsItsMeaning) {
     player->key(SDLK_F1);
     player->frames(2);
     player->key(SDLK_DOWN);
@@ -152,7 +152,7 @@ TEST_F(GivingKeys, EscapeKeepsItsMeaning) {
     EXPECT_EQ(keysOf("back"), "Escape");
 }
 
-TEST_F(GivingKeys, TheListIsTidyAtEverySize) {
+TEST_F(AssigningKeys, TheListIsTidyAtEverySize) {
     for (render::Size const size : {render::Size{1280, 720}, render::Size{1920, 1080}}) {
         player.reset();
         player = std::make_unique<Player>(size, folder / "profile.json");

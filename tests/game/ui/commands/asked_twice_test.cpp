@@ -1,4 +1,4 @@
-// What loses something is asked for twice.
+// Commands that lose data must be confirmed by a second request.
 #include "game/ui/commands/asked_twice.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace trembler::ui::test {
 namespace {
 
-TEST(AskedTwice, TheSecondTimeItIsMeant) {
+TEST(AskedTwice, TheSecondRequestConfirms) {
     AskedTwice question;
     EXPECT_FALSE(question.waiting());
     EXPECT_FALSE(question.ask());
@@ -17,7 +17,7 @@ TEST(AskedTwice, TheSecondTimeItIsMeant) {
     EXPECT_FALSE(question.ask()) << "another time is another question";
 }
 
-TEST(AskedTwice, TheQuestionFallsAfterAWhile) {
+TEST(AskedTwice, TheQuestionExpires) {
     AskedTwice question;
     EXPECT_FALSE(question.ask());
     question.pass(0.75 * AskedTwice::patience);

@@ -9,7 +9,7 @@ namespace {
 
 using Done = std::map<std::string, int>;
 
-/// What the keys of one picture do.
+/// The commands that the key events of one picture run.
 Done after(std::vector<SDL_Event> const& events, bool mayJump = true) {
     Counting counting;
     counting.mayJump = mayJump;
@@ -31,14 +31,15 @@ TEST(Keys, CarryOutTheirCommands) {
 TEST(Keys, ModifiersCountWhereACommandNamesThem) {
     EXPECT_EQ(after({keyDown(SDLK_w, KMOD_LSHIFT)}), (Done{{"r", 1}}));
     EXPECT_EQ(after({keyDown(SDLK_UP, KMOD_LSHIFT)}), (Done{{"w", 1}}))
-        << "nobody else has it: tools mean it";
+        << "no command has it with Shift, which tools use";
     EXPECT_EQ(after({keyDown(SDLK_w, KMOD_LALT)}), (Done{{"w", 1}}));
     EXPECT_EQ(after({keyDown(SDLK_w, KMOD_LCTRL)}), Done{});
     EXPECT_EQ(after({keyDown(SDLK_j, KMOD_LCTRL | KMOD_LSHIFT)}), (Done{{"j", 1}}));
-    EXPECT_EQ(after({keyDown(SDLK_ESCAPE, KMOD_LCTRL)}), (Done{{"l", 1}})) << "it is fixed: any modifier";
+    EXPECT_EQ(after({keyDown(SDLK_ESCAPE, KMOD_LCTRL)}), (Done{{"l", 1}}))
+        << "a fixed key works with any modifier";
 }
 
-TEST(Keys, RepeatOnlyWhereTheyAreMeantTo) {
+TEST(Keys, RepeatOnlyForRepeatingCommands) {
     EXPECT_EQ(after({keyDown(SDLK_j, KMOD_LCTRL, true)}), (Done{{"j", 1}}));
     EXPECT_EQ(after({keyDown(SDLK_w, KMOD_NONE, true)}), Done{});
     EXPECT_EQ(after({keyDown(SDLK_w), keyDown(SDLK_w), keyDown(SDLK_UP)}), (Done{{"w", 1}}))
@@ -46,7 +47,7 @@ TEST(Keys, RepeatOnlyWhereTheyAreMeantTo) {
     EXPECT_EQ(after({keyDown(SDLK_c)}), Done{}) << "it is held, not pressed";
 }
 
-TEST(Keys, NothingFollowsTheKeyThatLeadsBack) {
+TEST(Keys, KeysAfterTheOneThatLeavesTheScreenAreIgnored) {
     EXPECT_EQ(after({keyDown(SDLK_w), keyDown(SDLK_ESCAPE), keyDown(SDLK_j, KMOD_LCTRL)}),
               (Done{{"l", 1}, {"w", 1}}));
 }

@@ -40,7 +40,7 @@ TEST(Chords, HaveNamesForPeople) {
     EXPECT_EQ(labelOf({}), "");
 }
 
-TEST(Chords, SpellingIsForgivingInCaseAndOrderOnly) {
+TEST(Chords, SpellingMayDifferInCaseAndOrderOnly) {
     EXPECT_EQ(chordFrom("ctrl+SHIFT+z"), withCtrlShift(SDLK_z));
     EXPECT_EQ(chordFrom("Shift+Ctrl+Z"), withCtrlShift(SDLK_z));
     EXPECT_EQ(chordFrom("Ctrl++"), withCtrl(SDLK_PLUS));
@@ -50,7 +50,7 @@ TEST(Chords, SpellingIsForgivingInCaseAndOrderOnly) {
     }
 }
 
-TEST(Chords, LocksMakeNoDifference) {
+TEST(Chords, LockKeysMakeNoDifference) {
     EXPECT_EQ(chordOf(pressed(SDLK_p, KMOD_NUM | KMOD_CAPS)), Chord{SDLK_p});
     EXPECT_EQ(chordOf(pressed(SDLK_z, KMOD_RCTRL | KMOD_LSHIFT)), withCtrlShift(SDLK_z));
     EXPECT_EQ(chordOf(pressed(SDLK_z, KMOD_LALT)), (Chord{.key = SDLK_z, .alt = true}));

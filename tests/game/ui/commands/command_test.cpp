@@ -6,7 +6,7 @@
 namespace trembler::ui::test {
 namespace {
 
-TEST(CommandTables, CarryOutByIdWhatIsAvailable) {
+TEST(CommandTables, RunAvailableCommandsById) {
     Counting counting;
     CommandsOf<Counting> commands(countingTable, counting);
     EXPECT_EQ(commands.size(), countingTable.size());
@@ -19,7 +19,7 @@ TEST(CommandTables, CarryOutByIdWhatIsAvailable) {
     EXPECT_TRUE(commands.has("walk"));
     EXPECT_FALSE(commands.has("paint"));
     EXPECT_THROW(commands.run("paint"), std::invalid_argument);
-    EXPECT_FALSE(commands.on(0)) << "it is no switch";
+    EXPECT_FALSE(commands.on(0)) << "it is not a switch";
 }
 
 } // namespace

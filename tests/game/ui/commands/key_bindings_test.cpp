@@ -12,7 +12,7 @@ std::vector<Chord> keys(KeyBindings const& bindings, std::string_view id) {
     return {all.begin(), all.end()};
 }
 
-/// No two commands of a list have a chord in common: asked of the bindings one by one, without their help.
+/// No two commands of a list have a chord in common; compares the chords without the bindings' own check.
 void expectNoConflicts(KeyBindings const& bindings) {
     for (CommandList const& list : countingLists()) {
         std::map<std::string, std::string_view> owner;
@@ -25,17 +25,18 @@ void expectNoConflicts(KeyBindings const& bindings) {
     }
 }
 
-TEST(Bindings, BeginAsTheTablesSay) {
+TEST(Bindings, BeginWithTheKeysOfTheTables) {
     KeyBindings const bindings(countingLists());
     EXPECT_EQ(keys(bindings, "walk"), (std::vector<Chord>{{SDLK_w}, {SDLK_UP}}));
     EXPECT_TRUE(keys(bindings, "door").empty());
     EXPECT_TRUE(keys(bindings, "no such").empty());
-    EXPECT_EQ(bindings.commands().size(), countingTable.size() + 1) << "what two screens share is there once";
+    EXPECT_EQ(bindings.commands().size(), countingTable.size() + 1)
+        << "a command of two screens is listed once";
     EXPECT_TRUE(bindings.isDefault());
     EXPECT_TRUE(bindings.stated().empty());
 }
 
-TEST(Bindings, AKeyOfAnotherCommandIsRefusedInWords) {
+TEST(Bindings, AKeyOfAnotherCommandIsRefusedWithAMessage) {
     KeyBindings bindings(countingLists());
     auto const why = bindings.bind(infoOf(bindings, "jump"), {SDLK_UP});
     ASSERT_TRUE(why);
@@ -43,16 +44,16 @@ TEST(Bindings, AKeyOfAnotherCommandIsRefusedInWords) {
     EXPECT_NE(why->find("↑"), std::string::npos) << *why;
     EXPECT_EQ(keys(bindings, "jump"), std::vector<Chord>{withCtrl(SDLK_j)}) << "nothing has changed";
     EXPECT_FALSE(bindings.bind(infoOf(bindings, "jump"), withCtrl(SDLK_UP))) << "with Ctrl it is another one";
-    // Its own key is no conflict, and neither is one of a screen on which it is not.
+    // A command's own key is not a conflict, nor is a key of a screen that does not have the command.
     EXPECT_FALSE(bindings.bind(infoOf(bindings, "jump"), withCtrl(SDLK_UP)));
     EXPECT_FALSE(bindings.bind(infoOf(bindings, "paint"), {SDLK_j}));
     EXPECT_FALSE(bindings.bind(infoOf(bindings, "jump"), {SDLK_j}));
-    // What is on both screens clashes with either.
+    // A command of both screens conflicts with commands of either.
     EXPECT_TRUE(bindings.bind(infoOf(bindings, "walk"), {SDLK_j}));
     expectNoConflicts(bindings);
 }
 
-TEST(Bindings, WhatIsFixedKeepsItsKeyWithAnyModifier) {
+TEST(Bindings, AFixedCommandKeepsItsKeyWithAnyModifier) {
     KeyBindings bindings(countingLists());
     EXPECT_TRUE(bindings.bind(infoOf(bindings, "leave"), {SDLK_q}));
     bindings.unbind(infoOf(bindings, "leave"));
@@ -65,7 +66,7 @@ TEST(Bindings, AreWrittenAndReadBack) {
     EXPECT_FALSE(bindings.bind(infoOf(bindings, "walk"), withCtrlShift(SDLK_PLUS)));
     bindings.unbind(infoOf(bindings, "jump"));
     auto const stated = bindings.stated();
-    EXPECT_EQ(stated, (StatedKeys{{"walk", {"Ctrl+Shift++"}}, {"jump", {}}})) << "and no more than that";
+    EXPECT_EQ(stated, (StatedKeys{{"walk", {"Ctrl+Shift++"}}, {"jump", {}}})) << "only the changed commands";
     KeyBindings again(countingLists());
     EXPECT_TRUE(again.load(stated).empty());
     EXPECT_EQ(keys(again, "walk"), std::vector<Chord>{withCtrlShift(SDLK_PLUS)});
@@ -83,7 +84,7 @@ TEST(Bindings, TwoCommandsMaySwapTheirKeys) {
     expectNoConflicts(bindings);
 }
 
-TEST(Bindings, WhatAProfileCannotMeanIsToldAndTheRestIsTaken) {
+TEST(Bindings, InvalidEntriesOfAProfileAreReportedAndTheOthersUsed) {
     KeyBindings bindings(countingLists());
     auto const troubles = bindings.load({{"walk", {"Spcae"}},
                                          {"fly", {"F"}},
@@ -102,14 +103,15 @@ TEST(Bindings, WhatAProfileCannotMeanIsToldAndTheRestIsTaken) {
     expectNoConflicts(bindings);
 }
 
-TEST(Bindings, NoProfileTakesTheKeyOfWhatIsFixed) {
+TEST(Bindings, NoProfileTakesTheKeyOfAFixedCommand) {
     KeyBindings bindings(countingLists());
     EXPECT_EQ(bindings.load({{"leave", {}}}).size(), 1U);
     EXPECT_EQ(keys(bindings, "leave"), std::vector<Chord>{{SDLK_ESCAPE}});
 }
 
-TEST(Bindings, GoingBackToAUsualKeyThatIsTakenSettlesToo) {
-    // "jump" gets the key of "walk"; "walk" asks for what it cannot have, goes back, and meets "jump" there.
+TEST(Bindings, AConflictWithAUsualKeyIsResolved) {
+    // "jump" gets the key of "walk"; the key for "walk" is refused, so it returns to its usual key, which
+    // "jump" now has.
     KeyBindings bindings(countingLists());
     auto const troubles = bindings.load({{"jump", {"W"}}, {"walk", {"Escape"}}});
     EXPECT_EQ(troubles.size(), 2U);
@@ -137,7 +139,7 @@ TEST(Bindings, NoProfileMakesAConflict) {
     }));
 }
 
-TEST(Bindings, TipsNameTheKeyAsItIs) {
+TEST(Bindings, TipsNameTheCurrentKey) {
     KeyBindings bindings(countingLists());
     EXPECT_EQ(tipOf(infoOf(bindings, "jump"), false, bindings), "Jump (Ctrl+J)");
     EXPECT_EQ(tipOf(infoOf(bindings, "crouch"), false, bindings), "Crouch (hold C)");

@@ -17,7 +17,7 @@ std::vector<std::string> rows(KeyBindings const& bindings, std::span<Gesture con
     return all;
 }
 
-TEST(KeyHelp, HasARowForWhateverHasAKey) {
+TEST(KeyHelp, HasARowForEveryCommandWithAKey) {
     KeyBindings bindings(countingLists());
     EXPECT_EQ(rows(bindings, {}),
               (std::vector<std::string>{"W, ↑, Shift+W: go", "Ctrl+J: jump", "C: crouch", "Esc: leave"}));
@@ -27,11 +27,20 @@ TEST(KeyHelp, HasARowForWhateverHasAKey) {
               (std::vector<std::string>{"W, ↑, Shift+W: go", "C: crouch", "Esc: leave", "D: door"}));
 }
 
-TEST(KeyHelp, GesturesStandBesideTheirCommands) {
+TEST(KeyHelp, GesturesAreListedBesideTheirCommands) {
     KeyBindings const bindings(countingLists());
     constexpr Gesture gestures[] = {{"wheel", "go", "walk"}, {"click", "look", "jump"}};
     EXPECT_EQ(rows(bindings, gestures), (std::vector<std::string>{"wheel, W, ↑, Shift+W: go", "Ctrl+J: jump",
                                                                   "click: look", "C: crouch", "Esc: leave"}));
+}
+
+TEST(KeyHelp, MarkdownHasEveryGestureInItsGroup) {
+    constexpr Gesture gestures[] = {{.with = "wheel", .does = "go", .beside = "walk"},
+                                    {.with = "click", .does = "look", .group = CommandGroup::looking},
+                                    {.with = "drag", .does = "carry"}};
+    EXPECT_EQ(gesturesMarkdown(gestures), "| Building | |\n|---|---|\n| go | wheel |\n| carry | drag |\n"
+                                          "\n| Looking | |\n|---|---|\n| look | click |\n");
+    EXPECT_EQ(rows(KeyBindings(countingLists()), gestures).front(), "wheel, W, ↑, Shift+W: go");
 }
 
 TEST(KeyHelp, MarkdownHasEveryCommandOnce) {

@@ -34,7 +34,7 @@ protected:
     }
     Wav hear(LevelFile level, std::string const& solution, std::uint64_t frames,
              std::uint64_t* hash = nullptr, std::vector<fs::path> const& recordings = {},
-             std::vector<std::string>* told = nullptr) {
+             std::vector<std::string>* reports = nullptr) {
         Session session(gameData().registry, gameData().parts, std::move(level));
         if (!solution.empty()) {
             Solution const* const recorded = session.level().findSolution(solution);
@@ -50,8 +50,8 @@ protected:
             RunSound sound(
                 file, how,
                 [&](std::string const& what) {
-                    if (told != nullptr) {
-                        told->push_back(what);
+                    if (reports != nullptr) {
+                        reports->push_back(what);
                     }
                 },
                 options);
@@ -70,7 +70,7 @@ protected:
     fs::path folder;
 };
 
-// The power within a share of a frequency, on either side.
+// The power within a relative distance of a frequency, on either side.
 double powerAround(std::span<float const> samples, double frequency, double share) {
     std::vector<double> const power = trembler::test::powerSpectrum(samples);
     double const step = 48000.0 / (2 * static_cast<double>(power.size()));
@@ -169,7 +169,7 @@ TEST_F(RunSoundTest, ALevelsOwnRecordingIsHeard) {
     double const played = tone(hear(level(), "", 60, nullptr, {folder}, &told));
     EXPECT_TRUE(told.empty());
     double const missing = tone(hear(level(), "", 60, nullptr, {}, &told));
-    EXPECT_EQ(told.size(), 1U) << "what is missing is told once";
+    EXPECT_EQ(told.size(), 1U) << "a missing recording is reported once";
     EXPECT_GT(played, 10 * missing);
 }
 

@@ -42,7 +42,7 @@ bool allOnScreen(Player& player) {
         bool const there = card.rect.low.x >= 0 && card.rect.low.y >= 0 && card.rect.high.x <= size.width &&
                            card.rect.high.y <= size.height && card.overflow <= 1;
         if (!there) {
-            ADD_FAILURE() << card.name << " is cut off, by " << card.overflow;
+            ADD_FAILURE() << card.name << " is cut off by " << card.overflow;
             return false;
         }
     }
@@ -87,16 +87,16 @@ TEST_P(BudgetPanel, ShowsTimesKnobsAndErrors) {
     EXPECT_TRUE(allOnScreen(player));
 }
 
-TEST_P(BudgetPanel, ABudgetIsKeptAndSaysWhatItDid) {
+TEST_P(BudgetPanel, ABudgetIsKeptAndItsChangesAreReported) {
     Player player(GetParam());
     player.open(starsLevel());
     player.key(SDLK_c);
-    player.frames(8); // the goal card makes room, the panel moves up
+    player.frames(8); // the goal card frees its space, the panel moves up
     player.clickItem("budget");
     player.frames(2);
     ASSERT_TRUE(player.play().budget().budget());
     player.look(named("cost-switched-on"));
-    // As little as there is to be had: whatever the computer, this is less than it takes.
+    // The smallest possible budget: every computer exceeds it.
     Point const slider = player.item("budget of a frame");
     player.drag(slider, slider - Point{0.4 * static_cast<double>(window().size().width), 0},
                 MouseButton::Left, 2);
@@ -114,7 +114,7 @@ TEST_P(BudgetPanel, ABudgetIsKeptAndSaysWhatItDid) {
             player.play().commands().run("more-budget");
         }
         player.simulate(200);
-        player.frames(150); // until nobody talks of the budget any more
+        player.frames(150); // until all messages about the budget have disappeared
         player.look(named("cost-kept"));
     }
     player.key(SDLK_b);
@@ -126,8 +126,8 @@ TEST_P(BudgetPanel, ABudgetIsKeptAndSaysWhatItDid) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, BudgetPanel, testing::ValuesIn([] {
                              std::vector<render::Size> sizes{{1280, 720}};
-                             // The panel at this size is among the pictures of every screen; this is for
-                             // people.
+                             // The test of all screens checks the panel at this size; this picture is for
+                             // people only.
                              if (std::getenv("TREMBLER_PICTURES") != nullptr) {
                                  sizes.push_back({3840, 2160});
                              }
@@ -135,8 +135,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, BudgetPanel, testing::ValuesIn([] {
                          }()),
                          [](auto const& info) { return "lines" + std::to_string(info.param.height); });
 
-// Watching again repeats what was decided, though the clock would decide otherwise this time.
-TEST(Budget, WhatItDecidedIsWatchedAgainBitForBit) {
+// A replay repeats the recorded decisions, although the clock would lead to others now.
+TEST(Budget, ItsDecisionsAreReplayedBitForBit) {
     Player player;
     player.open(starsLevel());
     player.key(SDLK_b);
@@ -161,12 +161,12 @@ TEST(Budget, WhatItDecidedIsWatchedAgainBitForBit) {
     }
     EXPECT_EQ(player.session().world().stateHash(), hash);
     EXPECT_EQ(player.session().changes().size(), changes);
-    // Stopping puts everything back, levels and settings too.
+    // Stopping restores everything, including detail levels and settings.
     player.key(SDLK_SPACE);
     EXPECT_TRUE(player.session().world().options().detail.empty());
 }
 
-TEST(Budget, WithoutABudgetAndWithoutThePanelNobodyMeasures) {
+TEST(Budget, WithoutABudgetAndThePanelNothingIsMeasured) {
     Player player;
     player.open(raft);
     player.key(SDLK_SPACE);
@@ -175,7 +175,7 @@ TEST(Budget, WithoutABudgetAndWithoutThePanelNobodyMeasures) {
     EXPECT_TRUE(player.play().budget().knobs().empty());
 }
 
-TEST(Budget, NumbersAreToldAsPeopleSayThem) {
+TEST(Budget, NumbersAreRoundedForDisplay) {
     EXPECT_EQ(words::duration(3.14159), "3.1 µs");
     EXPECT_EQ(words::duration(999.4), "999 µs");
     EXPECT_EQ(words::duration(1500), "1.5 ms");
@@ -186,7 +186,7 @@ TEST(Budget, NumbersAreToldAsPeopleSayThem) {
     EXPECT_EQ(words::howFarOff(4.2), "4.2 m");
 }
 
-TEST(Budget, AbsentEffectsSayWhatTheyWaitFor) {
+TEST(Budget, AbsentEffectsStateTheMissingProperty) {
     Player player;
     player.open(raft);
     bool seen = false;

@@ -26,11 +26,11 @@ TEST(EffectCosts, NameThePropertyThatNoObjectHas) {
     EXPECT_EQ(buoyancy.reason, words::nothingHas("Liquid"));
 }
 
-TEST(EffectCosts, TellWhatNobodyReadsFromWhatHasNoObjects) {
+TEST(EffectCosts, DistinguishMissingReadersFromMissingObjects) {
     Session session(gameData().registry, gameData().parts,
                     loadLevel(gameData().registry, levelsFolder() / "experiments/2-doorbell.json"));
     session.step();
-    // Its bodies could sound, but nobody has asked for their sounds.
+    // Its bodies could sound, but nothing reads their sounds.
     EXPECT_EQ(costOf(session.world(), "sound").activity, Activity::absent);
     EXPECT_EQ(costOf(session.world(), "sound").reason, words::nobodyAsks);
     Subscription const listening = session.world().want<Sounds>();

@@ -26,20 +26,20 @@ std::optional<std::string> rowOf(World const& world, ObjectId object, std::strin
     return std::nullopt;
 }
 
-struct Workshop {
+struct SoundWorld {
     World world{gameData().registry};
     ObjectId bell = world.store().create("bell");
     ObjectId ear = world.store().create("ear");
     ObjectId sensor = world.store().create("sensor");
 
-    Workshop() {
+    SoundWorld() {
         world.store().column<Ear>().set(ear, {});
         world.store().column<SoundSensor>().set(sensor, {});
     }
 };
 
-TEST(Inspect, SaysHowLoudAnObjectIs) {
-    Workshop w;
+TEST(Inspect, ShowsHowLoudAnObjectIs) {
+    SoundWorld w;
     EXPECT_EQ(rowOf(w.world, w.bell, "sounds"), std::nullopt);
     Sounds& sounds = w.world.store().slot<Sounds>().value();
     Sounds::Body body;
@@ -55,8 +55,8 @@ TEST(Inspect, SaysHowLoudAnObjectIs) {
     EXPECT_EQ(rowOf(w.world, w.ear, "sounds"), std::nullopt);
 }
 
-TEST(Inspect, SaysHowLoudItIsForWhatListens) {
-    Workshop w;
+TEST(Inspect, ShowsTheSoundLevelAtAnEar) {
+    SoundWorld w;
     EXPECT_EQ(rowOf(w.world, w.ear, "hears"), std::nullopt) << "not known before the run";
     w.world.store().slot<Loudness>().value().entries = {{w.ear, 61.4, w.bell, {}},
                                                         {w.sensor, silentLevel, {}, {}}};
@@ -65,7 +65,7 @@ TEST(Inspect, SaysHowLoudItIsForWhatListens) {
     EXPECT_EQ(rowOf(w.world, w.bell, "hears"), std::nullopt) << "it does not listen";
 }
 
-TEST(Inspect, TheSensorHearsWhatClosesItsCircuit) {
+TEST(Inspect, TheSensorsCircuitClosesAtItsThreshold) {
     Session session(gameData().registry, gameData().parts,
                     loadLevel(gameData().registry, levelsFolder() / "sound/1-loud-enough.json"), {});
     session.load(findOrLoadSolution(gameData().registry, session.level(), "ring the bell"));
@@ -76,7 +76,7 @@ TEST(Inspect, TheSensorHearsWhatClosesItsCircuit) {
         world = &session.world();
         auto const row = rowOf(*world, world->store().find("sound sensor 1"), "hears");
         ASSERT_TRUE(row) << i;
-        loud += *row != "silence" && std::stod(*row) >= 85 ? 1 : 0; // what its part states
+        loud += *row != "silence" && std::stod(*row) >= 85 ? 1 : 0; // the threshold of its part
     }
     EXPECT_GT(loud, 60);
     EXPECT_LT(loud, 240) << "it dies away";

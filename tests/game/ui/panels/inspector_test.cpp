@@ -6,7 +6,7 @@
 namespace trembler::ui::test {
 namespace {
 
-TEST(Inspector, GoesOnShowingAPartWhoseNameAnotherOneHad) {
+TEST(Inspector, KeepsShowingAPartThatGetsAnothersName) {
     Session session(gameData().registry, gameData().parts,
                     readLevel(gameData().registry, JsonDocument::parse(R"({"version": 2, "title": "balls",
             "objects": [], "toolbox": [{"part": "steel ball", "count": 2}]})",
@@ -23,7 +23,7 @@ TEST(Inspector, GoesOnShowingAPartWhoseNameAnotherOneHad) {
     EXPECT_EQ(session.world().find<Position>(inspector.object(session))->value.x, 3);
     ASSERT_TRUE(session.putBack(*second));
     EXPECT_TRUE(inspector.open());
-    EXPECT_FALSE(inspector.object(session).valid()) << "the card says that it is gone";
+    EXPECT_FALSE(inspector.object(session).valid()) << "the card reports that the object was removed";
     inspector.show(session, {});
     EXPECT_FALSE(inspector.open());
 }

@@ -13,7 +13,7 @@ namespace {
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
 auto const experiment = levelsFolder() / "experiments/1-switched-electromagnet.json";
 
-/// The bits of every placement, so that "exactly" means exactly.
+/// The bits of every placement, for exact comparison.
 std::string bitsOf(Session const& session) {
     std::string bits;
     for (PlacedPart const& placed : session.placed()) {
@@ -74,7 +74,7 @@ TEST(Running, StopPutsEverythingBackExactly) {
     EXPECT_EQ(bitsOf(player.session()), before);
     EXPECT_EQ(player.session().world().stateHash(), hash);
     EXPECT_EQ(player.session().world().frame(), 0U);
-    player.key(SDLK_SPACE); // and again, to the same end
+    player.key(SDLK_SPACE); // runs again, with the same result
     player.simulate(200);
     player.key(SDLK_SPACE);
     EXPECT_EQ(player.session().world().stateHash(), hash);
@@ -105,7 +105,7 @@ TEST(Running, PauseAndSingleFrames) {
     player.frames(4);
     player.letGo(SDLK_TAB);
     EXPECT_GE(player.session().world().frame(), before + 20);
-    // Behind the menu time stands still.
+    // The run is paused while the menu is open.
     player.key(SDLK_ESCAPE);
     EXPECT_TRUE(player.app().menu().isOpen());
     auto const behind = player.session().world().frame();
@@ -219,7 +219,7 @@ TEST(Running, TheInspectorShowsEveryProperty) {
     EXPECT_FALSE(player.showsCard("inspector"));
 }
 
-TEST(Running, TheComponentsPanelComesAndGoes) {
+TEST(Running, TheComponentsPanelIsOpenedAndClosed) {
     Player player;
     player.open(experiment);
     player.key(SDLK_c);

@@ -38,7 +38,7 @@ TEST_F(ProfileFile, KeysAreKeptBesideTheRest) {
     EXPECT_EQ(kept.settings().volume, 30);
 }
 
-TEST_F(ProfileFile, ADamagedEntryIsToldAndCostsNothingElse) {
+TEST_F(ProfileFile, ADamagedEntryIsReportedAndTheOthersAreKept) {
     Profile const profile(written(
         R"({"volume": 20, "keys": {"run": "Space", "hint": ["F2"], "cut": [1], "names": null}, "solved": ["x"]})"));
     EXPECT_EQ(profile.keys(), (StatedKeys{{"hint", {"F2"}}}));
@@ -53,7 +53,7 @@ TEST_F(ProfileFile, ADamagedEntryIsToldAndCostsNothingElse) {
     }
 }
 
-TEST_F(ProfileFile, TheGameSaysWhatIsWrongAndGoesOn) {
+TEST_F(ProfileFile, TheGameReportsTheErrorAndContinues) {
     auto const file = written(R"({"keys": {"hint": ["P"], "run": ["F5"], "save": 3}})");
     Player player({1280, 720}, file);
     EXPECT_EQ(player.app().context().toasts.count(), 2U);

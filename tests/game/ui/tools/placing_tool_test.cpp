@@ -36,7 +36,7 @@ TEST_F(Building, APartIsDraggedOutOfTheToolbox) {
     dragFromToolbox("steel bar", free);
     expectPlaced(0, free, 0);
     EXPECT_EQ(left("steel bar"), 0);
-    // It lies where it was dropped on the screen, and an empty compartment gives nothing more.
+    // It lies where it was dropped on the screen, and an empty compartment provides no further part.
     auto const object = player.session().objectOf(placed()[0].number);
     EXPECT_EQ(render::pick(player.session().world(), {free.x, free.y}), object);
     dragFromToolbox("steel bar", {-1.8, 2.0});
@@ -52,7 +52,7 @@ TEST_F(Building, APartIsTakenWithOneClickAndPlacedWithAnother) {
     EXPECT_EQ(placed()[0].placement.part, "spanner");
 }
 
-TEST_F(Building, PartsSnapToTheGridUnlessAsked) {
+TEST_F(Building, PartsSnapToTheGridUnlessCtrlIsHeld) {
     Vec2 const between{-1.812, 1.518};
     dragFromToolbox("steel bar", between);
     expectPlaced(0, {-1.8, 1.5}, 0);
@@ -64,14 +64,14 @@ TEST_F(Building, PartsSnapToTheGridUnlessAsked) {
     player.moveTo(player.at(between));
     player.release();
     ASSERT_EQ(placed().size(), 1U);
-    // As exactly as whole pixels of the screen can say it.
+    // As exactly as whole pixels of the screen allow.
     double const pixel = 1 / player.play().camera().pixelsPerMetre;
     EXPECT_NEAR(placed()[0].placement.at.x, between.x, pixel);
     EXPECT_NEAR(placed()[0].placement.at.y, between.y, pixel);
     EXPECT_GT(std::abs(placed()[0].placement.at.y - 1.5), 1e-6);
 }
 
-TEST_F(Building, TheWheelAndTheKeysTurnWhatIsInTheHand) {
+TEST_F(Building, TheWheelAndTheKeysTurnThePartInTheHand) {
     player.moveTo(player.item("part steel bar"));
     player.press();
     player.moveTo(player.at(free));
@@ -83,13 +83,13 @@ TEST_F(Building, TheWheelAndTheKeysTurnWhatIsInTheHand) {
     expectPlaced(0, free, 16);
 }
 
-TEST_F(Building, KeysTurnAndNudgeWhatIsSelected) {
+TEST_F(Building, KeysTurnAndMoveTheSelectedPart) {
     dragFromToolbox("steel bar", free);
     ASSERT_TRUE(player.play().placing().selected());
     player.key(SDLK_q);
     player.key(SDLK_q);
     expectPlaced(0, free, 30);
-    for (int i = 0; i < 24; ++i) { // a whole turn is no turn
+    for (int i = 0; i < 24; ++i) { // a full turn restores the angle
         player.key(SDLK_e);
     }
     expectPlaced(0, free, 30);
@@ -111,7 +111,7 @@ TEST_F(Building, TheHandleTurnsOnTheSpot) {
 TEST_F(Building, APlacedPartIsMovedByDragging) {
     dragFromToolbox("steel bar", free);
     int const number = placed()[0].number;
-    // Held off its middle, it moves by what the mouse moves.
+    // Grabbed beside its middle, it moves as far as the mouse does.
     player.drag(player.at(free + Vec2{0.3, 0}), player.at(free + Vec2{0.1, 0.4}));
     expectPlaced(0, free + Vec2{-0.2, 0.4}, 0);
     EXPECT_EQ(placed()[0].number, number);
@@ -128,7 +128,7 @@ TEST_F(Building, EveryWayBackIntoTheToolbox) {
     player.key(SDLK_DELETE);
     EXPECT_TRUE(placed().empty()) << "Delete";
     EXPECT_EQ(left("steel bar"), 1);
-    // And what was never placed: by a second click on its tile, by Esc, by a right click.
+    // A part that was never placed: by a second click on its tile, by Esc, by a right click.
     player.clickItem("part steel bar");
     player.clickItem("part steel bar");
     EXPECT_FALSE(player.play().placing().carried());
@@ -163,7 +163,7 @@ TEST_F(Building, UndoAndRedoWithoutEnd) {
     expectPlaced(1, {-1.8, 2.0}, 15);
 }
 
-TEST_F(Building, WhatMayNotBeStaysInTheHandAndSaysWhy) {
+TEST_F(Building, AForbiddenPlacementKeepsThePartInTheHandAndReportsWhy) {
     Vec2 const forbidden{1.7, 1.7}; // far outside the area for placing, in the electromagnet
     player.moveTo(player.item("part steel bar"));
     player.press();
@@ -178,7 +178,7 @@ TEST_F(Building, WhatMayNotBeStaysInTheHandAndSaysWhy) {
     expectPlaced(0, free, 0);
 }
 
-TEST_F(Building, ALittleBesideIsForgiven) {
+TEST_F(Building, SmallOverlapsAreCorrected) {
     dragFromToolbox("steel bar", {-1.8, 1.2});
     dragFromToolbox("spanner", {-1.8, 1.35}); // partly inside the bar
     ASSERT_EQ(placed().size(), 2U);
@@ -188,7 +188,7 @@ TEST_F(Building, ALittleBesideIsForgiven) {
     EXPECT_TRUE(player.session().check(placed()[1].placement, placed()[1].number).ok);
 }
 
-TEST_F(Building, PuttingAllBackAsksOnce) {
+TEST_F(Building, PuttingAllBackNeedsASecondRequest) {
     dragFromToolbox("steel bar", free);
     dragFromToolbox("spanner", {-1.8, 2.0});
     player.key(SDLK_BACKSPACE);

@@ -21,16 +21,16 @@ ComponentStatus statusOf(World const& world, std::string const& name) {
     return {};
 }
 
-TEST(Keeping, WhatWasPlayedIsSavedAndPlaysHeadless) {
+TEST(Keeping, ARunIsSavedAndReplayedWithoutAWindow) {
     Player player;
     std::filesystem::remove_all(player.films());
     player.open(firstContact);
-    player.key(SDLK_s, KMOD_LCTRL); // nothing has run yet: it says so and writes nothing
+    player.key(SDLK_s, KMOD_LCTRL); // nothing has run yet: a message, and no file
     EXPECT_FALSE(std::filesystem::exists(player.films() / "1-first-contact-solution-1.json"));
     player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
     player.key(SDLK_SPACE);
     player.simulate(160);
-    // Something done by hand too: the bar is taken off its contacts and let go again.
+    // Also an input by hand: the bar is lifted off its contacts and released.
     auto const& bar = player.session().world().find<Position>(
         player.session().objectOf(player.session().placed()[0].number));
     player.moveTo(player.at(bar->value));
@@ -78,7 +78,7 @@ TEST(Keeping, ContactsHaveNormalsAndImpulsesAsSoonAsTheyAreShown) {
         impulse = std::max(impulse, patch.normalImpulse[0]);
     }
     EXPECT_GT(impulse, 0);
-    // Looking changes nothing: the same run without an onlooker ends in the same bits.
+    // The display has no influence: the same run without it ends with the same bits.
     Session blind(gameData().registry, gameData().parts, loadLevel(gameData().registry, experiment));
     while (blind.world().frame() < player.session().world().frame()) {
         blind.step();
@@ -98,14 +98,14 @@ TEST(Keeping, DetailAndPeriodAreChangedWhileItRuns) {
     player.clickItem("detail of electricity");
     player.frames(3);
     player.look("detail-720");
-    player.clickItem("level single-cable"); // other physics: the switch would need no way back
+    player.clickItem("level single-cable"); // other physics: not allowed while the level runs
     player.frames(3);
     EXPECT_FALSE(player.session().world().options().detail.contains("electricity"));
     player.clickItem("level nodal");
     player.frames(3);
     EXPECT_EQ(player.session().world().options().detail.at("electricity"), "nodal");
     EXPECT_EQ(statusOf(player.session().world(), "Two-wire Electricity DPS").activity, Activity::absent);
-    Point const fixed = player.item("period of Electricity Resolver"); // it must not miss a frame
+    Point const fixed = player.item("period of Electricity Resolver"); // it must run in every frame
     player.drag(fixed, fixed + Point{60, 0});
     player.frames(2);
     EXPECT_EQ(statusOf(player.session().world(), "Electricity Resolver").period, 1);
@@ -120,14 +120,14 @@ TEST(Keeping, DetailAndPeriodAreChangedWhileItRuns) {
     EXPECT_GT(period, 1);
     EXPECT_LE(period, 4);
     EXPECT_EQ(player.session().mode(), SessionMode::running);
-    // It holds for later runs as well.
+    // The change holds for later runs as well.
     player.clickItem("stop");
     player.key(SDLK_SPACE);
     player.frames(3);
     EXPECT_EQ(statusOf(player.session().world(), "Magnetic Forces DPS").period, period);
 }
 
-TEST(Keeping, AWindowThatLosesTheFocusLetsGo) {
+TEST(Keeping, TheHandReleasesWhenTheWindowLosesTheFocus) {
     Player player;
     player.open(firstContact);
     player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));

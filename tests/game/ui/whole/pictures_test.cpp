@@ -11,8 +11,7 @@ protected:
         return std::string(what) + "-" + std::to_string(GetParam().height);
     }
 
-    /// Every card lies on the screen, has room for what is in it and is no other card's neighbour in the same
-    /// place.
+    /// Every card lies on the screen, has room for its content and overlaps no other card.
     static void expectTidy(Player& player, std::string const& what) {
         auto const& cards = player.layout().cards();
         EXPECT_FALSE(cards.empty()) << what;
@@ -128,7 +127,7 @@ TEST_P(Screens, EveryLevel) {
     for (CatalogGroup const& group : player.app().context().levels.groups()) {
         for (CatalogEntry const& entry : group.levels) {
             player.open(entry.file);
-            ASSERT_NE(player.app().play(), nullptr) << entry.id;
+            ASSERT_NE(player.findPlay(), nullptr) << entry.id;
             expectTidy(player, entry.id);
             player.key(SDLK_SPACE);
             player.simulate(16);
@@ -138,7 +137,7 @@ TEST_P(Screens, EveryLevel) {
     }
 }
 
-/// What is seen on the way from the title through two levels, with every picture drawn or only those.
+/// The pictures on the way from the title through two levels, if every picture is drawn or only these.
 std::vector<render::Image> picturesOnTheWay(bool drawsAll) {
     Player player({960, 540});
     std::filesystem::remove_all(player.films());
@@ -164,7 +163,7 @@ std::vector<render::Image> picturesOnTheWay(bool drawsAll) {
     player.simulate(64);
     player.frames(3);
     look("running");
-    player.key(SDLK_F12); // kept by the game itself
+    player.key(SDLK_F12); // saved by the game itself
     pictures.push_back(render::readPng(player.films() / "picture-1.png"));
     player.simulate(64);
     player.key(SDLK_1);
@@ -181,14 +180,14 @@ std::vector<render::Image> picturesOnTheWay(bool drawsAll) {
     return pictures;
 }
 
-TEST(PicturesThatNobodySees, LeaveNoTraceInThoseThatAreSeen) {
+TEST(UnseenPictures, DoNotInfluenceSeenOnes) {
     std::vector<render::Image> const all = picturesOnTheWay(true);
     std::vector<render::Image> const few = picturesOnTheWay(false);
     ASSERT_EQ(all.size(), few.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_EQ(all[i], few[i]) << "picture " << i;
         for (std::size_t j = 0; j < i; ++j) {
-            EXPECT_NE(all[i], all[j]) << "pictures " << i << " and " << j << " show something else";
+            EXPECT_NE(all[i], all[j]) << "pictures " << i << " and " << j << " must differ";
         }
     }
 }

@@ -7,7 +7,7 @@
 namespace trembler::ui::test {
 namespace {
 
-/// A screen that writes down what is asked of it.
+/// A screen that records the calls that it receives.
 class NotedScreen final : public Screen {
 public:
     NotedScreen(std::string& notes, std::optional<ScreenRequest> request)
@@ -41,22 +41,22 @@ protected:
     void show(std::optional<ScreenRequest> request = {}) {
         player.app().show(std::make_unique<NotedScreen>(notes, std::move(request)));
     }
-    std::string notes; // longer than the player
+    std::string notes; // outlives the player
     Player player;
 };
 
-TEST_F(OneScreen, IsLedThroughEachPictureAndLeftOnce) {
+TEST_F(OneScreen, GetsItsCallsForEachPictureAndIsLeftOnce) {
     show();
     player.frames(2);
     EXPECT_EQ(notes, "udpudp");
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     player.app().showTitle();
     EXPECT_EQ(notes, "udpudpl~");
     player.frames(1);
     EXPECT_EQ(notes, "udpudpl~");
 }
 
-TEST_F(OneScreen, IsDrawnWhereNobodyLooksOnlyIfItKeepsThePicture) {
+TEST_F(OneScreen, IsDrawnUnseenOnlyIfItUsesThePicture) {
     auto screen = std::make_unique<NotedScreen>(notes, std::nullopt);
     NotedScreen& shown = *screen;
     player.app().show(std::move(screen));
@@ -72,7 +72,7 @@ TEST_F(OneScreen, IsDrawnWhereNobodyLooksOnlyIfItKeepsThePicture) {
     EXPECT_EQ(notes, "uuudpuudp");
 }
 
-TEST_F(OneScreen, WaitsBehindTheMenuThatItAsksFor) {
+TEST_F(OneScreen, IsPausedBehindTheMenuThatItRequests) {
     show(request::OpenMenu{MenuPage::settings});
     player.frames(2);
     EXPECT_EQ(player.app().menu().page(), MenuPage::settings);
@@ -81,24 +81,25 @@ TEST_F(OneScreen, WaitsBehindTheMenuThatItAsksFor) {
     EXPECT_FALSE(player.app().menu().isOpen());
 }
 
-TEST_F(OneScreen, GivesWayToTheLevelThatItAsksFor) {
+TEST_F(OneScreen, IsReplacedByTheLevelThatItRequests) {
     show(request::OpenLevel{levelsFolder() / "first/1-first-contact.json"});
     player.frames(1);
-    ASSERT_NE(player.app().play(), nullptr);
+    ASSERT_NE(player.findPlay(), nullptr);
     EXPECT_EQ(player.app().screen().level().filename(), "1-first-contact.json");
     EXPECT_TRUE(notes.starts_with("ul~")) << notes;
     show(request::ShowTitle{});
     player.frames(1);
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
     EXPECT_TRUE(player.app().screen().level().empty());
 }
 
-TEST_F(OneScreen, StaysWhereALevelCannotBeOpened) {
+TEST_F(OneScreen, StaysIfALevelCannotBeOpened) {
     show(request::OpenLevel{levelsFolder() / "no such level.json"});
     auto const toasts = player.app().context().toasts.count();
     player.frames(2);
     EXPECT_EQ(notes, "udpudp");
-    EXPECT_EQ(player.app().context().toasts.count(), toasts + 1) << "and the player is told why";
+    EXPECT_EQ(player.app().context().toasts.count(), toasts + 1)
+        << "the player gets a message with the reason";
 }
 
 TEST_F(OneScreen, EndsTheProgram) {
@@ -108,9 +109,9 @@ TEST_F(OneScreen, EndsTheProgram) {
 
 TEST(KeyboardAlone, ALevelIsOpenedStartedAgainAndLeft) {
     Player player;
-    player.key(SDLK_DOWN); // the ring comes to the first level
+    player.key(SDLK_DOWN); // the focus moves to the first level
     player.key(SDLK_RETURN);
-    ASSERT_NE(player.app().play(), nullptr);
+    ASSERT_NE(player.findPlay(), nullptr);
     player.key(SDLK_h);
     EXPECT_EQ(player.play().hintsShown(), 1U);
     player.key(SDLK_ESCAPE);
@@ -126,13 +127,13 @@ TEST(KeyboardAlone, ALevelIsOpenedStartedAgainAndLeft) {
     player.key(SDLK_RETURN); // the menu begins at its first button again, "Resume"
     EXPECT_FALSE(player.app().menu().isOpen());
     player.key(SDLK_h);
-    EXPECT_EQ(player.play().hintsShown(), 1U) << "keys of the level did nothing behind the menu";
+    EXPECT_EQ(player.play().hintsShown(), 1U) << "keys of the level have no effect while the menu is open";
     player.key(SDLK_ESCAPE);
     player.frames(2);
-    player.key(SDLK_UP); // round to "Quit"
+    player.key(SDLK_UP); // wraps to "Quit"
     player.key(SDLK_UP); // "Title screen"
     player.key(SDLK_RETURN);
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
 }
 
 TEST(KeyboardAlone, SettingsAreChanged) {
@@ -159,7 +160,7 @@ TEST(KeyboardAlone, SettingsAreChanged) {
         player.key(SDLK_DOWN); // headphones, full screen, the keys
     }
     player.moveTo({640, 20});
-    player.moveTo({645, 20}); // the mouse takes over: no ring, so Enter presses nothing
+    player.moveTo({645, 20}); // the mouse removes the focus, so Enter presses nothing
     player.key(SDLK_RETURN);
     EXPECT_EQ(player.app().menu().page(), MenuPage::settings);
 }

@@ -17,9 +17,9 @@ GameData const& gameData() {
 
 constexpr double frame = 1.0 / 60; // s
 
-// Exactly, and not to first order as in the code: one frame is a linear map of place and speed (of the linear
-// oscillator), and what it does to areas it does to energy. `late`: 1/s² of the force that stands for a
-// frame, `own`: 1/s² of the spring, implicit.
+// The exact growth, not the first order as in the code: for a linear oscillator a frame is a linear map of
+// position and velocity, and it changes the energy by the same factor as areas. `late`: 1/s², of the force
+// that is held for a frame; `own`: 1/s², of the spring, which is integrated implicitly.
 double growthOfTheMap(double late, double own, int substeps) {
     double columns[2][2]{};
     for (int start = 0; start < 2; ++start) {
@@ -36,7 +36,7 @@ double growthOfTheMap(double late, double own, int substeps) {
     }
     double const determinant = columns[0][0] * columns[1][1] - columns[0][1] * columns[1][0];
     double const trace = columns[0][0] + columns[1][1];
-    double const turn = std::acos(trace / 2 / std::sqrt(determinant)); // of phase in a frame
+    double const turn = std::acos(trace / 2 / std::sqrt(determinant)); // the phase of a frame
     return std::pow(determinant, 6.283185307179586 / turn) - 1;
 }
 
@@ -48,7 +48,7 @@ TEST(CoSimulation, TheTheoryIsTheFirstOrderOfTheFramesLinearMap) {
     }
 }
 
-TEST(CoSimulation, AMagnetOnASpringGainsWhatTheLagPutsIn) {
+TEST(CoSimulation, AMagnetOnASpringGainsTheEnergyThatTheLagAdds) {
     double before = -1;
     for (int const substeps : {1, 2, 4, 8, 16}) {
         Swing const found = magnetOnSpring(gameData(), substeps, false);
@@ -58,26 +58,26 @@ TEST(CoSimulation, AMagnetOnASpringGainsWhatTheLagPutsIn) {
         double const expected = growthOfTheMap(late, 1, substeps);
         EXPECT_NEAR(found.growth, expected, 0.03 * std::abs(expected) + 5e-4) << substeps;
         EXPECT_NEAR(found.predicted, expected, 0.03 * std::abs(expected) + 5e-4) << substeps;
-        EXPECT_GT(found.growth, before) << "more substeps take away what makes up for the lag";
+        EXPECT_GT(found.growth, before) << "more substeps reduce the damping that compensates for the lag";
         before = found.growth;
-        EXPECT_EQ(found.growth < 0, substeps == 1) << "one loses in the spring, the others gain by the lag";
+        EXPECT_EQ(found.growth < 0, substeps == 1)
+            << "with one substep the spring loses more than the lag adds, with more it does not";
         Swing const ahead = magnetOnSpring(gameData(), substeps, true);
         EXPECT_NEAR(ahead.growth, ahead.predicted, 0.05 * std::abs(ahead.predicted) + 2e-3)
-            << "what is left is the spring's own loss";
+            << "the rest is the spring's own loss";
     }
     EXPECT_GT(before, 0.08);
 }
 
-// In n parts the map of a part stands for that of a frame: the force is late by a part, and the growth falls
-// with it.
+// With n parts the map of a part replaces that of a frame: the force lags by a part, and the growth is
+// smaller accordingly.
 double growthInParts(double late, double own, int substeps, int parts) {
     double const share = static_cast<double>(parts);
-    // The same oscillator with time counted in parts: frequencies are n times lower in a frame that is n
-    // times shorter.
+    // The same oscillator with time counted in parts: per part, frequencies are n times lower.
     return growthOfTheMap(late / (share * share), own / (share * share), substeps / parts);
 }
 
-TEST(CoSimulation, PartsOfAFrameTakeTheLagAway) {
+TEST(CoSimulation, PartsOfAFrameReduceTheLag) {
     double const softened = 1 + 0.05 * 0.05;
     double const late = 3.025 * (3 / softened - 1) / std::pow(softened, 1.5);
     double before = 0;
@@ -87,26 +87,26 @@ TEST(CoSimulation, PartsOfAFrameTakeTheLagAway) {
         EXPECT_NEAR(found.growth, expected, 0.03 * std::abs(expected) + 5e-4) << parts;
         EXPECT_NEAR(found.predicted, expected, 0.03 * std::abs(expected) + 5e-4) << parts;
         if (parts > 1) {
-            EXPECT_LT(found.growth, 0.55 * before) << "half of the lag, and the spring's own loss";
+            EXPECT_LT(found.growth, 0.55 * before) << "half of the lag, less the spring's own loss";
         }
         before = found.growth;
     }
 }
 
-TEST(CoSimulation, AFloatOnASpringGainsItTooUnlessItLooksAhead) {
+TEST(CoSimulation, AFloatOnASpringGainsEnergyUnlessItLooksAhead) {
     for (int const substeps : {1, 4, 16}) {
         double const expected = growthOfTheMap(9.81, 1, substeps); // g over the draught
         Swing const late = floatOnSpring(gameData(), substeps, 1, false);
         EXPECT_NEAR(late.growth, expected, 0.03 * std::abs(expected) + 5e-4) << substeps;
-        // What is left is the spring's own loss.
+        // The rest is the spring's own loss.
         Swing const ahead = floatOnSpring(gameData(), substeps, 1, true);
         double const spring = -1 * 2 * 3.141592653589793 / std::sqrt(10.81) * frame / substeps;
         EXPECT_NEAR(std::log1p(ahead.growth), spring, 0.1 * std::abs(spring) + 2e-3) << substeps;
-        EXPECT_LT(ahead.growth, 0) << "it never feeds the swing";
+        EXPECT_LT(ahead.growth, 0) << "it never increases the oscillation";
         EXPECT_EQ(late.growth < 0, substeps == 1);
     }
     for (int const period : {2, 4}) {
-        // A frame of the map is `period` frames long, with as many times the substeps.
+        // A frame of the map stands for `period` frames, with `period` times the substeps.
         Swing const late = floatOnSpring(gameData(), 4, period, false);
         double const lag = period * frame / 2 * (1 - 1.0 / (4 * period));
         double const rate = 9.81 * lag - frame / 4; // 1/s

@@ -5,9 +5,9 @@
 namespace trembler::accuracy {
 namespace {
 
-// What ngspice says and what elimination says of the same circuits: they share no line of code.
+// The results of ngspice and of elimination for the same circuits; they share no code.
 TEST(Ngspice, NgspiceAndEliminationAgree) {
-    // One lamp of 12 ohm on 12 V with 0.1 ohm inside, and halves of wires: by hand.
+    // A netlist written by hand: one lamp of 12 ohm on a source of 12 V with 0.1 ohm, and halves of wires.
     std::string const netlist = "* one\n* 0 = 'minus'\n* n1 = 'plus', 'wire'\n* n2 = 'lamp'\n"
                                 "v1 p1 0 dc 12\nr1 p1 n1 0.1\nr2 n1 n2 6\nr3 n2 0 6\n"
                                 ".control\nset numdgt=15\nop\nprint all\n.endc\n.end\n";

@@ -1,4 +1,4 @@
-// Circuits by elimination, against Ohm's law and the schoolbook.
+// Circuits solved by elimination, compared with Ohm's law and textbook cases.
 #include "measure/accuracy/ladders/wiring.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(AccuracyWiring, CurrentsFollowOhmsLaw) {
     EXPECT_NEAR(amperes[loose], 0, 1e-12);
 }
 
-TEST(AccuracyWiring, GlowsAsTheSchoolbookSays) {
+TEST(AccuracyWiring, LampsGlowAsInTextbookCases) {
     auto const all = schoolbook(72);
     for (std::size_t i = 0; i < all.size(); ++i) {
         Wiring const& w = all[i];
@@ -36,16 +36,16 @@ TEST(AccuracyWiring, GlowsAsTheSchoolbookSays) {
             }
         }
         switch (i % 6) {
-        case 0: // in balance: four arms, and nothing across
+        case 0: // a balanced bridge: the four arms are lit, the lamp across is dark
             EXPECT_EQ(lamps, (std::vector<bool>{true, true, true, false, true}));
             break;
-        case 3: // three arms and a wire: all of them
+        case 3: // a bridge with a wire in one arm: all lamps are lit
             EXPECT_EQ(lamps, (std::vector<bool>{true, true, true, true}));
             break;
-        case 1: // the middle one has a wire across it
+        case 1: // a wire bypasses the middle lamp
             EXPECT_EQ(lamps, (std::vector<bool>{true, false, true}));
             break;
-        case 2: { // 1/k² of the rated power each: from ten on they are dark
+        case 2: { // each has 1/k² of its rated power: dark for k of 10 or more
             bool const bright = lamps.size() < 10;
             EXPECT_EQ(lamps, std::vector<bool>(lamps.size(), bright)) << lamps.size();
             break;

@@ -1,4 +1,4 @@
-// What displaces how much of which liquid, which of it is computed again, and the forces that follow.
+// The areas of liquids that bodies displace, which of them are computed again, and the resulting forces.
 #include "physics/buoyancy/core/flotation.hpp"
 #include "physics/buoyancy/hulls/exact_hull.hpp"
 #include "physics/depth.hpp"
@@ -17,7 +17,7 @@ namespace trembler::test {
 namespace flotation_test {
 namespace {
 
-/// Shapes, some of which are liquids, and the flotation that follows them.
+/// Shapes, some of which are liquids, and the flotation that observes them.
 class Harbour {
 public:
     ObjectId body(Shape made, Vec2 at, double angle = 0) {
@@ -64,7 +64,7 @@ private:
     std::uint32_t count_ = 0;
 };
 
-TEST(Flotation, FindsWhatEachBodyDisplacesOfEachLiquid) {
+TEST(Flotation, FindsTheDisplacedAreaOfEachBodyInEachLiquid) {
     EXPECT_TRUE(rc::check("strips across both find the same areas", [] {
         Harbour harbour;
         struct Where {
@@ -87,7 +87,7 @@ TEST(Flotation, FindsWhatEachBodyDisplacesOfEachLiquid) {
         std::pair<ObjectId, ObjectId> last;
         for (Immersions::Entry const& entry : harbour.entries()) {
             std::pair const pair{entry.object, entry.liquid};
-            RC_ASSERT(areas.empty() || last < pair); // ascending, each once
+            RC_ASSERT(areas.empty() || last < pair); // ascending, without duplicates
             last = pair;
             areas[pair] = entry.wet.area;
             RC_ASSERT(entry.density == harbour.density[entry.liquid].value);
@@ -104,7 +104,7 @@ TEST(Flotation, FindsWhatEachBodyDisplacesOfEachLiquid) {
     }));
 }
 
-TEST(Flotation, ComputesAgainOnlyWhatHasMoved) {
+TEST(Flotation, ComputesAgainOnlyMovedBodies) {
     Harbour harbour;
     ObjectId const water = harbour.pool(Shape{{boxPiece(10, 10)}}, {0, -5}, 1000);
     ObjectId const boat = harbour.body(Shape{{boxPiece(1, 1)}}, {0, 0});
@@ -113,17 +113,17 @@ TEST(Flotation, ComputesAgainOnlyWhatHasMoved) {
     EXPECT_EQ(harbour.hulls, 2);
     EXPECT_FALSE(harbour.follow()) << "nothing has changed";
     harbour.position.set(bird, Position{{1, 9}});
-    EXPECT_FALSE(harbour.follow()) << "it was dry and it is dry";
+    EXPECT_FALSE(harbour.follow()) << "it was dry and still is";
     harbour.position.set(boat, Position{{0, 0.25}});
     EXPECT_TRUE(harbour.follow());
     ASSERT_EQ(harbour.entries().size(), 1U);
     EXPECT_NEAR(harbour.entries()[0].wet.area, 0.25, 1e-12);
     harbour.rotation.set(water, Rotation{0.1});
-    EXPECT_TRUE(harbour.follow()) << "a liquid that moves moves everything";
+    EXPECT_TRUE(harbour.follow()) << "if a liquid moves, all bodies are computed again";
     harbour.density.set(water, Density{800});
     EXPECT_TRUE(harbour.follow());
     EXPECT_EQ(harbour.entries()[0].density, 800);
-    EXPECT_EQ(harbour.hulls, 2) << "hulls are made once for a shape";
+    EXPECT_EQ(harbour.hulls, 2) << "a hull is made once for each shape";
     harbour.shape.set(boat, Shape{{boxPiece(2, 1)}});
     EXPECT_TRUE(harbour.follow());
     EXPECT_EQ(harbour.hulls, 3);
@@ -135,7 +135,7 @@ TEST(Flotation, ComputesAgainOnlyWhatHasMoved) {
     EXPECT_TRUE(harbour.entries().empty());
 }
 
-TEST(Flotation, NeitherLiquidsNorWhatIsFixedOrUnsoundFloats) {
+TEST(Flotation, LiquidsFixedAndInvalidBodiesDoNotFloat) {
     Harbour harbour;
     static_cast<void>(harbour.pool(Shape{{boxPiece(10, 10)}}, {}, 1000));
     static_cast<void>(harbour.pool(Shape{{boxPiece(1, 1)}}, {}, 800));
@@ -159,10 +159,10 @@ Immersions::Entry entryOf(std::uint32_t object, std::uint32_t liquid) {
     return entry;
 }
 
-TEST(MatchEvents, KeepsTheEventsOfThoseThatStayAndTellsOfTheOthersOnce) {
+TEST(MatchEvents, KeepsTheEventsOfRemainingPairsAndReportsChangesOnce) {
     EXPECT_TRUE(rc::check("the same as sets", [] {
         auto const anySet = [] {
-            // Each of the twelve pairs, or not.
+            // A random subset of the twelve pairs.
             auto const chosen = *rc::gen::container<std::vector<bool>>(12, rc::gen::arbitrary<bool>());
             std::set<std::pair<std::uint32_t, std::uint32_t>> set;
             for (std::uint32_t i = 0; i < 12; ++i) {
@@ -211,8 +211,8 @@ struct Wrench {
     double torque = 0;
 };
 
-// One force at one centre must do what the shares of all liquids do.
-TEST(SumForces, OneForceDoesWhatAllSharesDo) {
+// One force at one centre must have the effect of the shares of all liquids.
+TEST(SumForces, OneForceHasTheEffectOfAllShares) {
     EXPECT_TRUE(rc::check("force and torque are the sums", [] {
         Pose const pose(*point(5), *number(-3, 3));
         Vec2 const gravity = *point(12);
@@ -229,7 +229,7 @@ TEST(SumForces, OneForceDoesWhatAllSharesDo) {
             entry.wet.area = area;
             entry.wet.first = area * centroid;
             entries.push_back(entry);
-            // Archimedes: the weight of what it displaces, as far as gravity pulls into the liquid.
+            // Archimedes: the weight of the displaced liquid, by the component of gravity into the liquid.
             double const pull = std::max(0.0, -(gravity.x * entry.up.x + gravity.y * entry.up.y));
             Vec2 const force = entry.density * area * worldDepth * pull * entry.up;
             right.force += force;
@@ -242,7 +242,7 @@ TEST(SumForces, OneForceDoesWhatAllSharesDo) {
             entries, gravity, [&](ObjectId) { return pose; }, forces, centres);
         RC_ASSERT(forces.forces.size() == 1 && centres.centres.size() == 1);
         RC_ASSERT(length(forces.forces[0].force - right.force) <= 1e-12 * scale);
-        // Where the forces all but cancel, the centre is far away and its digits go into its distance.
+        // If the forces nearly cancel, the centre is far away and therefore inexact.
         RC_PRE(length(right.force) > 0.1 * scale || scale == 0);
         RC_ASSERT(length(pose.toWorld(centres.centres[0].centre) - centres.centres[0].world) < 1e-6);
         double const torque = cross(centres.centres[0].world, forces.forces[0].force);
@@ -268,7 +268,7 @@ TEST(SumForces, HaveOneEntryForEachObjectAndTheEventOfTheStrongestShare) {
     EXPECT_EQ(forces.forces[1].object, (ObjectId{4, 0}));
     EXPECT_EQ(forces.forces[1].event, EventId{3});
     sumForces(entries, {0, 10}, upright, forces, centres);
-    EXPECT_EQ(forces.forces[0].force, (Vec2{})) << "gravity out of the liquid presses nothing";
+    EXPECT_EQ(forces.forces[0].force, (Vec2{})) << "gravity out of the liquid causes no pressure";
     EXPECT_EQ(centres.centres.size(), 2U);
     sumForces({}, {0, -10}, upright, forces, centres);
     EXPECT_TRUE(forces.forces.empty() && centres.centres.empty());

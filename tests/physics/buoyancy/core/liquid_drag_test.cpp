@@ -18,7 +18,7 @@ TEST(LiquidDrag, MomentumFadesExponentiallyUnderLinearDrag) {
     pool.give(box, AngularVelocity{3});
     pool.give(heavy, Velocity{{2, 0}});
     pool.seconds(2);
-    // Drag is known two frames after the start: what is immersed, then the force.
+    // Drag is known two frames after the start: first the immersed parts, then the force.
     double const time = 2 - 1.0 / 60;
     EXPECT_NEAR(pool.velocity(box).x, 2 * std::exp(-0.8 * time), 0.01);
     EXPECT_NEAR(pool.spin(box), 3 * std::exp(-0.8 * time), 0.02);
@@ -27,7 +27,7 @@ TEST(LiquidDrag, MomentumFadesExponentiallyUnderLinearDrag) {
 }
 
 TEST(LiquidDrag, QuadraticDragAloneFadesAsOneOverTime) {
-    // v = v0 / (1 + k v0 t), k = ½ ρ Cd w d / m = Cd w / (2 A) for what is as dense as the liquid.
+    // v = v0 / (1 + k v0 t), k = ½ ρ Cd w d / m = Cd w / (2 A) for a body as dense as the liquid.
     Pool pool;
     pool.water({.linearDrag = 0, .quadraticDrag = 1.2, .current = {}});
     ObjectId const box = pool.body("box", boxPiece(0.5, 0.2), {0, -5}, 1000);
@@ -37,7 +37,7 @@ TEST(LiquidDrag, QuadraticDragAloneFadesAsOneOverTime) {
     EXPECT_NEAR(pool.velocity(box).x, 4 / (1 + k * 4 * (3 - 1.0 / 60)), 0.01);
 }
 
-TEST(LiquidDrag, WhatSinksReachesItsTerminalVelocity) {
+TEST(LiquidDrag, ASinkingBodyReachesItsTerminalVelocity) {
     // (ρ_b - ρ) A g = c1 ρ A v + ½ ρ Cd w v².
     double const c = 0.5;
     double const cd = 1;
@@ -65,7 +65,7 @@ TEST(LiquidDrag, APlateSinksFasterEdgeOn) {
     EXPECT_NEAR(-pool.velocity(flat).y, std::sqrt(2 * 9.81 * 0.06), 0.01);
 }
 
-TEST(LiquidDrag, ACurrentCarriesThingsAlong) {
+TEST(LiquidDrag, ACurrentCarriesBodiesAlong) {
     Pool pool;
     pool.water({.linearDrag = 1, .quadraticDrag = 1, .current = {0.7, 0}});
     ObjectId const box = pool.body("box", boxPiece(0.4, 0.2), {0, 0}, 500);
@@ -74,7 +74,7 @@ TEST(LiquidDrag, ACurrentCarriesThingsAlong) {
     EXPECT_NEAR(pool.velocity(box).y, 0, 0.01);
 }
 
-TEST(LiquidDrag, WhatIsOutOfTheLiquidIsNotSlowedDown) {
+TEST(LiquidDrag, ABodyOutsideOfTheLiquidIsNotSlowedDown) {
     Pool pool;
     pool.water();
     ObjectId const ball = pool.body("ball", circlePiece(0.1), {0, 20}, 500);
@@ -116,7 +116,7 @@ TEST(DragImpulse, SolvesTheImplicitEulerStep) {
     }));
 }
 
-TEST(DragImpulse, RefusesWhatIsNoResistance) {
+TEST(DragImpulse, RefusesInvalidResistances) {
     EXPECT_TRUE(isResistance(1, 0.5, 1, 0));
     EXPECT_TRUE(isResistance(0, 0, 0, 0));
     EXPECT_FALSE(isResistance(-1, 0, 1, 0));

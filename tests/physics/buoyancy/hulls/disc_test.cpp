@@ -11,7 +11,7 @@ namespace trembler::test {
 namespace disc_test {
 namespace {
 
-/// Over the disc, by the midpoint rule in polar coordinates; `inside` says which part counts.
+/// An integral over a part of the disc, by the midpoint rule in polar coordinates; `inside` selects the part.
 AreaMoments integrated(double radius, std::function<bool(Vec2)> const& inside) {
     constexpr int rings = 80;
     constexpr int rays = 240;
@@ -39,7 +39,7 @@ void expectNear(AreaMoments const& found, AreaMoments const& right, double radiu
     RC_ASSERT(std::abs(found.yy - right.yy) < area * radius * radius);
 }
 
-TEST(Disc, SegmentsAreWhatALineLeavesOfADisc) {
+TEST(Disc, SegmentsAgreeWithIntegrals) {
     EXPECT_TRUE(rc::check("the integral over the segment", [] {
         double const radius = *number(0.1, 3);
         double const distance = *number(-1.2, 1.2) * radius;
@@ -49,7 +49,7 @@ TEST(Disc, SegmentsAreWhatALineLeavesOfADisc) {
                    integrated(radius, [&](Vec2 p) { return dot(normal, p) <= distance; }), radius, 0.02);
         double const square = radius * radius - distance * distance;
         RC_ASSERT(std::abs(segment.halfChord - std::sqrt(std::max(square, 0.0))) < 1e-7 * radius);
-        // What is on the other side makes it whole.
+        // With the segment on the other side it is the whole disc.
         AreaMoments both = segment.moments(normal);
         both += discSegment(radius, -distance).moments(-normal);
         expectNear(both, discMoments(radius), radius, 1e-12);
@@ -70,7 +70,7 @@ TEST(Disc, WholeDiscsHaveTheMomentsOfTheTextbook) {
     EXPECT_EQ(whole.xy, 0);
 }
 
-TEST(Disc, SectorsGoTheShorterWayRound) {
+TEST(Disc, SectorsTakeTheShorterArc) {
     EXPECT_TRUE(rc::check("the integral over the sector", [] {
         double const radius = *number(0.1, 3);
         double const from = *number(-3.1, 3.1);
@@ -85,7 +85,7 @@ TEST(Disc, SectorsGoTheShorterWayRound) {
     }));
 }
 
-// The sides of a polygon add up to what polygon and disc have in common.
+// The sides of a polygon add up to the intersection of polygon and disc.
 TEST(Disc, SidesAddUpToTheIntersectionWithAPolygon) {
     EXPECT_TRUE(rc::check("the integral over the intersection", [] {
         double const radius = *number(0.1, 1.5);
@@ -101,7 +101,7 @@ TEST(Disc, SidesAddUpToTheIntersectionWithAPolygon) {
             DiscSide const side = discSide(radius, from, to);
             sum += side.moments;
             if (side.cuts) {
-                for (Vec2 const end : side.chord) { // on the side, and no farther out than the rim
+                for (Vec2 const end : side.chord) { // on the side, and inside the disc
                     RC_ASSERT(length(end) <= radius * (1 + 1e-9));
                     RC_ASSERT(std::abs(cross(to - from, end - from)) <=
                               1e-9 * lengthSquared(to - from) + 1e-12);
@@ -120,12 +120,12 @@ TEST(Disc, SidesAddUpToTheIntersectionWithAPolygon) {
     }));
 }
 
-TEST(Disc, SidesThatAreNoSidesAddNothing) {
+TEST(Disc, DegenerateSidesAddNothing) {
     EXPECT_EQ(discSide(1, {0.5, 0}, {0.5, 0}).moments.area, 0);
     EXPECT_FALSE(discSide(1, {0.5, 0}, {0.5, 0}).cuts);
     EXPECT_EQ(discSide(1, {0, 0}, {2, 0}).moments.area, 0) << "along a radius";
     EXPECT_FALSE(discSide(1, {3, -1}, {3, 1}).cuts) << "outside";
-    EXPECT_NEAR(discSide(1, {3, -3}, {3, 3}).moments.area, pi / 4, 1e-12) << "but it shuts in a sector";
+    EXPECT_NEAR(discSide(1, {3, -3}, {3, 3}).moments.area, pi / 4, 1e-12) << "but it bounds a sector";
 }
 
 } // namespace

@@ -15,7 +15,7 @@ Displacement displaced(ShapePiece const& body, Pose const& pose, ShapePiece cons
     return displacedOf(ExactHull(Shape{{body}}), liquidPieces(Shape{{liquid}}, liquidPose).front(), pose, up);
 }
 
-// In the world, of what is given in the body's frame.
+// Moments in the world, from those in the body's frame.
 Strips inWorld(AreaMoments const& wet, Pose const& pose) {
     AreaMoments turned;
     turned.area = wet.area;
@@ -57,7 +57,7 @@ TEST(ExactHull, AgreesWithStripsForAnyConvexPieces) {
 }
 
 TEST(ExactHull, TwoLiquidsSideBySideHoldAsMuchAsOne) {
-    // Whatever line cuts the liquid in two, nothing is lost or counted twice along it.
+    // For any line that cuts the liquid in two, nothing along it is lost or counted twice.
     EXPECT_TRUE(rc::check([] {
         ShapePiece const body = *piece();
         Pose const pose(*point(1), *number(-4, 4));
@@ -90,11 +90,11 @@ TEST(ExactHull, WaterlineIsTheRateAtWhichTheDisplacedAreaChanges) {
         auto const area = [&](Vec2 by, double turn) {
             return displaced(body, Pose(at + by, angle + turn), liquid, tilted).wet.area;
         };
-        // Against the vertical, whatever the tilt.
+        // Compared along the vertical, for any tilt.
         Waterline const line = displaced(body, Pose(at, angle), liquid, tilted).waterline;
         double const lifting = (area({0, -d}, 0) - area({0, d}, 0)) / (2 * d);
         RC_ASSERT(std::abs(line.length - lifting) < 1e-3);
-        // As the liquid sees it. Turning lifts what lies to the right of the origin: the first moment.
+        // In the liquid's frame. Rotation lifts the parts to the right of the origin: the first moment.
         Vec2 const normal = rotated({0, 1}, tilt);
         Waterline const own = displaced(body, Pose(at, angle), liquid, tilted, normal).waterline;
         double const rising = (area(-d * normal, 0) - area(d * normal, 0)) / (2 * d);
@@ -145,12 +145,12 @@ TEST(ExactHull, DiscSegmentIsItsIntegral) {
 }
 
 TEST(ExactHull, ADiscAgainstManySidesIsTheSegmentAgainstOne) {
-    // A circle at the surface, far from the walls and near to one: the two ways of reckoning must meet.
+    // A circle at the surface, far from the walls and near to one: both computations must agree.
     ShapePiece const pool = boxPiece(10, 4);
     ShapePiece const disc = circlePiece(0.5);
     for (double const height : {1.6, 1.9, 2.0, 2.3}) {
         Displacement const free = displaced(disc, Pose({0, height}, 0), pool, Pose({}, 0));
-        // The wall at x = 5 is within the circle that holds the body, but cuts off nothing.
+        // The wall at x = 5 meets the circle around the body, but cuts off nothing.
         Displacement const near =
             displaced(circlePiece(0.5, {-0.3, 0}), Pose({4.6, height}, 0), pool, Pose({}, 0));
         Displacement const cut = displaced(disc, Pose({4.5 + 1e-13, height}, 0), pool, Pose({}, 0));

@@ -1,4 +1,4 @@
-// Liquids as convex pieces with straight sides, against the shapes that they stand for.
+// Liquids as convex pieces with straight sides, compared with the shapes that they approximate.
 #include "physics/buoyancy/hulls/liquid_area.hpp"
 #include "tests/physics/buoyancy/generators.hpp"
 
@@ -43,15 +43,14 @@ TEST(LiquidArea, AStraightenedPieceHasTheAreaOfThePieceAndItsPlace) {
         RC_ASSERT(corners.size() >= 3 && corners.size() <= mostSides);
         AreaMoments const moments = polygonMoments(corners);
         RC_ASSERT(std::abs(moments.area - areaOf(one)) <=
-                  2e-3 * areaOf(one)); // exact but for a capsule's sides
+                  2e-3 * areaOf(one)); // exact except for a capsule's sides
         if (one.form == ShapeForm::circle) {
             RC_ASSERT(std::abs(moments.area - areaOf(one)) <= 1e-12 * areaOf(one));
         }
         if (one.form != ShapeForm::polygon) {
             RC_ASSERT(length(moments.centroid() - one.at) < 1e-9);
         }
-        for (std::size_t i = 0; i < corners.size();
-             ++i) { // convex, anticlockwise, no two corners in one place
+        for (std::size_t i = 0; i < corners.size(); ++i) { // convex, anticlockwise, without duplicate corners
             Vec2 const a = corners[(i + 1) % corners.size()] - corners[i];
             Vec2 const b = corners[(i + 2) % corners.size()] - corners[(i + 1) % corners.size()];
             RC_ASSERT(length(a) > 1e-9);
@@ -83,7 +82,7 @@ TEST(LiquidArea, InsideAllSidesIsInsideThePiece) {
                     inside = inside && dot(side.normal, world) <= side.offset;
                 }
                 double const distance = distanceTo(shape.pieces[n], local);
-                double const slack = 2e-3; // what rounding off takes of a radius of 1 m
+                double const slack = 2e-3; // the error of straight sides for a radius of 1 m
                 RC_ASSERT(!inside || distance < slack);
                 RC_ASSERT(inside || distance > -slack);
                 RC_ASSERT(!inside || (world.x >= bounds.lower.x - 1e-9 && world.x <= bounds.upper.x + 1e-9 &&
@@ -93,8 +92,8 @@ TEST(LiquidArea, InsideAllSidesIsInsideThePiece) {
     }));
 }
 
-// Of the sides only those matter that the circle around a body meets; they are the same in the body's frame.
-TEST(LiquidArea, CuttingSidesDecideAsAllSidesDo) {
+// Only the sides that meet the circle around a body are needed, also in the body's frame.
+TEST(LiquidArea, CuttingSidesGiveTheResultOfAllSides) {
     EXPECT_TRUE(rc::check("for every point of the body", [] {
         auto const pieces = liquidPieces(Shape{{*piece()}}, Pose(*point(1), *number(-3, 3)));
         double const radius = *number(0.05, 1);
@@ -112,7 +111,7 @@ TEST(LiquidArea, CuttingSidesDecideAsAllSidesDo) {
                 nearest = std::min(nearest, std::abs(outside));
             }
             if (nearest < 1e-9) {
-                continue; // on a side: either will do
+                continue; // on a side: both results are valid
             }
             bool found = !cutting.dry;
             for (std::size_t n = 0; n < cutting.count && !cutting.dry; ++n) {
@@ -125,7 +124,7 @@ TEST(LiquidArea, CuttingSidesDecideAsAllSidesDo) {
     CuttingSides cutting;
     findCuttingSides(pool[0], Pose({}, 1), 1, cutting);
     EXPECT_FALSE(cutting.dry);
-    EXPECT_EQ(cutting.count, 0U) << "deep in it no side cuts";
+    EXPECT_EQ(cutting.count, 0U) << "far inside no side cuts";
     findCuttingSides(pool[0], Pose({0, 6}, 1), 0.9, cutting);
     EXPECT_TRUE(cutting.dry);
 }

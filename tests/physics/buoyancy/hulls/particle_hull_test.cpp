@@ -27,16 +27,16 @@ TEST(ParticleHull, HasTheAreaAndTheCentroidOfTheShape) {
         RC_ASSERT(std::abs(area - expected.area) < 1e-9);
         RC_ASSERT(reach <= hull.radius() + 1e-12);
         RC_ASSERT(std::abs(static_cast<int>(hull.particles().size()) - count) <= 6);
-        // Wholly immersed, by a side that reaches all of it but cuts off nothing.
+        // Completely immersed, by a side that meets its circle but cuts off nothing.
         Side const far{{0, 1}, hull.radius()};
         Displacement const whole = hull.displaced(std::span(&far, 1), {0, 1});
         RC_ASSERT(std::abs(whole.wet.area - expected.area) < 1e-9);
-        // Compounds have rounded numbers of particles for each piece, but of equal area for each.
+        // The numbers of particles of a compound's pieces are rounded; within a piece all have equal areas.
         RC_ASSERT(length(whole.wet.centroid() - expected.centre) < 1e-9);
     }));
 }
 
-TEST(ParticleHull, IsTheSameEveryTime) {
+TEST(ParticleHull, IsReproducible) {
     Shape const shape{{boxPiece(0.7, 0.3), circlePiece(0.2, {0.4, 0})}};
     ParticleHull const a(shape, 100);
     ParticleHull const b(shape, 100);
@@ -46,7 +46,7 @@ TEST(ParticleHull, IsTheSameEveryTime) {
     }
 }
 
-TEST(ParticleHull, WhatIsSymmetricHasItsCentreInTheMiddle) {
+TEST(ParticleHull, ASymmetricShapeHasItsCentreInTheMiddle) {
     for (ShapePiece const& piece : {boxPiece(0.8, 0.3), circlePiece(0.4), capsulePiece(0.9, 0.15)}) {
         ParticleHull const hull(Shape{{piece}}, 52);
         for (double const level : {-0.1, -0.02, 0.0, 0.07}) {
@@ -76,7 +76,7 @@ std::pair<double, double> errors(int count) {
                 Displacement const b = hull.displaced(std::span(&surface, 1), normal);
                 double const whole = exact.whole().area;
                 worst.first = std::max(worst.first, std::abs(a.wet.area - b.wet.area) / whole);
-                // The moment, not the centroid itself: of next to nothing that may be anywhere.
+                // The moment, not the centroid itself, which is inexact for tiny areas.
                 worst.second =
                     std::max(worst.second, length(a.wet.first - b.wet.first) / (whole * exact.radius()));
             }
@@ -85,7 +85,7 @@ std::pair<double, double> errors(int count) {
     return worst;
 }
 
-TEST(ParticleHull, ComesNearerTheMoreParticlesThereAre) {
+TEST(ParticleHull, ErrorsDecreaseWithMoreParticles) {
     auto const few = errors(16);
     auto const some = errors(64);
     auto const many = errors(256);
@@ -98,7 +98,7 @@ TEST(ParticleHull, ComesNearerTheMoreParticlesThereAre) {
 }
 
 TEST(ParticleHull, ASingleSurfaceCutsParticlesAsItCutsDiscs) {
-    // Against a body that is made of nothing but those discs.
+    // Compared with a body that consists of those discs.
     ParticleHull const hull(Shape{{boxPiece(0.5, 0.3)}}, 16);
     Shape discs;
     for (ParticleHull::Particle const& particle : hull.particles()) {

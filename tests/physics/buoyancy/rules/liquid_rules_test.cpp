@@ -46,7 +46,7 @@ double common(ShapePiece const& piece, Pose const& pose, LiquidPiece const& othe
     return polygonMoments(polygon.corners()).area;
 }
 
-/// The rule as it is said, with every pair of pieces looked at in turn.
+/// The rule by its definition, comparing every pair of pieces.
 std::optional<std::string> bruteForce(Store const& store, ObjectId id) {
     auto const& shapes = *store.findColumn<Shape>();
     auto const pose = [&](ObjectId of) {
@@ -98,7 +98,7 @@ std::map<ObjectId, std::string> found(Store const& store) {
     return all;
 }
 
-TEST(LiquidRules, SayWhatComparingAllPairsSays) {
+TEST(LiquidRules, AgreeWithComparingAllPairs) {
     std::size_t levels = 0;
     std::size_t faults = 0;
     std::size_t sound = 0;
@@ -117,7 +117,7 @@ TEST(LiquidRules, SayWhatComparingAllPairsSays) {
             if (*number(0, 1) > 0.95) {
                 liquids.store.column<Shape>().remove(id);
             } else if (*number(0, 1) > 0.95) {
-                liquids.store.column<Shape>()[id].pieces.front().radius = -1; // not sound if it is round
+                liquids.store.column<Shape>()[id].pieces.front().radius = -1; // invalid for round pieces
             }
         }
         std::map<ObjectId, std::string> expected;
@@ -135,7 +135,7 @@ TEST(LiquidRules, SayWhatComparingAllPairsSays) {
     EXPECT_GT(sound, levels);
 }
 
-TEST(LiquidRules, TellOfTheFirstOverlapOnly) {
+TEST(LiquidRules, ReportOnlyTheFirstOverlap) {
     Liquids liquids;
     ObjectId const left = liquids.add({{boxPiece(2, 1)}}, {0, 0});
     ObjectId const right = liquids.add({{boxPiece(2, 1)}}, {2, 0}); // touching is allowed
@@ -147,7 +147,7 @@ TEST(LiquidRules, TellOfTheFirstOverlapOnly) {
     EXPECT_EQ(all.at(folded), "its pieces 1 and 2 overlap by 0.5 m²; expected pieces side by side");
 }
 
-TEST(LiquidRules, HaveNothingToSayWithoutLiquids) {
+TEST(LiquidRules, ReportNothingWithoutLiquids) {
     Store store;
     EXPECT_TRUE(checkLiquids(store).empty());
     (void)store.column<Liquid>();

@@ -9,7 +9,7 @@
 namespace trembler::test {
 namespace {
 
-TEST(BuoyancyEffect, IsAbsentWithoutLiquidsAndComesWithThem) {
+TEST(BuoyancyEffect, IsConstructedOnlyWithLiquids) {
     Pool dry;
     dry.body("box", boxPiece(0.2, 0.2), {0, 0}, 500);
     dry.run(3);
@@ -25,9 +25,9 @@ TEST(BuoyancyEffect, IsAbsentWithoutLiquidsAndComesWithThem) {
     EXPECT_EQ(wet.activity("Particle Buoyancy"), Activity::absent);
 }
 
-TEST(BuoyancyEffect, KnowsInTheFirstFrameWhatLiftsInTheSecond) {
-    // The thesis needs three: collisions in 1, F_B in 2, motion in 3 (6.12.3). Here nothing waits for
-    // collisions, and gravity and F_B are felt in the same frame, so what floats in balance never stirs.
+TEST(BuoyancyEffect, ComputesInTheFirstFrameTheForceOfTheSecond) {
+    // The thesis needs three: collisions in 1, F_B in 2, motion in 3 (6.12.3). Here nothing depends on
+    // collisions, and gravity and F_B act in the same frame, so a body in balance never moves.
     Pool pool;
     pool.water();
     ObjectId const box = pool.body("box", boxPiece(0.4, 0.2), {0, 0}, 500);
@@ -62,7 +62,7 @@ TEST(BuoyancyEffect, LiquidsCollideWithNothingAndDoNotMove) {
     EXPECT_NEAR(pool.at(stone).y, -4.8, 0.01);
 }
 
-TEST(BuoyancyEffect, ABodyThatTurnsToLiquidIsOneNoMore) {
+TEST(BuoyancyEffect, ABodyThatBecomesALiquidIsNoBodyAnyMore) {
     Pool pool;
     ObjectId const block = pool.fixed("block", boxPiece(4, 2), {0, -1});
     ObjectId const ball = pool.body("ball", circlePiece(0.2), {0, 0.5}, 3000);
@@ -107,7 +107,7 @@ TEST(BuoyancyEffect, WakesWhenGravityOrLiquidChange) {
     EXPECT_NEAR(1.1 - pool.at(box).y, 0.2 / 3, 1e-3);
 }
 
-TEST(BuoyancyEffect, TraceTellsWhoEnteredWhatAndLiftsBecauseOfIt) {
+TEST(BuoyancyEffect, TraceNamesTheImmersionAsTheCauseOfTheForce) {
     Pool::Options options;
     options.trace = true;
     Pool pool(options);
@@ -172,7 +172,7 @@ TEST(BuoyancyEffect, TheNumberOfParticlesIsAPropertyOfTheWorld) {
     EXPECT_LT(std::abs(force(256) - exact), std::abs(force(4) - exact));
 }
 
-TEST(BuoyancyEffect, BitsDependOnNoThread) {
+TEST(BuoyancyEffect, BitsDoNotDependOnThreads) {
     for (char const* detail : {"exact", "particles"}) {
         std::vector<std::uint64_t> hashes;
         for (int const threads : {1, 2, 3, 8}) {
@@ -194,7 +194,7 @@ TEST(BuoyancyEffect, BitsDependOnNoThread) {
     }
 }
 
-TEST(BuoyancyEffect, WhatIsDestroyedIsForgotten) {
+TEST(BuoyancyEffect, DestroyedObjectsAreRemoved) {
     Pool pool;
     ObjectId const water = pool.water();
     ObjectId const box = pool.body("box", boxPiece(0.4, 0.2), {0, 0}, 500);

@@ -20,7 +20,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Levels, Extremes, ::testing::Values("exact", "particles"),
                          [](auto const& info) { return info.param; });
 
-TEST_P(Extremes, AnyDensityStaysFiniteAndLightThingsDoNotFlyAway) {
+TEST_P(Extremes, AnyDensityStaysFiniteAndLightBodiesDoNotFlyAway) {
     Pool pool(options());
     pool.water();
     pool.fixed("floor", boxPiece(100, 1), {0, -12.5});
@@ -43,7 +43,8 @@ TEST_P(Extremes, AnyDensityStaysFiniteAndLightThingsDoNotFlyAway) {
             highest = std::max(highest, pool.at(id).y);
         }
     }
-    // From 3 m below, without any drag, a cork would reach 3 m times its lightness; with it, little.
+    // From a depth of 3 m a cork without drag would rise by 3 m times the ratio of the densities; with drag,
+    // only a little.
     EXPECT_LT(highest, 1.5);
     for (auto const& [id, ratio] : bodies) {
         if (ratio < 0.9) {
@@ -55,7 +56,7 @@ TEST_P(Extremes, AnyDensityStaysFiniteAndLightThingsDoNotFlyAway) {
     }
 }
 
-TEST_P(Extremes, WhatComesDownFastStopsInTheWater) {
+TEST_P(Extremes, AFastBodyStopsInTheWater) {
     Pool pool(options());
     pool.water();
     pool.fixed("floor", boxPiece(100, 4), {0, -52});
@@ -79,8 +80,8 @@ TEST_P(Extremes, WhatComesDownFastStopsInTheWater) {
 }
 
 TEST_P(Extremes, RandomHullsComeToRestInAnEquilibrium) {
-    // Wherever a body ends, its weight is what it displaces, and its centre of buoyancy is below, or above,
-    // its centre of mass.
+    // At rest, a body's weight is that of the displaced liquid, and its centre of buoyancy is vertically
+    // below or above its centre of mass.
     bool const ok = rc::check([] {
         Pool pool(options());
         Liquid thick;

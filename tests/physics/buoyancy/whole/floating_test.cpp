@@ -35,7 +35,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Levels, Floating, ::testing::Values("exact", "particles"),
                          [](auto const& info) { return info.param; });
 
-TEST_P(Floating, BoxesFindTheirDraught) {
+TEST_P(Floating, BoxesSettleAtTheirDraught) {
     Pool pool(options());
     Liquid calm;
     calm.linearDrag = 3;
@@ -56,7 +56,7 @@ TEST_P(Floating, BoxesFindTheirDraught) {
     }
 }
 
-TEST_P(Floating, CirclesAndCapsulesFindTheirDraught) {
+TEST_P(Floating, CirclesAndCapsulesSettleAtTheirDraught) {
     Pool pool(options());
     Liquid calm;
     calm.linearDrag = 3;
@@ -71,7 +71,7 @@ TEST_P(Floating, CirclesAndCapsulesFindTheirDraught) {
         std::string const name = std::to_string(ratio);
         ObjectId const ball = pool.world->store().find("ball " + name);
         EXPECT_NEAR(0.3 - pool.at(ball).y, draughtOfCircle(0.3, ratio), exact() ? 3e-4 : 6e-3) << ratio;
-        // Of a capsule on its side: box and circle at one depth.
+        // A capsule on its side: box and circle at the same depth.
         ObjectId const capsule = pool.world->store().find("capsule " + name);
         double const depth = 0.2 - pool.at(capsule).y;
         double const c = 1 - depth / 0.2;
@@ -80,7 +80,7 @@ TEST_P(Floating, CirclesAndCapsulesFindTheirDraught) {
     }
 }
 
-TEST_P(Floating, TheMoonChangesNothingButTheTempo) {
+TEST_P(Floating, OnTheMoonOnlyForcesAndPeriodsDiffer) {
     // Draught does not depend on gravity; force and period do.
     std::array<double, 2> draughts{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -121,7 +121,7 @@ TEST_P(Floating, GravityMayPointAnywhere) {
     EXPECT_GT(pool.force(box).x, 0);
 }
 
-TEST_P(Floating, AnyLiquidWillDo) {
+TEST_P(Floating, BodiesFloatInAnyDenserLiquid) {
     // Iron floats on mercury, 7870 / 13546 of it below the surface; wood does not float on petrol's vapour.
     Pool pool(options());
     pool.liquid("mercury", boxPiece(4, 2), {0, -1}, 13546);
@@ -133,8 +133,8 @@ TEST_P(Floating, AnyLiquidWillDo) {
     EXPECT_LT(pool.at(wood).y, -50);
 }
 
-TEST_P(Floating, BetweenTwoLiquids) {
-    // Oil on water: a box of a density in between carries both; what it displaces of the two is its mass.
+TEST_P(Floating, ABodyFloatsBetweenTwoLiquids) {
+    // Oil on water: a box of a density in between carries both; the displaced mass of both is its mass.
     Pool pool(options());
     pool.liquid("water", boxPiece(20, 5), {0, -2.5}, 1000);
     pool.liquid("oil", boxPiece(20, 1), {0, 0.5}, 850);
@@ -145,10 +145,10 @@ TEST_P(Floating, BetweenTwoLiquids) {
     EXPECT_EQ(pool.world->find<Immersions>()->entries.size(), 2U);
 }
 
-TEST_P(Floating, DownATiltedSurfaceThingsSlide) {
-    // Across the surface the displaced mass is the ball's, as on a level one; along it nothing holds the ball
-    // but drag: g sin t = c v, with as much liquid displaced as there is mass, and v the velocity of what is
-    // immersed (the ball turns, too, as only its lower half is held back).
+TEST_P(Floating, BodiesSlideDownATiltedSurface) {
+    // Across the surface the displaced mass is the ball's, as on a level one. Along it only drag holds the
+    // ball: g sin t = c v, as the displaced mass is the ball's; v is the velocity of the immersed part (the
+    // ball also turns, because only its lower half is held back).
     double const tilt = 20 * pi / 180;
     Liquid slow;
     slow.linearDrag = 2;

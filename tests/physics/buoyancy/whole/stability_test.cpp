@@ -18,7 +18,7 @@ double metacentricHeight(double b, double h, double r) {
     return draught / 2 + b * b / (12 * draught) - h / 2;
 }
 
-TEST(Stability, ALoadOffTheMiddleHeelsABoxByTheWallSidedFormula) {
+TEST(Stability, AnEccentricLoadHeelsABoxByTheWallSidedFormula) {
     // A small dense weight is fastened to the deck, out of the water. While neither deck nor bottom crosses
     // the surface, the righting arm is sin a (GM + BM/2 tan² a), and the heeling arm is the common centre of
     // mass's distance from the middle times cos a.
@@ -56,7 +56,7 @@ TEST(Stability, ALoadOffTheMiddleHeelsABoxByTheWallSidedFormula) {
             (righting < aside * std::cos(a) ? low : high) = a;
         }
         ASSERT_LT(beam / 2 * std::tan(std::abs(low)), std::min(draught, height - draught)) << "wall-sided";
-        ASSERT_GT(std::abs(low), 0.03) << "a heel that can be measured";
+        ASSERT_GT(std::abs(low), 0.03) << "the heel must be large enough to measure";
         EXPECT_NEAR(pool.angle(box), -low, 0.01 * std::abs(low)) << offset;
     }
 }
@@ -66,7 +66,7 @@ struct Oscillation {
     double growth = 0; // of the amplitude, from the first to the last quarter
 };
 
-// Period from the crossings of the mean, sharpened by linear interpolation; growth from the extremes.
+// The period follows from the crossings of the mean, with linear interpolation; the growth from the extremes.
 Oscillation oscillationOf(std::vector<double> const& values) {
     double mean = 0;
     for (double const value : values) {
@@ -97,7 +97,7 @@ Pool::Options wakeful() {
 }
 
 TEST(Stability, SmallHeaveHasThePeriodOfItsDraught) {
-    // ω² = ρ g b d / m = g / T for whatever has vertical sides.
+    // ω² = ρ g b d / m = g / T for bodies with vertical sides.
     for (double const ratio : {0.2, 0.5, 0.8}) {
         double const height = 0.3;
         Pool pool(wakeful());
@@ -137,9 +137,9 @@ TEST(Stability, SmallRollHasThePeriodOfItsMetacentricHeight) {
     }
 }
 
-TEST(Stability, LookingAheadIsWhatKeepsAnOscillationFromGrowing) {
-    // A force that stands for n frames lags by half of that, which feeds the heave at a rate of ω² t / 4
-    // (1 - 1/N), N being the number of substeps in the time t.
+TEST(Stability, OscillationsGrowUnlessForcesLookAhead) {
+    // A force that is held for n frames (the time t) lags by half of that, so the heave grows at a rate of ω²
+    // t / 4 (1 - 1/N), with N substeps in the time t.
     constexpr int substeps = 4;
     for (int const period : {1, 2, 4}) {
         std::array<double, 2> growth{};
@@ -147,7 +147,7 @@ TEST(Stability, LookingAheadIsWhatKeepsAnOscillationFromGrowing) {
             Pool::Options options = wakeful();
             options.buoyancy.lookAhead = ahead;
             options.period = period;
-            options.solver.substeps = substeps; // else it would get one step, as long as the force stands
+            options.solver.substeps = substeps; // else it would get one step for the time of the force
             Pool pool(options);
             pool.water(ideal);
             ObjectId const box = pool.body("box", boxPiece(0.9, 0.6), {0, 0.004}, 500);
@@ -166,8 +166,8 @@ TEST(Stability, LookingAheadIsWhatKeepsAnOscillationFromGrowing) {
     }
 }
 
-TEST(Stability, WhatIsTallAndNarrowFallsOver) {
-    // GM is negative: it must end on its side, whichever way it falls.
+TEST(Stability, ATallNarrowBodyFallsOver) {
+    // GM is negative: it must end on one of its sides.
     ASSERT_LT(metacentricHeight(0.2, 0.8, 0.5), 0);
     for (double const tilt : {0.01, -0.01}) {
         Pool pool;
@@ -180,7 +180,7 @@ TEST(Stability, WhatIsTallAndNarrowFallsOver) {
     }
 }
 
-TEST(Stability, ASquareLogFloatsAskew) {
+TEST(Stability, ASquareLogFloatsTilted) {
     // The classical case: a square log of relative density 1/2 is unstable with level sides and floats on its
     // edge, turned by 45 degrees; one of relative density 0.1 stays level (GM = a (1/(12 r) - (1 - r)/2) >
     // 0).

@@ -1,5 +1,5 @@
-// The bodies of an engine follow the columns: who is added, in which order, who is refused and why, and what
-// makes a body out of date.
+// The bodies of an engine follow the columns: which are added, in which order, which are refused and why, and
+// which changes make a body out of date.
 #include "physics/dynamics/core/bodies.hpp"
 #include "tests/physics/dynamics/core/hand_columns.hpp"
 #include "tests/physics/dynamics/core/recording_engine.hpp"
@@ -62,20 +62,20 @@ TEST(BodyTable, MotionIsThatOfTheCentreOfMass) {
     EXPECT_NEAR(length(worldCentre(body, {5, 7}, std::acos(-1.0) / 2) - Vec2{5, 15}), 0, 1e-12);
     EXPECT_TRUE(engine.placed.empty());
     bodies.followMotion(columns.view(), engine);
-    EXPECT_TRUE(engine.placed.empty()) << "it is there already";
+    EXPECT_TRUE(engine.placed.empty()) << "it is at its place already";
     columns.position.set(id, Position{{5, 8}});
     bodies.followMotion(columns.view(), engine);
     EXPECT_EQ(engine.placed, std::vector<SlotIndex>{0});
     EXPECT_NEAR(engine.at[0].centre.y, 16, 1e-12);
     columns.velocity.set(id, Velocity{{std::nan(""), 0}});
     bodies.followMotion(columns.view(), engine);
-    EXPECT_EQ(engine.placed.size(), 1U) << "nobody is put where no body can be";
+    EXPECT_EQ(engine.placed.size(), 1U) << "an invalid place is refused";
 }
 
-TEST(BodyTable, WhatNoEngineCouldHoldIsRefusedByName) {
+TEST(BodyTable, InvalidBodiesAreRefusedByName) {
     struct Case {
         std::function<void(HandColumns&, ObjectId)> change;
-        char const* says; ///< nullptr: it is taken
+        char const* says; ///< nullptr: it is accepted
     };
     double const nan = std::nan("");
     auto const massOf = [](double kilograms) {
@@ -116,7 +116,7 @@ TEST(BodyTable, WhatNoEngineCouldHoldIsRefusedByName) {
         {[](HandColumns& c, ObjectId id) { c.position.remove(id); }, "a shape but no place"},
         {[](HandColumns& c, ObjectId id) { c.velocity.remove(id); }, "it can move but has no rotation"},
         {[](HandColumns& c, ObjectId id) { c.shape.set(id, Shape{{circlePiece(0)}}); }, "radius is 0"},
-        // Nothing moves what is fixed, so its mass is nobody's business.
+        // Nothing moves a fixed body, so its mass is not passed to the engine.
         {[](HandColumns& c, ObjectId id) {
              c.fixed.set(id, {});
              c.mass.set(id, Mass{-1});
@@ -133,7 +133,7 @@ TEST(BodyTable, WhatNoEngineCouldHoldIsRefusedByName) {
         BodyTable bodies;
         RecordingEngine engine;
         auto const refusals = add(bodies, columns, engine);
-        EXPECT_NE(bodies.slotOf(sound), noSlot) << "the rest goes on";
+        EXPECT_NE(bodies.slotOf(sound), noSlot) << "the other bodies are kept";
         EXPECT_EQ(bodies.slotOf(changed) == noSlot, cases[i].says != nullptr) << i;
         ASSERT_EQ(refusals.size(), cases[i].says != nullptr ? 1U : 0U) << i;
         if (!refusals.empty()) {
@@ -143,7 +143,7 @@ TEST(BodyTable, WhatNoEngineCouldHoldIsRefusedByName) {
     }
 }
 
-TEST(BodyTable, LiquidsAreNoBodies) {
+TEST(BodyTable, LiquidsAreNotBodies) {
     HandColumns columns;
     ObjectId const id = columns.body(0);
     columns.liquid.set(id, {});
@@ -158,7 +158,7 @@ TEST(BodyTable, LiquidsAreNoBodies) {
     EXPECT_EQ(bodies.outdated(columns.view()), std::vector<SlotIndex>{0});
 }
 
-TEST(BodyTable, WhateverABodyIsMadeFromMakesItOutOfDateAndItsPlaceDoesNot) {
+TEST(BodyTable, ChangesOfAnyPropertyExceptThePlaceMakeABodyOutOfDate) {
     struct Case {
         std::function<void(HandColumns&, ObjectId)> change;
         bool outdates;
@@ -207,7 +207,7 @@ TEST(BodyTable, WhateverABodyIsMadeFromMakesItOutOfDateAndItsPlaceDoesNot) {
     }
 }
 
-TEST(BodyTable, SlotsAreUsedAgainAndWhoStandsStillIsFixed) {
+TEST(BodyTable, SlotsAreUsedAgainAndHaltedBodiesAreFixed) {
     HandColumns columns;
     ObjectId const first = columns.body(0);
     ObjectId const second = columns.body(1);
@@ -227,7 +227,7 @@ TEST(BodyTable, SlotsAreUsedAgainAndWhoStandsStillIsFixed) {
     EXPECT_FALSE(bodies.moves(0));
     EXPECT_TRUE(engine.specs[0].fixed);
     EXPECT_TRUE(bodies.moves(bodies.slotOf(second)));
-    EXPECT_TRUE(bodies.outdated(columns.view()).empty()) << "it stands still for good";
+    EXPECT_TRUE(bodies.outdated(columns.view()).empty()) << "it stands still from then on";
 }
 
 TEST(BodyTable, RowsAreFoundAgainWhenColumnsHaveChanged) {

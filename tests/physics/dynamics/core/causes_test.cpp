@@ -19,7 +19,7 @@ struct ReadsCauses final : Interaction<ReadsCauses, DynamicsRole, Reads<MotionCa
     void apply(Access&) {}
 };
 
-// What led to the first event of that name that is about both objects: "what of whom".
+// The causes of the first event of that name that concerns both objects, as "event of object".
 std::set<std::string> chainOf(Scene const& scene, std::string const& what,
                               std::set<std::string> const& objects) {
     Tracer const& tracer = *scene.world->tracer();
@@ -31,7 +31,7 @@ std::set<std::string> chainOf(Scene const& scene, std::string const& what,
             for (EventId const id : tracer.chain(event.id)) {
                 Event const& cause = *tracer.find(id);
                 std::string const name = cause.event.starts_with("contact") && !cause.event.ends_with("ended")
-                                             ? "contact" // begun, or brief
+                                             ? "contact" // "contact begun" or "contact brief"
                                              : cause.event;
                 chain.insert(name + " of " + cause.objects[0]);
             }
@@ -59,7 +59,7 @@ TEST_P(Causes, LeadThroughARowOfImpactsToTheFirstPush) {
     EXPECT_EQ(chainOf(scene, "contact begun", {"first", "second"}).size(), 2U);
 }
 
-TEST_P(Causes, PassThroughJointsAndThroughWhatLiesOn) {
+TEST_P(Causes, PassThroughJointsAndThroughRestingContacts) {
     Scene scene({.trace = true});
     scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
     scene.fixed("wall", boxPiece(0.5, 3), {3.5, 1.5});
@@ -106,7 +106,7 @@ TEST_P(Causes, OfEveryBodyCanBeReadAndAreFew) {
     EXPECT_TRUE(causes.of(ObjectId{}).empty());
 }
 
-TEST_P(Causes, EndsAreToldToo) {
+TEST_P(Causes, IncludeThoseOfEndsOfContacts) {
     Scene scene({.trace = true});
     scene.gravity = 0;
     ObjectId const a = scene.body("a", circlePiece(0.1), {0, 0});
@@ -117,7 +117,7 @@ TEST_P(Causes, EndsAreToldToo) {
     scene.run(30);
     std::set<std::string> const chain = chainOf(scene, "contact ended", {"a", "b"});
     EXPECT_TRUE(chain.contains("contact of a"));
-    if (!on("ode")) { // which drives apart by itself what has overlapped
+    if (!on("ode")) { // ODE itself separates bodies that have overlapped
         EXPECT_TRUE(chain.contains("addImpulse of a"));
     }
 }

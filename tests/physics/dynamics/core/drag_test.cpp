@@ -20,7 +20,7 @@ double anyPower(double from, double to) {
     return std::pow(10, anyBetween(from, to));
 }
 
-/// One resistance at one point, as the sum of two along directions across each other.
+/// One resistance at one point, as the sum of two along perpendicular directions.
 struct Paddle {
     Vec2 arm;
     double xx = 0;
@@ -41,7 +41,7 @@ Paddle anyPaddle(double orders) {
             anyPower(-orders, orders)};
 }
 
-/// The force and the torque about the centre that a moving body feels, paddle by paddle.
+/// The force and the torque about the centre on a moving body, summed over the paddles.
 Twist resistanceTo(std::vector<Paddle> const& paddles, Vec2 v, double spin) {
     Twist sum;
     for (Paddle const& paddle : paddles) {
@@ -77,7 +77,7 @@ TEST(Drag, ImpulseIsThatOfTheVelocityAfterwards) {
                              h * std::abs(felt.angular);
         RC_ASSERT(length(impulse.linear - h * felt.linear) <= 1e-6 * scale);
         RC_ASSERT(std::abs(impulse.angular - h * felt.angular) <= 1e-6 * scale);
-        // It takes energy, and no more than there is.
+        // It removes energy, but not more than the body has.
         auto const energy = [&](Vec2 momentum, double turning) {
             return lengthSquared(momentum) / mass + turning * turning / inertia;
         };
@@ -86,7 +86,7 @@ TEST(Drag, ImpulseIsThatOfTheVelocityAfterwards) {
     }));
 }
 
-TEST(Drag, HoweverGreatItStopsABodyAndNeverTurnsItBack) {
+TEST(Drag, OfAnyStrengthStopsABodyAndNeverReversesIt) {
     for (double const coefficient : {1e3, 1e9, maximumDrag}) {
         Drag drag;
         drag.add({}, coefficient, 0, coefficient, coefficient);
@@ -105,8 +105,8 @@ TEST(Drag, HoweverGreatItStopsABodyAndNeverTurnsItBack) {
     EXPECT_EQ(none.angular, 0);
 }
 
-// Positive semidefinite or not, by the least eigenvalue.
-TEST(Drag, AMatrixThatWouldAccelerateIsNoResistance) {
+// Whether it is positive semidefinite, by the least eigenvalue.
+TEST(Drag, RefusesMatricesThatWouldAccelerate) {
     EXPECT_TRUE(rc::check("the eigenvalues of a symmetric 2 by 2 matrix", [] {
         double const xx = anyBetween(-1, 5);
         double const yy = anyBetween(-1, 5);
@@ -137,19 +137,20 @@ TEST(DraggedBody, FallsAtTheSpeedAtWhichDragCarriesTheWeight) {
         double worst = 0;
         for (int i = 0; i < 8000; ++i) {
             Twist const impulse = body.before(mass, 1, {{0, momentum}, 0}, {{0, weight * h}, 0}, h);
-            momentum += impulse.linear.y + weight * h; // nothing else acts on it
+            momentum += impulse.linear.y + weight * h; // no other forces
             body.after({{0, momentum}, 0});
             exact = weight / coefficient * (1 - std::exp(-coefficient / mass * h * (i + 1)));
             worst = std::max(worst, std::abs(momentum / mass - exact));
         }
         double const last = weight / coefficient;
         EXPECT_NEAR(momentum / mass, last, 1e-3 * std::abs(last)) << coefficient;
-        EXPECT_LE(worst, 0.5 * 9.81 * h + 1e-9) << "within half a substep's speed on the way";
+        EXPECT_LE(worst, 0.5 * 9.81 * h + 1e-9)
+            << "while accelerating, within half a substep's change of speed";
     }
 }
 
-// What lies still on the ground bears its load without any of the drag that a fall would meet.
-TEST(DraggedBody, FeelsNoDragOfALoadThatIsTakenUp) {
+// A body at rest on the ground has no drag, although its load would accelerate a falling one.
+TEST(DraggedBody, HasNoDragFromALoadThatTheGroundCarries) {
     DraggedBody body;
     body.drag.add({}, 40, 0, 40, 1);
     double const h = 1.0 / 240;
@@ -159,10 +160,10 @@ TEST(DraggedBody, FeelsNoDragOfALoadThatIsTakenUp) {
         double const drag = std::abs(body.before(2, 1, {}, load, h).linear.y);
         EXPECT_LT(drag, 0.1 * before) << i;
         before = drag;
-        body.after({}); // the ground has taken it up: it stands
+        body.after({}); // the ground carries the load: the body is at rest
     }
     EXPECT_LT(before, 1e-14 * 20 * h);
-    // A push of the ground beyond the load is a movement, which meets its drag.
+    // A push of the ground beyond the load moves the body, so there is drag.
     Twist const pushed = body.before(2, 1, {{0, 3}, 0}, load, h);
     EXPECT_LT(pushed.linear.y, 0);
 }

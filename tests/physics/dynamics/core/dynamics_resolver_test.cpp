@@ -9,10 +9,10 @@ constexpr DynamicsEngine notThere{.text{.name = "No Dynamics",
                                         .effect = "dynamics",
                                         .level = "absent",
                                         .work = "Nothing.",
-                                        .rank = -1}, // the cheapest, and yet it must not be picked
+                                        .rank = -1}, // the cheapest, but it must not be picked
                                   .missing = "this program was built without it"};
 
-TEST(EngineChoice, OneThatIsNotThereIsRefusedAndTheRestGoesOn) {
+TEST(EngineChoice, AMissingOneIsRefusedAndTheOthersWork) {
     Registry registry;
     registerScene(registry);
     registry.component<DynamicsResolver>(notThere);

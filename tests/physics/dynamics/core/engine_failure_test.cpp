@@ -43,8 +43,8 @@ Joint between(ObjectId a, ObjectId b, JointForm form) {
     return joint;
 }
 
-// A stiff spring between a polygon and what slides on a line: Chipmunk used to abort on a place that is no
-// number.
+// A stiff spring between a polygon and a body on a slider: Chipmunk used to abort on a place that was not
+// finite.
 void stiffSpring(Scene& scene) {
     ObjectId const polygon = scene.body("polygon", polygonPiece({{-1, -1}, {1, -1}, {0, 1}}), {0, 3});
     ObjectId const slide = scene.body("slide", circlePiece(30), {3, 0});
@@ -75,7 +75,7 @@ void ropeAndWeld(Scene& scene) {
     scene.fixed("floor", boxPiece(10, 1), {0, 0});
 }
 
-TEST_P(EngineFailures, AStiffSpringOnASliderEndsNoProgram) {
+TEST_P(EngineFailures, AStiffSpringOnASliderDoesNotEndTheProgram) {
     Scene scene;
     stiffSpring(scene);
     for (int frame = 0; frame < 120; ++frame) {
@@ -84,7 +84,7 @@ TEST_P(EngineFailures, AStiffSpringOnASliderEndsNoProgram) {
     }
 }
 
-TEST_P(EngineFailures, ARopeAndAWeldOnAFeatherEndNoProgram) {
+TEST_P(EngineFailures, ARopeAndAWeldOnAFeatherDoNotEndTheProgram) {
     Scene scene;
     ropeAndWeld(scene);
     for (int frame = 0; frame < 120; ++frame) {
@@ -105,7 +105,7 @@ TEST_P(EngineFailures, AHundredBoxesInOnePlaceAreMovedInBoundedSteps) {
     }
 }
 
-// Things that a level may state, at the ends of their ranges.
+// Values that a level may state, at the ends of their ranges.
 double extreme(std::initializer_list<double> values) {
     return *rc::gen::elementOf(std::vector<double>(values));
 }
@@ -184,7 +184,7 @@ void extremeScene(Scene& scene) {
     }
 }
 
-TEST_P(EngineFailures, WorldsAtTheEndsOfAllRangesGoOn) {
+TEST_P(EngineFailures, WorldsAtTheEndsOfAllRangesContinue) {
     EXPECT_TRUE(rc::check([] {
         Scene scene({.solver = {.substeps = *rc::gen::element(0, 1, 4)}});
         scene.gravity = extreme({0, 9.81, 1e3});
@@ -197,8 +197,8 @@ TEST_P(EngineFailures, WorldsAtTheEndsOfAllRangesGoOn) {
     }));
 }
 
-// Whatever an engine says, it says in the world's state, and in the trace; and then the other one computes.
-TEST_P(EngineFailures, AreToldAndAreTheSameEveryTime) {
+// A failure is reported in the world's state and in the trace, and the other engine continues.
+TEST_P(EngineFailures, AreReportedAndReproducible) {
     std::vector<Vec2> paths[2];
     for (auto& path : paths) {
         Scene scene({.trace = true});

@@ -57,12 +57,12 @@ TEST_P(Hinge, HoldsTheLinksOfAChainTogether) {
                 worst, length(pointOf(scene, links[i], {-0.2, 0}) - pointOf(scene, links[i - 1], {0.2, 0})));
         }
     }
-    // The others correct errors of place less thoroughly: docs/engines.md.
+    // The other engines correct position errors less thoroughly: docs/engines.md.
     EXPECT_LT(worst, on("box2d") ? 3e-3 : on("chipmunk") ? 8e-3 : 15e-3);
-    EXPECT_LT(scene.at(links.back()).y, -1); // it did swing
+    EXPECT_LT(scene.at(links.back()).y, -1); // it must have swung
 }
 
-TEST_P(Hinge, MotorReachesItsSpeedAndTurnsTheWayItSays) {
+TEST_P(Hinge, MotorReachesItsSpeedInItsDirection) {
     for (double const speed : {3.0, -7.0}) {
         Scene scene;
         ObjectId const disc = scene.body("disc", circlePiece(0.3), {1, 1});
@@ -73,11 +73,11 @@ TEST_P(Hinge, MotorReachesItsSpeedAndTurnsTheWayItSays) {
         scene.joint("axle", joint);
         scene.run(120);
         EXPECT_NEAR(scene.spin(disc), speed, 1e-3);
-        EXPECT_EQ(scene.dynamics(), Activity::active); // what runs never falls asleep, however slowly
+        EXPECT_EQ(scene.dynamics(), Activity::active); // a running motor never falls asleep, however slow
     }
 }
 
-TEST_P(Hinge, MotorGivesNoMoreThanItsStrength) {
+TEST_P(Hinge, MotorTorqueIsLimitedToItsStrength) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const disc = scene.body("disc", circlePiece(0.3), {0, 0});
@@ -122,7 +122,7 @@ TEST_P(Hinge, LimitsStopItOnBothSides) {
     EXPECT_NEAR(scene.angle(door), 0.3, 0.01);
 }
 
-TEST_P(Hinge, CountsFromWhereItWasMadeAndAsSeenFromB) {
+TEST_P(Hinge, AngleIsCountedFromTheInitialPoseAndRelativeToB) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const base = scene.body("base", boxPiece(1, 1), {0, 0}, 1.2);
@@ -157,7 +157,7 @@ TEST_P(Weld, KeepsTwoBodiesInTheSamePose) {
     EXPECT_GT(std::abs(scene.angle(a)), 4);
 }
 
-TEST_P(Slider, RunsAlongItsAxisOnly) {
+TEST_P(Slider, MovesAlongItsAxisOnly) {
     double const slope = -0.5;
     Scene scene;
     ObjectId const cart = scene.body("cart", boxPiece(0.4, 0.2), {0, 0});
@@ -212,7 +212,7 @@ TEST_P(Distance, KeepsItsLengthWhileSwinging) {
     }
 }
 
-TEST_P(Distance, ALengthThatIsStatedIsTakenUp) {
+TEST_P(Distance, TakesOnAStatedLength) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const a = scene.ball({1, 0});
@@ -333,7 +333,7 @@ TEST_P(Wheel, SagsOnItsSpringAndTurnsFreely) {
     }
 }
 
-TEST_P(Joints, TiedObjectsCollideOnlyIfTheySaySo) {
+TEST_P(Joints, JoinedObjectsCollideOnlyIfStated) {
     for (bool const collide : {false, true}) {
         Scene scene;
         scene.gravity = 0;

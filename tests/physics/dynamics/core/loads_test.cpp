@@ -1,4 +1,4 @@
-// Sums of forces on bodies: what reaches the engine, and which changes wake a sleeper.
+// Sums of forces on bodies: the loads passed to the engine, and the changes that wake a sleeping body.
 #include "physics/dynamics/core/loads.hpp"
 #include "tests/physics/dynamics/core/recording_engine.hpp"
 
@@ -49,7 +49,7 @@ private:
     LoadTable loads_;
 };
 
-TEST(LoadTable, AddsUpForcesAndTorquesBodyByBody) {
+TEST(LoadTable, AddsUpForcesAndTorquesForEachBody) {
     LoadTable loads;
     RecordingEngine engine;
     std::vector<Body> bodies{bodyOf(2, 0.5), bodyOf(1, 1, true), bodyOf(3, 2), Body{}};
@@ -63,9 +63,9 @@ TEST(LoadTable, AddsUpForcesAndTorquesBodyByBody) {
     EXPECT_EQ(engine.loads[0].force, (Vec2{-3, 3}));
     EXPECT_EQ(engine.loads[0].torque, 3.5);
     EXPECT_EQ(engine.loads[1].force, (Vec2{})) << "fixed";
-    EXPECT_EQ(engine.loads[2].force, (Vec2{})) << "nothing pulls";
-    EXPECT_EQ(engine.loads[3].force, (Vec2{})) << "nobody's slot";
-    EXPECT_EQ(loads.sums()[0].gross, 8) << "of all forces, whichever way they point";
+    EXPECT_EQ(engine.loads[2].force, (Vec2{})) << "no forces";
+    EXPECT_EQ(engine.loads[3].force, (Vec2{})) << "a free slot";
+    EXPECT_EQ(loads.sums()[0].gross, 8) << "the sum of the forces' magnitudes";
     EXPECT_TRUE(engine.drags.empty());
     loads.clear(4);
     loads.addDrag(2, {}, 5, 0, 6, 7);
@@ -78,10 +78,10 @@ TEST(LoadTable, AddsUpForcesAndTorquesBodyByBody) {
     EXPECT_FALSE(engine.drags[0].any());
     loads.clear(4);
     loads.apply(bodies, engine);
-    EXPECT_TRUE(engine.drags.empty()) << "the sum of the last time is not kept";
+    EXPECT_TRUE(engine.drags.empty()) << "earlier sums are not kept";
 }
 
-TEST(LoadTable, ForcesBeyondReasonAreCutDownInTheirDirection) {
+TEST(LoadTable, ExcessiveForcesAreLimitedWithoutChangingTheirDirection) {
     std::vector<Body> const bodies{bodyOf(2, 0.5)};
     auto const bounded = [&](Vec2 force, double torque) {
         LoadTable loads;
@@ -107,16 +107,17 @@ TEST(LoadTable, ForcesBeyondReasonAreCutDownInTheirDirection) {
     EXPECT_EQ(plain.torque, 4e5);
 }
 
-// A five-hundredth of all forces, 40 of the 20000 mN here, or what would take a quarter of an hour.
-TEST(LoadTable, ASleeperWakesWhenItsLoadHasChangedByAFiveHundredth) {
+// A five-hundredth of all forces, here 40 of 20000 mN, or a force whose effect would take a quarter of an
+// hour.
+TEST(LoadTable, ASleepingBodyWakesWhenItsLoadChangesByAFiveHundredth) {
     Sleeper sleeper;
     EXPECT_FALSE(sleeper.wakesUnder({0, -20}, {}, 3)) << "the same";
     EXPECT_FALSE(sleeper.wakesUnder({0, -20}, {0.039, 0}, 3));
     EXPECT_TRUE(sleeper.wakesUnder({0, -20}, {0.045, 0}, 3));
     EXPECT_FALSE(sleeper.wakesUnder({0, -20.039}, {}, 3));
     EXPECT_TRUE(sleeper.wakesUnder({0, -20.045}, {}, 3));
-    EXPECT_TRUE(sleeper.wakesUnder({}, {}, 0)) << "everything gone";
-    // Of forces that cancel, a five-hundredth is more.
+    EXPECT_TRUE(sleeper.wakesUnder({}, {}, 0)) << "all forces removed";
+    // If forces cancel, a five-hundredth of their magnitudes is more.
     EXPECT_FALSE(sleeper.wakesUnder({0, -120}, {0, 100.1}, 3));
     EXPECT_TRUE(sleeper.wakesUnder({0, -120}, {0, 101}, 3));
     // Torques: a five-hundredth of the torque, and of the forces at the radius of gyration, 0.5 m.
@@ -125,7 +126,7 @@ TEST(LoadTable, ASleeperWakesWhenItsLoadHasChangedByAFiveHundredth) {
     EXPECT_TRUE(sleeper.wakesUnder({0, -20}, {}, -3));
 }
 
-TEST(LoadTable, WhoIsAwakeIsNotWokenAndWhoFellAsleepRemembersThatLoad) {
+TEST(LoadTable, AwakeBodiesAreNotWokenAndSleepingOnesKeepTheLoadOfFallingAsleep) {
     std::vector<Body> const bodies{bodyOf(2, 0.5)};
     LoadTable loads;
     RecordingEngine engine;
@@ -142,14 +143,14 @@ TEST(LoadTable, WhoIsAwakeIsNotWokenAndWhoFellAsleepRemembersThatLoad) {
     EXPECT_FALSE(apply(5));
     EXPECT_FALSE(apply(50)) << "it is awake";
     engine.isAwake = {0};
-    EXPECT_FALSE(apply(7)) << "in this step it falls asleep, under 7 N";
+    EXPECT_FALSE(apply(7)) << "it falls asleep in this step, under 7 N";
     engine.hasMoved.clear();
     EXPECT_FALSE(apply(7));
     EXPECT_TRUE(apply(8));
-    EXPECT_FALSE(apply(7)) << "a load that was tried in between changes nothing";
+    EXPECT_FALSE(apply(7)) << "loads tested in between have no influence";
 }
 
-TEST(LoadTable, ChangedMuchComparesWithWhenItWasLastTrue) {
+TEST(LoadTable, ChangedMuchComparesWithTheSumsWhenItWasLastTrue) {
     LoadTable loads;
     auto const with = [&](std::vector<double> const& forces) {
         loads.clear(forces.size());
@@ -158,14 +159,14 @@ TEST(LoadTable, ChangedMuchComparesWithWhenItWasLastTrue) {
         }
         return loads.changedMuch();
     };
-    EXPECT_TRUE(with({8})) << "from nothing";
+    EXPECT_TRUE(with({8})) << "a first load";
     EXPECT_FALSE(with({8}));
     EXPECT_FALSE(with({8.5}));
     EXPECT_FALSE(with({9})) << "an eighth of 9 is more than 1";
-    EXPECT_TRUE(with({9.2})) << "little by little is much in the end";
+    EXPECT_TRUE(with({9.2})) << "small changes add up";
     EXPECT_TRUE(with({9.2, 1})) << "a new body with a load";
     EXPECT_FALSE(with({9.2, 1, 0})) << "one without";
-    EXPECT_TRUE(with({9.2})) << "bodies went";
+    EXPECT_TRUE(with({9.2})) << "bodies were removed";
     EXPECT_TRUE(with({-9.2}));
 }
 

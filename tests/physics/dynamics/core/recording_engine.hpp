@@ -1,4 +1,4 @@
-// An engine that moves nothing: it records every call, and reports what a test writes into it.
+// An engine that moves nothing: it records every call, and returns the data that a test has set.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -56,7 +56,7 @@ public:
     std::vector<Step> steps;
     std::vector<SlotIndex> hasLost;
 
-    std::map<SlotIndex, BodySpec> specs; ///< without their shapes, which live while they are added only
+    std::map<SlotIndex, BodySpec> specs; ///< without their shapes, which exist only during add()
     std::map<SlotIndex, Shape> shapes;
     std::map<SlotIndex, Motion> at;
     std::vector<ObjectId> added;

@@ -1,4 +1,4 @@
-// Dynamics around an engine: with which settings it is called, and what happens where it cannot go on.
+// Dynamics around an engine: the settings for its calls, and the behaviour after its failure.
 #include "physics/dynamics/core/simulation.hpp"
 #include "runtime/component/component.hpp"
 #include "tests/physics/dynamics/core/hand_columns.hpp"
@@ -62,7 +62,7 @@ protected:
     std::vector<Refusal> refused;
 };
 
-TEST_F(SimulationTest, WhereEverybodyRestsTheEngineIsNotCalled) {
+TEST_F(SimulationTest, TheEngineIsNotCalledIfAllBodiesRest) {
     static_cast<void>(columns.body(0));
     EXPECT_TRUE(step());
     EXPECT_EQ(latest()->steps.size(), 1U);
@@ -73,7 +73,7 @@ TEST_F(SimulationTest, WhereEverybodyRestsTheEngineIsNotCalled) {
     EXPECT_EQ(made().size(), 1U) << "one engine for all frames";
 }
 
-TEST_F(SimulationTest, StatedSubstepsAreThoseOfAFrameAndAPartHasItsShare) {
+TEST_F(SimulationTest, StatedSubstepsAreDividedAmongTheParts) {
     static_cast<void>(columns.body(0));
     DynamicsSettings stated;
     stated.substeps = 6;
@@ -98,7 +98,7 @@ TEST_F(SimulationTest, StatedSubstepsAreThoseOfAFrameAndAPartHasItsShare) {
 }
 
 // Within a step no body may move by more than 2 units of Box2D, nor turn by more than a quarter.
-TEST_F(SimulationTest, WhatIsFastGetsSubstepsInWhichItDoesNotGoTooFar) {
+TEST_F(SimulationTest, FastBodiesGetSubstepsThatLimitTheirMotion) {
     EXPECT_TRUE(rc::check("neither farther nor wider than Box2D allows", [&] {
         HandColumns scene;
         Simulation fresh(first, "first level", standIn);
@@ -108,7 +108,7 @@ TEST_F(SimulationTest, WhatIsFastGetsSubstepsInWhichItDoesNotGoTooFar) {
             scene.velocity.set(id, Velocity{{speed(200), speed(200)}});
             scene.spin.set(id, AngularVelocity{speed(80)});
         }
-        // Neither a body that is fixed nor an object that is no body counts.
+        // Fixed bodies and objects without a body do not count.
         scene.fixed.set(scene.body(3), {});
         scene.velocity.set({3, 0}, Velocity{{9e3, 0}});
         scene.velocity.set({4, 0}, Velocity{{9e3, 0}});
@@ -127,13 +127,13 @@ TEST_F(SimulationTest, WhatIsFastGetsSubstepsInWhichItDoesNotGoTooFar) {
         }
         RC_ASSERT(with.substeps == 64 || fastest * h * with.scale <= 2);
         RC_ASSERT(with.substeps == 64 || widest * h <= std::acos(-1.0) / 2);
-        // And not many times as many as it takes.
+        // The number is not much greater than needed.
         RC_ASSERT(with.substeps <= 4 || fastest * h * with.scale > 0.4 || widest * h > 0.4);
         RC_ASSERT(fresh.choice().substeps == with.substeps);
     }));
 }
 
-TEST_F(SimulationTest, AnAutomaticUnitOfLengthStaysWhileAnythingMoves) {
+TEST_F(SimulationTest, AnAutomaticUnitOfLengthIsKeptWhileBodiesMove) {
     ObjectId const big = columns.body(0);
     columns.shape.set(big, Shape{{circlePiece(2)}});
     EXPECT_TRUE(step());
@@ -158,7 +158,7 @@ TEST_F(SimulationTest, AnAutomaticUnitOfLengthStaysWhileAnythingMoves) {
     EXPECT_EQ(latest()->added.size(), 9U);
 }
 
-TEST_F(SimulationTest, WhatIsNotSoundIsRefusedWhenItIsLookedAtAndNotInEveryFrame) {
+TEST_F(SimulationTest, InvalidObjectsAreRefusedOnceAndNotInEveryFrame) {
     static_cast<void>(columns.body(0));
     ObjectId const bad = columns.body(1);
     columns.mass.set(bad, Mass{-1});
@@ -166,12 +166,12 @@ TEST_F(SimulationTest, WhatIsNotSoundIsRefusedWhenItIsLookedAtAndNotInEveryFrame
     ASSERT_EQ(refused.size(), 1U);
     EXPECT_EQ(refused[0].object, bad);
     step();
-    EXPECT_TRUE(refused.empty()) << "nothing has changed";
+    EXPECT_TRUE(refused.empty()) << "refused again only after a change";
     static_cast<void>(columns.body(2));
     EXPECT_FALSE(simulation.loadsStale());
     refused = simulation.follow(columns.view());
     EXPECT_EQ(refused.size(), 1U);
-    EXPECT_TRUE(simulation.loadsStale()) << "a body has come";
+    EXPECT_TRUE(simulation.loadsStale()) << "a body was added";
     columns.mass.set(bad, Mass{1});
     step();
     EXPECT_TRUE(refused.empty());
@@ -190,7 +190,7 @@ TEST_F(SimulationTest, RatesAreTheGreatestOfBodiesThatMove) {
     simulation.noteRate({.object = {7, 0}, .rate = 100});
     simulation.noteRate({.object = a, .rate = std::numeric_limits<double>::infinity()});
     simulation.noteRate({.object = a, .rate = std::nan("")});
-    EXPECT_EQ(simulation.rates(), ForceRates{}) << "nobody who moves, or no number";
+    EXPECT_EQ(simulation.rates(), ForceRates{}) << "no movable body, or not a finite number";
     simulation.noteRate({.object = a, .rate = 5, .foreseen = false, .swings = true});
     simulation.noteRate({.object = b, .rate = 8, .foreseen = true, .swings = true});
     simulation.noteRate({.object = b, .rate = 9, .foreseen = true, .swings = false});
@@ -213,26 +213,26 @@ TEST_F(SimulationTest, AnEngineThatFailsIsReplacedAndThenBodiesStandStill) {
     EXPECT_EQ(simulation.state().gaveUp, "first level");
     EXPECT_EQ(simulation.state().why, "out of range");
     EXPECT_TRUE(simulation.state().stopped.empty());
-    EXPECT_FALSE(simulation.anyAwake()) << "there is no engine until the next follow()";
+    EXPECT_FALSE(simulation.anyAwake()) << "there is no engine before the next follow()";
     EXPECT_TRUE(step());
     EXPECT_EQ(made().back().by, "stand-in");
     EXPECT_EQ(latest()->added.size(), 3U);
-    // The stand-in loses one body: that one stands still.
+    // The replacement fails for one body: this body stands still.
     latest()->hasLost = {simulation.bodies().slotOf(b)};
     simulation.giveUp(EngineFailure("lost a body"));
     EXPECT_EQ(simulation.state().stopped, std::vector<ObjectId>{b});
-    EXPECT_EQ(simulation.state().why, "out of range") << "the first reason stays";
+    EXPECT_EQ(simulation.state().why, "out of range") << "the first reason is kept";
     EXPECT_TRUE(step());
     EXPECT_TRUE(latest()->specs[simulation.bodies().slotOf(b)].fixed);
     EXPECT_FALSE(latest()->specs[simulation.bodies().slotOf(a)].fixed);
-    // Nobody can say which: all of them do.
+    // Without knowing which body failed, all of them stand still.
     simulation.giveUp(EngineFailure("again"));
     EXPECT_EQ(simulation.state().stopped, (std::vector<ObjectId>{a, b, c}));
     static_cast<void>(simulation.follow(columns.view()));
     EXPECT_THROW(simulation.giveUp(EngineFailure("at rest")), std::runtime_error);
 }
 
-TEST_F(SimulationTest, GoesOnAsAnEarlierOneHadToLeaveIt) {
+TEST_F(SimulationTest, ContinuesFromTheStateOfAnEarlierOne) {
     ObjectId const a = columns.body(0);
     simulation.takeOver({.gaveUp = "first level", .why = "earlier", .stopped = {a}});
     step();
@@ -241,10 +241,10 @@ TEST_F(SimulationTest, GoesOnAsAnEarlierOneHadToLeaveIt) {
     Simulation other(first, "another level", standIn);
     other.takeOver({.gaveUp = "first level", .why = "earlier", .stopped = {}});
     static_cast<void>(other.follow(columns.view()));
-    EXPECT_EQ(made().back().by, "first") << "it is another engine that had failed";
+    EXPECT_EQ(made().back().by, "first") << "another engine had failed";
 }
 
-TEST_F(SimulationTest, ABodyWhosePlaceIsNoNumberIsAFailure) {
+TEST_F(SimulationTest, ABodyAtANonFinitePlaceIsAFailure) {
     static_cast<void>(columns.body(0));
     step();
     double const nan = std::nan("");

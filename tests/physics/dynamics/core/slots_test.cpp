@@ -14,7 +14,7 @@ TEST(SlotBook, TakesTheLowestFreeSlotWhateverTheOrderOfReleases) {
     EXPECT_TRUE(rc::check([] {
         std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
         SlotBook book;
-        std::set<SlotIndex> free; // as an ordered set sees it
+        std::set<SlotIndex> free; // the reference: an ordered set
         std::map<SlotIndex, ObjectId> taken;
         SlotIndex slots = 0;
         std::uint32_t objects = 0;

@@ -1,4 +1,4 @@
-// Which pairs touch, against a multiset of the pieces that do.
+// Touching pairs, compared with a multiset of touching pieces.
 #include "physics/dynamics/core/touching.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ ObjectId object(std::uint32_t index) {
     return {index, 0};
 }
 
-TEST(TouchBook, SaysWhoTouchesWhoBeganAndWhoEnded) {
+TEST(TouchBook, ListsTouchingBegunAndEndedPairs) {
     EXPECT_TRUE(rc::check("the same as a count of pieces", [] {
         TouchBook book;
         std::map<Pair, int> pieces;
@@ -83,7 +83,7 @@ TEST(TouchBook, SaysWhoTouchesWhoBeganAndWhoEnded) {
     }));
 }
 
-TEST(TouchBook, MorePiecesOfAPairAreNoNews) {
+TEST(TouchBook, FurtherPiecesOfAPairAreNoChange) {
     TouchBook book;
     Contacts contacts;
     book.compare({}, contacts);
@@ -104,8 +104,8 @@ TEST(TouchBook, MorePiecesOfAPairAreNoNews) {
     EXPECT_TRUE(book.changed());
 }
 
-// An engine is swapped for another, whose book begins with what it finds itself.
-TEST(TouchBook, GoesOnFromWhateverWasBeforeAndKeepsItsEvents) {
+// An engine is swapped for another, whose book begins with the contacts that it finds itself.
+TEST(TouchBook, ContinuesFromAnyEarlierStateAndKeepsItsEvents) {
     Contacts before;
     before.current = {{object(1), object(2), EventId{7}}, {object(3), object(4), EventId{8}}};
     TouchBook book;
@@ -114,11 +114,11 @@ TEST(TouchBook, GoesOnFromWhateverWasBeforeAndKeepsItsEvents) {
     Contacts next;
     book.compare(before, next);
     ASSERT_EQ(next.current.size(), 2U);
-    EXPECT_EQ(next.current[0].event, EventId{8}) << "it has touched since then";
+    EXPECT_EQ(next.current[0].event, EventId{8}) << "it has touched since event 8";
     EXPECT_EQ(next.current[1].event, EventId{});
     EXPECT_EQ(pairsOf(next.begun), (std::vector<Pair>{{object(5), object(6)}}));
     EXPECT_EQ(pairsOf(next.ended), (std::vector<Pair>{{object(1), object(2)}}));
-    // What was in contact before and is brief in the new engine's eyes has ended, and is in no other list.
+    // A pair that touched before, and only briefly for the new engine, has ended and is in no other list.
     TouchBook other;
     changes = {{object(1), object(2), 1}, {object(1), object(2), -1}};
     other.take(changes);

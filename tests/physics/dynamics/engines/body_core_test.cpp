@@ -29,8 +29,8 @@ TEST(BodyCore, LiesInsideTheBodyAndTheBodyWithinItsExtent) {
         BodyCore const core = coreOf(spec);
         RC_ASSERT(core.radius > 0);
         RC_ASSERT(core.reach() <= core.radius);
-        // A dot far inside a shape is as deep in it as the nearest side is away: the core's circle fits if
-        // its centre is at least its radius deep in one piece.
+        // The depth of a point in a shape is the distance to the nearest side: the core's circle fits if its
+        // centre is at least its radius deep in one piece.
         double deepest = 0;
         Vec2 const centre = core.at + spec.spread.centre;
         Shape const dot{{circlePiece(1e-9)}};
@@ -39,11 +39,11 @@ TEST(BodyCore, LiesInsideTheBodyAndTheBodyWithinItsExtent) {
             deepest = std::max(deepest, -bruteGap({alone, {}, 0}, {dot, centre, 0}));
         }
         RC_ASSERT(deepest >= core.radius);
-        if (shape.pieces.size() == 1) { // and it is not much smaller than it could be there
+        if (shape.pieces.size() == 1) { // and it is not much smaller than the largest circle at this place
             RC_ASSERT(deepest <= core.radius / 0.85);
         }
         double const extent = extentOf(spec);
-        double farthest = 0; // by the support of the shape in many directions
+        double farthest = 0; // sampled in many directions
         for (int i = 0; i < 72; ++i) {
             Vec2 const direction = rotated({1, 0}, i * pi / 36);
             Shape const wall{{boxPiece(2e-3, 400)}};
@@ -52,11 +52,11 @@ TEST(BodyCore, LiesInsideTheBodyAndTheBodyWithinItsExtent) {
             farthest = std::max(farthest, 100 - 1e-3 - gap);
         }
         RC_ASSERT(extent >= farthest - 1e-6);
-        RC_ASSERT(extent <= 3 * farthest + 1e-6); // of a piece off its own origin a little more
+        RC_ASSERT(extent <= 3 * farthest + 1e-6); // a piece off its own origin needs a little more
     }));
 }
 
-TEST(BodyCore, OfPlainPiecesIsNineTenthsOfTheirOwn) {
+TEST(BodyCore, OfSinglePiecesIsNineTenthsOfTheirInscribedCircle) {
     Shape const disc{{circlePiece(2)}};
     EXPECT_DOUBLE_EQ(coreOf(specOf(disc)).radius, 1.8);
     EXPECT_DOUBLE_EQ(extentOf(specOf(disc)), 2);

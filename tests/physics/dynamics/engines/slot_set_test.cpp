@@ -9,7 +9,7 @@
 namespace trembler::test {
 namespace {
 
-TEST(SlotSet, HoldsWhatASetOfTheStandardLibraryHolds) {
+TEST(SlotSet, AgreesWithASetOfTheStandardLibrary) {
     std::mt19937 random(3);
     SlotSet slots;
     std::set<SlotIndex> expected;
@@ -29,7 +29,7 @@ TEST(SlotSet, HoldsWhatASetOfTheStandardLibraryHolds) {
     }
 }
 
-TEST(SlotSet, KnowsNothingOfSlotsThatItNeverHeld) {
+TEST(SlotSet, DoesNotContainSlotsThatWereNeverAdded) {
     SlotSet slots;
     EXPECT_FALSE(slots.contains(0));
     EXPECT_FALSE(slots.contains(noSlot));

@@ -35,7 +35,8 @@ ShapePiece randomPiece(Vec2 at) {
     case 0:
         return circlePiece(size, at);
     case 1: {
-        double const height = 0.1 + *rc::gen::inRange(0, 30) * 0.01; // before the angle on every compiler
+        double const height =
+            0.1 + *rc::gen::inRange(0, 30) * 0.01; // drawn before the angle, independent of the compiler
         return boxPiece(size, height, at, *rc::gen::inRange(0, 6) * 0.5);
     }
     case 2:
@@ -55,14 +56,14 @@ Pairs pairsOf(std::vector<TouchingPair> const& list) {
     return pairs;
 }
 
-// Skins that meet corner to corner may be this far apart, as engines look along sides, and what single
-// precision rounds away.
+// Skins that meet corner to corner may have this gap, because engines test the directions of sides, and
+// because of single precision.
 constexpr double mostGap = 2 * skin * 0.415 + 1e-4; // m; (sqrt(2) - 1) of both skins
 
-// Compares what is known to touch with what brute force finds, frame by frame.
+// Compares the reported contacts with brute force, frame by frame.
 class BruteForce {
 public:
-    // Says what is wrong, at a frame's end; nothing if all is as it should be.
+    // The errors at a frame's end; empty if there are none.
     std::string disagreement(Scene const& scene, std::vector<ObjectId> const& all, Pairs const& known) {
         std::ostringstream wrong;
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -73,9 +74,9 @@ public:
                 double const now = gap(scene, all[i], all[j]);
                 double const was = before_.contains(pair) ? before_[pair] : 0;
                 before_[pair] = now;
-                // Things touch where they are at the frame's end. Only what has moved by less than
-                // farInSubstep in the last substep may be known by where it was at its beginning. Most things
-                // move steadily: then the gap at the last frame's end tells more.
+                // Contacts are those at the frame's end. Only for bodies that moved by less than farInSubstep
+                // in the last substep, those at its beginning are accepted. Most bodies move steadily: then
+                // the gap at the last frame's end is a closer bound.
                 double const stale = farInSubstep * movers + 1e-4;
                 bool const mustNot =
                     movers == 0 || now > std::min(mostGap + stale, 0.015 + std::abs(now - was));
@@ -93,7 +94,8 @@ private:
     std::map<std::pair<ObjectId, ObjectId>, double> before_; // gaps, in m
 };
 
-// What touches is what touched, less what ended, and what has begun; each list ascending, without repeats.
+// Touching pairs are the earlier ones, without ended and with begun ones; each list is ascending, without
+// duplicates.
 void expectConsistent(Contacts const& contacts, Pairs& known) {
     for (auto const* list : {&contacts.current, &contacts.begun, &contacts.ended, &contacts.brief}) {
         RC_ASSERT(std::is_sorted(list->begin(), list->end()));
@@ -152,9 +154,9 @@ void expectAgreement(Scene& scene, std::vector<ObjectId> const& all, int frames)
     }
 }
 
-// What is jammed is thrown to and fro between substeps by Box2D's correction of overlaps, by some
-// hundredths of a metre, while its speed is 0. Scenes that RapidCheck found.
-TEST_P(ContactsTest, WhatIsJammedTouchesWhereItIsThrownTo) {
+// Box2D's correction of overlaps moves a jammed body to and fro between substeps, by some hundredths of a
+// metre, while its speed is 0. RapidCheck found these scenes.
+TEST_P(ContactsTest, AJammedBodyTouchesAtThePlaceToWhichItIsMoved) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const ball = scene.body("ball", circlePiece(0.11), {-0.9, 0.6});
@@ -173,7 +175,7 @@ TEST_P(ContactsTest, WhatIsJammedTouchesWhereItIsThrownTo) {
     expectAgreement(scene, {ball, right, left, jammed}, 30);
 }
 
-TEST_P(ContactsTest, WhatIsJammedHasLeftWhatItIsThrownAwayFrom) {
+TEST_P(ContactsTest, AJammedBodyDoesNotTouchWhereItIsMovedAwayFrom) {
     Scene scene;
     ObjectId const jammed = scene.body(
         "jammed", Shape{{boxPiece(0.13, 0.16), boxPiece(0.08, 0.1, {0.3, 0}, 0.5)}}, {-1.4, 0.3}, 0.7);
@@ -187,8 +189,8 @@ TEST_P(ContactsTest, WhatIsJammedHasLeftWhatItIsThrownAwayFrom) {
     expectAgreement(scene, {jammed, passing, wedge}, 30);
 }
 
-// Box2D throws it off on the way through the substep, and back to where it began the substep.
-TEST_P(ContactsTest, WhatIsJammedAndThrownBackTouchesWhereItIs) {
+// Box2D moves the body away within the substep, and back to its place at the beginning of the substep.
+TEST_P(ContactsTest, AJammedBodyThatIsMovedBackTouchesAtItsPlace) {
     Scene scene;
     ObjectId const jammed =
         scene.body("jammed", Shape{{boxPiece(0.16, 0.2), boxPiece(0.19, 0.1, {0.3, 0}, 1)}}, {-0.5, 0.5});
@@ -206,10 +208,9 @@ TEST_P(ContactsTest, WhatIsJammedAndThrownBackTouchesWhereItIs) {
     expectAgreement(scene, {jammed, left, right, floor}, 30);
 }
 
-// Discs that meet at 6 m/s, 0.025 m in a substep, or that part so: whatever their gap is at the frame's end,
-// they are known to touch if it is below 0, and else they are not. What an impact has made slow may be known
-// by where it was.
-TEST_P(ContactsTest, AreThoseOfTheFramesEndHoweverFastThingsAre) {
+// Discs that approach or separate at 6 m/s, 0.025 m in a substep: they touch if and only if their gap at the
+// frame's end is below 0. For a body that an impact has slowed down, its earlier place may count.
+TEST_P(ContactsTest, AreThoseOfTheFramesEndForFastBodies) {
     int touches = 0;
     int apart = 0;
     for (double const direction : {1.0, -1.0}) {
@@ -256,7 +257,7 @@ public:
     }
     void subscribe() { subscription_ = scene_.world->want<Contacts>(); }
     void run() { scene_.run(1); }
-    // Whether they touch at the frame's end, by brute force and as far as the world knows.
+    // Whether they touch at the frame's end, by brute force and as reported by the world.
     [[nodiscard]] bool touch() const { return gap(scene_, a_, b_) < 0; }
     [[nodiscard]] bool known() const { return scene_.touching(a_, b_); }
     [[nodiscard]] std::uint64_t hash() const { return scene_.world->stateHash(); }
@@ -272,9 +273,9 @@ void readContacts(Registry& registry) {
     registry.component<ReadsContacts>();
 }
 
-// With one stated substep nothing in the world depends on touches unless a component reads them. They may
-// then be known a frame late, and a subscription does not make them known earlier: it must change no state.
-TEST_P(ContactsTest, AreThoseOfTheFramesEndWhereTheStateDependsOnThem) {
+// With one stated substep nothing in the world depends on contacts unless a component reads them. They may
+// then be reported a frame late, also to subscriptions, which must not change the state.
+TEST_P(ContactsTest, AreThoseOfTheFramesEndIfTheStateDependsOnThem) {
     int late = 0;
     for (int start = 1; start < 60; start += 2) { // never exactly at a gap of 0
         Meeting read(start, readContacts);
@@ -300,11 +301,11 @@ TEST_P(ContactsTest, AreThoseOfTheFramesEndWhereTheStateDependsOnThem) {
         }
     }
     if (on("box2d")) {
-        EXPECT_GT(late, 5) << "the difference is not tested";
+        EXPECT_GT(late, 5) << "late contacts must occur, else this tests nothing";
     }
 }
 
-TEST_P(ContactsTest, ACompoundTouchesOnceHoweverManyPiecesDo) {
+TEST_P(ContactsTest, ACompoundTouchesOnceForAnyNumberOfPieces) {
     Scene scene;
     ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     Shape const table{
@@ -328,7 +329,7 @@ TEST_P(ContactsTest, ACompoundTouchesOnceHoweverManyPiecesDo) {
     EXPECT_GT(scene.angle(id), 0.01);
 }
 
-TEST_P(ContactsTest, EndWhenAnObjectGoesAndItsSleepingNeighboursWake) {
+TEST_P(ContactsTest, EndWhenAnObjectIsRemovedAndItsSleepingNeighboursWake) {
     Scene scene;
     ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     ObjectId const lower = scene.body("lower", boxPiece(0.5, 0.5), {0, 0.25});
@@ -357,7 +358,7 @@ struct ReadsPatches final : Interaction<ReadsPatches, DynamicsRole, Reads<Contac
     void apply(Access&) {}
 };
 
-TEST_P(ContactsTest, PatchesCarryTheWeight) {
+TEST_P(ContactsTest, ImpulsesOfPatchesCarryTheWeight) {
     for (double const scale : {1.0, 4.0}) {
         Scene scene({.solver = {.scale = scale, .sleeping = false},
                      .extend = [](Registry& r) { r.component<ReadsPatches>(); }});
@@ -378,7 +379,7 @@ TEST_P(ContactsTest, PatchesCarryTheWeight) {
     }
 }
 
-// The same engine under another name: to be swapped in.
+// The same engine under another name, for a swap.
 constexpr DynamicsEngine otherDynamics{.text{.name = "Other Dynamics",
                                              .effect = "dynamics",
                                              .level = "other",
@@ -386,7 +387,7 @@ constexpr DynamicsEngine otherDynamics{.text{.name = "Other Dynamics",
                                              .rank = 5},
                                        .make = makeBox2dEngine};
 
-TEST(Swap, ContactsGoOnWhicheverEngineTakesOver) {
+TEST(Swap, ContactsContinueWithAnyOtherEngine) {
     std::vector<std::string> levels = engines();
     levels.emplace_back("other");
     EXPECT_TRUE(rc::check([&] {
@@ -408,7 +409,7 @@ TEST(Swap, ContactsGoOnWhicheverEngineTakesOver) {
     }));
 }
 
-TEST(Swap, APileThatRestsStaysWhereItIs) {
+TEST(Swap, ARestingPileStaysInPlace) {
     Scene scene({.extend = [](Registry& r) { r.component<DynamicsResolver>(otherDynamics); }});
     scene.fixed("floor", boxPiece(6, 0.5), {0, -0.25});
     std::vector<ObjectId> boxes;

@@ -11,7 +11,7 @@
 namespace trembler::test {
 namespace {
 
-/// What the test tells of the forces on an object.
+/// The rates of the forces on an object, stated by the test.
 struct Varying {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Varying", "test_varying", "How fast a force varies, for tests.",
@@ -27,7 +27,7 @@ public:
     void apply(Access& access) {
         auto const& all = access.read<Varying>();
         for (std::size_t row = 0; row < all.size(); ++row) {
-            access.call(TellRate{all.owners()[row], all.values()[row].rate, all.values()[row].foreseen});
+            access.call(StateRate{all.owners()[row], all.values()[row].rate, all.values()[row].foreseen});
         }
     }
 };
@@ -42,7 +42,7 @@ struct RateScene : Scene {
     [[nodiscard]] int substeps() const { return world->find<SolverChoice>()->substeps; }
 };
 
-TEST(ForceRates, AreTheGreatestOfWhatIsToldOfBodiesThatMove) {
+TEST(ForceRates, AreTheGreatestStatedForMovableBodies) {
     RateScene scene;
     ObjectId const slow = scene.ball({0, 0});
     ObjectId const fast = scene.ball({5, 0});
@@ -53,21 +53,21 @@ TEST(ForceRates, AreTheGreatestOfWhatIsToldOfBodiesThatMove) {
     scene.give(wall, Varying{100, false});
     scene.give(ghost, Varying{200, false});
     scene.run(1);
-    EXPECT_EQ(scene.rates(), (ForceRates{})) << "interactions first speak at the end of frame 1";
+    EXPECT_EQ(scene.rates(), (ForceRates{})) << "interactions make their first calls at the end of frame 1";
     scene.run(1);
     EXPECT_EQ(scene.rates(), (ForceRates{7, 3, fast, 7, 7}));
     scene.of<Varying>(slow).rate = std::numeric_limits<double>::infinity();
     scene.of<Varying>(fast).foreseen = false;
     scene.run(2);
-    EXPECT_EQ(scene.rates(), (ForceRates{7, 7, fast, 7, 0})) << "what is no number does not count";
+    EXPECT_EQ(scene.rates(), (ForceRates{7, 7, fast, 7, 0})) << "rates that are not finite do not count";
     scene.world->store().column<Varying>().remove(fast);
     scene.world->store().column<Varying>().remove(slow);
     scene.run(2);
     EXPECT_EQ(scene.rates(), (ForceRates{}));
 }
 
-// Split up, a frame would let a force that stands lag behind; 4 substeps are for contacts and joints.
-TEST(ForceRates, WhatFliesFreelyUnderAForceThatVariesGetsOneStep) {
+// With substeps, a held force would lag behind; the usual 4 are for contacts and joints.
+TEST(ForceRates, FreeBodiesUnderAVaryingForceGetOneStep) {
     for (bool const foreseen : {false, true}) {
         RateScene scene;
         ObjectId const ball = scene.ball({0, 0});
@@ -83,11 +83,11 @@ TEST(ForceRates, WhatFliesFreelyUnderAForceThatVariesGetsOneStep) {
         scene.world->store().complete(joint.a);
         scene.world->store().complete(hinge);
         scene.run(1);
-        EXPECT_EQ(scene.substeps(), 4) << "joints ask for more";
+        EXPECT_EQ(scene.substeps(), 4) << "joints need more";
     }
 }
 
-TEST(ForceRates, WhatTouchesGetsItsSubsteps) {
+TEST(ForceRates, TouchingBodiesGetSubsteps) {
     RateScene scene;
     scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
     ObjectId const box = scene.body("box", boxPiece(0.5, 0.5), {0, 0.25});
@@ -108,7 +108,7 @@ TEST(ForceLag, IsThatOfTheSemiImplicitEulerMethodInSubsteps) {
         EXPECT_DOUBLE_EQ(lag.ofTurn(), frameDuration / 2 * (1 - 1.0 / substeps)) << substeps;
         EXPECT_DOUBLE_EQ(lag.of(3 * frameDuration), 3 * frameDuration / 2 * (1 - 1.0 / (3 * substeps)));
     }
-    EXPECT_EQ(ForceLag{}.ofTurn(), 0) << "where nobody moves anything nothing lags";
+    EXPECT_EQ(ForceLag{}.ofTurn(), 0) << "nothing lags without moving bodies";
 }
 
 } // namespace

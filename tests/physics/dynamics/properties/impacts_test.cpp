@@ -26,14 +26,14 @@ std::vector<Impact> impactsIn(Scene& scene, int frames) {
     return all;
 }
 
-TEST_P(ImpactsTest, AreNotWorkedOutWhereNobodyReadsThem) {
+TEST_P(ImpactsTest, AreNotComputedWithoutReaders) {
     Scene scene;
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     scene.ball({0, 1});
     EXPECT_TRUE(impactsIn(scene, 120).empty());
 }
 
-TEST_P(ImpactsTest, ABouncingBallGetsTheImpulseThatTurnsItRound) {
+TEST_P(ImpactsTest, ABouncingBallGetsTheImpulseThatReversesIt) {
     Scene scene;
     Subscription const wantedImpacts = scene.world->want<Impacts>();
     ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
@@ -75,7 +75,7 @@ TEST_P(ImpactsTest, TwoBallsThatMeetInTheAirShareOneImpact) {
     EXPECT_NEAR(impacts[0].impulse, 2 * reduced * 4, 0.01 * reduced);
 }
 
-TEST_P(ImpactsTest, PressureIsNoImpact) {
+TEST_P(ImpactsTest, AConstantForceIsNoImpact) {
     Scene scene;
     Subscription const wantedImpacts = scene.world->want<Impacts>();
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
@@ -86,7 +86,7 @@ TEST_P(ImpactsTest, PressureIsNoImpact) {
     EXPECT_TRUE(impactsIn(scene, 300).empty());
 }
 
-TEST_P(ImpactsTest, WhoComesLaterHearsOnlyNewImpacts) {
+TEST_P(ImpactsTest, LaterReadersGetOnlyNewImpacts) {
     Scene scene;
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     scene.body("box", boxPiece(0.5, 0.5), {0, 0.25});
@@ -95,7 +95,7 @@ TEST_P(ImpactsTest, WhoComesLaterHearsOnlyNewImpacts) {
     scene.give(scene.world->store().find("world"), settings);
     scene.run(60);
     Subscription const wantedImpacts = scene.world->want<Impacts>();
-    EXPECT_TRUE(impactsIn(scene, 60).empty()) << "the box lies there as it did";
+    EXPECT_TRUE(impactsIn(scene, 60).empty()) << "the box lies at rest";
     ObjectId const ball = scene.ball({0, 2});
     test::Pull weight;
     weight.acceleration = {0, -9.81};
@@ -104,7 +104,7 @@ TEST_P(ImpactsTest, WhoComesLaterHearsOnlyNewImpacts) {
     EXPECT_FALSE(impactsIn(scene, 120).empty());
 }
 
-TEST_P(ImpactsTest, WantingThemChangesNoBit) {
+TEST_P(ImpactsTest, SubscribingChangesNoBit) {
     auto const hashes = [](bool wanted) {
         Scene scene;
         Subscription impacts;

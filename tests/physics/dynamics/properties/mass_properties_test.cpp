@@ -36,7 +36,7 @@ MassProperties byGrid(Shape const& shape, double extent, int cells) {
     for (int i = 0; i < cells; ++i) {
         for (int j = 0; j < cells; ++j) {
             Vec2 const p{-extent + (i + 0.5) * step, -extent + (j + 0.5) * step};
-            for (ShapePiece const& piece : shape.pieces) { // what overlaps counts twice
+            for (ShapePiece const& piece : shape.pieces) { // overlaps count twice
                 if (inside(piece, p)) {
                     sum.area += step * step;
                     sum.centre += step * step * p;

@@ -36,8 +36,7 @@ TEST(Overlap, IsThatOfTheGapBetweenShapes) {
             RC_ASSERT(overlap(first, second, 0));
         }
         RC_ASSERT(overlap(first, second, 0) == overlap(second, first, 0) || std::abs(gap) < rounding);
-        // What may overlap by so much may still do so where it overlaps by less, and must not where pieces
-        // lie this deep in each other.
+        // The limit accepts shapes that overlap by less, and rejects shapes that overlap by more.
         double const allowed = *number(0.001, 0.02);
         if (gap > -allowed * 0.4) {
             RC_ASSERT(!overlap(first, second, allowed) || gap < -rounding);
@@ -48,7 +47,7 @@ TEST(Overlap, IsThatOfTheGapBetweenShapes) {
     }));
 }
 
-TEST(Overlap, OfPlainPiecesEndsWhereItIsAllowed) {
+TEST(Overlap, OfSinglePiecesBeginsAtTheAllowedDepth) {
     Shape const box{{boxPiece(1, 1)}};
     Shape const ball{{circlePiece(0.5)}};
     for (Shape const* const other : {&box, &ball}) {

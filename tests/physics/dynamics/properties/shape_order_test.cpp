@@ -24,7 +24,7 @@ Shape spanner() {
              polygonPiece({{0, -0.05}, {0.15, -0.03}, {0.15, 0.04}, {0, 0.05}}, {0.37, 0.12})}};
 }
 
-// The motion of a few of them that tumble over a floor.
+// The motion of a few such shapes that tumble over a floor.
 std::vector<double> motionOf(Shape const& shape) {
     Scene scene;
     scene.fixed("floor", Shape{{boxPiece(6, 0.5)}}.pieces[0], {0, -0.5});
@@ -102,7 +102,7 @@ TEST(ShapeOrder, IsTheSameForEveryOrderOfRandomPieces) {
         RC_ASSERT(inOrder(shape) == inOrder(shuffled));
         RC_ASSERT(isInOrder(inOrder(shape)));
         RC_ASSERT(isInOrder(shape) == (shape == inOrder(shape)));
-        // And so is all that is computed from it, to the bit.
+        // All values computed from it have the same bits as well.
         RC_ASSERT(areaOf(shape) == areaOf(shuffled));
         RC_ASSERT(massPropertiesOf(shape).centre == massPropertiesOf(shuffled).centre);
         RC_ASSERT(massPropertiesOf(shape).inertiaPerMass == massPropertiesOf(shuffled).inertiaPerMass);
@@ -118,7 +118,7 @@ TEST(ShapeOrder, IsTheSameForEveryOrderOfRandomPieces) {
     }));
 }
 
-TEST(ShapeOrder, LeavesNumbersThatAreNoneAlone) {
+TEST(ShapeOrder, KeepsTheOrderOfShapesWithNonFiniteNumbers) {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     Shape const shape{{circlePiece(0.1, {nan, 0}), circlePiece(0.2), circlePiece(0.3, {-1, 0})}};
     EXPECT_EQ(inOrder(shape).pieces.size(), 3U);

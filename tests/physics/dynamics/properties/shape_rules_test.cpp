@@ -1,4 +1,4 @@
-// What no engine could compute is refused, and the message says which number is wrong.
+// Shapes that no engine could compute are refused with a message that names the wrong number.
 #include "physics/dynamics/properties/shape_rules.hpp"
 #include "tests/physics/dynamics/ngon.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-TEST(ShapeRules, SayWhatIsWrong) {
+TEST(ShapeRules, ReportErrors) {
     struct Case {
         ShapePiece piece;
         std::string_view says;

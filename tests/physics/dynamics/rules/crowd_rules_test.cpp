@@ -57,7 +57,7 @@ std::size_t nearPairs(Store const& store) {
     return pairs;
 }
 
-TEST(CrowdRules, CountWhatComparingAllPairsCounts) {
+TEST(CrowdRules, AgreeWithComparingAllPairs) {
     EXPECT_TRUE(rc::check([] {
         std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
         auto const number = [&](double most) { return most * static_cast<double>(random() % 1000) / 1000; };
@@ -79,7 +79,7 @@ TEST(CrowdRules, CountWhatComparingAllPairsCounts) {
     }));
 }
 
-TEST(CrowdRules, TellOfTheBodyThatIsNearMost) {
+TEST(CrowdRules, NameTheBodyNearTheMostOthers) {
     Bodies bodies;
     for (int i = 0; i < 4; ++i) {
         bodies.add({{boxPiece(1, 1)}}, {2.0 * i, 0});
@@ -93,7 +93,7 @@ TEST(CrowdRules, TellOfTheBodyThatIsNearMost) {
                                    "pairs of pieces of which the surrounding boxes meet");
 }
 
-TEST(CrowdRules, LeaveOutWhatIsNoBody) {
+TEST(CrowdRules, LeaveOutObjectsWithoutABody) {
     Bodies bodies;
     for (int i = 0; i < 10; ++i) {
         ObjectId const id = bodies.add({{boxPiece(1, 1)}}, {0, 0});
@@ -108,7 +108,7 @@ TEST(CrowdRules, LeaveOutWhatIsNoBody) {
 }
 
 // A hundred thousand bodies in one place would make engines look at five billion pairs.
-TEST(CrowdRules, RefuseACrowdWithoutLookingAtAllPairs) {
+TEST(CrowdRules, RefuseACrowdWithoutComparingAllPairs) {
     Bodies few;
     Bodies many;
     for (int i = 0; i < 100'000; ++i) {
@@ -126,7 +126,7 @@ TEST(CrowdRules, AllowManyThatLieSideBySide) {
     for (int i = 0; i < 100'000; ++i) {
         bodies.add({{boxPiece(1, 1)}}, {1.0 * (i % 400), 1.0 * (i / 400)});
     }
-    bodies.add({{boxPiece(1e3, 1e3)}}, {0, 0}); // and all of them before a board
+    bodies.add({{boxPiece(1e3, 1e3)}}, {0, 0}); // all of them in front of a board
     EXPECT_TRUE(checkCrowds(bodies.store).empty());
 }
 

@@ -1,4 +1,4 @@
-// What no joint can be is refused, and the message says why.
+// Invalid joints are refused with the reason.
 #include "physics/dynamics/rules/joint_rules.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(JointRules, SayWhatIsWrong) {
+TEST(JointRules, ReportErrors) {
     ObjectId const a{1, 0};
     ObjectId const b{2, 0};
     JointPartners const sound{.aIsBody = true, .bIsBody = true};
@@ -36,7 +36,7 @@ TEST(JointRules, SayWhatIsWrong) {
               std::string::npos);
     EXPECT_NE(
         fault(sound, [](Joint& j) { j.form = JointForm::slider, j.upper = -1; }).find("above its upper"),
-        std::string::npos); // also while they are not in force
+        std::string::npos); // also while the limits are disabled
     auto const form = [&](JointForm wanted, auto&& change) {
         return fault(sound, [&](Joint& j) {
             j.form = wanted;

@@ -56,7 +56,7 @@ TEST_F(Automatic, AnOrdinarySceneGetsFourSubsteps) {
     EXPECT_FALSE(choiceOf(scene).jointsAtOnce);
 }
 
-TEST_F(Automatic, WhatIsNoBodyMakesNoSubsteps) {
+TEST_F(Automatic, ObjectsWithoutABodyNeedNoSubsteps) {
     Scene scene;
     scene.ball({0, 0});
     ObjectId const ghost = scene.world->store().create("ghost");
@@ -67,8 +67,9 @@ TEST_F(Automatic, WhatIsNoBodyMakesNoSubsteps) {
     EXPECT_EQ(choiceOf(scene).substeps, 4);
 }
 
-// A link between joints l apart, pulled at by T, zig-zags with ω² = 12 T / (m l); two substeps to a radian.
-TEST_F(Automatic, ATautChainGetsSubstepsByItsZigZagAndLosesThemWithItsLoad) {
+// A link of length l between joints under the tension T oscillates in a zigzag with ω² = 12 T / (m l); two
+// substeps for each radian.
+TEST_F(Automatic, ATautChainGetsSubstepsByItsZigzagWhileItIsLoaded) {
     Scene scene;
     ObjectId const ball = chain(scene, 10, 2000);
     scene.run(2);
@@ -84,8 +85,8 @@ TEST_F(Automatic, ATautChainGetsSubstepsByItsZigZagAndLosesThemWithItsLoad) {
     EXPECT_FALSE(choiceOf(scene).jointsAtOnce);
 }
 
-// What pulls is what acts, not what some constant of nature would make of the masses.
-TEST_F(Automatic, AChainIsAsTautAsItsWeightOnTheMoonMakesIt) {
+// The tension follows from the acting forces, not from the masses and a constant of nature.
+TEST_F(Automatic, OnTheMoonAChainIsAsTautAsItsWeightThere) {
     std::vector<int> found;
     for (double const g : {9.81, 1.62}) {
         Scene scene;
@@ -100,7 +101,7 @@ TEST_F(Automatic, AChainIsAsTautAsItsWeightOnTheMoonMakesIt) {
     EXPECT_LT(found[1], found[0]);
 }
 
-TEST_F(Automatic, AChainThatNothingPullsAtIsNotTaut) {
+TEST_F(Automatic, AnUnloadedChainIsNotTaut) {
     Scene scene;
     scene.gravity = 0;
     chain(scene, 10, 2000);
@@ -109,7 +110,7 @@ TEST_F(Automatic, AChainThatNothingPullsAtIsNotTaut) {
     EXPECT_FALSE(choiceOf(scene).jointsAtOnce);
 }
 
-TEST_F(Automatic, WhateverPullsAtAChainMakesItTaut) {
+TEST_F(Automatic, AnyForceOnAChainMakesItTaut) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const ball = chain(scene, 10, 1);
@@ -122,7 +123,7 @@ TEST_F(Automatic, WhateverPullsAtAChainMakesItTaut) {
     EXPECT_LE(choiceOf(scene).substeps, 1.5 * omega / 60 + 1);
 }
 
-TEST_F(Automatic, JointsSolvedAtOnceCarryWhatHangsOnThem) {
+TEST_F(Automatic, JointsSolvedAtOnceCarryTheirLoad) {
     Scene scene;
     std::vector<ObjectId> joints;
     chain(scene, 60, 500, &joints);
@@ -139,12 +140,12 @@ TEST_F(Automatic, JointsSolvedAtOnceCarryWhatHangsOnThem) {
         EXPECT_NEAR(entry->force.y / weight, 1, 0.001) << i;
         EXPECT_NEAR(entry->force.x / weight, 0, 0.001) << i;
     }
-    // And nothing moves: in the first frame in which it was pulled at, too.
+    // Nothing moves, not even in the first frame under the load.
     scene.run(120);
     EXPECT_LT(length(scene.velocity(scene.world->store().find("ball"))), 1e-3);
 }
 
-TEST_F(Automatic, SmallThingsAreScaledUp) {
+TEST_F(Automatic, SmallBodiesAreScaledUp) {
     Scene scene;
     scene.body("small", boxPiece(0.01, 0.1), {0, 0});
     scene.run(1);
@@ -157,17 +158,17 @@ TEST_F(Automatic, SmallThingsAreScaledUp) {
     EXPECT_EQ(choiceOf(heap).scale, 32);
 }
 
-TEST_F(Automatic, WhatIsFastGetsShortSteps) {
+TEST_F(Automatic, FastBodiesGetShortSteps) {
     Scene scene;
     ObjectId const ball = scene.ball({0, 0});
     scene.give(ball, Velocity{{300, 0}});
     scene.run(1);
-    // Box2D lets nothing move by more than 2 of its units in a step, and a unit is a quarter of a metre.
+    // Box2D limits motion to 2 of its units in a step; a unit is a quarter of a metre here.
     EXPECT_GE(choiceOf(scene).substeps, 300 / 60.0 * 4 / 2);
     EXPECT_NEAR(scene.at(ball).x, 5, 0.01);
 }
 
-TEST_F(Automatic, AWeightOnSomethingLightGetsThemWhenItTouches) {
+TEST_F(Automatic, AWeightOnALightBodyGetsSubstepsWhenItTouches) {
     Scene scene;
     scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
     scene.give(scene.body("light", boxPiece(0.5, 0.5), {0, 0.25}), Mass{1});
@@ -178,8 +179,8 @@ TEST_F(Automatic, AWeightOnSomethingLightGetsThemWhenItTouches) {
     EXPECT_GE(choiceOf(scene).substeps, 12);
 }
 
-// Pressed against a wall, or up against a ceiling, is pressed.
-TEST_F(Automatic, AWeightIsOneWhicheverWayItIsPulled) {
+// A body pressed against a wall, or up against a ceiling, counts as well.
+TEST_F(Automatic, AWeightCountsInAnyDirectionOfItsForce) {
     for (Vec2 const way : {Vec2{0, -1}, Vec2{1, 0}, Vec2{0, 1}}) {
         for (double const g : {9.81, 1.62}) {
             Scene scene;
@@ -199,7 +200,7 @@ TEST_F(Automatic, AWeightIsOneWhicheverWayItIsPulled) {
     }
 }
 
-TEST_F(Automatic, WhatOnlyTouchesIsNoWeight) {
+TEST_F(Automatic, ABodyThatOnlyTouchesIsNoWeight) {
     Scene scene;
     scene.gravity = 0;
     scene.give(scene.body("light", boxPiece(0.5, 0.5), {0, 0.25}), Mass{1});
@@ -234,8 +235,8 @@ TEST_F(Automatic, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-// Contacts know nothing of what joints are given beforehand: both must come to terms.
-TEST_F(Automatic, AChainThatIsSolvedAtOnceFallsOnTheGroundAndStaysWhole) {
+// Contacts are solved after the joints, without their solution: both together must be stable.
+TEST_F(Automatic, AChainThatIsSolvedAtOnceFallsOnTheGroundWithoutTearing) {
     Scene scene;
     scene.fixed("floor", boxPiece(40, 1), {0, -0.5});
     scene.fixed("block", boxPiece(1, 1), {3, 0.5});
@@ -252,7 +253,7 @@ TEST_F(Automatic, AChainThatIsSolvedAtOnceFallsOnTheGroundAndStaysWhole) {
     ASSERT_TRUE(choiceOf(scene).jointsAtOnce);
     scene.run(900);
     for (std::size_t i = 0; i < links.size(); ++i) {
-        // Draped over the block's edges it slides to and fro; solved one by one, too, by 0.1 to 0.3 m/s.
+        // On the block's edges it slides to and fro by 0.1 to 0.3 m/s, also if joints are solved one by one.
         EXPECT_LT(length(scene.velocity(links[i])), 0.25) << i;
         EXPECT_GT(scene.at(links[i]).y, 0.015) << i;
         if (i > 0) {
@@ -284,7 +285,7 @@ TEST_F(Automatic, AWeightComesToRestOnAChainThatIsSolvedAtOnce) {
     EXPECT_GT(scene.at(weight).y, -1) << "it should lie on the chain";
 }
 
-// What is welded to a wall stays level, whatever the weight of what is welded to it in turn.
+// A body welded to a wall stays level under any weight that is welded to it.
 TEST_F(Automatic, WeldsSolvedAtOnceDoNotSag) {
     Scene scene;
     ObjectId before;

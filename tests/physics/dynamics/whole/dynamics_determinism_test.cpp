@@ -1,4 +1,4 @@
-// The same bits, whatever the order of calls and of creation.
+// The same bits for any order of calls and of creation.
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ std::uint64_t pushed(void (*extend)(Registry&)) {
     return scene.world->stateHash();
 }
 
-TEST_P(DynamicsDeterminism, ForcesAddUpInAnyOrder) {
+TEST_P(DynamicsDeterminism, TheOrderOfForcesDoesNotMatter) {
     std::uint64_t const expected = pushed([](Registry& r) {
         r.component<Push<0>>();
         r.component<Push<1>>();

@@ -11,7 +11,8 @@ TREMBLER_ON_EVERY_ENGINE(FrictionTest);
 class Collision : public OnEveryEngine {};
 TREMBLER_ON_EVERY_ENGINE(Collision);
 
-// Distance slid down a slope with that ratio of tangent to friction between two times, and its acceleration.
+// The distance slid between two times down a slope with this ratio of tangent to friction, and the
+// acceleration.
 struct Slide {
     double way = 0;
     double acceleration = 0;
@@ -41,7 +42,7 @@ TEST_P(FrictionTest, SlidesIfAndOnlyIfTheSlopeIsSteeperThanTheFriction) {
     }
 }
 
-TEST_P(FrictionTest, AcceleratesByWhatFrictionLeavesAndAPairHasTheGeometricMean) {
+TEST_P(FrictionTest, AccelerationIsReducedByFrictionAndAPairHasTheGeometricMean) {
     double const angle = 0.6;
     double const friction = std::sqrt(0.8 * 0.2);
     double const expected = 9.81 * (std::sin(angle) - friction * std::cos(angle));
@@ -61,7 +62,8 @@ TEST_P(Collision, ElasticHeadOn) {
         scene.give(a, Velocity{{3, 0}});
         scene.give(b, Velocity{{-2, 0}});
         scene.run(120);
-        double const centre = (3 - 2 * ratio) / (1 + ratio); // velocities turn round about the common one
+        double const centre =
+            (3 - 2 * ratio) / (1 + ratio); // relative to the common velocity, velocities are reversed
         EXPECT_NEAR(scene.velocity(a).x, 2 * centre - 3, 1e-4) << ratio;
         EXPECT_NEAR(scene.velocity(b).x, 2 * centre + 2, 1e-4) << ratio;
     }
@@ -97,7 +99,8 @@ TEST_P(Collision, AGasKeepsItsMomentumAndItsEnergy) {
     auto const [after, energyAfter] = totals();
     EXPECT_GT(hits, 20U);
     EXPECT_NEAR(length(after - momentum), 0, 1e-3);
-    // Hits below 0.25 m/s do not bounce (Box2D's threshold), so a little energy may go, but none may come.
+    // Hits below 0.25 m/s do not bounce (Box2D's threshold), so a little energy may be lost, but none may be
+    // gained.
     EXPECT_LT(energyAfter, energy * (1 + 1e-4));
     EXPECT_GT(energyAfter, energy * 0.99);
 }
@@ -118,7 +121,7 @@ TEST_P(Collision, BouncesToTheSquareOfItsRestitution) {
     EXPECT_NEAR(highest, 2 * 0.8 * 0.8, 0.05);
 }
 
-TEST_P(Collision, GroupsSayWhoHitsWhom) {
+TEST_P(Collision, GroupsDetermineWhichBodiesCollide) {
     struct Case {
         CollisionGroups a;
         CollisionGroups b;
@@ -140,9 +143,9 @@ TEST_P(Collision, GroupsSayWhoHitsWhom) {
     }
 }
 
-// A wall a decimetre thin that can move, a hundred metres per second: whoever tests places only jumps
-// through.
-TEST_P(Collision, BulletsHitWhatTheyWouldJumpThrough) {
+// A movable wall of a decimetre, at a hundred metres per second: a test of positions alone would miss the
+// impact.
+TEST_P(Collision, BulletsHitThinMovableBodies) {
     int passed[2] = {0, 0};
     for (int const bullet : {0, 1}) {
         for (int phase = 0; phase < 24; ++phase) {
@@ -163,7 +166,7 @@ TEST_P(Collision, BulletsHitWhatTheyWouldJumpThrough) {
     EXPECT_EQ(passed[1], 0);
 }
 
-TEST_P(Collision, NothingPassesThroughWhatIsFixed) {
+TEST_P(Collision, NothingPassesThroughFixedBodies) {
     for (int phase = 0; phase < 20; ++phase) {
         Scene scene;
         scene.gravity = 0;

@@ -1,4 +1,4 @@
-// Many bodies that land at once: none falls through. Their cost is measured in bench/growth.cpp.
+// Many bodies that land at once: none falls through the floor. Their cost is measured in bench/growth.cpp.
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 class ManyLanding : public OnEveryEngine {};
 TREMBLER_ON_EVERY_ENGINE(ManyLanding);
 
-TEST_P(ManyLanding, AreAllHeldByAThinFloorHoweverFast) {
+TEST_P(ManyLanding, AreAllStoppedByAThinFloorAtAnySpeed) {
     constexpr int count = 2500;
     Scene scene;
     scene.fixed("floor", boxPiece(0.3 * count + 10, 0.02), {0.15 * count, 0});
@@ -26,7 +26,7 @@ TEST_P(ManyLanding, AreAllHeldByAThinFloorHoweverFast) {
 }
 
 // In frames of many substeps, Box2D's own search for impacts is too expensive as well.
-TEST_P(ManyLanding, AreAllHeldInManySubstepsHoweverFast) {
+TEST_P(ManyLanding, AreAllStoppedInManySubstepsAtAnySpeed) {
     constexpr int count = 80;
     Scene scene({.solver = {.substeps = 64}});
     scene.fixed("floor", boxPiece(0.3 * count + 10, 0.02), {0.15 * count, 0});

@@ -11,8 +11,8 @@ class Motion : public OnEveryEngine {};
 TREMBLER_ON_EVERY_ENGINE(Motion);
 
 // Semi-implicit Euler (v += h g, then x += h v) is exact in v and falls ahead in x by g h t / 2; Chipmunk
-// does it the other way round, and lags as much. What
-// interactions say in one frame is done in the next, so the first frame knows no gravity yet.
+// does it the other way round, and lags as much. Calls of interactions are carried out in the next frame, so
+// the first frame has no gravity yet.
 TEST_P(Motion, ProjectileFollowsTheParabolaOfItsIntegrator) {
     for (int const substeps : {1, 4, 16}) {
         Scene scene({.solver = {.substeps = substeps}});
@@ -33,7 +33,7 @@ TEST_P(Motion, ProjectileFollowsTheParabolaOfItsIntegrator) {
     }
 }
 
-TEST_P(Motion, MassFollowsFromDensityAndMaybeStatedInstead) {
+TEST_P(Motion, MassFollowsFromDensityOrIsStated) {
     Scene scene;
     ObjectId const plain = scene.body("plain", boxPiece(0.5, 0.2), {0, 0});
     ObjectId const steel = scene.body("steel", circlePiece(0.1), {5, 0});
@@ -45,7 +45,7 @@ TEST_P(Motion, MassFollowsFromDensityAndMaybeStatedInstead) {
     EXPECT_DOUBLE_EQ(scene.mass(plain), 1000 * 0.5 * 0.2 * worldDepth);
     EXPECT_DOUBLE_EQ(scene.mass(steel), 7850 * pi * 0.01 * worldDepth);
     EXPECT_EQ(scene.mass(stated), 3);
-    EXPECT_DOUBLE_EQ(scene.mass(floor), 1000 * worldDepth) << "what is fixed has a mass for whoever asks";
+    EXPECT_DOUBLE_EQ(scene.mass(floor), 1000 * worldDepth) << "a fixed body has a mass that others can read";
     EXPECT_EQ(scene.world->find<Velocity>(floor), nullptr) << "but nothing moves it";
     EXPECT_EQ(scene.at(floor), (Vec2{0, -9}));
     EXPECT_NE(scene.world->find<Rotation>(floor), nullptr);
@@ -66,7 +66,7 @@ TEST_P(Motion, TorqueTurnsByTheMomentOfInertia) {
     EXPECT_NEAR(length(scene.at(box) - Vec2{1, 2}), 0, 1e-6);
 }
 
-TEST_P(Motion, AForceOffTheCentreTurnsToo) {
+TEST_P(Motion, AnEccentricForceAlsoTurns) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const disc = scene.body("disc", circlePiece(0.5), {0, 0});
@@ -81,7 +81,7 @@ TEST_P(Motion, AForceOffTheCentreTurnsToo) {
     EXPECT_NEAR(scene.spin(disc), -0.5 * frameDuration / (2 * 0.25 / 2), 1e-4);
 }
 
-TEST_P(Motion, AnImpulseIsGivenOnce) {
+TEST_P(Motion, AnImpulseActsOnce) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const disc = scene.body("disc", circlePiece(0.5), {0, 0});
@@ -137,7 +137,7 @@ TEST_P(Motion, ACompoundTurnsAboutItsCentreOfMass) {
     EXPECT_NEAR(scene.spin(bracket), steady, 1e-5); // a force at the centre of mass turns nothing
 }
 
-TEST_P(Motion, ForcesBeyondReasonAreCutDownAndTheWorldGoesOn) {
+TEST_P(Motion, ExcessiveForcesAreLimitedAndTheWorldContinues) {
     Scene scene({.trace = true});
     ObjectId const ball = scene.ball({0, 0});
     ObjectId const other = scene.ball({3, 0});

@@ -9,10 +9,10 @@ namespace {
 struct Swing {
     Vec2 at;
     double angle = 0;
-    double apart = 0; ///< m, of the two halves of the pin
+    double apart = 0; ///< m, between the two halves of the pin
 };
 
-/// Two rods under the world's pin, tied together by many hinges in one place, swing for some frames.
+/// Two rods under a pin of the world, joined by many hinges in one place, swing for some frames.
 Swing swing(int hinges, int frames) {
     Scene scene;
     ObjectId const upper = scene.body("upper", boxPiece(1, 0.1), {0.5, 0});
@@ -42,8 +42,9 @@ TEST(ParallelJoints, SwingAsOneJointDoes) {
     }
 }
 
-// Their equations, all in two bodies, would be a matrix without a zero: 800 MB, and minutes to factorise it.
-TEST(ParallelJoints, OfWhichThereAreFiveThousandStillWork) {
+// The equations of so many joints between two bodies would be a dense matrix of 800 MB, which takes minutes
+// to factorise.
+TEST(ParallelJoints, FiveThousandStillWork) {
     Swing const one = swing(1, 3);
     Swing const many = swing(5000, 3);
     EXPECT_LT(length(many.at - one.at), 0.02);

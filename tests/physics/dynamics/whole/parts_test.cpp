@@ -28,14 +28,14 @@ bool contains(std::vector<TouchingPair> const& pairs, TouchingPair const& pair) 
     return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
 }
 
-TEST_P(PartsTest, AThrownBallFallsAsItShould) {
+TEST_P(PartsTest, AThrownBallFallsByTheParabola) {
     for (int const parts : {1, 2, 4, 8}) {
         Scene scene;
         inParts(scene, parts);
         ObjectId const ball = scene.ball({0, 10});
         scene.give(ball, Velocity{{3, 4}});
         scene.run(60);
-        // Weight is told of at the end of the first part, and acts from the second on.
+        // Weight is passed on at the end of the first part, and acts from the second one on.
         double const first = 1.0 / 60 / parts;
         double const t = 1 - first;
         EXPECT_NEAR(scene.at(ball).x, 3, 1e-3) << parts;
@@ -45,7 +45,7 @@ TEST_P(PartsTest, AThrownBallFallsAsItShould) {
     }
 }
 
-TEST_P(PartsTest, ABounceWithinAFrameIsToldOfWhicheverPartItIsIn) {
+TEST_P(PartsTest, ABounceInAnyPartOfAFrameIsReported) {
     for (int const parts : {1, 2, 4, 8}) {
         int withinAFrame = 0;
         for (int start = 0; start < 24; ++start) {
@@ -73,14 +73,14 @@ TEST_P(PartsTest, ABounceWithinAFrameIsToldOfWhicheverPartItIsIn) {
                 bool const current = contains(whole.current, pair);
                 EXPECT_EQ(insideBegun, begun || brief) << "in a frame of " << parts;
                 EXPECT_TRUE(!insideTouched || current || brief || contains(whole.ended, pair));
-                EXPECT_LE(brief + begun + contains(whole.ended, pair), 1) << "one list only";
+                EXPECT_LE(brief + begun + contains(whole.ended, pair), 1) << "a pair is in one list only";
                 EXPECT_TRUE(!begun || current);
                 bounces += insideBegun ? 1 : 0;
                 withinAFrame += brief ? 1 : 0;
             }
             EXPECT_EQ(bounces, 1) << parts << " parts, start " << start;
         }
-        EXPECT_GT(withinAFrame, 0) << "some of these are over within a frame of " << parts;
+        EXPECT_GT(withinAFrame, 0) << "some of the contacts end within a frame of " << parts;
     }
 }
 
@@ -103,7 +103,7 @@ TEST_P(PartsTest, SubstepsAreThoseOfAFrame) {
     }
 }
 
-/// A weight on a spring that a test holds: F = -k x, told once a part. It says how fast it varies.
+/// A weight on a spring: F = -k x, computed once in each part, with its rate.
 struct StatedSpring {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"StatedSpring", "test_spring", "A spring to the origin, for tests.",
@@ -125,7 +125,7 @@ public:
             Vec2 const then = access.read<Position>()[id].value +
                               access.read<ForceLag>().ofTurn() * access.read<Velocity>()[id].value;
             access.call(AddForce{id, (-rate * rate * access.read<Mass>()[id].value) * then});
-            access.call(TellRate{.object = id, .rate = rate, .foreseen = true, .swings = true});
+            access.call(StateRate{.object = id, .rate = rate, .foreseen = true, .swings = true});
         }
     }
 };
@@ -133,16 +133,17 @@ public:
 struct Swung {
     int parts = 0;          ///< of the last frame
     int substeps = 0;       ///< of each part
-    double growth = 0;      ///< of the energy, as a share of it, after two seconds
-    double exact = 0;       ///< the same of the recurrence below
-    double missed = 0;      ///< by which the motion left the recurrence, as a share of the swing's width
+    double growth = 0;      ///< relative growth of the energy after two seconds
+    double exact = 0;       ///< the same for the recurrence below
+    double missed = 0;      ///< deviation from the recurrence, relative to the amplitude
     double determinant = 0; ///< of the recurrence
 };
 
-/// One part of a frame, on paper: the force of the last state, looked ahead from by `lag`, acts for the whole
+/// One part of a frame, by formula: the force of the last state, extrapolated by `lag`, acts for the whole
 /// part, which the engine integrates by the semi-implicit Euler method in m steps of h:
 ///   v' = v - w^2 m h (x + lag v),  x' = x + m h v - w^2 h^2 m (m + 1) / 2 (x + lag v).
-/// With the lag of ForceLag, (m - 1) h / 2, its determinant is 1: it turns round for ever and feeds nothing.
+/// With the lag of ForceLag, (m - 1) h / 2, its determinant is 1: it oscillates for ever without gaining
+/// energy.
 void swingOnPaper(double rate, ForceLag const& lag, int substeps, double& x, double& v) {
     double const acceleration = -rate * rate * (x + lag.ofTurn() * v);
     x += lag.turn * v + lag.step * lag.step * substeps * (substeps + 1) / 2 * acceleration;
@@ -161,7 +162,7 @@ Swung swing(double rate, std::int32_t parts) {
     scene.give(ball, Velocity{{1, 0}});
     auto const energyOf = [&](double x, double v) { return (v * v + rate * rate * x * x) / 2; };
     Swung found;
-    scene.run(4); // until the force has been told of, and the frame divided
+    scene.run(4); // until the force is in effect and the frame is divided
     double x = scene.at(ball).x;
     double v = scene.velocity(ball).x;
     double const before = energyOf(x, v);
@@ -188,7 +189,7 @@ Swung swing(double rate, std::int32_t parts) {
     return found;
 }
 
-TEST(AutomaticParts, FollowWhatIsTooFastForAFrame) {
+TEST(AutomaticParts, IncreaseForForcesThatAreTooFastForAFrame) {
     EXPECT_EQ(swing(10, FrameSettings::automatic).parts, 1) << "a sixth of a radian in a frame";
     for (auto const& [rate, parts] : {std::pair(60.0, 2), {130.0, 4}, {250.0, 8}}) {
         for (int const stated : {FrameSettings::automatic, parts}) {
@@ -196,11 +197,11 @@ TEST(AutomaticParts, FollowWhatIsTooFastForAFrame) {
             EXPECT_EQ(found.parts, parts) << rate;
             EXPECT_LT(found.missed, 1e-4) << rate;
             EXPECT_NEAR(found.growth, found.exact, 1e-4) << rate;
-            EXPECT_NEAR(found.determinant, 1, 1e-12) << "what turns round feeds nothing, however long";
+            EXPECT_NEAR(found.determinant, 1, 1e-12) << "with determinant 1 the energy does not grow";
         }
     }
     Swung const whole = swing(130, 1);
-    EXPECT_GT(whole.growth, 1e3) << "explicit integration breaks down at two radians in a step";
+    EXPECT_GT(whole.growth, 1e3) << "explicit integration is unstable from two radians in a step on";
     EXPECT_GT(whole.exact, 1e3);
 }
 

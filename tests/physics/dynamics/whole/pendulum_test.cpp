@@ -11,7 +11,7 @@ TREMBLER_ON_EVERY_ENGINE(PendulumTest);
 class Spring : public OnEveryEngine {};
 TREMBLER_ON_EVERY_ENGINE(Spring);
 
-// 2 K(k) / pi by the arithmetic-geometric mean: what a large swing takes longer than a small one.
+// 2 K(k) / pi by the arithmetic-geometric mean: the ratio of the periods of a large and a small swing.
 double stretchOfSwing(double amplitude) {
     double a = 1;
     double b = std::cos(amplitude / 2);
@@ -81,9 +81,8 @@ TEST_P(PendulumTest, LargeSwingTakesLongerByTheEllipticIntegral) {
     }
 }
 
-// A step runs along the tangent, and the pivot then takes the part of the velocity that has come to point
-// along the arm: 1 - cos(w h) of it. So a swing dies away by about w^2 h / 2 per second: first order in the
-// substep.
+// A step runs along the tangent, and the pivot then removes the velocity along the arm, a share of 1 - cos(w
+// h). So a swing dies away by about w^2 h / 2 per second: first order in the substep.
 TEST_P(PendulumTest, LosesItsSwingInProportionToTheSubstep) {
     auto const lost = [](int substeps) {
         Pendulum pendulum(1.5, substeps);
@@ -97,7 +96,7 @@ TEST_P(PendulumTest, LosesItsSwingInProportionToTheSubstep) {
     };
     double const at4 = lost(4);
     EXPECT_LT(at4, 0.12);
-    if (on("ode")) { // whose correction of places gives most of it back
+    if (on("ode")) { // ODE's correction of positions restores most of it
         EXPECT_LT(std::abs(at4), 0.005);
         EXPECT_LT(std::abs(lost(16)), std::abs(at4) / 2);
         return;
@@ -127,7 +126,7 @@ TEST_P(Spring, OscillatesAtTheRootOfStiffnessOverMass) {
     }
 }
 
-TEST_P(Spring, HangsAsFarAsItsForceCarries) {
+TEST_P(Spring, HangsWhereItsForceCarriesTheWeight) {
     Scene scene;
     ObjectId const weight = scene.body("weight", boxPiece(0.2, 0.2), {0, -1});
     scene.give(weight, Mass{2});

@@ -40,7 +40,7 @@ TEST_P(Sleep, APileComesToRest) {
     EXPECT_EQ(scene.dynamics(), Activity::asleep);
 }
 
-TEST_P(Sleep, TheSameForcesSaidAgainWakeNobody) {
+TEST_P(Sleep, RepeatedEqualForcesWakeNoBody) {
     Rest rest;
     for (int frame = 0; frame < 20; ++frame) {
         rest.scene.of<Pull>(rest.box).torque = 1e-9 * frame; // the interaction is applied again
@@ -52,7 +52,7 @@ TEST_P(Sleep, TheSameForcesSaidAgainWakeNobody) {
     EXPECT_EQ(rest.scene.dynamics(), Activity::asleep);
 }
 
-TEST_P(Sleep, AChangedForceWakesTheOneThatItActsOn) {
+TEST_P(Sleep, AChangedForceWakesItsBody) {
     Rest rest;
     Vec2 const other = rest.scene.at(rest.other);
     rest.scene.of<Pull>(rest.box).force = {1, 0};
@@ -63,7 +63,7 @@ TEST_P(Sleep, AChangedForceWakesTheOneThatItActsOn) {
     EXPECT_EQ(rest.scene.velocity(rest.other), (Vec2{}));
 }
 
-// A five-hundredth of the weight, whatever the world weighs it with.
+// A five-hundredth of the weight, for any gravity.
 TEST_P(Sleep, OnTheMoonAForceWakesByItsShareOfTheWeightThere) {
     for (double const g : {9.81, 1.62, 0.05}) {
         Rest rest(0.5, g);
@@ -87,13 +87,13 @@ TEST_P(Sleep, ATorqueWakes) {
 TEST_P(Sleep, AnImpulseWakes) {
     Rest rest;
     rest.scene.give(rest.box, Kick{{0.01, 0}, rest.scene.at(rest.box), 1});
-    rest.scene.run(1); // the first kick calls for the interaction that gives it
+    rest.scene.run(1); // the first kick activates its interaction
     rest.scene.world->step();
     rest.scene.run(2);
     EXPECT_GT(rest.scene.velocity(rest.box).x, 0);
 }
 
-TEST_P(Sleep, FallingOntoASleeperWakesItAndItsPile) {
+TEST_P(Sleep, FallingOntoASleepingBodyWakesItAndItsPile) {
     Rest rest(0.5);
     ObjectId const upper = rest.scene.body("upper", boxPiece(0.5, 0.5), {0.2, 3});
     rest.scene.give(upper, Velocity{{0, -3}});
@@ -104,8 +104,8 @@ TEST_P(Sleep, FallingOntoASleeperWakesItAndItsPile) {
     EXPECT_EQ(rest.scene.dynamics(), Activity::asleep);
 }
 
-// Box2D drops the load of a body that falls asleep. Woken by a touch, it must have its weight at once: on a
-// frictionless slope under a load that balances it, any lapse would show as a hop.
+// Box2D drops the load of a body that falls asleep. Woken by a contact, it must have its weight at once: on a
+// frictionless slope, under a load that balances it, a missing load would cause a jump.
 TEST_P(Sleep, AWokenBodyHasItsLoadAtOnce) {
     Rest rest(0.5);
     ObjectId const visitor = rest.scene.ball({-1, 0.11});
@@ -120,7 +120,7 @@ TEST_P(Sleep, AWokenBodyHasItsLoadAtOnce) {
     EXPECT_LT(highest - start, 1e-4);
 }
 
-TEST_P(Sleep, WhatDriftsFreelyIsNotAtRest) {
+TEST_P(Sleep, AFreelyDriftingBodyIsNotAtRest) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const slow = scene.ball({0, 0});
@@ -129,7 +129,7 @@ TEST_P(Sleep, WhatDriftsFreelyIsNotAtRest) {
     EXPECT_NEAR(scene.at(slow).x, 1e-2, 1e-4);
 }
 
-TEST_P(Sleep, AWeakForceMovesWhatIsFree) {
+TEST_P(Sleep, AWeakForceMovesAFreeBody) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const planet = scene.ball({0, 0});
@@ -140,7 +140,7 @@ TEST_P(Sleep, AWeakForceMovesWhatIsFree) {
     EXPECT_NEAR(scene.at(planet).x, 2e-3 * 100 / 2, 2e-4);
 }
 
-TEST_P(Sleep, NothingMovesWithoutAForceAndThatCostsNothing) {
+TEST_P(Sleep, WithoutForcesNothingMovesAndTheEngineSleeps) {
     Scene scene;
     scene.gravity = 0;
     scene.ball({0, 0});
@@ -156,7 +156,7 @@ TEST_P(Sleep, CanBeForbidden) {
     EXPECT_EQ(scene.dynamics(), Activity::active);
 }
 
-TEST_P(Sleep, ARemovedJointLetsGo) {
+TEST_P(Sleep, ARemovedJointWakesItsBodies) {
     Scene scene;
     ObjectId const weight = scene.ball({0, -1});
     Joint joint;

@@ -16,7 +16,7 @@ TREMBLER_ON_EVERY_ENGINE(Validity);
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-// Numbers as a hostile script might hand them over.
+// Arbitrary numbers, as in a malicious file.
 double wild() {
     return *rc::gen::weightedOneOf<double>(
         {{6, rc::gen::map(rc::gen::inRange(-300, 300), [](int i) { return i * 0.01; })},
@@ -77,7 +77,7 @@ void addWildJoints(Scene& scene, std::vector<ObjectId>& all) {
     }
 }
 
-TEST_P(Validity, NoObjectHoweverWildAborts) {
+TEST_P(Validity, NoValuesOfAnObjectAbort) {
     EXPECT_TRUE(rc::check([] {
         Scene scene({.trace = true});
         std::vector<ObjectId> all{ObjectId{}};
@@ -118,8 +118,8 @@ TEST_P(Validity, NoObjectHoweverWildAborts) {
     }));
 }
 
-// The sound part of a random world stays sound: what is finite at the start is finite ever after.
-TEST_P(Validity, SoundBodiesStayFinite) {
+// The valid bodies of a random world stay valid: finite at the start, finite for ever.
+TEST_P(Validity, ValidBodiesStayFinite) {
     EXPECT_TRUE(rc::check([] {
         Scene scene;
         std::vector<ObjectId> all{ObjectId{}};
@@ -146,8 +146,8 @@ TEST_P(Validity, SoundBodiesStayFinite) {
     }));
 }
 
-// In an editor one of two limits is written first, with the other still at 0.
-TEST_P(Validity, LimitsTheWrongWayRoundAbortNothing) {
+// An editor writes one of two limits first, while the other is still 0.
+TEST_P(Validity, ExchangedLimitsDoNotAbort) {
     for (JointForm const form : {JointForm::hinge, JointForm::slider, JointForm::wheel}) {
         for (bool const limited : {false, true}) {
             Scene scene({.trace = true});
@@ -167,7 +167,7 @@ TEST_P(Validity, LimitsTheWrongWayRoundAbortNothing) {
     }
 }
 
-TEST_P(Validity, WhatIsRefusedIsToldOnceAndTheRestGoesOn) {
+TEST_P(Validity, RefusalsAreReportedOnceAndTheOthersContinue) {
     Scene scene({.trace = true});
     ObjectId const bad = scene.body("bad", polygonPiece(ngon(9, 0.3)), {0, 5});
     ObjectId const good = scene.ball({3, 5});

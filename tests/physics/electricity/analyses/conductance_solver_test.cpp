@@ -118,7 +118,7 @@ Problem anyProblem(double orders) {
     }
     for (std::uint32_t extra = below(2 * count); extra > 0; --extra) {
         std::uint32_t const to = 1 + below(count - 1);
-        made.edges.push_back({to, below(to)}); // some repeat, some the other way round
+        made.edges.push_back({to, below(to)}); // including parallel and reversed edges
     }
     for (std::size_t e = 0; e < made.edges.size(); ++e) {
         made.siemens.push_back(std::pow(10, anyBetween(-orders / 2, orders / 2)));
@@ -152,7 +152,7 @@ TEST(ConductanceSolver, FindsThePotentialsOfDenseElimination) {
     }));
 }
 
-TEST(ConductanceSolver, AsMuchFlowsInAsOutOverTwelveOrdersOfMagnitude) {
+TEST(ConductanceSolver, CurrentIsConservedOverTwelveOrdersOfMagnitude) {
     EXPECT_TRUE(rc::check("Kirchhoff's first law, as a share of what passes", [] {
         Problem const problem = anyProblem(12);
         Solution const found = solutionOf(problem);
@@ -176,7 +176,7 @@ TEST(ConductanceSolver, AsMuchFlowsInAsOutOverTwelveOrdersOfMagnitude) {
     }));
 }
 
-// What a source at one place does at another, it does the other way round as well.
+// The effect of a source at one place on another equals the effect with the places exchanged.
 TEST(ConductanceSolver, IsReciprocal) {
     EXPECT_TRUE(rc::check("Lorentz's reciprocity", [] {
         Problem problem = anyProblem(3);
@@ -198,7 +198,7 @@ TEST(ConductanceSolver, IsReciprocal) {
 }
 
 TEST(ConductanceSolver, FollowsOhmsLawInSmallCircuits) {
-    // 0 is at 0 V, 1 at 10 V; 2 divides between them, 3 hangs on 2, and current flows into 4.
+    // Node 0 is at 0 V, 1 at 10 V; 2 is between them, 3 is a dead end at 2, and current flows into 4.
     Problem problem;
     problem.edges = {{1, 2}, {2, 0}, {2, 0}, {2, 3}, {4, 0}};
     problem.fixed = {1, 1, 0, 0, 0};
@@ -231,7 +231,7 @@ TEST(ConductanceSolver, WithEveryPotentialGivenOnlyTheCurrentsAreFound) {
     EXPECT_EQ(found.volts, (std::vector<double>{5, 3}));
 }
 
-TEST(ConductanceSolver, DoesOnlyTheWorkThatIsNewAndHasNoMemoryThatShows) {
+TEST(ConductanceSolver, RepeatsOnlyNecessaryWorkWithTheSameResults) {
     EXPECT_TRUE(rc::check("the same bits as of a solver that has solved nothing else", [] {
         Problem first = anyProblem(6);
         Problem const second = anyProblem(6);

@@ -47,7 +47,7 @@ TEST(ElectricityFlow, TheNarrowestPlaceIsTheBottleneck) {
     EXPECT_FALSE(circuit.isOn(circuit["off the way"]));
     EXPECT_TRUE(circuit.isOn(circuit["thin"]));
     EXPECT_EQ(circuit.circuitOf("plus").level, ElectricalLevel::flow);
-    // A second way moves the bottleneck.
+    // A second path moves the bottleneck.
     circuit.connect("plus", "bar");
     EXPECT_TRUE(std::isinf(circuit.circuitOf("plus").flow));
     EXPECT_TRUE(circuit.circuitOf("plus").bottleneck.empty());
@@ -57,7 +57,7 @@ TEST(ElectricityFlow, TheNarrowestPlaceIsTheBottleneck) {
     EXPECT_EQ(bottleneck(circuit, "plus"), Names{"plus"});
 }
 
-TEST(ElectricityFlow, WhatCarriesNothingBreaksTheCircuit) {
+TEST(ElectricityFlow, AnObjectOfZeroCapacityBreaksTheCircuit) {
     NodalWorld circuit("flow");
     circuit.source("plus");
     circuit.returning("minus");
@@ -86,7 +86,7 @@ TEST(ElectricityFlow, AFuseIsACapacityAndABalancedBridgesLampIsOn) {
     circuit.begin();
     EXPECT_DOUBLE_EQ(circuit.circuitOf("plus").flow, 3);
     EXPECT_EQ(bottleneck(circuit, "plus"), Names{"fuse"});
-    EXPECT_TRUE(circuit.isOn(circuit["lamp"])); // which is what this level cannot tell
+    EXPECT_TRUE(circuit.isOn(circuit["lamp"])); // this level cannot represent a balanced bridge
     circuit.world().setDetail("electricity", "nodal");
     circuit.world().step();
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));

@@ -1,4 +1,4 @@
-// Flows and bottlenecks, against minimum cuts found by trying every set of objects.
+// Flows and bottlenecks, compared with minimum cuts found by testing every set of objects.
 #include "physics/electricity/analyses/max_flow.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct Sample {
     std::vector<Microamperes> capacities;
 
     [[nodiscard]] std::uint32_t subsets() const { return 1U << circuit.size(); }
-    /// The objects that current reaches from the sources, those in `removed` left out.
+    /// The objects that current reaches from the sources, without those in `removed`.
     [[nodiscard]] std::uint32_t reachable(std::uint32_t removed) const {
         std::uint32_t reached = 0;
         for (auto const& source : circuit.sources) {
@@ -65,7 +65,7 @@ Sample randomSample() {
     }
     sample.circuit.offsets.push_back(0);
     for (std::uint32_t v = 0; v < count; ++v) {
-        sample.circuit.objects.push_back({(v * 7) % 11, 0}); // ids in another order than vertices
+        sample.circuit.objects.push_back({(v * 7) % 11, 0}); // ids in a different order from the vertices
         sample.circuit.networks.emplace_back();
         sample.circuit.neighbours.insert(sample.circuit.neighbours.end(), neighbours[v].begin(),
                                          neighbours[v].end());
@@ -97,8 +97,8 @@ TEST(MaxFlow, IsTheMinimumCutOverAllSetsOfObjects) {
             RC_ASSERT(found.bottleneck.empty());
             return;
         }
-        // The bottleneck is a cut of that capacity, every object of it carries all it can, and nothing
-        // carries more than it can.
+        // The bottleneck is a cut of that capacity, its objects carry their full capacity, and no object
+        // carries more than its capacity.
         std::uint32_t cut = 0;
         for (std::uint32_t const v : found.bottleneck) {
             cut |= 1U << v;
@@ -109,13 +109,13 @@ TEST(MaxFlow, IsTheMinimumCutOverAllSetsOfObjects) {
             RC_ASSERT(found.through[v] >= 0);
             RC_ASSERT(found.through[v] <= sample.capacities[v]);
         }
-        std::uint32_t barred = 0; // what carries nothing belongs to no bottleneck, but lets nothing through
+        std::uint32_t barred = 0; // objects of zero capacity belong to no bottleneck, but carry no current
         for (std::uint32_t v = 0; v < sample.circuit.size(); ++v) {
             barred |= sample.capacities[v] == 0 ? 1U << v : 0;
         }
         RC_ASSERT(sample.capacity(cut) == least);
         RC_ASSERT(sample.separates(cut | barred));
-        // And of all minimum cuts it leaves the least on the source's side.
+        // Of all minimum cuts it is the one nearest the source.
         std::uint32_t const side = sample.reachable(cut | barred);
         for (std::uint32_t set = 0; set < sample.subsets(); ++set) {
             if (sample.separates(set | barred) && sample.capacity(set) == least) {

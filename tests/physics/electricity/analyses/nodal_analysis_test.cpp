@@ -35,7 +35,7 @@ TEST(ElectricityNodalRobust, ParallelResistorsTwelveOrdersOfMagnitudeApart) {
 }
 
 TEST(ElectricityNodalRobust, AMilliohmBehindAGigaohm) {
-    // All that holds the many milliohms at their potential is a gigaohm at either end.
+    // The potential of the many milliohms is determined only by a gigaohm at either end.
     constexpr std::uint32_t side = 40;
     Draft draft(side * side);
     draft.source(0, 1e3, greatestResistance);
@@ -111,7 +111,7 @@ TEST(ElectricityNodalRobust, TenThousandNodes) {
     NodalSolution const& solution = analysis.solve(draft.netlist);
     EXPECT_LE(solution.residual, residualLimit);
     EXPECT_LE(localResidual(draft.netlist, solution), residualLimit);
-    // What goes in comes out, and everything lies between the poles.
+    // Current is conserved, and all potentials lie between those of the poles.
     EXPECT_NEAR(solution.currents.front() / solution.currents.back(), 1, 1e-12);
     for (auto const& object : solution.objects) {
         ASSERT_GE(object.potential, 0);
@@ -139,7 +139,7 @@ TEST(ElectricityNodalRobust, AChainOfTenThousandResistorsThroughAWorld) {
     EXPECT_EQ(circuit.circuitOf("0").objects, count + 2U);
 }
 
-TEST(ElectricityNodalRobust, IdealConductorsByTheThousand) {
+TEST(ElectricityNodalRobust, ThousandsOfIdealConductors) {
     // A sheet of ideal conductors between two resistors, and a star.
     constexpr std::uint32_t side = 60;
     Draft draft(side * side + 2);
@@ -166,7 +166,7 @@ TEST(ElectricityNodalRobust, IdealConductorsByTheThousand) {
     EXPECT_EQ(solution.objects[7].potential, solution.objects[70].potential); // exactly one node
 }
 
-TEST(ElectricityNodalRobust, NothingThatAProgramWritesMakesItNotANumber) {
+TEST(ElectricityNodalRobust, AnyStatedValuesGiveFiniteResults) {
     double const infinite = std::numeric_limits<double>::infinity();
     double const nan = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> const odd{0, -0.0, -1, 1e-300, 1e300, infinite, -infinite, nan, 5};
@@ -205,7 +205,7 @@ TEST(ElectricityNodalRobust, TheSymbolicFactorisationIsKeptWhileTheStructureStay
     double const first = kept.solve(open.netlist, "").currents[1];
     int const symbolic = kept.symbolicFactorisations();
     int const numeric = kept.numericFactorisations();
-    // Only the EMF is another: not even the numbers are factorised again.
+    // Only the EMF differs: the matrix is not factorised again.
     open.netlist.branches[0].emf = 18;
     EXPECT_DOUBLE_EQ(kept.solve(open.netlist, "").currents[1], 2 * first);
     EXPECT_EQ(kept.numericFactorisations(), numeric);

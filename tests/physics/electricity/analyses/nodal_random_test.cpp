@@ -121,7 +121,7 @@ TEST(ElectricityNodalRandom, AgreesWithTheDenseTableau) {
         NodalAnalysis analysis;
         NodalSolution const& found = analysis.solve(netlist);
         RC_ASSERT(found.residual <= 1e-12);
-        long double largest = 1e-6L; // A: of less the tableau itself knows too few digits
+        long double largest = 1e-6L; // A: below, the tableau itself is too inexact
         for (long double const i : expected.currents) {
             largest = std::max(largest, std::abs(i));
         }
@@ -156,8 +156,8 @@ TEST(ElectricityNodalRandom, IdealConductorsAreTheLimitOfEqualSmallResistances) 
 }
 
 TEST(ElectricityNodalRandom, EnergyIsConserved) {
-    // Tellegen: what the EMFs give is what becomes heat; and over any other potentials nothing is left
-    // either.
+    // Tellegen: the power of the EMFs equals the heat; for any other potentials the sum of the powers is zero
+    // as well.
     EXPECT_TRUE(rc::check("Tellegen's theorem", [] {
         Plan const plan = randomPlan(anyBelow(2) == 0, 6);
         NodalWorld circuit("nodal");
@@ -176,7 +176,7 @@ TEST(ElectricityNodalRandom, EnergyIsConserved) {
                 circuit.store().column<ElectricalReturn>().set(id, {});
             }
         }
-        circuit.returning("so that there is one"); // or the world would be one of whole cables
+        circuit.returning("so that there is one"); // else single-cable electricity would be used
         for (auto const& [a, b] : plan.wires) {
             circuit.wire({{"object " + std::to_string(a), "object " + std::to_string(b)}});
         }
@@ -193,7 +193,7 @@ TEST(ElectricityNodalRandom, EnergyIsConserved) {
     }));
 }
 
-/// A world of the plan, in which every wire is made and broken by calls, in some order.
+/// A world with the plan's circuit, in which calls make and break every wire, in a random order.
 std::vector<double> currentsAfterDetours(Plan const& plan, std::vector<std::size_t> const& order) {
     NodalWorld circuit("nodal");
     for (std::size_t i = 0; i < plan.objects.size(); ++i) {
@@ -229,7 +229,7 @@ std::vector<double> currentsAfterDetours(Plan const& plan, std::vector<std::size
     return currents;
 }
 
-TEST(ElectricityNodalRandom, HowACircuitCameAboutIsNothingToIt) {
+TEST(ElectricityNodalRandom, TheHistoryOfACircuitHasNoInfluence) {
     EXPECT_TRUE(rc::check("bit for bit", [] {
         Plan const plan = randomPlan(true, 6);
         RC_PRE(!plan.wires.empty());

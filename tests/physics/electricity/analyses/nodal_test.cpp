@@ -54,7 +54,7 @@ TEST(ElectricityNodal, InternalResistance) {
     near(circuit.at("plus").supplied, 9, "E I");
 }
 
-TEST(ElectricityNodal, ASourceThatStatesNothingGivesTwelveVolts) {
+TEST(ElectricityNodal, ASourceWithoutStatedEmfGivesTwelveVolts) {
     NodalWorld circuit;
     circuit.source("plus");
     circuit.resistor("load", 6);
@@ -78,7 +78,7 @@ void drawBridge(NodalWorld& circuit, double r1, double r2, double r3, double r4)
                   {"left", "lamp", "right"}});
 }
 
-TEST(ElectricityNodal, ABalancedBridgesLampIsDarkAndTwoWireCannotTell) {
+TEST(ElectricityNodal, ABalancedBridgesLampIsDarkExceptForTwoWire) {
     NodalWorld circuit;
     drawBridge(circuit, 10, 20, 33, 66);
     circuit.begin();
@@ -91,14 +91,14 @@ TEST(ElectricityNodal, ABalancedBridgesLampIsDarkAndTwoWireCannotTell) {
     circuit.world().setDetail("electricity", "two-wire");
     circuit.world().step();
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
-    EXPECT_TRUE(circuit.quantities().byIndex.empty()); // nothing is known of amperes any more
+    EXPECT_TRUE(circuit.quantities().byIndex.empty()); // this level computes no currents
     circuit.world().setDetail("electricity", "nodal");
     circuit.world().step();
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
     EXPECT_EQ(circuit.state().switchedOff, std::vector{circuit["lamp"]});
 }
 
-TEST(ElectricityNodal, AnUnbalancedBridgeIsAsThevenins) {
+TEST(ElectricityNodal, AnUnbalancedBridgeAgreesWithThevenin) {
     NodalWorld circuit;
     drawBridge(circuit, 10, 20, 30, 40);
     circuit.begin();
@@ -111,7 +111,7 @@ TEST(ElectricityNodal, AnUnbalancedBridgeIsAsThevenins) {
     EXPECT_EQ(circuit.isOn(circuit["lamp"]), 25 * current * current >= 0.01);
 }
 
-TEST(ElectricityNodal, ALadderOfEqualResistorsIsFibonaccis) {
+TEST(ElectricityNodal, ALadderOfEqualResistorsFollowsFibonacciNumbers) {
     constexpr int sections = 30;
     NodalWorld circuit;
     circuit.battery("plus", 1);
@@ -134,7 +134,7 @@ TEST(ElectricityNodal, ALadderOfEqualResistorsIsFibonaccis) {
         double const expected =
             fibonacci[static_cast<std::size_t>(2 * (sections - i) - 1)] / fibonacci[2 * sections + 1];
         double const found = circuit.at("rung " + std::to_string(i)).potential;
-        EXPECT_NEAR(found / expected, 1, tight) << "rung " << i; // to the last of them, 1e-12 V
+        EXPECT_NEAR(found / expected, 1, tight) << "rung " << i; // down to the last one, 1e-12 V
     }
 }
 
@@ -167,7 +167,7 @@ TEST(ElectricityNodal, BrightnessIsPowerOverRatedPower) {
     EXPECT_TRUE(circuit.isOn(circuit["one of two"]));
 }
 
-TEST(ElectricityNodal, ElevenLampsInARowAreDarkAndTwoWireCannotTell) {
+TEST(ElectricityNodal, ElevenLampsInSeriesAreDarkExceptForTwoWire) {
     for (int const lamps : {9, 11}) {
         NodalWorld circuit;
         circuit.battery("plus", 6);
@@ -208,7 +208,7 @@ TEST(ElectricityNodal, AShortedLampIsDarkAndTheShortIsReported) {
     circuit.disconnect("spanner", "minus", 1);
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
     EXPECT_TRUE(circuit.circuitOf("lamp").shorted.empty());
-    // Two-wire: everything lies on some path, the shorted lamp, too.
+    // Two-wire: every object lies on some path, including the shorted lamp.
     circuit.connect("spanner", "minus", 1);
     circuit.world().setDetail("electricity", "two-wire");
     circuit.world().step();
@@ -261,7 +261,7 @@ TEST(ElectricityNodal, IdealConductorsShareAsEqualResistancesWould) {
     circuit.battery("plus", 12);
     circuit.returning("minus");
     circuit.resistor("load", 2);
-    // Two ways of two connections each, and one of one.
+    // Two paths of two connections each, and one of one connection.
     circuit.wire({{"plus", "upper", "end"}, {"plus", "lower", "end"}, {"plus", "end", "load", "minus"}});
     circuit.begin();
     near(circuit.at("load").current, 6, "in all");
@@ -286,7 +286,7 @@ TEST(ElectricityNodal, FloatingIslandsAreReported) {
     EXPECT_TRUE(circuit.circuitOf("lonely").floating);
     EXPECT_EQ(circuit.at("partner").current, 0);
     auto events = circuit.events();
-    EXPECT_EQ(std::count(events.begin(), events.end(), "floating"), 1); // one object alone is no island
+    EXPECT_EQ(std::count(events.begin(), events.end(), "floating"), 1); // a single object is not an island
     circuit.connect("partner", "load");
     EXPECT_FALSE(circuit.at("pair").floating);
     near(circuit.at("pair").potential, 6, "with the middle of the load");
@@ -297,7 +297,7 @@ TEST(ElectricityNodal, FloatingIslandsAreReported) {
     ASSERT_EQ(circuit.quantities().circuits.size(), 3U);
 }
 
-TEST(ElectricityNodal, NetworksAreApart) {
+TEST(ElectricityNodal, NetworksAreSeparate) {
     NodalWorld circuit;
     circuit.battery("plant", 230, 0, "mains");
     circuit.battery("cell", 4.5, 0, "battery");

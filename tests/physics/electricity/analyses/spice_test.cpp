@@ -25,7 +25,7 @@ bool installed() {
     return found;
 }
 
-/// What ngspice prints, by name of node or source.
+/// The numbers that ngspice prints, by name of node or source.
 std::map<std::string, double> runSpice(std::string const& netlist) {
     fs::path const file = fs::temp_directory_path() / ("trembler-spice-" + std::to_string(getpid()) + ".cir");
     std::ofstream(file) << netlist;
@@ -83,7 +83,7 @@ int compare(NodalWorld& circuit, double tolerance) {
             if (key.starts_with('v')) {
                 auto const at = values.find(key + "#branch");
                 EXPECT_NE(at, values.end()) << key << " of " << netlist;
-                // Positive into the source's plus pole; what the source gives is V I.
+                // Positive into the source's plus pole; the source's power is V I.
                 double const emf = circuit.store().column<Emf>()[circuit[object]].voltage;
                 if (at != values.end()) {
                     EXPECT_NEAR(-at->second * emf, entry.supplied,

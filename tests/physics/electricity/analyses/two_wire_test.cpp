@@ -1,4 +1,4 @@
-// Objects on a way from source to return, against every way tried one by one.
+// Objects on a path from source to return, compared with a search over all paths.
 #include "physics/electricity/analyses/two_wire.hpp"
 #include "tests/physics/electricity/wired_objects.hpp"
 
@@ -12,7 +12,7 @@ namespace trembler::test {
 namespace two_wire_test {
 namespace {
 
-/// Goes every way that uses no object twice, and marks those that end at a return.
+/// Follows every path that uses no object twice, and marks the objects of paths that end at a return.
 class EveryWay {
 public:
     EveryWay(Circuit const& circuit, std::string_view network) : circuit_(circuit), network_(network) {
@@ -50,7 +50,7 @@ private:
     std::vector<bool> onWay_;
 };
 
-TEST(MarkTwoWire, MarksWhatLiesOnAWayFromSourceToReturn) {
+TEST(MarkTwoWire, MarksTheObjectsOnPathsFromSourceToReturn) {
     EXPECT_TRUE(rc::check("the same as trying every way", [] {
         auto const below = [](std::uint32_t bound) {
             return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0U, bound));
@@ -90,7 +90,7 @@ TEST(MarkTwoWire, MarksWhatLiesOnAWayFromSourceToReturn) {
     }));
 }
 
-/// The names of what is on, in a circuit of objects that are numbered from 0.
+/// The numbers of the objects that are on, in a circuit of objects numbered from 0.
 std::set<std::uint32_t> onIn(WiredObjects const& objects) {
     Circuit const circuit = objects.circuitOf({0, 0});
     std::vector<std::uint8_t> on(circuit.size(), 0);
@@ -116,12 +116,12 @@ TEST(MarkTwoWire, ABatteryIsOnOnlyWhileSomethingClosesItsCircuit) {
     EXPECT_TRUE(onIn(objects).empty());
     objects.connect({1, 0}, {2, 0});
     EXPECT_EQ(onIn(objects), (std::set<std::uint32_t>{0, 1, 2, 3}));
-    // One object that is both needs nothing else.
+    // An object that is both source and return needs no other object.
     objects.returns.set({0, 0}, {});
     EXPECT_TRUE(onIn(objects).contains(0));
 }
 
-TEST(MarkTwoWire, AHundredThousandObjectsInARowNeedNoRecursionOfTheirOwn) {
+TEST(MarkTwoWire, AHundredThousandObjectsInARowDoNotOverflowTheStack) {
     WiredObjects objects;
     constexpr std::uint32_t count = 100'000;
     for (std::uint32_t v = 0; v < count; ++v) {
@@ -132,7 +132,7 @@ TEST(MarkTwoWire, AHundredThousandObjectsInARowNeedNoRecursionOfTheirOwn) {
     }
     objects.sources.set({0, 0}, {});
     objects.returns.set({count - 2, 0}, {});
-    EXPECT_EQ(onIn(objects).size(), count - 1) << "all but the dead end";
+    EXPECT_EQ(onIn(objects).size(), count - 1) << "all except the dead end";
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Circuits as a walk packs them, against components found by joining sets.
+// Circuits found by a walk, compared with components found by disjoint sets.
 #include "physics/electricity/core/circuit.hpp"
 #include "tests/physics/electricity/wired_objects.hpp"
 
@@ -44,7 +44,7 @@ TEST(CircuitWalk, FindsEveryComponentOnceWithEveryConnectionInIt) {
         }
         CircuitWalk walk;
         Circuit circuit;
-        for (int round = 0; round < 2; ++round) { // what it remembers of the first does not show
+        for (int round = 0; round < 2; ++round) { // data of the first round must not influence the second
             walk.begin(objects.columns());
             std::map<std::uint32_t, std::uint32_t> number; // of the circuit with that root
             std::set<std::uint32_t> seen;
@@ -81,7 +81,7 @@ TEST(CircuitWalk, FindsEveryComponentOnceWithEveryConnectionInIt) {
     }));
 }
 
-TEST(CircuitWalk, AnObjectMadeForOneNetworkIsNoTerminalOfAnother) {
+TEST(CircuitWalk, AnObjectOfOneNetworkIsNoTerminalOfAnother) {
     WiredObjects objects;
     ObjectId const both = objects.conductor(2);
     ObjectId const battery = objects.conductor(0, "battery");
@@ -112,14 +112,14 @@ TEST(CircuitWalk, AnObjectMadeForOneNetworkIsNoTerminalOfAnother) {
     }
 }
 
-TEST(CircuitWalk, LeavesOutWhatIsGoneAndWhatNeverWasAVertex) {
+TEST(CircuitWalk, LeavesOutRemovedObjectsAndObjectsThatAreNoVertices) {
     WiredObjects objects;
     ObjectId const a = objects.conductor(0);
     ObjectId const b = objects.conductor(1);
     ObjectId const c = objects.conductor(2);
     objects.connect(a, b);
     objects.connect(b, c);
-    objects.graph.remove(b); // a and c still name it: the resolver has not had its turn
+    objects.graph.remove(b); // a and c still refer to it, as the resolver has not run yet
     EXPECT_EQ(objects.circuitOf(a).size(), 1U);
     EXPECT_TRUE(objects.circuitOf(a).neighbours.empty());
     CircuitWalk walk;

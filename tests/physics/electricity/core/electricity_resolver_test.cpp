@@ -10,7 +10,7 @@ namespace trembler::test {
 namespace callers_test {
 namespace {
 
-/// battery and lamp, with nothing between them.
+/// battery and lamp, not connected.
 void drawLamp(CircuitWorld& circuit) {
     circuit.source("battery");
     circuit.conductor("lamp");
@@ -22,7 +22,7 @@ CallerCounts between(CircuitWorld& circuit, std::string const& a, std::string co
     return connectionBetween(circuit.store(), circuit[a], circuit[b]);
 }
 
-TEST(ElectricityCallers, NoneTakesAwayWhatAnotherHasAdded) {
+TEST(ElectricityCallers, NoneRemovesTheConnectionsOfAnother) {
     CircuitWorld circuit;
     drawLamp(circuit);
     circuit.connect("battery", "lamp", 0);
@@ -31,12 +31,12 @@ TEST(ElectricityCallers, NoneTakesAwayWhatAnotherHasAdded) {
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
     circuit.connect("battery", "lamp", 1);
     circuit.disconnect("battery", "lamp", 0);
-    EXPECT_TRUE(circuit.isOn(circuit["lamp"])) << "the second still stands by it";
+    EXPECT_TRUE(circuit.isOn(circuit["lamp"])) << "the second script still connects them";
     circuit.disconnect("battery", "lamp", 1);
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
 }
 
-TEST(ElectricityCallers, NoneTakesAwayWiresOfTheLevelAndScissorsNothingElse) {
+TEST(ElectricityCallers, NoneRemovesWiresOfTheLevelAndScissorsCutOnlyThese) {
     CircuitWorld circuit;
     circuit.source("battery");
     circuit.wire({{"battery", "lamp"}});
@@ -58,7 +58,7 @@ TEST(ElectricityCallers, NoneTakesAwayWiresOfTheLevelAndScissorsNothingElse) {
     EXPECT_FALSE(circuit.isOn(lamp));
 }
 
-TEST(ElectricityCallers, WhatOneHasAddedGoesWhenItGoes) {
+TEST(ElectricityCallers, ConnectionsAreRemovedWithTheirCaller) {
     CircuitWorld circuit({.threads = 1, .detail = {}, .periods = {}, .trace = true});
     circuit.source("battery");
     circuit.wire({{"battery", "near"}, {"lamp"}});
@@ -70,18 +70,18 @@ TEST(ElectricityCallers, WhatOneHasAddedGoesWhenItGoes) {
     circuit.world().step();
     ASSERT_EQ(circuit.status("Electricity <- Script 1").activity, Activity::asleep);
     ObjectId const director = circuit["director"];
-    circuit.store().column<Script>().remove(director); // nothing calls for the scripts any more
+    circuit.store().column<Script>().remove(director); // nothing activates the scripts any more
     circuit.world().step();
     ASSERT_EQ(circuit.status("Electricity <- Script 1").activity, Activity::absent);
     circuit.world().step();
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
     EXPECT_EQ(between(circuit, "battery", "near").names(), "level, Electricity <- Dynamics")
-        << "the level and whoever is still there";
+        << "the level and the remaining caller";
     auto const& events = circuit.world().tracer()->events();
     EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](Event const& event) {
         return event.event == "disconnected" && event.objects == std::vector<std::string>{"battery", "lamp"};
     }));
-    // It comes again, and begins with nothing.
+    // It is constructed again, without connections.
     circuit.store().column<Script>().set(director, {});
     circuit.world().step();
     circuit.disconnect("battery", "lamp", 0);
@@ -92,7 +92,7 @@ TEST(ElectricityCallers, WhatOneHasAddedGoesWhenItGoes) {
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
 }
 
-TEST(ElectricityCallers, KeepTheirNamesWhileOthersComeAndGo) {
+TEST(ElectricityCallers, KeepTheirNamesWhileOthersAreAddedAndRemoved) {
     CircuitWorld circuit;
     circuit.source("battery");
     circuit.wire({{"battery", "near"}, {"lamp"}});
@@ -100,13 +100,13 @@ TEST(ElectricityCallers, KeepTheirNamesWhileOthersComeAndGo) {
     circuit.touch({{"near", "lamp"}});
     circuit.connect("battery", "lamp", 2);
     ObjectId const director = circuit["director"];
-    // Before the scripts in the order of registration, so all of theirs move up in the list of those who
-    // call.
+    // It is registered before the scripts, so the indices of all scripts in the list of callers change.
     circuit.store().column<Touching>().remove(director);
     circuit.world().step();
     ASSERT_EQ(circuit.status("Electricity <- Dynamics").activity, Activity::absent);
     circuit.call({});
-    EXPECT_FALSE(between(circuit, "near", "lamp").any()) << "nobody knows whether they still touch";
+    EXPECT_FALSE(between(circuit, "near", "lamp").any())
+        << "without contacts being computed, the connection is removed";
     EXPECT_EQ(between(circuit, "battery", "lamp").names(), "Electricity <- Script 3");
     circuit.disconnect("battery", "lamp", 1);
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
@@ -116,7 +116,7 @@ TEST(ElectricityCallers, KeepTheirNamesWhileOthersComeAndGo) {
     circuit.call({});
     EXPECT_EQ(between(circuit, "near", "lamp").names(), "Electricity <- Dynamics");
     circuit.disconnect("battery", "lamp", 2);
-    EXPECT_FALSE(between(circuit, "battery", "lamp").any()) << "its own it can take back";
+    EXPECT_FALSE(between(circuit, "battery", "lamp").any()) << "a caller can remove its own connection";
 }
 
 TEST(ElectricityCallers, SwappingDetailLevelsChangesNoCount) {

@@ -1,4 +1,4 @@
-// Netlists of networks: who is a node, what lies in each branch, and that no order of walking shows.
+// Netlists of networks: their nodes and branches, which do not depend on the order of the walk.
 #include "physics/electricity/core/netlist.hpp"
 #include "tests/physics/electricity/wired_objects.hpp"
 
@@ -45,7 +45,7 @@ TEST(Netlist, ResistancesAreStatedOrFollowFromTheRatingAndStayWithinTheirLimits)
     objects.ratings.set(lamp, rating);
     EXPECT_EQ(resistanceOf(objects.nodal(), lamp), greatestResistance);
     objects.resistances.set(lamp, {7});
-    EXPECT_EQ(resistanceOf(objects.nodal(), lamp), 7) << "what is stated counts";
+    EXPECT_EQ(resistanceOf(objects.nodal(), lamp), 7) << "a stated resistance takes precedence";
 }
 
 TEST(Netlist, ABranchHoldsHalfOfTheObjectsAtItsEnds) {
@@ -75,7 +75,7 @@ TEST(Netlist, ABranchHoldsHalfOfTheObjectsAtItsEnds) {
     EXPECT_EQ(made.branches, expected);
 }
 
-TEST(Netlist, AnEmfThatIsNoNumberOrTooLargeIsMadeOne) {
+TEST(Netlist, ANonFiniteEmfIsZeroAndALargeOneIsLimited) {
     WiredObjects objects;
     ObjectId const plus = objects.conductor(0);
     objects.sources.set(plus, {});
@@ -93,9 +93,9 @@ TEST(Netlist, AnEmfThatIsNoNumberOrTooLargeIsMadeOne) {
     }
 }
 
-// Everything that a netlist must have, counted from the objects themselves; from whichever object the walk
-// began, the netlist is the same.
-TEST(Netlist, HoldsTheNetworksPartWhereverTheWalkBegan) {
+// The expected nodes and branches, counted from the objects themselves; the netlist is the same for any start
+// of the walk.
+TEST(Netlist, HasTheNetworksObjectsForAnyStartOfTheWalk) {
     EXPECT_TRUE(rc::check("the same from every seed, and whole", [] {
         auto const below = [](std::uint32_t bound) {
             return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0U, bound));

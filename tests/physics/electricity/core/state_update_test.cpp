@@ -1,4 +1,4 @@
-// Which circuits are looked at again, and that looking at fewer comes to the same as looking at all.
+// The circuits that are analysed again; the results are the same as after analysing all of them.
 #include "physics/electricity/core/state_update.hpp"
 #include "tests/physics/electricity/wired_objects.hpp"
 
@@ -12,7 +12,7 @@ namespace trembler::test {
 namespace state_update_test {
 namespace {
 
-/// Objects of which a whole circuit is on while it has a source, with the journal of their changes.
+/// Objects with a journal of their changes; all objects of a circuit are on while it has a source.
 class Bench {
 public:
     WiredObjects objects;
@@ -48,7 +48,7 @@ private:
     std::uint64_t frame_ = 0;
 };
 
-TEST(StateUpdate, LooksOnlyAtCircuitsThatWereTouched) {
+TEST(StateUpdate, AnalysesOnlyChangedCircuits) {
     Bench bench;
     for (std::uint32_t v = 0; v < 6; ++v) {
         bench.objects.conductor(v);
@@ -58,7 +58,7 @@ TEST(StateUpdate, LooksOnlyAtCircuitsThatWereTouched) {
     bench.objects.sources.set({0, 0}, {});
     bench.run();
     EXPECT_TRUE(bench.update.sawAll());
-    EXPECT_EQ(bench.looks, 4) << "two pairs and two alone";
+    EXPECT_EQ(bench.looks, 4) << "two pairs and two single objects";
     EXPECT_EQ(bench.update.circuits(), 4U);
     EXPECT_EQ(bench.state.switchedOn, (std::vector<ObjectId>{{0, 0}, {1, 0}}));
     EXPECT_EQ(bench.state.frame, 1U);
@@ -70,17 +70,17 @@ TEST(StateUpdate, LooksOnlyAtCircuitsThatWereTouched) {
     bench.touch({2, 0});
     bench.endOfTurn();
     bench.run();
-    EXPECT_EQ(bench.looks, 1) << "both ends are of one circuit";
+    EXPECT_EQ(bench.looks, 1) << "both ends belong to one circuit";
     EXPECT_FALSE(bench.update.sawAll());
     EXPECT_EQ(bench.state.switchedOn, (std::vector<ObjectId>{{2, 0}, {3, 0}}));
     EXPECT_TRUE(bench.state.switchedOff.empty());
-    // Something that the graph does not know, such as a resistance.
+    // A change outside of the graph, such as a resistance.
     bench.run(bench.update, bench.state, {{5, 0}});
     EXPECT_EQ(bench.looks, 1);
     EXPECT_FALSE(bench.update.anything());
 }
 
-TEST(StateUpdate, AReaderThatMissedTooMuchLooksAtAll) {
+TEST(StateUpdate, AReaderThatMissedEntriesAnalysesAllCircuits) {
     Bench bench;
     for (std::uint32_t v = 0; v < 3; ++v) {
         bench.objects.conductor(v);
@@ -103,7 +103,7 @@ TEST(StateUpdate, CausesAreThoseOfTheCircuit) {
     bench.run();
     bench.objects.connect({0, 0}, {1, 0});
     EventId const event{7};
-    bench.touch({3, 0}, EventId{5}); // of another circuit
+    bench.touch({3, 0}, EventId{5}); // in another circuit
     bench.touch({0, 0}, event);
     bench.touch({1, 0}, event);
     bench.endOfTurn();
@@ -118,8 +118,8 @@ TEST(StateUpdate, CausesAreThoseOfTheCircuit) {
     EXPECT_TRUE(bench.update.causes(99).empty());
 }
 
-// Connections come and go, objects die, and others are born in their places.
-TEST(StateUpdate, ComesToTheSameAsLookingAtAll) {
+// Connections are added and removed, objects are destroyed, and others are created with their indices.
+TEST(StateUpdate, AgreesWithAnalysingAllCircuits) {
     EXPECT_TRUE(rc::check("an update that knows nothing finds the same state", [] {
         auto const below = [](std::uint32_t bound) {
             return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0U, bound));
@@ -163,7 +163,7 @@ TEST(StateUpdate, ComesToTheSameAsLookingAtAll) {
             }
             bench.endOfTurn();
             if (below(3) == 0) {
-                continue; // it need not run in every turn
+                continue; // a turn may be skipped
             }
             bench.run();
             StateUpdate fresh;

@@ -29,7 +29,7 @@ void drawCircuit(NodalWorld& circuit, std::string const& suffix, bool returning 
     circuit.wire({{"plus" + suffix, "lamp" + suffix, "minus" + suffix}});
 }
 
-TEST(ElectricitySufficientLevel, IsTheCheapestThatCanTellWhatThereIs) {
+TEST(ElectricitySufficientLevel, IsTheCheapestThatCanRepresentTheScene) {
     NodalWorld cable;
     drawCircuit(cable, "", false);
     cable.begin();
@@ -71,7 +71,7 @@ TEST(ElectricitySufficientLevel, IsTheCheapestThatCanTellWhatThereIs) {
     }
 }
 
-TEST(ElectricitySufficientLevel, WithoutAReturnAnywhereCablesAreWholeWhateverElseIsStated) {
+TEST(ElectricitySufficientLevel, WithoutAReturnItIsSingleCableForAnyOtherProperties) {
     NodalWorld circuit;
     circuit.battery("plus", 9);
     circuit.lamp("lamp", 6, 3);
@@ -79,7 +79,7 @@ TEST(ElectricitySufficientLevel, WithoutAReturnAnywhereCablesAreWholeWhateverEls
     circuit.begin();
     EXPECT_EQ(levelAtWork(circuit), "single-cable");
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
-    // Asked for, nodal does the same: there is no return that a current could take.
+    // A stated level nodal gives the same result, because there is no return for a current.
     circuit.world().setDetail("electricity", "nodal");
     circuit.world().step();
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
@@ -99,20 +99,20 @@ TEST(ElectricitySufficientLevel, IsPickedForEachCircuitOfAScene) {
     EXPECT_EQ(circuit.circuitOf("lamp 2").reason, ElectricalReason::resistance);
     EXPECT_EQ(circuit.circuitOf("lamp 2").because, circuit["lamp 2"]);
     EXPECT_TRUE(circuit.isOn(circuit["lamp 1"]));
-    EXPECT_EQ(circuit.at("lamp 1").current, 0); // nobody has said what its ohms are
+    EXPECT_EQ(circuit.at("lamp 1").current, 0); // no resistance is stated
     EXPECT_DOUBLE_EQ(circuit.at("lamp 2").current, unstatedEmf / 6);
-    // A wire between the two makes them one circuit, and that has a resistance.
+    // A wire between the two makes them one circuit, which has a resistance.
     circuit.connect("minus 1", "minus 2");
     EXPECT_EQ(circuit.circuitOf("lamp 1").level, ElectricalLevel::nodal);
     EXPECT_EQ(circuit.quantities().circuits.size(), 1U);
-    EXPECT_FALSE(circuit.circuitOf("lamp 1").shorted.empty()); // as its lamp has none
+    EXPECT_FALSE(circuit.circuitOf("lamp 1").shorted.empty()); // because its lamp has none
     circuit.disconnect("minus 1", "minus 2");
     EXPECT_EQ(circuit.circuitOf("lamp 1").level, ElectricalLevel::twoWire);
     EXPECT_TRUE(circuit.isOn(circuit["lamp 1"]));
     EXPECT_EQ(circuit.quantities().circuits.size(), 2U);
 }
 
-TEST(ElectricitySufficientLevel, FollowsWhatComesAndGoes) {
+TEST(ElectricitySufficientLevel, FollowsAddedAndRemovedObjects) {
     NodalWorld circuit;
     drawCircuit(circuit, "");
     circuit.resistor("resistor", 3);
@@ -124,7 +124,7 @@ TEST(ElectricitySufficientLevel, FollowsWhatComesAndGoes) {
     EXPECT_TRUE(circuit.quantities().byIndex.empty());
 }
 
-// The cheaper level says no less than the more expensive: what it calls off is off to all of them.
+// An object that is off at a cheaper level is off at all more expensive ones.
 TEST(ElectricitySufficientLevel, TheCheaperLevelsErrOnOneSideOnly) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         std::vector<std::vector<std::string>> on;

@@ -1,5 +1,5 @@
-// (Electricity <- Dynamics): each contact becomes one connection, whenever and however often the interaction
-// is applied.
+// (Electricity <- Dynamics): each contact becomes one connection, for any number and times of the
+// interaction's turns.
 #include "tests/physics/electricity/circuit_world.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(ElectricityContacts, FollowTheThesissFrames) {
     EXPECT_EQ(chain, (std::vector<std::string>{"contact ended", "removeConnection", "disconnected", "off"}));
 }
 
-TEST(ElectricityContacts, AWoodenBarDoesNotClose) {
+TEST(ElectricityContacts, AWoodenBarDoesNotConnect) {
     CircuitWorld circuit;
     drawSwitch(circuit);
     circuit.touch({{"wooden bar", "contact 1"}, {"wooden bar", "contact 2"}});
@@ -73,7 +73,7 @@ TEST(ElectricityContacts, AreNotCountedAgainWhenAppliedForAnotherReason) {
     drawSwitch(circuit);
     circuit.touch({{"switch", "contact 1"}, {"switch", "contact 2"}});
     circuit.world().step();
-    for (int i = 0; i < 5; ++i) { // C_N still stands in the slot, as nothing has moved
+    for (int i = 0; i < 5; ++i) { // the slot still contains C_N, because nothing has moved
         circuit.store().column<Conductor>().touch();
         circuit.world().step();
         EXPECT_EQ(contactsBetween(circuit, "switch", "contact 1"), 1);
@@ -103,13 +103,13 @@ TEST(ElectricityContacts, NoneIsMissedOrLeftOverWithAPeriod) {
     EXPECT_EQ(contactsBetween(circuit, "switch", "contact 2"), 1);
 }
 
-TEST(ElectricityContacts, WhatTouchesWhenTheInteractionIsConstructedCounts) {
+TEST(ElectricityContacts, ContactsCountThatExistWhenTheInteractionIsConstructed) {
     CircuitWorld circuit;
     drawSwitch(circuit);
     circuit.touch({{"switch", "contact 1"}, {"switch", "contact 2"}});
     circuit.call({});
     ASSERT_EQ(contactsBetween(circuit, "switch", "contact 1"), 1);
-    // Without contacts there is nobody to provide them, so the interaction goes, and comes back later.
+    // Without a provider of contacts the interaction is removed; it is constructed again later.
     ObjectId const director = circuit["director"];
     Touching const touching = circuit.store().column<Touching>()[director];
     circuit.store().column<Touching>().remove(director);
@@ -123,7 +123,7 @@ TEST(ElectricityContacts, WhatTouchesWhenTheInteractionIsConstructedCounts) {
     std::int32_t const one = contactsBetween(circuit, "switch", "contact 1");
     std::int32_t const two = contactsBetween(circuit, "switch", "contact 2");
     EXPECT_EQ(one, 1); // neither counted twice
-    EXPECT_EQ(two, 0); // nor left standing
+    EXPECT_EQ(two, 0); // nor left over
 }
 
 } // namespace

@@ -32,14 +32,14 @@ TEST(ElectricityFuses, BlowAboveTheirRatingAndStayBlown) {
     EXPECT_DOUBLE_EQ(circuit.at("fuse").overload, 0.6);
     circuit.connect("bar", "second");
     EXPECT_DOUBLE_EQ(circuit.at("fuse").current, 12);
-    EXPECT_FALSE(blown(circuit, "fuse")); // what the current does, it does in the next frame
+    EXPECT_FALSE(blown(circuit, "fuse")); // the effect of the current follows in the next frame
     circuit.world().step();
     EXPECT_TRUE(blown(circuit, "fuse"));
     EXPECT_TRUE(circuit.store().column<ElectricityGraph>()[circuit["fuse"]].connections.empty());
     EXPECT_FALSE(circuit.isOn(circuit["load"]));
     EXPECT_EQ(circuit.at("load").current, 0);
     EXPECT_TRUE(circuit.at("fuse").floating);
-    // Neither taking the load away, nor contact, nor another level of detail repairs it.
+    // Neither removing the load, nor a contact, nor another detail level repairs it.
     circuit.disconnect("bar", "second");
     circuit.connect("fuse", "bar", 1);
     circuit.connect("fuse", "plus", 0);
@@ -52,7 +52,7 @@ TEST(ElectricityFuses, BlowAboveTheirRatingAndStayBlown) {
     EXPECT_TRUE(blown(circuit, "fuse"));
 }
 
-TEST(ElectricityFuses, TheAccountTellsWhy) {
+TEST(ElectricityFuses, TheTraceNamesTheCause) {
     NodalWorld circuit({}, 1, true);
     draw(circuit, 10);
     circuit.connect("bar", "second");
@@ -71,7 +71,7 @@ TEST(ElectricityFuses, TheAccountTellsWhy) {
     }
 }
 
-TEST(ElectricityFuses, AtTheirRatingTheyHold) {
+TEST(ElectricityFuses, DoNotBlowAtTheirRating) {
     NodalWorld circuit;
     draw(circuit, 6);
     circuit.call({});
@@ -83,7 +83,7 @@ TEST(ElectricityFuses, AtTheirRatingTheyHold) {
     EXPECT_TRUE(blown(other, "fuse"));
 }
 
-TEST(ElectricityFuses, TheWeakestInARowBlowsAndSavesTheOthers) {
+TEST(ElectricityFuses, TheWeakestInSeriesBlowsAndProtectsTheOthers) {
     NodalWorld circuit;
     circuit.battery("plus", 12, 0.1);
     circuit.returning("minus");
@@ -99,7 +99,7 @@ TEST(ElectricityFuses, TheWeakestInARowBlowsAndSavesTheOthers) {
     EXPECT_FALSE(blown(circuit, "middling"));
 }
 
-TEST(ElectricityFuses, EqualsSideBySideBlowTogetherAndUnequalsOneAfterTheOther) {
+TEST(ElectricityFuses, EqualOnesInParallelBlowTogetherAndUnequalOnesInTurn) {
     for (double const second : {4.0, 5.0}) {
         NodalWorld circuit;
         circuit.battery("plus", 12);
@@ -133,7 +133,7 @@ TEST(ElectricityFuses, OneThatIsBlownFromTheStartConductsNothing) {
 TEST(ElectricityFuses, BlowInTheSameFrameForAnyNumberOfThreads) {
     auto const run = [](int threads) {
         NodalWorld circuit({}, threads);
-        // Each branch has a fuse of its own, and no two are equally overloaded.
+        // Each branch has a fuse, and no two are equally overloaded.
         circuit.battery("plus", 12, 0.01);
         circuit.returning("minus");
         for (int i = 0; i < 40; ++i) {

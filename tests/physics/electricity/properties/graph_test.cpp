@@ -21,7 +21,7 @@ TEST(ElectricityGraph, HoldsEveryConnectionInBothRowsInOrder) {
             objects.push_back({static_cast<std::uint32_t>(v), 3});
         }
         addVertices(graph, objects);
-        addVertices(graph, objects); // those that have a row keep it
+        addVertices(graph, objects); // existing rows are kept
         std::map<std::pair<ObjectId, ObjectId>, std::int32_t> model;
         for (int step = *rc::gen::inRange(0, 40); step > 0; --step) {
             ObjectId const a = *rc::gen::elementOf(objects);
@@ -34,7 +34,7 @@ TEST(ElectricityGraph, HoldsEveryConnectionInBothRowsInOrder) {
             counts.add(CallerId::level(), count2);
             setConnection(graph, a, b, counts);
             model[std::minmax(a, b)] = count2;
-            addVertices(graph, objects); // and what is in it
+            addVertices(graph, objects); // with their content
         }
         for (ObjectId const a : objects) {
             auto const& row = graph[a].connections;
@@ -47,12 +47,12 @@ TEST(ElectricityGraph, HoldsEveryConnectionInBothRowsInOrder) {
                 RC_ASSERT(connectionBetween(graph, a, b).of(CallerId::level()) == expected);
                 present += expected > 0 ? 1U : 0U;
             }
-            RC_ASSERT(row.size() == present); // only present ones
+            RC_ASSERT(row.size() == present); // only existing connections
         }
     }));
 }
 
-TEST(ElectricityGraph, WhatIsNoConductorIsConnectedToNothing) {
+TEST(ElectricityGraph, NonConductorsHaveNoConnections) {
     Store store;
     ObjectId const a = store.create("a");
     ObjectId const b = store.create("b");

@@ -24,19 +24,19 @@ TEST(ElectricityConnections, AreCountedByCaller) {
     CircuitWorld circuit;
     drawOneLamp(circuit);
     circuit.connect("switch", "lamp", 1);
-    circuit.connect("lamp", "switch", 0); // in whichever order the two are named
+    circuit.connect("lamp", "switch", 0); // the order of the two does not matter
     CallerCounts both = connectionBetween(circuit.store(), circuit["switch"], circuit["lamp"]);
     EXPECT_EQ(countBy(both, 1), 1);
     EXPECT_EQ(countBy(both, 0), 1);
     EXPECT_EQ(countBy(both, 2), 0);
     circuit.disconnect("switch", "lamp", 1);
-    EXPECT_TRUE(circuit.isOn(circuit["lamp"])); // the wire is left
+    EXPECT_TRUE(circuit.isOn(circuit["lamp"])); // the wire remains
     circuit.disconnect("switch", "lamp", 0);
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
     EXPECT_FALSE(connectionBetween(circuit.store(), circuit["switch"], circuit["lamp"]).any());
 }
 
-TEST(ElectricityConnections, RemovingWhatIsNotThereTakesNothingFromALaterOne) {
+TEST(ElectricityConnections, RemovingAMissingOneDoesNotAffectALaterOne) {
     CircuitWorld circuit;
     drawOneLamp(circuit);
     circuit.disconnect("switch", "lamp");
@@ -46,7 +46,7 @@ TEST(ElectricityConnections, RemovingWhatIsNotThereTakesNothingFromALaterOne) {
     EXPECT_EQ(countBy(connectionBetween(circuit.store(), circuit["switch"], circuit["lamp"]), 0), 1);
 }
 
-TEST(ElectricityConnections, TheOrderOfCallsInAFrameIsNothingToThem) {
+TEST(ElectricityConnections, DoNotDependOnTheOrderOfCallsInAFrame) {
     std::vector<int> order{0, 1, 2, 3, 4};
     std::vector<std::uint64_t> hashes;
     do {
@@ -68,14 +68,14 @@ TEST(ElectricityConnections, TheOrderOfCallsInAFrameIsNothingToThem) {
     EXPECT_EQ(std::count(hashes.begin(), hashes.end(), hashes.front()), 120);
 }
 
-TEST(ElectricityConnections, AreSeenByTheStateHash) {
+TEST(ElectricityConnections, ArePartOfTheStateHash) {
     CircuitWorld circuit;
     drawOneLamp(circuit);
     circuit.call({});
     std::uint64_t const open = circuit.world().stateHash();
     circuit.connect("switch", "lamp");
     std::uint64_t const closed = circuit.world().stateHash();
-    circuit.connect("switch", "lamp"); // one more: nobody's state changes, but the world has
+    circuit.connect("switch", "lamp"); // one more: no object's state changes, but the world's does
     EXPECT_NE(circuit.world().stateHash(), closed);
     circuit.disconnect("switch", "lamp");
     EXPECT_EQ(circuit.world().stateHash(), closed);
@@ -98,7 +98,7 @@ TEST(ElectricityConnections, NonConductorsNeverEnter) {
 TEST(ElectricityConnections, ThePlayerCutsOneWireAtATimeAndNoContact) {
     CircuitWorld circuit(traced());
     circuit.source("battery");
-    circuit.wire({{"battery", "switch", "lamp"}, {"lamp", "switch"}}); // two between switch and lamp
+    circuit.wire({{"battery", "switch", "lamp"}, {"lamp", "switch"}}); // two wires between switch and lamp
     circuit.start();
     circuit.world().step();
     auto const cut = [&] {
@@ -115,7 +115,7 @@ TEST(ElectricityConnections, ThePlayerCutsOneWireAtATimeAndNoContact) {
     circuit.connect("switch", "lamp", 1);
     cut();
     EXPECT_TRUE(circuit.isOn(circuit["lamp"]));
-    // The cut is why the lamp went off.
+    // The cut is the cause of the lamp's going off.
     auto const events = circuit.world().tracer()->events();
     auto const off =
         std::find_if(events.begin(), events.end(), [](Event const& e) { return e.event == "off"; });
@@ -128,7 +128,7 @@ TEST(ElectricityConnections, ThePlayerCutsOneWireAtATimeAndNoContact) {
     EXPECT_EQ(chain, (std::vector<std::string>{"cut", "cutWire", "disconnected", "off"}));
 }
 
-TEST(ElectricityConnections, InitialOnesAreRefusedInWords) {
+TEST(ElectricityConnections, InvalidInitialOnesAreRefusedWithAMessage) {
     CircuitWorld circuit;
     ObjectId const wood = circuit.store().create("wood");
     ObjectId const steel = circuit.conductor("steel");

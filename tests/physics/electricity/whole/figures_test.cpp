@@ -11,7 +11,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The path S-1-...-T and what hangs on it in Figures.
+/// The path S-1-...-T and its branches in Figures.
 void drawFigure12(CircuitWorld& circuit) {
     circuit.source("S");
     circuit.returning("T");
@@ -28,7 +28,7 @@ TEST(ElectricityFigures, A5SingleCable) {
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "4", "source"}));
     circuit.connect("2", "3"); // no work needs to be done
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "4", "source"}));
-    circuit.connect("5", "7"); // nor here
+    circuit.connect("5", "7"); // nor for this one
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "4", "source"}));
     circuit.disconnect("5", "7");
     circuit.connect("2", "5"); // the entire subgraph containing object 5
@@ -85,7 +85,7 @@ TEST(ElectricityFigures, A12TwoPaths) {
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "4", "5", "6", "S", "T"}));
 }
 
-// Articulation vertices by their definition: what remains after taking one away is not connected.
+// Articulation vertices by their definition: without one, the rest is not connected.
 std::set<std::string> articulationVertices(std::map<std::string, std::set<std::string>> const& graph) {
     std::set<std::string> found;
     for (auto const& [taken, unused] : graph) {
@@ -135,7 +135,8 @@ TEST(ElectricityFigures, A13VirtualEdgeAndArticulationVertices) {
     graph["T"].insert("S");
     EXPECT_EQ(articulationVertices(graph), (std::set<std::string>{"1", "5", "7"}));
     EXPECT_FALSE(connectionBetween(circuit.store(), circuit["S"], circuit["T"]).any());
-    // What the articulation vertices cut off from both S and T is off: 10 behind 1; 7 behind 5; 8 and 9.
+    // Vertices that articulation vertices cut off from both S and T are off: 10 behind 1; 7 behind 5; 8 and
+    // 9.
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "4", "5", "6", "S", "T"}));
 }
 

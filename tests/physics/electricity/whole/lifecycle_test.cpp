@@ -32,14 +32,14 @@ TEST(ElectricityLifecycle, AFinishedCircuitSleeps) {
     EXPECT_EQ(circuit.world().find<GraphChanges>()->number, number);
 }
 
-TEST(ElectricityLifecycle, WhatChangesNobodysStateWakesNobody) {
+TEST(ElectricityLifecycle, ChangesWithoutEffectOnStatesWakeNoReader) {
     CircuitWorld circuit;
     circuit.source("battery");
     circuit.wire({{"battery", "lamp"}, {"a"}, {"b"}});
     circuit.start();
     circuit.call({});
     std::uint64_t const version = circuit.store().slot<ElectricalState>().version();
-    circuit.connect("a", "b"); // two that are off
+    circuit.connect("a", "b"); // two objects that are off
     EXPECT_EQ(circuit.store().slot<ElectricalState>().version(), version);
     circuit.connect("battery", "a");
     EXPECT_NE(circuit.store().slot<ElectricalState>().version(), version);
@@ -74,11 +74,11 @@ TEST(ElectricityLifecycle, LosingTheLastReturnLightsNothing) {
     circuit.world().step();
     ASSERT_TRUE(circuit.isOn(circuit["lamp"]));
     circuit.call({}, {circuit["T"]});
-    EXPECT_EQ(circuit.on(), Names{}); // and not all of them, as in a world that has only cables
+    EXPECT_EQ(circuit.on(), Names{}); // not all of them, as in a world with cables only
     EXPECT_EQ(circuit.state().switchedOff, (std::vector{circuit["S"], circuit["lamp"]}));
 }
 
-TEST(ElectricityLifecycle, ConnectionsGoWithTheirObjects) {
+TEST(ElectricityLifecycle, ConnectionsAreRemovedWithTheirObjects) {
     CircuitWorld circuit;
     circuit.source("battery");
     circuit.wire({{"battery", "bridge", "lamp"}});
@@ -92,7 +92,7 @@ TEST(ElectricityLifecycle, ConnectionsGoWithTheirObjects) {
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
     EXPECT_FALSE(circuit.isOn(bridge));
     EXPECT_TRUE(circuit.store().column<ElectricityGraph>()[circuit["lamp"]].connections.empty());
-    // The next object that is given the same place in memory has nothing to do with it.
+    // The next object with the same index has none of its connections.
     Prototype plain{"bar", {}};
     plain.values.push_back(std::make_unique<ValueOf<Conductor>>());
     std::uint32_t const bar = circuit.store().prototypes().add(std::move(plain));
@@ -113,7 +113,7 @@ TEST(ElectricityLifecycle, ConnectionsGoWithTheirObjects) {
     EXPECT_FALSE(circuit.isOn(bridge));
 }
 
-TEST(ElectricityLifecycle, WhoPlaysAnotherPartInTheNetworksSwitchesOthers) {
+TEST(ElectricityLifecycle, ChangedRolesInNetworksSwitchOtherObjects) {
     CircuitWorld circuit;
     circuit.source("S", "mains");
     circuit.returning("T", "mains");
@@ -148,14 +148,14 @@ TEST(ElectricityLifecycle, AWireStraightFromSourceToReturnAndOneThatIsBoth) {
     circuit.wire({{"S", "T"}, {"both", "a", "b", "both"}, {"S", "tail"}});
     circuit.start();
     circuit.world().step();
-    // A loop that leaves and comes back through one and the same object uses that object twice.
+    // A loop that starts and ends at the same object uses that object twice.
     EXPECT_EQ(circuit.on(), (Names{"S", "T", "both"}));
     circuit.disconnect("S", "T");
     EXPECT_EQ(circuit.on(), Names{"both"});
 }
 
 std::vector<std::uint64_t> hashesWith(int threads, std::vector<bool>& states) {
-    constexpr int count = 6000; // enough rows for the phases to be shared out among threads
+    constexpr int count = 6000; // enough rows for several threads
     CircuitWorld circuit({.threads = threads, .detail = {}, .periods = {}, .trace = false});
     std::vector<ObjectId> ids;
     for (int i = 0; i < count; ++i) {
@@ -165,7 +165,7 @@ std::vector<std::uint64_t> hashesWith(int threads, std::vector<bool>& states) {
                                     : circuit.conductor(name));
     }
     circuit.start();
-    std::mt19937 random(1); // the engine's numbers are the same everywhere; its distributions are not
+    std::mt19937 random(1); // the generator is the same in every standard library; distributions are not
     std::vector<std::uint64_t> hashes;
     for (int frame = 0; frame < 30; ++frame) {
         std::vector<Script::Line> lines;
@@ -232,7 +232,7 @@ TEST(ElectricityLifecycle, AChainOfAMillionObjects) {
     EXPECT_TRUE(circuit.isOn(chain[count / 2]));
 }
 
-TEST(ElectricityLifecycle, RegistersWhatLevelFilesNeed) {
+TEST(ElectricityLifecycle, RegistersThePropertiesOfLevelFiles) {
     Registry registry;
     registerRuntime(registry);
     registerElectricity(registry);

@@ -13,7 +13,7 @@ namespace {
 
 using Line = Script::Line;
 
-// Evenly from [0, bound), not growing with the test's size as RapidCheck's ranges do.
+// Uniformly from [0, bound), independent of the test's size, unlike RapidCheck's ranges.
 int below(int bound) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, bound));
 }
@@ -22,7 +22,7 @@ bool chance(int outOfTen) {
     return below(10) < outOfTen;
 }
 
-/// A world and the oracle's account of it, driven by random numbers.
+/// A world and the oracle's model of it, driven by random numbers.
 class RandomCircuit {
 public:
     RandomCircuit(std::string const& level, bool networks, int threads = 1)
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] CircuitWorld& circuit() { return circuit_; }
     [[nodiscard]] Oracle const& oracle() const { return oracle_; }
 
-    /// One frame: what was written down in the last one is carried out, something new is written down.
+    /// One frame: the calls of the last frame are executed, and new calls are made.
     void frame() {
         std::vector<Line> lines;
         int const calls = below(6);
@@ -122,7 +122,7 @@ private:
     // Brings the oracle up to date: deaths, births, then calls, as the resolvers run.
     void account() {
         for (ObjectId const id : destroys_) {
-            if (id == insulator_) { // its like is needed again
+            if (id == insulator_) { // another insulator is needed
                 continue;
             }
             oracle_.destroy(id);
@@ -141,7 +141,7 @@ private:
     ObjectId insulator_;
     std::vector<Oracle::Part> newParts_;
     std::uint64_t births_ = 0;
-    std::vector<Line> lines_; // written down in the last frame
+    std::vector<Line> lines_; // calls of the last frame
     std::vector<ObjectId> destroys_;
     std::vector<CreateObject> born_;
 };
@@ -172,7 +172,8 @@ void checkGraph(CircuitWorld& circuit, Oracle const& oracle) {
     RC_ASSERT(connections == expected);
 }
 
-/// That the world has exactly `expected` on, and told truly who has switched since `before`.
+/// Checks that exactly the objects in `expected` are on, and that the switched ones since `before` are
+/// correct.
 void checkState(CircuitWorld& circuit, Oracle const& oracle, std::set<ObjectId> const& expected,
                 std::set<ObjectId>& before) {
     auto const* const state = circuit.world().find<ElectricalState>();

@@ -23,8 +23,8 @@ struct Orbit {
     double starMass = 1000; ///< kg
     double planetMass = 1;  ///< kg
     bool starFixed = true;
-    bool starByDensity = false; ///< its mass is not stated, but follows from its size and its density
-    double period = 10;         ///< s, by which the constant of gravity is chosen
+    bool starByDensity = false; ///< the star's mass follows from its size and density
+    double period = 10;         ///< s, from which the constant of gravity follows
     int substeps = 1;           ///< see the last test
 };
 
@@ -82,7 +82,7 @@ Measured measure(Orbit const& orbit, int revolutions) {
         Vec2 const apart = world.find<Position>(planet)->value - world.find<Position>(star)->value;
         measured.leastDistance = std::min(measured.leastDistance, length(apart));
         measured.greatestDistance = std::max(measured.greatestDistance, length(apart));
-        // Upwards through the x axis, in between two frames.
+        // A crossing of the x axis upwards, interpolated between two frames.
         if (before < 0 && apart.y >= 0 && apart.x > 0) {
             double const when = (frame - apart.y / (apart.y - before)) * frameDuration;
             if (!first) {
@@ -94,7 +94,7 @@ Measured measure(Orbit const& orbit, int revolutions) {
         }
         before = apart.y;
     }
-    EXPECT_EQ(crossings, revolutions + 1) << "the planet went astray";
+    EXPECT_EQ(crossings, revolutions + 1) << "the planet left its orbit";
     double const total = orbit.starMass + orbit.planetMass;
     measured.drift = (orbit.planetMass / total) * world.find<Velocity>(planet)->value +
                      (orbit.starMass / total) * world.find<Velocity>(star)->value;
@@ -108,7 +108,7 @@ TEST(KeplerPeriod, OfACircularOrbitAroundAFixedStar) {
     EXPECT_NEAR(m.greatestDistance, 5, 0.05);
 }
 
-// What is fixed has its mass for whoever asks, so a fixed sun attracts though nobody states a mass.
+// A fixed body has a mass that others can read, so a fixed sun attracts even without a stated mass.
 TEST(KeplerPeriod, OfAnOrbitAroundAFixedStarOfSomeDensity) {
     Measured const m = measure({.eccentricity = 0.2, .starByDensity = true}, 5);
     EXPECT_NEAR(m.period, 10, 0.01);
@@ -123,8 +123,8 @@ TEST(KeplerPeriod, OfAnEccentricOrbitAroundAFixedStar) {
     EXPECT_NEAR(m.greatestDistance, 7.5, 0.05);
 }
 
-TEST(KeplerPeriod, GrowsWithTheSemiMajorAxisAsTheThirdLawSays) {
-    // The same star: the period asked for is that of 5 m, and the axis is doubled.
+TEST(KeplerPeriod, GrowsWithTheSemiMajorAxisByTheThirdLaw) {
+    // The same star: the constant is chosen for 5 m, and the axis is doubled.
     Orbit wide{.semiMajor = 10};
     wide.period = 10 * std::pow(2, 1.5);
     Measured const m = measure(wide, 3);
@@ -143,10 +143,10 @@ TEST(KeplerPeriod, OfAHeavyFreeStarIsNearlyThatOfAFixedOne) {
     EXPECT_NEAR(m.period, 10, 0.01);
 }
 
-// A frame's forces stand for all its substeps, so with n of them they lag behind the motion by (1 - 1/n) / 2
-// of a frame on the mean. A lag t of a central force pulls forwards along the path: the radius grows as exp(2
-// t w² time). One substep has no lag, which is why the tests above take one; more must not be worse than that
-// explains.
+// A frame's forces are held for all its substeps, so with n substeps they lag behind the motion by (1 - 1/n)
+// / 2 of a frame on average. A lag t of a central force pulls forwards along the path: the radius grows as
+// exp(2 t w² time). One substep has no lag, so the tests above use one; with more, the growth must not exceed
+// this.
 TEST(KeplerPeriod, WithSubstepsOrbitsWidenNoFasterThanTheFramesForcesLag) {
     for (int const substeps : {2, 4, 16}) {
         Orbit orbit;
@@ -155,7 +155,7 @@ TEST(KeplerPeriod, WithSubstepsOrbitsWidenNoFasterThanTheFramesForcesLag) {
         Measured const m = measure(orbit, 1);
         double const lag = (1 - 1.0 / substeps) / 2 * frameDuration;
         double const w = 2 * pi / orbit.period;
-        double const most = 2 * lag * w * w * 2.05 * orbit.period; // until the second time round
+        double const most = 2 * lag * w * w * 2.05 * orbit.period; // until the second revolution
         EXPECT_LT(std::log(m.greatestDistance / 5), 1.1 * most) << substeps;
     }
 }

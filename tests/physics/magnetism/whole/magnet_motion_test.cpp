@@ -1,4 +1,4 @@
-// Freely moving magnets in whole frames: momentum and angular momentum of the whole are conserved.
+// Freely moving magnets in whole frames: total momentum and angular momentum are conserved.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/magnetism/properties.hpp"
@@ -45,10 +45,10 @@ TEST(MagnetMotion, AFreePairKeepsItsMomentum) {
         fastest = std::max(fastest, length(kit.momentum(a)));
         EXPECT_LT(length(kit.momentum(a) + kit.momentum(b)), 1e-4 * fastest + 1e-6) << frame;
     }
-    EXPECT_GT(fastest, 0.05) << "they did move";
+    EXPECT_GT(fastest, 0.05) << "they must have moved";
 }
 
-TEST(MagnetMotion, OppositePolesComeTogetherAndLikePolesPart) {
+TEST(MagnetMotion, OppositePolesAttractAndLikePolesRepel) {
     for (bool const like : {false, true}) {
         Kit kit;
         ObjectId const a = kit.bar("a", {0, 0}, 0, 1, 2000);

@@ -25,7 +25,7 @@ struct Thing {
     MagneticPoles poles;
 };
 
-// Bars of both kinds of ends, single poles and irons, in heaps here and there.
+// Bars with two poles, single poles and irons, in several heaps.
 std::vector<Thing> heap(int count, unsigned seed) {
     std::mt19937 random(seed);
     auto const number = [&](double low, double high) {
@@ -81,7 +81,7 @@ double difference(Forces const& a, Forces const& b) {
     return std::sqrt(wrong / all);
 }
 
-TEST(MagneticTree, IsEveryPairAtAngleZeroAndErrsLessTheSmallerTheAngle) {
+TEST(MagneticTree, IsExactAtAngleZeroAndSmallerAnglesHaveSmallerErrors) {
     auto const things = heap(400, 1);
     Forces const exact = forces(things, "pairwise");
     double before = 1;
@@ -91,16 +91,16 @@ TEST(MagneticTree, IsEveryPairAtAngleZeroAndErrsLessTheSmallerTheAngle) {
         EXPECT_TRUE(angle > 0 ? now > 1e-13 : now < 1e-13) << angle << ": " << now;
         before = now;
     }
-    EXPECT_LT(difference(forces(things, "tree"), exact), 3e-3) << "by itself";
+    EXPECT_LT(difference(forces(things, "tree"), exact), 3e-3) << "with the default angle";
 }
 
-// However long a bar is, and however far its other end: it never pulls itself.
-TEST(MagneticTree, NoMagnetFeelsItself) {
+// A bar of any length never acts on itself.
+TEST(MagneticTree, NoMagnetActsOnItself) {
     std::vector<Thing> things{{{0, 0}, 0.5, 1e6, 1000, barPoles(50)}};
     for (MagneticForce::Entry const& entry : forces(things, "tree", {.openingAngle = 1})) {
         EXPECT_EQ(entry.force, (Vec2{0, 0}));
     }
-    // Weak company turns its ends into parts of clusters; the pull between its ends would be a thousand times
+    // Weak neighbours make its poles parts of clusters; the force between its poles would be a thousand times
     // that of all others.
     for (int i = 0; i < 200; ++i) {
         double const end = i % 2 == 0 ? -25 : 25;
@@ -115,8 +115,8 @@ TEST(MagneticTree, NoMagnetFeelsItself) {
     }
 }
 
-TEST(MagneticGrid, LeavesOutNothingWithinTheCutoffAndAllBeyond) {
-    // Two poles, alone: the force by distance, in units of the cutoff.
+TEST(MagneticGrid, KeepsForcesWithinTheCutoffAndRemovesThoseBeyond) {
+    // Two single poles: the force by distance, in units of the cutoff.
     double const cutoff = 3;
     for (double const share : {0.01, 0.3, 0.79, 0.8, 0.85, 0.9, 0.95, 0.99, 1.0, 1.5, 100.0}) {
         std::vector<Thing> const things{
@@ -130,15 +130,15 @@ TEST(MagneticGrid, LeavesOutNothingWithinTheCutoffAndAllBeyond) {
     }
 }
 
-// The same window over all pairs, one by one, for a whole heap.
-TEST(MagneticGrid, IsTheSumOfTheCutForcesOfAllPairs) {
+// The same window applied to all pairs of a heap.
+TEST(MagneticGrid, IsTheSumOfTheWindowedForcesOfAllPairs) {
     auto const things = heap(300, 2);
     double const cutoff = 2.5;
     Forces const cut = forces(things, "grid", {.cutoff = cutoff});
     Forces const exact = forces(things, "pairwise");
     Forces const nearlyAll = forces(things, "grid", {.cutoff = 1e4});
     EXPECT_LT(difference(nearlyAll, exact), 1e-13);
-    // Poles as points with their owners, from what the level exported: strengths by object and place.
+    // Poles as points with their owners, from the world's properties: strengths by object and place.
     struct Pole {
         ObjectId object;
         Vec2 at;
@@ -169,7 +169,7 @@ TEST(MagneticGrid, IsTheSumOfTheCutForcesOfAllPairs) {
         double const t =
             std::clamp((cutoff * cutoff - lengthSquared(r)) / (0.36 * cutoff * cutoff), 0.0, 1.0);
         double const d2 = lengthSquared(r) + 0.0025;
-        return (t * t * (3 - 2 * t) * 1e-7 * strength / std::pow(d2, 1.5)) * r; // strength > 0: towards
+        return (t * t * (3 - 2 * t) * 1e-7 * strength / std::pow(d2, 1.5)) * r; // strength > 0: attraction
     };
     std::size_t nextPole = 0;
     std::size_t nextSoft = 0;
@@ -205,8 +205,8 @@ TEST(MagneticGrid, IsTheSumOfTheCutForcesOfAllPairs) {
     EXPECT_EQ(nextSoft, soft.size());
 }
 
-// The derived cutoff keeps its word: a pair whose force reaches the threshold is left alone.
-TEST(MagneticGrid, NoForceOfTheThresholdOrMoreIsTouched) {
+// With the derived cutoff, a force that reaches the threshold is unchanged.
+TEST(MagneticGrid, ForcesOfTheThresholdOrMoreAreUnchanged) {
     EXPECT_TRUE(rc::check([] {
         auto const number = [](double low, double high) {
             return low + (high - low) * *rc::gen::inRange(0, 1000001) / 1e6;
@@ -227,9 +227,9 @@ TEST(MagneticGrid, NoForceOfTheThresholdOrMoreIsTouched) {
     }));
 }
 
-// A pole carried round a closed way, in and out of the cutoffs of two others, comes back with the work it
-// left with; and at the cutoff the force does not jump.
-TEST(MagneticGrid, CrossingTheCutoffNeitherGivesNorTakesEnergy) {
+// The work along a closed path, in and out of the cutoffs of two other poles, is zero; and the force is
+// continuous at the cutoff.
+TEST(MagneticGrid, CrossingTheCutoffConservesEnergy) {
     auto const forceAt = [](Vec2 at) {
         std::vector<Thing> const things{{at, 0, 1000, 0, {PoleSet::north, {}, {}}},
                                         {{0, 0}, 0, 3000, 0, {PoleSet::south, {}, {}}},
@@ -257,7 +257,7 @@ TEST(MagneticGrid, CrossingTheCutoffNeitherGivesNorTakesEnergy) {
     double previous = length(forceAt({0, -1.5}));
     for (double y = -1.5; y > -2.1; y -= 0.002) {
         double const now = length(forceAt({0, y}));
-        EXPECT_LT(std::abs(now - previous), 1e-3) << y << ": 0.2 mm do not change tenths of newtons";
+        EXPECT_LT(std::abs(now - previous), 1e-3) << y << ": the force must not jump within 0.2 mm";
         previous = now;
     }
     EXPECT_EQ(previous, 0);
@@ -273,7 +273,7 @@ TEST(MagneticGrid, ActionEqualsReaction) {
     EXPECT_LT(length(total), 1e-13 * scale);
 }
 
-TEST(MagneticLevels, TakeAnyCutoffInAnyWorld) {
+TEST(MagneticLevels, AcceptAnyCutoffInAnyWorld) {
     std::vector<Thing> const things{{{-1e6, 1e6}, 0, 1e8, 1e8, barPoles(0.1)},
                                     {{1e6, -1e6}, 0, 1e8, 0, barPoles(0.1)},
                                     {{1e6, -1e6}, 0, 0, 1e8, {}}};
@@ -289,7 +289,7 @@ TEST(MagneticLevels, TakeAnyCutoffInAnyWorld) {
     EXPECT_LT(difference(forces(things, "tree"), exact), 1e-9);
 }
 
-TEST(MagneticLevels, DoNotDependOnTheOrderInWhichThingsWerePlaced) {
+TEST(MagneticLevels, DoNotDependOnTheOrderOfPlacing) {
     auto things = heap(300, 4);
     for (std::string const level : {"tree", "grid"}) {
         auto first = forces(things, level, {.cutoff = 3});
@@ -299,7 +299,7 @@ TEST(MagneticLevels, DoNotDependOnTheOrderInWhichThingsWerePlaced) {
         auto const byPlace = [](MagneticForce::Entry const& a, MagneticForce::Entry const& b) {
             return std::tie(a.point.x, a.point.y) < std::tie(b.point.x, b.point.y);
         };
-        // An object that is both pole and iron has both entries in one place: in their own order.
+        // An object that is both pole and iron has two entries at one place, in a fixed order.
         std::stable_sort(first.begin(), first.end(), byPlace);
         std::stable_sort(again.begin(), again.end(), byPlace);
         ASSERT_EQ(first.size(), again.size());
@@ -323,7 +323,7 @@ TEST(MagneticLevelsParallel, AreTheSameBitsForAnyNumberOfThreads) {
     }
 }
 
-TEST(MagneticLevels, TheTreeIsPickedWhereThereAreManyMagnets) {
+TEST(MagneticLevels, TheTreeIsPickedForManyMagnets) {
     auto const levelAtWork = [](int count) {
         MagnetWorld magnets;
         for (int i = 0; i < count; ++i) {
@@ -342,11 +342,11 @@ TEST(MagneticLevels, TheTreeIsPickedWhereThereAreManyMagnets) {
     EXPECT_EQ(levelAtWork(static_cast<int>(MagneticTree::worthwhile)), "tree");
 }
 
-// What two poles are not: a point dipole. In line, at the distance r, bars of the length l attract each other
-// with k q² (1/(r-l)² + 1/(r+l)² - 2/r²) = k q² (6 l²/r⁴ + 10 l⁴/r⁶ + 14 l⁶/r⁸ ...); point dipoles of the
-// same moment with the first term alone. So poles pull harder by 5/3 (l/r)² to first order, and the softening
-// takes a share of some (s/r)².
-TEST(MagneticForces, PullHarderThanPointDipolesAsTheSeriesSays) {
+// The difference between two poles and a point dipole. In line, at the distance r, bars of the length l
+// attract each other with k q² (1/(r-l)² + 1/(r+l)² - 2/r²) = k q² (6 l²/r⁴ + 10 l⁴/r⁶ + 14 l⁶/r⁸ ...); point
+// dipoles of the same moment with the first term alone. So poles pull harder by 5/3 (l/r)² to first order,
+// and the softening takes a share of some (s/r)².
+TEST(MagneticForces, ExceedThoseOfPointDipolesByTheSeries) {
     double const l = 0.5;
     double const q = 1e4;
     for (double const ratio : {3.0, 5.0, 8.0, 12.0}) {
@@ -358,7 +358,7 @@ TEST(MagneticForces, PullHarderThanPointDipolesAsTheSeriesSays) {
         double const dipoles = 1e-7 * q * q * 6 * l * l / std::pow(r, 4);
         double const excess = magnets.force(a).x / dipoles - 1;
         double const series = 5.0 / 3 / (ratio * ratio) + 7.0 / 3 / std::pow(ratio, 4);
-        double const rest = 4 / std::pow(ratio, 6); // the next term, 3 (l/r)^6, and what follows
+        double const rest = 4 / std::pow(ratio, 6); // the next term, 3 (l/r)^6, and all further ones
         double const softening = 10 * 0.0025 / (r * r);
         EXPECT_NEAR(excess, series, rest + softening) << ratio;
         EXPECT_GT(excess, 0);

@@ -4,7 +4,7 @@
 #include "physics/dynamics/properties/mass_properties.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/rules/initial_connections.hpp"
-#include "physics/motor/from_rotation.hpp"
+#include "physics/motor/electricity_from_rotation.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
@@ -17,7 +17,7 @@
 namespace trembler {
 namespace {
 
-/// A world without gravity, with a battery, in which things turn about their own centres.
+/// A world without gravity, with a battery, in which bodies turn about their centres.
 class Bench {
 public:
     explicit Bench(bool trace = false) {
@@ -72,7 +72,7 @@ public:
 };
 
 // I dω/dt = τ (1 - ω/ω0)  gives  ω = ω0 (1 - exp(-t τ / (I ω0))).
-TEST(ElectricMotor, RunsUpAsTheEquationOfADirectCurrentMotorSays) {
+TEST(ElectricMotor, RunsUpByTheEquationOfADirectCurrentMotor) {
     Bench bench;
     ObjectId const rotor = bench.disc("rotor", {});
     bench.store().column<ElectricMotor>().set(rotor, {3, 12, {}});
@@ -88,7 +88,7 @@ TEST(ElectricMotor, RunsUpAsTheEquationOfADirectCurrentMotorSays) {
     EXPECT_NEAR(bench.spin(rotor), 12 * (1 - std::exp(-20 / time)), 0.01);
 }
 
-TEST(ElectricMotor, WithoutAnIdlingSpeedHasOneTorqueForEver) {
+TEST(ElectricMotor, WithoutAnIdlingSpeedHasAConstantTorque) {
     Bench bench;
     ObjectId const rotor = bench.disc("rotor", {});
     bench.store().column<ElectricMotor>().set(rotor, {-0.5, 0, {}});
@@ -111,10 +111,10 @@ TEST(ElectricMotor, TurnsOnlyWhileTheCircuitIsClosed) {
     bench.run(3);
     double const left = bench.spin(rotor);
     bench.run(120);
-    EXPECT_EQ(bench.spin(rotor), left) << "no friction here: it goes on as it is";
+    EXPECT_EQ(bench.spin(rotor), left) << "without friction it keeps its speed";
 }
 
-TEST(ElectricMotor, TurnsWhatBearsItTheOtherWay) {
+TEST(ElectricMotor, TurnsItsSupportTheOtherWay) {
     Bench bench;
     ObjectId const rotor = bench.disc("rotor", {}, 0.5, 8);
     ObjectId const frame = bench.disc("frame", {5, 0}, 1, 6);
@@ -123,12 +123,12 @@ TEST(ElectricMotor, TurnsWhatBearsItTheOtherWay) {
     bench.run(1200);
     double const l1 = bench.inertia(rotor) * bench.spin(rotor);
     double const l2 = bench.inertia(frame) * bench.spin(frame);
-    EXPECT_NEAR(l1 + l2, 0, 1e-3) << "nothing from outside turns the two";
+    EXPECT_NEAR(l1 + l2, 0, 1e-3) << "total angular momentum is conserved";
     EXPECT_NEAR(bench.spin(rotor) - bench.spin(frame), 6, 0.01);
     EXPECT_LT(bench.spin(frame), -0.5);
 }
 
-TEST(ElectricMotor, NeverThrowsALightRotorAbout) {
+TEST(ElectricMotor, NeverOvershootsWithALightRotor) {
     Bench bench;
     ObjectId const rotor = bench.disc("rotor", {}, 0.05, 0.01);
     bench.store().column<ElectricMotor>().set(rotor, {50, 20, {}});
@@ -140,7 +140,7 @@ TEST(ElectricMotor, NeverThrowsALightRotorAbout) {
     EXPECT_NEAR(bench.spin(rotor), 20, 1e-3);
 }
 
-TEST(ElectricMotor, StallsWhereSomethingHoldsIt) {
+TEST(ElectricMotor, StallsAtAnObstacle) {
     Bench bench;
     ObjectId const rotor = bench.store().create("rotor");
     bench.store().column<Position>().set(rotor, {});
@@ -181,19 +181,19 @@ TEST(Generator, GivesElectricityWhileItTurnsFastEnough) {
     bench.store().column<AngularVelocity>().set(bench.rotor, {-8});
     bench.store().column<Damping>().set(bench.rotor, {0, 0.2});
     bench.run(2);
-    EXPECT_TRUE(bench.on(bench.lamp)) << "either way round";
+    EXPECT_TRUE(bench.on(bench.lamp)) << "in either direction of rotation";
     double before = 8;
     while (bench.on(bench.lamp) && bench.world->frame() < 1200) {
         before = -bench.spin(bench.rotor);
         bench.run(1);
     }
-    // Off two frames after it was too slow: the graph changes in the next one.
+    // Off two frames after it became too slow: the graph changes in the next frame.
     EXPECT_NEAR(before, 5 * ElectricityFromRotation::lettingGo, 0.05);
     EXPECT_EQ(bench.events("turns fast enough"), 1);
     EXPECT_EQ(bench.events("turns too slowly"), 1);
     bench.run(600);
     EXPECT_FALSE(bench.on(bench.lamp));
-    EXPECT_EQ(bench.events("turns fast enough"), 1) << "it flickers";
+    EXPECT_EQ(bench.events("turns fast enough"), 1) << "it must not switch on and off repeatedly";
 }
 
 TEST(Generator, GivesNothingWhileItTurnsTooSlowly) {
@@ -204,7 +204,7 @@ TEST(Generator, GivesNothingWhileItTurnsTooSlowly) {
     EXPECT_FALSE(bench.on(bench.lamp));
 }
 
-// I dω/dt = -M while there is current: it slows down evenly, and then no longer.
+// I dω/dt = -M while there is current: it slows down evenly until the current ends.
 TEST(Generator, IsHardToTurnWhileCurrentFlows) {
     GeneratorBench bench;
     bench.store().column<Generator>().set(bench.rotor, {bench.plus, 2, 1});
@@ -221,7 +221,7 @@ TEST(Generator, IsHardToTurnWhileCurrentFlows) {
     open.run(1);
     open.world->feed({PlayerInput::Kind::cut, open.lamp, open.minus, {}});
     open.run(600);
-    EXPECT_GT(open.spin(open.rotor), 7.9) << "without a circuit there is nothing to resist";
+    EXPECT_GT(open.spin(open.rotor), 7.9) << "without a circuit there is no resistance";
 }
 
 // A motor that drives the generator that feeds it: no perpetual motion, if the generator brakes as hard as
@@ -236,7 +236,7 @@ TEST(Generator, CannotFeedTheMotorThatTurnsIt) {
     EXPECT_FALSE(bench.on(bench.rotor));
 }
 
-TEST(Motors, AreRefusedWhereTheyCouldNotWork) {
+TEST(Motors, AreRefusedIfTheyCouldNotWork) {
     Bench bench;
     ObjectId const good = bench.disc("good", {});
     ObjectId const wooden = bench.disc("wooden", {5, 0});
@@ -269,7 +269,7 @@ TEST(Motors, AreRefusedWhereTheyCouldNotWork) {
     EXPECT_EQ(refusal(good), "");
 }
 
-TEST(Motors, AreAbsentWhereNothingCallsForThem) {
+TEST(Motors, AreAbsentWithoutTheirProperties) {
     Bench bench;
     bench.disc("disc", {});
     bench.run(10);

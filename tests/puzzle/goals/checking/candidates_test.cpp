@@ -24,7 +24,7 @@ Selector selectorOf(std::vector<std::string> names, std::vector<std::string> par
     return {std::move(names), std::move(parts), it, ""};
 }
 
-TEST(Candidates, CountsWhatThereIsAndWhatMayBePlacedOnce) {
+TEST(Candidates, CountsExistingAndPlaceableObjectsOnce) {
     GoalStage stage(R"({"on": "lamp"})");
     LevelFile const level = levelOf({{"a", "ball"}, {"b", "ball"}, {"c", "box"}}, {{"ball", 3}, {"ball", 2}});
     CandidateFinder const finder(level, stage.world());
@@ -45,8 +45,8 @@ TEST(Candidates, AreFixedIfNoneOfThemCanMove) {
     EXPECT_TRUE(finder.areFixed(selectorOf({"floor", "electromagnet"}, {})));
     EXPECT_TRUE(finder.areFixed(selectorOf({}, {"wall"})));
     EXPECT_FALSE(finder.areFixed(selectorOf({"floor", "crate"}, {})));
-    EXPECT_FALSE(finder.areFixed(selectorOf({}, {"coil"}))) << "one may be placed";
-    EXPECT_FALSE(finder.areFixed(selectorOf({"floor"}, {}, true))) << "\"it\" may be anything";
+    EXPECT_FALSE(finder.areFixed(selectorOf({}, {"coil"}))) << "a movable one may be placed";
+    EXPECT_FALSE(finder.areFixed(selectorOf({"floor"}, {}, true))) << "\"it\" may be any object";
     EXPECT_FALSE(finder.areFixed(selectorOf({}, {"nothing"})));
 }
 

@@ -1,5 +1,5 @@
-// Goals that cannot be reached are rejected with their place. Why a condition can never hold is tested with
-// its kind, in conditions/.
+// Goals that cannot be reached are rejected with their place. The reasons are tested with each kind, in
+// conditions/.
 #include "tests/puzzle/goals/stage.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ TEST(NeverHolds, IsFoundInsideOtherConditions) {
                           "/goals/count/that/any/0: can never hold"));
 }
 
-TEST(NeverHolds, IsToldOfEveryCondition) {
+TEST(NeverHolds, IsReportedForEveryCondition) {
     std::string const refusal = refusalOf(R"({"all": [{"moved": {"object": "floor", "by": 1}},
         {"touching": ["crate", "crate"]}, {"moved": {"object": "floor", "by": 2}}]})");
     for (char const* const place : {"/goals/all/0:", "/goals/all/1:", "/goals/all/2:"}) {

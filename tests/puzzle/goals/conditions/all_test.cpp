@@ -28,7 +28,7 @@ TEST(AllCondition, HoldsWhileAllOfThemHoldAtTheSameTime) {
     stage.turn("lamp 2", true);
     stage.put("crate", {8, 0});
     stage.step();
-    EXPECT_FALSE(stage.judge().solved()) << "each has held, but not with the others";
+    EXPECT_FALSE(stage.judge().solved()) << "each has held, but not at the same time";
     stage.turn("lamp", true, 3);
     stage.step();
     EXPECT_TRUE(stage.judge().solved());
@@ -41,7 +41,7 @@ TEST(AllCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"all": [{"on": "lamp"}, {"on": "lmap"}]})", "/goals/all/1/on:"));
 }
 
-TEST(AllCondition, SpeaksOfEachCondition) {
+TEST(AllCondition, TextNamesEachCondition) {
     EXPECT_EQ(wordsOf(R"({"all": [{"on": "lamp"}, {"on": "electromagnet"}], "for": 2})"),
               "Keep the lamp lit and keep the electromagnet on, both for 2 seconds");
     EXPECT_EQ(wordsOf(R"({"all": [{"on": "lamp"}, {"on": "electromagnet"}, {"off": "lamp 2"}], "for": 2})"),

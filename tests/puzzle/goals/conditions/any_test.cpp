@@ -14,13 +14,13 @@ TEST(AnyCondition, IsOneGoalThatHoldsWhileOneOfThemDoes) {
     stage.put("crate", {6, 0});
     stage.put("metal object", {3, 0});
     stage.step();
-    EXPECT_DOUBLE_EQ(stage.judge().status()[0].progress, 0.75) << "the farthest of them";
+    EXPECT_DOUBLE_EQ(stage.judge().status()[0].progress, 0.75) << "the greatest progress of them";
     stage.turn("lamp", true, 3);
     stage.touch("crate", "floor", 4);
     stage.step();
     EXPECT_TRUE(stage.judge().solved());
     EXPECT_EQ(stage.judge().causes(stage.world()), (std::vector<EventId>{{3}}))
-        << "only those that hold are a cause";
+        << "only the conditions that hold are causes";
 }
 
 TEST(AnyCondition, IsReadOrRefusedAtItsPlace) {
@@ -28,7 +28,7 @@ TEST(AnyCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"any": [3]})", "/goals/any/0: is 3"));
 }
 
-TEST(AnyCondition, SpeaksOfEither) {
+TEST(AnyCondition, TextNamesTheAlternatives) {
     EXPECT_EQ(wordsOf(R"({"any": [{"on": "lamp"}, {"on": "electromagnet"}]})"),
               "Either light the lamp or switch on the electromagnet");
     EXPECT_EQ(wordsOf(R"({"any": [{"on": "lamp"}, {"on": "electromagnet"}], "for": 2})"),

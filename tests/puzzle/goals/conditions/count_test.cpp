@@ -7,7 +7,7 @@
 namespace trembler {
 namespace {
 
-TEST(CountCondition, CountsWhoSatisfiesACondition) {
+TEST(CountCondition, CountsTheObjectsThatSatisfyACondition) {
     GoalStage stage(
         R"({"count": {"of": {"part": "iron ball"}, "at_least": 2, "that": {"touching": ["it", "floor"],
         "for": 0.05}}})");
@@ -18,7 +18,7 @@ TEST(CountCondition, CountsWhoSatisfiesACondition) {
     EXPECT_DOUBLE_EQ(stage.judge().status()[0].progress, 0.5);
     stage.touch("ball b", "floor");
     stage.step(2);
-    EXPECT_FALSE(stage.judge().solved()); // each of them has its own time
+    EXPECT_FALSE(stage.judge().solved()); // the time is counted for each of them
     stage.step();
     EXPECT_TRUE(stage.judge().solved());
 }
@@ -26,14 +26,14 @@ TEST(CountCondition, CountsWhoSatisfiesACondition) {
 TEST(CountCondition, ComparesTheirNumberAsStated) {
     struct Case {
         char const* quantity;
-        char const* met; // while none, one, two and three of them are on
+        char const* met; // the verdict with none, one, two and three of them on
         char const* progress;
     };
     for (Case const& c : {Case{"at_least", "0011", "0 .5 1 1"}, Case{"at_most", "1110", "1 1 1 0"},
                           Case{"exactly", "0010", "0 .5 1 1"}}) {
         std::string met;
         std::string progress;
-        for (int on = 0; on <= 3; ++on) { // a stage each, as solved is solved
+        for (int on = 0; on <= 3; ++on) { // a stage for each, because a solved goal stays solved
             GoalStage stage(R"({"count": {"of": ["lamp", "lamp 2", "electromagnet"], ")" +
                             std::string(c.quantity) + R"(": 2, "that": {"on": "it"}}})");
             std::array<char const*, 3> const all{"lamp", "lamp 2", "electromagnet"};
@@ -52,7 +52,7 @@ TEST(CountCondition, ComparesTheirNumberAsStated) {
     }
 }
 
-TEST(CountCondition, IsCausedByThoseThatItCounts) {
+TEST(CountCondition, IsCausedByTheCountedObjects) {
     GoalStage stage(R"({"count": {"of": ["lamp", "lamp 2"], "at_least": 1, "that": {"on": "it"}}})");
     stage.turn("lamp", false, 3);
     stage.turn("lamp 2", true, 4);
@@ -71,16 +71,16 @@ TEST(CountCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"count": {"of": "lamp", "at_least": 1}})", "/goals/count: 'that' is missing"));
     EXPECT_TRUE(isRefused(R"({"count": {"of": "lamp", "at_least": 1, "that": {"count": {"of": "lamp",
                               "at_least": 1, "that": {"on": "it"}}}}})",
-                          "/goals/count/that/count: stands inside another count"));
+                          "/goals/count/that/count: is inside another count"));
     EXPECT_TRUE(isRefused(R"({"all": [{"count": {"of": "lamp", "at_least": 1, "that": {"on": "it"}}},
                               {"on": "it"}]})",
-                          "/goals/all/1/on: 'it' stands for nothing here"));
+                          "/goals/all/1/on: 'it' refers to no object here"));
 }
 
-TEST(CountCondition, IsRefusedWhereItWantsMoreThanThereCanBe) {
+TEST(CountCondition, IsRefusedIfTheNumberCanNeverBeReached) {
     std::string const that = R"(, "that": {"moved": {"object": "it", "by": 1}}}})";
     EXPECT_TRUE(isRefused(R"({"count": {"of": "crate", "at_least": 3)" + that,
-                          "/goals: can never hold: it wants 3 of what there can be 1 of"));
+                          "/goals: can never hold: it demands 3 objects, but there can be only 1"));
     EXPECT_TRUE(isRefused(R"({"count": {"of": ["crate", "crate", "object 1"], "exactly": 3)" + that,
                           "there can be 2 of"));
     EXPECT_TRUE(
@@ -89,7 +89,7 @@ TEST(CountCondition, IsRefusedWhereItWantsMoreThanThereCanBe) {
     EXPECT_EQ(refusalOf(R"({"count": {"of": "crate", "at_most": 3)" + that), "");
 }
 
-TEST(CountCondition, SpeaksOfHowMany) {
+TEST(CountCondition, TextStatesTheNumber) {
     EXPECT_EQ(wordsOf(R"({"count": {"of": {"part": "iron ball"}, "at_least": 2,
                   "that": {"inside": {"object": "it", "area": [0, 0, 1, 1], "called": "the basket"}}}})"),
               "Bring at least two iron balls into the basket");

@@ -10,7 +10,8 @@ TEST(InsideCondition, HoldsWhileACentreIsInTheArea) {
         {"inside": {"object": "crate", "area": [[0, 0], [3, 0], [0, 3]]}}, {"on": "lamp"}]})");
     struct Place {
         Vec2 at;
-        char const* met; // the box, the triangle, and the lamp, as a level that is solved stays so
+        char const*
+            met; // the verdicts of the box, the triangle, and the lamp, which keeps the level unsolved
     };
     for (Place const& place :
          {Place{{5, 0}, "000"}, Place{{1.5, 1.25}, "110"}, Place{{2.5, 1.25}, "100"},
@@ -19,12 +20,12 @@ TEST(InsideCondition, HoldsWhileACentreIsInTheArea) {
         stage.step();
         EXPECT_EQ(stage.met(), place.met) << place.at.x << ", " << place.at.y;
     }
-    stage.put("metal object", {2, 1.5}); // any of the two will do
+    stage.put("metal object", {2, 1.5}); // either of the two objects satisfies it
     stage.step();
     EXPECT_EQ(stage.met(), "100");
 }
 
-TEST(InsideCondition, IsCausedByWhatTheObjectTouches) {
+TEST(InsideCondition, IsCausedByTheContactsOfTheObject) {
     GoalStage stage(R"({"inside": {"object": "crate", "area": [4, -1, 2, 2]}})");
     stage.touch("crate", "floor", 7);
     stage.touch("metal object", "floor", 8);
@@ -48,9 +49,9 @@ TEST(InsideCondition, IsReadOrRefusedAtItsPlace) {
                           "'idea' is nowhere, so it can never get anywhere"));
 }
 
-TEST(InsideCondition, IsRefusedWhereNothingCanGetThere) {
+TEST(InsideCondition, IsRefusedIfNoObjectCanGetThere) {
     EXPECT_TRUE(isRefused(R"({"inside": {"object": "floor", "area": [5, 5, 1, 1]}})",
-                          "/goals: can never hold: what is fixed never gets there"));
+                          "/goals: can never hold: a fixed object never gets there"));
     EXPECT_EQ(refusalOf(R"({"inside": {"object": "floor", "area": [-1, -2, 2, 2]}})"), "") << "it is there";
     EXPECT_EQ(refusalOf(R"({"inside": {"object": ["floor", "crate"], "area": [5, 5, 1, 1]}})"), "");
     for (char const* const corners : {"[[0, 0], [1, 1], [2, 2]]", "[[0, 0], [0, 0], [0, 0]]",
@@ -62,7 +63,7 @@ TEST(InsideCondition, IsRefusedWhereNothingCanGetThere) {
         << "a bow tie";
 }
 
-TEST(InsideCondition, SpeaksOfItsArea) {
+TEST(InsideCondition, TextNamesTheArea) {
     EXPECT_EQ(wordsOf(R"({"inside": {"object": "crate", "area": [0, 0, 1, 1], "called": "the basket"}})"),
               "Bring the crate into the basket");
     EXPECT_EQ(wordsOf(R"({"inside": {"object": {"part": "iron ball"}, "area": [0, 0, 1, 1]}, "for": 0.5})"),

@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-TEST(MovedCondition, MeasuresFromWhereTheObjectWas) {
+TEST(MovedCondition, MeasuresFromTheInitialPlace) {
     struct Case {
         char const* towards;
         Vec2 way;        // m
@@ -16,14 +16,14 @@ TEST(MovedCondition, MeasuresFromWhereTheObjectWas) {
                           Case{"left", {2, 0}, 0}, Case{"right", {0.5, 0}, 0.25}}) {
         std::string const towards = *c.towards == 0 ? "" : R"(, "towards": ")" + std::string(c.towards) + '"';
         GoalStage stage(R"({"moved": {"object": "crate", "by": 2)" + towards + "}}");
-        stage.put("crate", Vec2{5, 0} + c.way); // it stands at (5, 0)
+        stage.put("crate", Vec2{5, 0} + c.way); // its initial place is (5, 0)
         stage.step();
         EXPECT_DOUBLE_EQ(stage.judge().status()[0].progress, c.progress) << c.towards;
         EXPECT_EQ(stage.judge().solved(), c.progress == 1) << c.towards;
     }
 }
 
-TEST(MovedCondition, LooksAtTheFarthestOfSeveralThatAreStillThere) {
+TEST(MovedCondition, UsesTheFarthestOfTheRemainingObjects) {
     GoalStage stage(R"({"moved": {"object": ["ball a", "ball b"], "by": 4}})");
     stage.put("ball a", {7, 1});
     stage.put("ball b", {8, 2});
@@ -34,7 +34,7 @@ TEST(MovedCondition, LooksAtTheFarthestOfSeveralThatAreStillThere) {
     EXPECT_DOUBLE_EQ(stage.judge().status()[0].progress, 0.25);
 }
 
-TEST(MovedCondition, IsCausedByWhatTheObjectTouches) {
+TEST(MovedCondition, IsCausedByTheContactsOfTheObject) {
     GoalStage stage(R"({"moved": {"object": "crate", "by": 1}})");
     stage.touch("crate", "object 1", 9);
     stage.put("crate", {6, 0});
@@ -51,15 +51,15 @@ TEST(MovedCondition, IsReadOrRefusedAtItsPlace) {
                           "'idea' is nowhere, so it can never get anywhere"));
 }
 
-TEST(MovedCondition, IsRefusedWhereAllIsFixed) {
+TEST(MovedCondition, IsRefusedIfAllObjectsAreFixed) {
     EXPECT_TRUE(isRefused(R"({"moved": {"object": "floor", "by": 1}})",
-                          "/goals: can never hold: what is fixed never moves"));
+                          "/goals: can never hold: a fixed object never moves"));
     EXPECT_TRUE(isRefused(R"({"moved": {"object": ["floor", "electromagnet"], "by": 1}})",
-                          "what is fixed never moves"));
+                          "a fixed object never moves"));
     EXPECT_EQ(refusalOf(R"({"moved": {"object": ["floor", "crate"], "by": 1}})"), "");
 }
 
-TEST(MovedCondition, SpeaksOfTheDirection) {
+TEST(MovedCondition, TextStatesTheDirection) {
     EXPECT_EQ(wordsOf(R"({"moved": {"object": "crate", "by": 0.5}})"), "Move the crate by at least 0.5 m");
     EXPECT_EQ(wordsOf(R"({"moved": {"object": "crate", "by": 2, "towards": "up"}})"),
               "Lift the crate by at least 2 m");

@@ -10,7 +10,7 @@ TEST(NegationCondition, HoldsWhileItsConditionDoesNot) {
         {"on": "lamp 2"}]})");
     stage.turn("lamp", true);
     stage.step();
-    EXPECT_EQ(stage.met(), "010") << "it has not been on for three frames";
+    EXPECT_EQ(stage.met(), "010") << "it has been on for less than three frames";
     stage.step(2);
     EXPECT_EQ(stage.met(), "000");
     stage.turn("lamp", false);
@@ -18,7 +18,7 @@ TEST(NegationCondition, HoldsWhileItsConditionDoesNot) {
     EXPECT_EQ(stage.met(), "110");
 }
 
-TEST(NegationCondition, IsCausedByWhatMakesItsConditionFalse) {
+TEST(NegationCondition, IsCausedByTheEventsThatMakeItsConditionFalse) {
     GoalStage stage(R"({"not": {"any": [{"on": "lamp"}, {"not": {"on": "lamp 2"}}]}})");
     stage.turn("lamp", false, 3);
     stage.turn("lamp 2", true, 4);
@@ -32,7 +32,7 @@ TEST(NegationCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"not": {"not": {"on": "lmap"}}})", "/goals/not/not/on:"));
 }
 
-TEST(NegationCondition, SpeaksOfTheOpposite) {
+TEST(NegationCondition, TextStatesTheOpposite) {
     EXPECT_EQ(wordsOf(R"({"not": {"not": {"on": "lamp"}}})"), "Light the lamp");
     EXPECT_EQ(wordsOf(R"({"not": {"on": "lamp"}, "for": 2})"), "Keep the lamp dark for 2 seconds");
     EXPECT_EQ(wordsOf(R"({"not": {"on": "lamp", "for": 2}})"), "Do not keep the lamp lit for 2 seconds");

@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-TEST(OffCondition, HoldsWhileOneOfItsObjectsIsThereAndIsOff) {
+TEST(OffCondition, HoldsWhileOneOfItsExistingObjectsIsOff) {
     GoalStage stage(R"({"all": [{"off": "lamp"}, {"off": ["lamp", "lamp 2"]}, {"on": "electromagnet"}]})");
     stage.step();
     EXPECT_EQ(stage.met(), "110");
@@ -17,10 +17,10 @@ TEST(OffCondition, HoldsWhileOneOfItsObjectsIsThereAndIsOff) {
     EXPECT_EQ(stage.met(), "000");
     stage.world().store().destroy({stage.id("lamp 2")});
     stage.step();
-    EXPECT_EQ(stage.met(), "000") << "what is gone is neither on nor off";
+    EXPECT_EQ(stage.met(), "000") << "a removed object is neither on nor off";
 }
 
-TEST(OffCondition, IsCausedByWhatWentOff) {
+TEST(OffCondition, IsCausedByTheObjectThatWentOff) {
     GoalStage stage(R"({"sequence": [{"on": "lamp"}, {"off": ["lamp", "lamp 2"]}]})");
     stage.turn("lamp", true, 3);
     stage.turn("lamp 2", true, 4);
@@ -35,7 +35,7 @@ TEST(OffCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"off": "crate"})", "/goals/off: 'crate' is no conductor, so it is never on"));
 }
 
-TEST(OffCondition, PutsOutLampsAndSwitchesOffWhatIsNone) {
+TEST(OffCondition, TextPutsOutLampsAndSwitchesOffOtherObjects) {
     EXPECT_EQ(wordsOf(R"({"off": "lamp"})"), "Put out the lamp");
     EXPECT_EQ(wordsOf(R"({"not": {"off": "lamp"}})"), "Keep the lamp lit");
     EXPECT_EQ(wordsOf(R"({"off": "electromagnet"})"), "Switch off the electromagnet");

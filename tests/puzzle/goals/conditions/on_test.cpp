@@ -20,7 +20,7 @@ TEST(OnCondition, HoldsWhileOneOfItsObjectsIsPartOfAWorkingCircuit) {
     EXPECT_EQ(stage.met(), "11");
 }
 
-TEST(OnCondition, IsCausedByWhatIsOn) {
+TEST(OnCondition, IsCausedByTheObjectsThatAreOn) {
     GoalStage stage(R"({"on": ["lamp", "lamp 2"]})");
     stage.turn("lamp", false, 3);
     stage.turn("lamp 2", true, 4);
@@ -34,7 +34,7 @@ TEST(OnCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"on": ["lamp", "crate"]})", "'crate' is no conductor"));
 }
 
-TEST(OnCondition, LightsLampsAndSwitchesOnWhatIsNone) {
+TEST(OnCondition, TextLightsLampsAndSwitchesOnOtherObjects) {
     EXPECT_EQ(wordsOf(R"({"on": "lamp"})"), "Light the lamp");
     EXPECT_EQ(wordsOf(R"({"on": "lamp", "for": 3})"), "Keep the lamp lit for 3 seconds");
     EXPECT_EQ(wordsOf(R"({"not": {"on": "lamp"}})"), "Keep the lamp dark");

@@ -22,8 +22,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Draws the smallest value that a schema accepts, with numbers of 1 where they may be. Names of objects are
-/// in turn "probe 1" and "probe 2", and "it" in a condition on what is counted.
+/// Generates the smallest value that a schema accepts; numbers are 1 if allowed. Names of objects are
+/// alternately "probe 1" and "probe 2", and "it" in a condition on counted objects.
 class SmallestValue {
 public:
     explicit SmallestValue(Json const& root) : root_(root) {}
@@ -97,7 +97,7 @@ protected:
     [[nodiscard]] Json sample(ConditionKind const& kind) const {
         return Json{{std::string(kind.key()), SmallestValue(schema_).of(kind.schema())}};
     }
-    /// A level with two objects of which anything can be wanted, and these goals.
+    /// A level with two objects that every kind of condition accepts, and with these goals.
     [[nodiscard]] static Json level(Json const& goals) {
         Json level = Json::parse(R"({"version": 2, "title": "a level", "objects": [
             {"name": "probe 1", "at": [0, 0], "properties": {"shape": [{"form": "circle", "radius": 0.1}],
@@ -123,7 +123,7 @@ protected:
         made.judge = std::make_unique<GoalJudge>(made.level, *made.world);
         return made;
     }
-    /// What is wrong with the goals to the reader and the judge; "" if nothing.
+    /// The errors that the reader and the judge find in the goals; "" if none.
     [[nodiscard]] std::string refusal(Json const& goals) const {
         try {
             (void)stage(goals);
@@ -146,7 +146,7 @@ TEST_F(ConditionTable, HasEachKeyOnceInCodeSchemaAndDocument) {
         std::string const key(kind->key());
         EXPECT_TRUE(keys.insert(key).second) << key;
         EXPECT_NE(document.str().find("`{\"" + key + "\": "), std::string::npos)
-            << key << " has no line in docs/designers.md";
+            << key << " has no row in docs/designers.md";
     }
     for (char const* const taken : {"for", "id", "text", "it"}) {
         EXPECT_FALSE(keys.contains(taken)) << taken;
@@ -195,21 +195,22 @@ TEST_F(ConditionTable, EveryKindRefusesWhatItsSchemaRefuses) {
     }
 }
 
-TEST_F(ConditionTable, EveryKindHasWordsForEveryMood) {
+TEST_F(ConditionTable, EveryKindHasDifferentTextsForReachingKeepingAndAvoiding) {
     for (ConditionKind const* const kind : conditionKinds()) {
         Json const plain = sample(*kind);
         Json lasting = plain;
         lasting["for"] = 2;
         std::set<std::string> sentences;
         for (Json const& goals : {plain, lasting, Json{{"not", plain}}, Json{{"not", lasting}}}) {
-            Stage const made = stage({{"any", Json::array({goals})}}); // one goal, whatever it lists
+            Stage const made =
+                stage({{"any", Json::array({goals})}}); // one goal, even if the condition lists several
             ASSERT_EQ(made.judge->status().size(), 1U);
             std::string const text = made.judge->status()[0].text;
             ASSERT_FALSE(text.empty()) << goals;
             EXPECT_TRUE(text[0] >= 'A' && text[0] <= 'Z') << text;
             EXPECT_NE(text.back(), '.') << text;
             EXPECT_EQ(text.find("  "), std::string::npos) << text;
-            EXPECT_TRUE(sentences.insert(text).second) << text << " is said of two different goals";
+            EXPECT_TRUE(sentences.insert(text).second) << text << " is the text of two different goals";
         }
     }
 }

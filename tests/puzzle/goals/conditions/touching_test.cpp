@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(TouchingCondition, CountsHitsThatAreOverWithinAFrame) {
+TEST(TouchingCondition, CountsContactsThatEndWithinAFrame) {
     GoalStage stage(
         R"({"sequence": [{"touching": ["ball a", "floor"]}, {"touching": ["ball a", "floor"]}]})");
     stage.step();
@@ -22,7 +22,7 @@ TEST(TouchingCondition, CountsHitsThatAreOverWithinAFrame) {
     EXPECT_EQ(causes, (std::vector<EventId>{EventId{7}, EventId{9}}));
 }
 
-TEST(TouchingCondition, EndsWithTheContactThatLastedLongest) {
+TEST(TouchingCondition, EndsWithTheLastContact) {
     GoalStage stage(R"({"not": {"touching": [["crate", "metal object"], "floor"]}})");
     stage.touch("crate", "floor", 3);
     stage.touch("metal object", "floor", 4);
@@ -36,8 +36,8 @@ TEST(TouchingCondition, EndsWithTheContactThatLastedLongest) {
     EXPECT_EQ(stage.judge().causes(stage.world()), (std::vector<EventId>{{6}}));
 }
 
-// Whether it looks up pairs of names or goes through the contacts, it finds the same.
-TEST(TouchingCondition, FindsATouchOfManyNamesAsItDoesPairByPair) {
+// Looking up pairs of names and searching all contacts have the same result.
+TEST(TouchingCondition, FindsContactsOfManyNamesAsPairByPair) {
     std::vector<std::string> const all{"floor", "metal object", "crate", "object 1", "ball a", "ball b"};
     EXPECT_TRUE(rc::check("many names are any two of them", [&] {
         auto const some = [&] {
@@ -82,14 +82,14 @@ TEST(TouchingCondition, FindsATouchOfManyNamesAsItDoesPairByPair) {
 
 TEST(TouchingCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"touching": ["crate"]})", "/goals/touching: is a list of 1"));
-    EXPECT_TRUE(isRefused(R"({"touching": "crate"})", "a list of two: what shall touch what"));
+    EXPECT_TRUE(isRefused(R"({"touching": "crate"})", "a list of two selectors"));
     EXPECT_TRUE(
         isRefused(R"({"touching": ["crate", "flor"]})", "/goals/touching/1: there is no object 'flor'"));
     EXPECT_TRUE(isRefused(R"({"touching": ["crate", "lamp"]})",
                           "/goals/touching/1: 'lamp' has no shape, so it can never touch anything"));
 }
 
-TEST(TouchingCondition, IsRefusedWhereThereIsNothingElseToTouch) {
+TEST(TouchingCondition, IsRefusedIfThereIsNoOtherObjectToTouch) {
     EXPECT_TRUE(
         isRefused(R"({"touching": ["crate", "crate"]})", "/goals: can never hold: nothing touches itself"));
     EXPECT_TRUE(isRefused(R"({"touching": [["crate"], ["crate", "crate"]]})", "nothing touches itself"));
@@ -104,7 +104,7 @@ TEST(TouchingCondition, IsRefusedWhereThereIsNothingElseToTouch) {
     }
 }
 
-TEST(TouchingCondition, SpeaksOfTheWayThatThereIsToGo) {
+TEST(TouchingCondition, TextStatesTheDirectionOfTheMotion) {
     EXPECT_EQ(wordsOf(R"({"touching": ["metal object", "electromagnet"]})"),
               "Lift the metal object to the electromagnet");
     EXPECT_EQ(wordsOf(R"({"touching": ["electromagnet", "metal object"]})"),

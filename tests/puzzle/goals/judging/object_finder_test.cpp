@@ -1,4 +1,4 @@
-// The objects that a selector matches: those that are made from a part, whatever their names.
+// The objects that a selector matches: objects made from a part, whatever their names.
 #include "puzzle/goals/judging/object_finder.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/placement.hpp"
@@ -37,7 +37,7 @@ protected:
     Problems problems;
 };
 
-TEST_F(ObjectFinderTest, APartIsWhatIsMadeFromIt) {
+TEST_F(ObjectFinderTest, APartMatchesTheObjectsMadeFromIt) {
     auto const& objects = built.objects;
     auto const& placements = built.placements;
     std::vector<ObjectId> const steel = ascending({objects[2], objects[3], placements[0], placements[2]});
@@ -47,11 +47,11 @@ TEST_F(ObjectFinderTest, APartIsWhatIsMadeFromIt) {
     std::vector<ObjectId> both = steel;
     both.insert(both.end(), wood.begin(), wood.end());
     EXPECT_EQ(found({{}, {"wooden ball", "steel ball"}, false, ""}), ascending(both));
-    EXPECT_TRUE(found({{}, {"iron ball"}, false, ""}).empty()) << "a part that nothing is made from";
+    EXPECT_TRUE(found({{}, {"iron ball"}, false, ""}).empty()) << "no object is made from this part";
     EXPECT_TRUE(found({{}, {"nothing"}, false, ""}).empty());
 }
 
-TEST_F(ObjectFinderTest, ANameIsTheObjectOfThatNameAndEachIsFoundOnce) {
+TEST_F(ObjectFinderTest, ANameMatchesItsObjectAndEachIsFoundOnce) {
     EXPECT_EQ(found({{"wooden ball"}, {}, false, ""}), std::vector{built.objects[3]});
     EXPECT_EQ(found({{"steel ball 5"}, {}, false, ""}), std::vector{built.joints[0]});
     EXPECT_EQ(found({{"steel ball 3", "steel ball 3"}, {"wooden ball"}, true, ""}, built.objects[0]),
@@ -59,7 +59,7 @@ TEST_F(ObjectFinderTest, ANameIsTheObjectOfThatNameAndEachIsFoundOnce) {
     EXPECT_TRUE(found({{"nobody"}, {}, true, ""}).empty());
 }
 
-TEST_F(ObjectFinderTest, ComplainsAboutWhatCannotBe) {
+TEST_F(ObjectFinderTest, ReportsImpossibleSelectors) {
     ObjectFinder const finder(level, *built.world, problems);
     finder.mustHave({{"a", "steel ball 5", "steel ball 4"}, {}, false, ""}, propertyInfo<Position>(),
                     "is nowhere");

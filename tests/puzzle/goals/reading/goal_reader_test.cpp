@@ -6,7 +6,7 @@
 namespace trembler {
 namespace {
 
-TEST(GoalReader, WantsExactlyOneKind) {
+TEST(GoalReader, RequiresExactlyOneKind) {
     EXPECT_TRUE(isRefused("{}",
                           "/goals: states no condition; expected exactly one of the keys 'inside', "
                           "'touching', 'on', 'off', 'moved', 'count', 'all', 'any', 'not' or 'sequence'"));
@@ -17,7 +17,7 @@ TEST(GoalReader, WantsExactlyOneKind) {
                           "one of the keys 'inside', 'touching'"));
 }
 
-TEST(GoalReader, ReadsWhatEveryKindCanHave) {
+TEST(GoalReader, ReadsTheKeysOfAllKinds) {
     EXPECT_TRUE(isRefused(R"({"on": "lamp", "for": -1})", "/goals/for: is -1"));
     EXPECT_TRUE(isRefused(R"({"on": "lamp", "for": 3601})", "/goals/for: is 3601"));
     EXPECT_TRUE(isRefused(R"({"on": "lamp", "text": 3})", "/goals/text: is 3"));
@@ -26,18 +26,19 @@ TEST(GoalReader, ReadsWhatEveryKindCanHave) {
                           "/goals/all/1/id: there is already a goal with the id 'a'"));
 }
 
-TEST(GoalReader, KnowsWhatSelectorsCanName) {
-    EXPECT_TRUE(isRefused(R"({"on": "lmap"})", "/goals/on: there is no object 'lmap', did you mean 'lamp'?"));
+TEST(GoalReader, ChecksTheNamesOfSelectors) {
+    EXPECT_TRUE(
+        isRefused(R"({"on": "lmap"})", "/goals/on: there is no object 'lmap' (did you mean 'lamp'?)"));
     EXPECT_TRUE(isRefused(R"({"on": []})", "/goals/on: is empty"));
     EXPECT_TRUE(isRefused(R"({"on": ["lamp", 3]})", "/goals/on/1: is 3"));
-    EXPECT_TRUE(isRefused(R"({"on": "it"})", "/goals/on: 'it' stands for nothing here"));
+    EXPECT_TRUE(isRefused(R"({"on": "it"})", "/goals/on: 'it' refers to no object here"));
     EXPECT_TRUE(isRefused(R"({"on": {"part": "lead ball"}})",
                           "/goals/on/part: nothing in this level is made from the part 'lead ball'"));
     EXPECT_TRUE(isRefused(R"({"on": {"prt": "iron ball"}})", "did you mean 'part'"));
     EXPECT_EQ(refusalOf(R"({"touching": [["crate", {"part": "iron ball"}], {"part": "iron ball"}]})"), "");
 }
 
-TEST(GoalReader, GivesConditionsTheirKindsAndPlaces) {
+TEST(GoalReader, SetsTheKindsAndPlacesOfConditions) {
     LevelFile level;
     level.objects.resize(1);
     level.objects[0].name = "bell";

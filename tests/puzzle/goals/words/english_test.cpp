@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-TEST(English, KnowsArticlesPluralsAndLists) {
+TEST(English, MakesArticlesPluralsAndLists) {
     EXPECT_EQ(withArticle("lamp"), "the lamp");
     EXPECT_EQ(withArticle("object 1"), "object 1");
     EXPECT_EQ(withArticle("Bob"), "Bob");
@@ -23,7 +23,7 @@ TEST(English, KnowsArticlesPluralsAndLists) {
     EXPECT_EQ(numberWord(13), "13");
 }
 
-TEST(English, MakesSentencesAndClausesOfEachOther) {
+TEST(English, ConvertsBetweenSentencesAndClauses) {
     EXPECT_EQ(capitalised("light the lamp"), "Light the lamp");
     EXPECT_EQ(capitalised("LEDs"), "LEDs");
     EXPECT_EQ(capitalised(""), "");

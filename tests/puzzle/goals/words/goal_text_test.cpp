@@ -6,14 +6,14 @@
 namespace trembler {
 namespace {
 
-TEST(GoalText, LetsTheAuthorSpeakFirst) {
+TEST(GoalText, UsesTheAuthorsTextIfThereIsOne) {
     EXPECT_EQ(wordsOf(R"({"on": "lamp", "text": "Let there be light!"})"), "Let there be light!");
     EXPECT_EQ(wordsOf(R"({"on": "lamp", "for": 3, "text": "Let there be light!"})"), "Let there be light!");
     EXPECT_EQ(wordsOf(R"({"not": {"on": "lamp", "text": "Let there be light!"}})"), "Keep the lamp dark")
-        << "the author has not put the opposite into words";
+        << "the author's text does not state the opposite";
 }
 
-TEST(GoalText, SaysForHowLong) {
+TEST(GoalText, StatesTheDuration) {
     EXPECT_EQ(wordsOf(R"({"on": "lamp", "for": 1})"), "Keep the lamp lit for 1 second");
     EXPECT_EQ(wordsOf(R"({"on": "lamp", "for": 0.25})"), "Keep the lamp lit for 0.25 seconds");
     EXPECT_EQ(wordsOf(R"({"not": {"on": "lamp", "for": 3}})"), "Do not keep the lamp lit for 3 seconds");
@@ -24,7 +24,7 @@ TEST(GoalText, NamesAnyOfSeveral) {
               "Switch on the lamp, the electromagnet or a desk lamp");
 }
 
-TEST(GoalText, KnowsLampsByWhatTheyAre) {
+TEST(GoalText, RecognisesLampsByTheirProperties) {
     EXPECT_EQ(wordsOf(R"({"on": "lantern"})"), "Light the lantern");
     EXPECT_EQ(wordsOf(R"({"on": "toy lamp"})"), "Switch on the toy lamp");
     EXPECT_EQ(wordsOf(R"({"on": {"part": "night light"}})"), "Light a night light");

@@ -7,7 +7,7 @@
 namespace trembler {
 namespace {
 
-TEST(Lamp, IsAUserOfElectricityMadeOfGlass) {
+TEST(Lamp, IsAnElectricalDeviceMadeOfGlass) {
     GoalStage stage(R"({"on": "lamp"})");
     EXPECT_TRUE(isLamp(stage.world(), stage.id("lamp")));
     EXPECT_TRUE(isLamp(stage.world(), stage.id("lantern")));
@@ -16,7 +16,7 @@ TEST(Lamp, IsAUserOfElectricityMadeOfGlass) {
     EXPECT_FALSE(isLamp(stage.world(), ObjectId{}));
 }
 
-TEST(Lamp, IsTheLampAloneAmongTheParts) {
+TEST(Lamp, IsOnlyThePartLamp) {
     GameData const data;
     std::vector<std::string> lamps;
     for (PartDefinition const* const part : data.parts.all()) {

@@ -16,7 +16,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-// One box of 6.13, in the names of ours.
+// One box of 6.13, with our names.
 struct ThesisBox {
     std::string title; ///< of our component
     Names read;
@@ -120,7 +120,7 @@ std::map<std::string, std::string> onPurpose() {
         for (std::string const& name : split(cells[3].substr(sign.size()), ',')) {
             bool const isNew =
                 all.emplace(cells[1] + " | " + cells[2] + " | " + sign + " " + name, cells[4]).second;
-            EXPECT_TRUE(isNew) << "twice: " << line;
+            EXPECT_TRUE(isNew) << "duplicate line: " << line;
         }
     }
     return all;
@@ -138,7 +138,7 @@ protected:
     }
 };
 
-TEST_F(Apportionment, IsTheThesissButForWhatTheTableSays) {
+TEST_F(Apportionment, IsTheThesissExceptForTheDifferencesInTheTable) {
     Differences found;
     for (ThesisBox const& box : boxes()) {
         ComponentInfo const* const info = named(box.title);
@@ -160,7 +160,7 @@ TEST_F(Apportionment, IsTheThesissButForWhatTheTableSays) {
     }
     for (auto const& [difference, reason] : stated) {
         EXPECT_TRUE(found.contains(difference))
-            << difference << "\nis in docs/apportionment.md, but does not apply (any more)";
+            << difference << "\nis in docs/apportionment.md, but does not apply";
         EXPECT_GT(reason.size(), 10U) << difference << " has no reason";
     }
 }
@@ -178,7 +178,7 @@ TEST_F(Apportionment, HasThePropertiesOfTheThesis) {
     }
 }
 
-// The engines swap: what holds for the first holds for all.
+// The engines are interchangeable: all have the same box.
 TEST_F(Apportionment, AlternativesHaveTheBoxesOfTheFirst) {
     for (char const* engine : {"Chipmunk Dynamics Resolver", "ODE Dynamics Resolver"}) {
         ComponentInfo const* const other = named(engine);

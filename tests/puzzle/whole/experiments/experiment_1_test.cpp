@@ -100,7 +100,7 @@ TEST_F(ExperimentOne, FollowsTheAccountOfFrames) {
     // f + 2: the magnet is enabled and the force on the metal object is applied.
     EXPECT_EQ(first("magnet on", {"electromagnet"}).frame, f + 2);
     EXPECT_EQ(first("addForceToPoint", {"metal object"}).frame, f + 2);
-    // f + 3: it is lifted. Before that it only lies there.
+    // f + 3: it is lifted. Until then it lies on the floor.
     EXPECT_NEAR(height[f + 2], height[f + 1], 1e-9);
     EXPECT_GT(height[f + 3], height[f + 2]);
     EXPECT_GT(height[f + 4], height[f + 3]);
@@ -197,7 +197,7 @@ TEST_F(ExperimentOne, AnotherConductorClosesTheContact) {
     EXPECT_TRUE(session_->solved());
 }
 
-TEST_F(ExperimentOne, AWoodenBarDoesNot) {
+TEST_F(ExperimentOne, AWoodenBarDoesNotCloseTheContact) {
     open("a wooden bar in its place");
     runTo(600);
     EXPECT_TRUE(touching("wooden bar 1", "object 1"));
@@ -214,7 +214,7 @@ TEST_F(ExperimentOne, AnotherMetalObjectIsAttracted) {
     EXPECT_TRUE(touching("steel ball 1", "electromagnet"));
 }
 
-TEST_F(ExperimentOne, ConstructsOnlyWhatItCallsFor) {
+TEST_F(ExperimentOne, ConstructsOnlyTheNeededComponents) {
     open("");
     runTo(1200);
     std::map<std::string, Activity> state;

@@ -37,13 +37,13 @@ TEST_F(ExperimentTwo, FollowsTheAccountOfFrames) {
     Event const& ended = first("contact ended", {"contact", "striker"}, f);
     EXPECT_EQ(ended.frame, f + 3);
     EXPECT_EQ(first("removeConnection", {"contact", "striker"}, f).frame, f + 3);
-    // "Frame 103": the connection is severed, the electromagnet off and told to cool down.
+    // "Frame 103": the connection is severed, the electromagnet is off and begins to cool down.
     Event const& severed = first("disconnected", {"contact", "striker"}, f);
     Event const& off = first("off", {"electromagnet"}, f);
     EXPECT_EQ(severed.frame, f + 4);
     EXPECT_EQ(off.frame, f + 4);
     EXPECT_EQ(first("disableMagnet", {"electromagnet"}, f).frame, f + 4);
-    // Rapidly, but not instantly.
+    // It cools down rapidly, but not instantly.
     EXPECT_EQ(magnet[f + 4], 1);
     EXPECT_GT(magnet[f + 5], 0);
     EXPECT_LT(magnet[f + 5], 1);
@@ -76,7 +76,7 @@ TEST_F(ExperimentTwo, FollowsTheAccountOfFrames) {
 TEST_F(ExperimentTwo, RingsAtASteadyRateForTenMinutes) {
     open(file);
     constexpr std::uint64_t minute = 3600;
-    EXPECT_TRUE(rings(20).empty()) << "nobody has closed the switch yet";
+    EXPECT_TRUE(rings(20).empty()) << "the switch is still open";
     std::vector<double> rates; // rings per frame, minute by minute
     std::vector<double> all;
     std::uint64_t last = 0;
@@ -109,7 +109,7 @@ TEST_F(ExperimentTwo, RingsWhileTheSwitchIsHeldDownAndStopsWhenItIsReleased) {
     ASSERT_GT(held.size(), 10U);
     EXPECT_LT(held.front(), 160U);
     EXPECT_GT(held.back(), 450U) << "it should ring on for as long as the switch is held";
-    EXPECT_LE(rings(510).size(), 1U) << "at most the stroke that was under way";
+    EXPECT_LE(rings(510).size(), 1U) << "at most the stroke that had already begun";
     EXPECT_TRUE(rings(3600).empty());
     EXPECT_FALSE(touching("switch", "object 1"));
     EXPECT_TRUE(touching("striker", "contact"));
@@ -122,7 +122,7 @@ TEST_F(ExperimentTwo, TheSwitchItselfRingsTheBell) {
     ASSERT_FALSE(struck.empty());
     EXPECT_TRUE(events("on", {"electromagnet"}).empty());
     EXPECT_TRUE(events("contact begun", {"striker", "bell"}).empty());
-    // It was the hand.
+    // The hand caused it.
     Event const* hit = nullptr;
     for (Event const& e : world().tracer()->events()) {
         if (e.frame == struck.front() && e.objects == std::vector<std::string>{"bell", "switch"}) {
@@ -153,7 +153,7 @@ TEST_F(ExperimentTwo, AWedgeSilencesItWhileItRings) {
     EXPECT_FALSE(rings(290).empty());
     EXPECT_LE(rings(330).size(), 2U);
     EXPECT_TRUE(rings(3600).empty());
-    EXPECT_TRUE(touching("switch", "object 1")) << "nobody has touched the switch";
+    EXPECT_TRUE(touching("switch", "object 1")) << "the switch still closes the contact";
 }
 
 TEST_F(ExperimentTwo, ANonConductorOnTheContactSilencesIt) {
@@ -166,7 +166,7 @@ TEST_F(ExperimentTwo, ANonConductorOnTheContactSilencesIt) {
     EXPECT_TRUE(events("on", {"electromagnet"}).empty());
 }
 
-TEST_F(ExperimentTwo, AConductorOnTheContactDoesNot) {
+TEST_F(ExperimentTwo, AConductorOnTheContactDoesNotSilenceIt) {
     open(file, "a copper clip on the contact", true);
     std::vector<std::uint64_t> const frames = rings(900);
     ASSERT_GT(frames.size(), 20U);

@@ -27,7 +27,8 @@ protected:
         }
         return tachometer;
     }
-    /// Whether it makes three turns anticlockwise within half a minute, from where it is turned to.
+    /// Whether the motor, rotated to this initial angle, makes three turns anticlockwise within half a
+    /// minute.
     bool starts(LevelFile const& level, int index) {
         open(turnedMotor(level, 2 * pi * index / angles));
         return follow(1800).turns() > 3;
@@ -46,7 +47,7 @@ TEST_F(ExperimentThree, TurnsAnticlockwiseByItself) {
     EXPECT_TRUE(led(touched, north));
     EXPECT_LT(north.frame, first("on", {"EM-South"}).frame);
     EXPECT_TRUE(led(north, first("magnet on", {"EM-North"})));
-    // The next one is a south spoke, and the other electromagnet's turn.
+    // The next spoke is a south one, which switches the other electromagnet on.
     EXPECT_TRUE(led(first("contact begun", {"sliding contact", "spoke 8"}), first("on", {"EM-South"})));
 }
 
@@ -116,7 +117,7 @@ TEST_F(ExperimentThree, WithoutABaseMagnetSometimesDoesNotStart) {
             ++started;
         } else {
             ++stuck;
-            EXPECT_LT(std::abs(spin("main axis")), 0.02) << "figure 6-13 is about things at rest";
+            EXPECT_LT(std::abs(spin("main axis")), 0.02) << "figure 6-13 shows a motor at rest";
         }
     }
     RecordProperty("started", started);
@@ -164,7 +165,7 @@ TEST_F(ExperimentThree, HasAMotorThatDrivesAGenerator) {
         << "the switch should be among the reasons why the lamp shines";
     runTo(1500);
     EXPECT_FALSE(on("motor"));
-    EXPECT_FALSE(on("lamp")) << "it has run down";
+    EXPECT_FALSE(on("lamp")) << "the generator has stopped";
     EXPECT_LT(std::abs(spin("dynamo")), world().find<Generator>(id("dynamo"))->speed);
 
     open(cheap, "hold the wheel");

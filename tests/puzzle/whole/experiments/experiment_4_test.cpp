@@ -16,7 +16,7 @@ class ExperimentFour : public Experiment {
 protected:
     static constexpr char const* file = "4-raft.json";
     static constexpr char const* gravity = R"("gravity": [0, -9.81])";
-    // Of the level and its parts.
+    // Values of the level and its parts.
     static constexpr double raft = 2.4 * 0.1 * 600;   // kg per m of depth
     static constexpr double floats = 2 * 0.24 * 100;  // the same
     static constexpr double box = 0.18 * 0.18 * 2000; // the same
@@ -24,7 +24,7 @@ protected:
     static constexpr double beam = 2 * 0.6;           // m of waterline, while the floats are upright
     static constexpr double high = 0.4;               // m, a float
 
-    /// The level with one thing said otherwise.
+    /// The level with one change.
     static LevelFile variant(std::string const& said, std::string const& instead) {
         std::ifstream in(gameData().home / "levels/experiments" / file);
         std::stringstream all;
@@ -35,17 +35,18 @@ protected:
         text.replace(at, said.size(), instead);
         return readLevel(gameData().registry, JsonDocument::parse(text, file));
     }
-    /// Where the middle of the floats should be with so much on board: what floats displaces its own weight.
+    /// The expected height of the middle of the floats with this load: a floating body displaces its own
+    /// weight.
     static double expectedHeight(double cargo) { return high / 2 - (raft + floats + cargo) / (water * beam); }
     [[nodiscard]] double height() const {
         return (at("flotation device A").y + at("flotation device B").y) / 2;
     }
-    /// What a hand does in one frame.
+    /// The input of the hand in one frame.
     void hand(PlayerInput::Kind kind, Vec2 where, std::string const& object = "") {
         session().feed({kind, object.empty() ? ObjectId{} : id(object), {}, where});
         step();
     }
-    /// Moves the hand evenly, for so many frames.
+    /// Moves the hand evenly for this number of frames.
     void carry(Vec2 from, Vec2 to, int frames) {
         for (int i = 1; i <= frames; ++i) {
             hand(PlayerInput::Kind::move, from + static_cast<double>(i) / frames * (to - from));
@@ -72,9 +73,9 @@ TEST_F(ExperimentFour, CarriesItsCargoAtTheDraughtOfArchimedes) {
     }
 }
 
-// Whatever lies where on the raft: it heels until the middle of all weight is above the middle of what is
-// displaced, which for upright walls is tan θ (GM + BM/2 tan²θ) = lever (the wall-sided formula of naval
-// architecture), here for a waterline in two pieces.
+// For any load on the raft: it heels until the centre of mass is above the centre of the displaced water,
+// which for upright walls is tan θ (GM + BM/2 tan²θ) = lever (the wall-sided formula of naval architecture),
+// here for a waterline in two pieces.
 TEST_F(ExperimentFour, HeelsByTheWallSidedFormula) {
     open(variant(R"("part": "cargo box", "at": [0.6, 0.85])", R"("part": "cargo box", "at": [-0.2, 0.85])"));
     runTo(2400);
@@ -99,7 +100,7 @@ TEST_F(ExperimentFour, HeelsByTheWallSidedFormula) {
     for (int i = 0; i < 50; ++i) {
         tangent = lever / (gm + bm / 2 * tangent * tangent);
     }
-    EXPECT_GT(tangent, 0.02) << "else there is nothing to see";
+    EXPECT_GT(tangent, 0.02) << "else this tests nothing";
     EXPECT_NEAR(heel, std::atan(tangent), 0.02 * std::atan(tangent));
 }
 
@@ -113,14 +114,14 @@ TEST_F(ExperimentFour, HeelsSpillsAndSettles) {
     EXPECT_GT(most, 0.3) << "left end down";
     runTo(1800);
     EXPECT_EQ(aboard(), 0);
-    EXPECT_NEAR(height(), expectedHeight(0), 0.003) << "it has come up";
+    EXPECT_NEAR(height(), expectedHeight(0), 0.003) << "it floats as high as without cargo";
     EXPECT_NEAR(angle("raft body"), 0, 0.01);
     EXPECT_NEAR(spin("raft body"), 0, 0.001);
     EXPECT_FALSE(session().solved());
 }
 
-// 6.12.2: a box from the ground of the basin is picked up and put on the raft, which lies deeper by just
-// that.
+// 6.12.2: a box from the ground of the basin is picked up and put on the raft, which then floats deeper by
+// the draught of the box.
 TEST_F(ExperimentFour, CargoFromTheGroundGoesOnBoard) {
     open(file);
     runTo(900);
@@ -130,7 +131,7 @@ TEST_F(ExperimentFour, CargoFromTheGroundGoesOnBoard) {
     Vec2 const clear{-2, 1};
     double const deck = at("raft body").y + 0.05;
     Vec2 const place{at("cargo 1").x / 2 + at("cargo 2").x / 2, deck + 0.3};
-    ASSERT_GT(at("cargo 2").x - at("cargo 1").x, 0.4) << "there is room between the two";
+    ASSERT_GT(at("cargo 2").x - at("cargo 1").x, 0.4) << "there must be room between the two";
     hand(PlayerInput::Kind::grab, found, "cargo 8");
     carry(found, {clear.x, found.y + 0.2}, 60);
     carry({clear.x, found.y + 0.2}, clear, 180);
@@ -144,7 +145,7 @@ TEST_F(ExperimentFour, CargoFromTheGroundGoesOnBoard) {
     EXPECT_NEAR(height(), expectedHeight(4 * box), 0.003);
 }
 
-// 6.12.3: new forces, no matter the source.
+// 6.12.3: the raft reacts to new forces from any source.
 TEST_F(ExperimentFour, BobsUpAgainWhereAHandPushedItDown) {
     open(file);
     step();
@@ -185,7 +186,7 @@ TEST_F(ExperimentFour, TipsItsCargoOffWithoutAFloat) {
     EXPECT_GT(at("flotation device B").y, -0.3) << "the other one still floats";
 }
 
-TEST_F(ExperimentFour, GoesDownWhereItDisplacesTooLittle) {
+TEST_F(ExperimentFour, SinksIfItDisplacesTooLittle) {
     ASSERT_LT(200 * (2.4 * 0.1 + 2 * 0.24), raft + floats);
     open(variant(R"("density": 1000)", R"("density": 200)"));
     runTo(1800);

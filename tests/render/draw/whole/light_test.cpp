@@ -1,4 +1,5 @@
-// Glows, shadows and translucent lines: what they add to a picture, and what they must not change.
+// Glows, shadows and translucent lines: their contribution to a picture, and the pixels that they must not
+// change.
 #include "render/draw/path.hpp"
 #include "tests/render/stage.hpp"
 
@@ -68,7 +69,7 @@ TEST(Light, SeeThroughLineIsEvenAtSharpBends) {
     EXPECT_NEAR(brightest, 128, 2);
 }
 
-TEST(Light, HairpinHasNoHoles) {
+TEST(Light, ATightBendHasNoHoles) {
     // A bend much tighter than the line is wide.
     auto const tight = bezier({-1, 0.1}, {1.2, 0.1}, {1.2, -0.1}, {-1, -0.1}, 40);
     for (float const alpha : {1.F, 0.6F}) {
@@ -96,7 +97,7 @@ TEST(Light, ShadowsCanBeSwitchedOff) {
     auto const without = draw(false, 1.F);
     EXPECT_NE(with, without);
     EXPECT_EQ(without, draw(true, 0.F));
-    // It falls to the lower right and only darkens.
+    // The shadow falls to the lower right and only darkens.
     EXPECT_LT(with.at(200 + 30, 150 + 43)[1], without.at(200 + 30, 150 + 43)[1]);
     EXPECT_EQ(with.at(200 - 30, 150 - 46), without.at(200 - 30, 150 - 46));
     for (std::size_t i = 0; i < with.bytes().size(); ++i) {
@@ -114,14 +115,14 @@ TEST(Light, ShadowsOfOneSheetLieUnderAllOfItsShapes) {
             canvas.box({{0, 0.1}, 0}, {0.6, 0.3}, 0, {.pattern = Pattern::Plain});
         });
     };
-    // Just below the edge where the upper box stands on the lower one, inside of the lower one's outline.
+    // Just below the edge between the upper box and the lower one, inside of the lower one's outline.
     EXPECT_LT(draw(true).at(200, 150 + 24)[1], draw(false).at(200, 150 + 24)[1]);
 }
 
 TEST(Light, MaterialsDiffer) {
     std::vector<Image> seen;
     for (int i = 0; i <= static_cast<int>(Pattern::Water); ++i) {
-        // The same tint, so that only the pattern is left to tell them apart.
+        // The same tint, so that only the pattern differs.
         auto image = picture(size, palette::paper, [&](Canvas& canvas) {
             canvas.box({}, {0.6, 0.4}, 0, {.pattern = static_cast<Pattern>(i), .tint = rgb(0x8090A0)});
         });

@@ -16,7 +16,7 @@ Facts conductorWithBody() {
     return facts;
 }
 
-TEST(LookForm, FollowsFromWhatAnObjectIsWhereNothingIsStated) {
+TEST(LookForm, FollowsFromThePropertiesUnlessStated) {
     Facts facts = conductorWithBody();
     EXPECT_EQ(formOf(facts), LookForm::plain);
     facts.device = true;
@@ -24,7 +24,7 @@ TEST(LookForm, FollowsFromWhatAnObjectIsWhereNothingIsStated) {
     facts.substance = Substance::glass;
     EXPECT_EQ(formOf(facts), LookForm::bulb);
     facts.shape = nullptr;
-    EXPECT_EQ(formOf(facts), LookForm::flash) << "there is nothing that could be of glass";
+    EXPECT_EQ(formOf(facts), LookForm::flash) << "without a body nothing is made of glass";
 
     Facts pole = conductorWithBody();
     pole.source = true;
@@ -33,7 +33,7 @@ TEST(LookForm, FollowsFromWhatAnObjectIsWhereNothingIsStated) {
     EXPECT_EQ(formOf(pole), LookForm::battery);
     pole.source = false;
     EXPECT_EQ(formOf(pole), LookForm::earth);
-    Look const minus{trembler::Pattern::own, "", "−"};
+    Look const minus{LookPattern::own, "", "−"};
     pole.look = &minus;
     EXPECT_EQ(formOf(pole), LookForm::minus);
 }
@@ -44,10 +44,10 @@ TEST(LookForm, OfACoilIsItsWinding) {
     facts.coil = &coil;
     facts.device = true;
     EXPECT_EQ(formOf(facts), LookForm::plain);
-    EXPECT_EQ(signOf(facts), Sign::flash) << "in a plan of the circuit it is a user";
+    EXPECT_EQ(signOf(facts), Sign::flash) << "in a circuit diagram it has the sign of a device";
 }
 
-TEST(LookForm, IsWhatTheObjectStates) {
+TEST(LookForm, IsTheStatedOne) {
     for (LookForm const form : {LookForm::plain, LookForm::bulb, LookForm::plus, LookForm::minus,
                                 LookForm::battery, LookForm::earth, LookForm::flash}) {
         Facts facts = conductorWithBody();
@@ -69,7 +69,7 @@ TEST(LookForm, DecidesBetweenTheTwoSignsOfAReturn) {
     facts.earth = true;
     facts.form = LookForm::minus;
     EXPECT_EQ(signOf(facts), Sign::minus);
-    Look const minus{trembler::Pattern::own, "", "-"};
+    Look const minus{LookPattern::own, "", "-"};
     facts.look = &minus;
     facts.form = LookForm::earth;
     EXPECT_EQ(signOf(facts), Sign::earth);
@@ -89,7 +89,7 @@ TEST(LookForm, IsStatedInALevelByAWordAndChangesNoHashOfLevelsWithoutIt) {
     EXPECT_EQ(FactsReader(*unstated).of(unstated->store().find("a")).form, LookForm::own);
     auto const* const column = unstated->store().findColumn<DrawnAs>();
     EXPECT_TRUE(column == nullptr || column->empty()) << "an empty column is not hashed";
-    EXPECT_NE(stated->stateHash(), unstated->stateHash()) << "like everything that an object states";
+    EXPECT_NE(stated->stateHash(), unstated->stateHash()) << "like all stated properties";
     EXPECT_THROW((void)worldOf(R"(, "look_form": "lantern")"), InputError);
 }
 

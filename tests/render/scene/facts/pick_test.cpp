@@ -148,8 +148,7 @@ TEST(ScenePick, AgreesWithThePicture) {
             }
             bool const deep = inside;
             bool const painted = full.at(x, y) != empty.at(x, y);
-            // Within the edge's own width the colour may come close to anything; elsewhere it must not be
-            // paper.
+            // Within the width of the edge any colour is allowed; elsewhere it must not be that of the paper.
             EXPECT_EQ(painted, deep) << x << ", " << y;
             ++(deep ? hits : misses);
         }
@@ -158,7 +157,7 @@ TEST(ScenePick, AgreesWithThePicture) {
     EXPECT_GT(misses, 5000);
 }
 
-TEST(SceneBounds, CoverExactlyWhatIsThere) {
+TEST(SceneBounds, CoverExactlyAllObjects) {
     World world(everything());
     EXPECT_TRUE(sceneFocus(world).empty());
     body(world, "bar", {boxPiece(2, 0.2)}, {1, 2}, std::numbers::pi / 2);

@@ -28,7 +28,7 @@ ShapePiece anyPiece() {
         return capsulePiece(2 * radius + between(0.01, 1), radius, at, angle);
     }
     default: {
-        // Points of a circle in ascending order are a convex polygon, whatever the circle's squeeze.
+        // Points of a squeezed circle in ascending order are a convex polygon.
         std::vector<Vec2> corners;
         double turn = between(0, 0.5);
         for (int i = 0; i < 5; ++i) {
@@ -40,7 +40,7 @@ ShapePiece anyPiece() {
     }
 }
 
-// Whether a point lies in an outline, by the even-odd rule: nothing of the drawing code's.
+// Whether a point lies in an outline, by the even-odd rule; shares no code with the drawing.
 bool insideOutline(std::vector<Point> const& outline, Point p) {
     bool inside = false;
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
@@ -151,7 +151,7 @@ TEST(SceneGeometry, InsetLiesInsideByTheDistance) {
     }));
 }
 
-TEST(SceneGeometry, CompoundEdgeOfTwoBoxesThatMeet) {
+TEST(SceneGeometry, CompoundEdgeOfTwoAdjacentBoxesHasSeams) {
     // An L of two boxes, 1 by 0.2 and 0.2 by 0.6, that share a side of 0.2.
     Shape const shape{{boxPiece(1, 0.2, {0.5, 0.1}), boxPiece(0.2, 0.6, {0.1, 0.5})}};
     CompoundEdges const edges = edgesOf(shape, 0.01);
@@ -160,7 +160,7 @@ TEST(SceneGeometry, CompoundEdgeOfTwoBoxesThatMeet) {
         outer += length(edge[1] - edge[0]);
     }
     EXPECT_NEAR(outer, 2 * (1 + 0.8), 1e-6);
-    ASSERT_EQ(edges.seams.size(), 2U); // once from each side
+    ASSERT_EQ(edges.seams.size(), 2U); // one seam from each side
     for (Segment const& seam : edges.seams) {
         EXPECT_NEAR(length(seam[1] - seam[0]), 0.2, 1e-6);
         EXPECT_NEAR(seam[0].y, 0.2, 1e-9);

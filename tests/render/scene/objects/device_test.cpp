@@ -17,12 +17,12 @@ TEST(Device, StatedAsPlainIsDrawnAsItsBodyAlone) {
     Facts device = body;
     device.device = true;
     device.conductor = true;
-    EXPECT_FALSE(pictureOf(device) == pictureOf(body)) << "the sign of a user";
+    EXPECT_FALSE(pictureOf(device) == pictureOf(body)) << "the sign of a device";
     device.form = LookForm::plain;
     EXPECT_TRUE(pictureOf(device) == pictureOf(body));
 }
 
-TEST(Device, StatedAsABulbIsDrawnAsOneWhateverItIsMadeOf) {
+TEST(Device, StatedAsABulbIsDrawnAsOneForAnyMaterial) {
     Shape const lamp{{circlePiece(0.4), boxPiece(0.3, 0.3, {0, -0.5})}};
     Facts glass;
     glass.shape = &lamp;
@@ -34,7 +34,7 @@ TEST(Device, StatedAsABulbIsDrawnAsOneWhateverItIsMadeOf) {
     EXPECT_FALSE(pictureOf(plastic) == pictureOf(glass));
     plastic.form = LookForm::bulb;
     EXPECT_TRUE(pictureOf(plastic) == pictureOf(glass));
-    plastic.device = false; // a bulb that no circuit knows of looks like one that is off
+    plastic.device = false; // a bulb outside of any circuit looks like one that is off
     EXPECT_TRUE(pictureOf(plastic) == pictureOf(glass));
 }
 

@@ -85,7 +85,7 @@ TEST(SceneWires, ContactsAreNoCables) {
     EXPECT_FALSE(found.a == a.id && found.b == b.id);
 }
 
-TEST(SceneRopes, AreAsLongAsTheyAre) {
+TEST(SceneRopes, HaveTheirStatedLength) {
     EXPECT_TRUE(rc::check([] {
         double const rope = *rc::gen::inRange(100, 300) / 100.0;
         double const span = rope * *rc::gen::inRange(5, 100) / 100.0;
@@ -107,7 +107,8 @@ TEST(SceneJoints, StaysOnItsObjectsWhileTheySwing) {
     hinge.form = JointForm::hinge;
     hinge.a = bar;
     store.column<Joint>().set(pin, hinge);
-    auto const before = placesOf(world, FactsReader(world), pin, present); // not started: as the level says
+    auto const before =
+        placesOf(world, FactsReader(world), pin, present); // not started: at the level's places
     ASSERT_TRUE(before.has_value());
     EXPECT_EQ(before->a, Point{});
     world.start();
@@ -135,7 +136,7 @@ TEST(SceneContacts, ABoxOnTheFloorTouchesAtItsCorners) {
     EXPECT_NEAR(points[0].x, 0.7, 1e-9);
     EXPECT_NEAR(points[1].x, 1.3, 1e-9);
     EXPECT_NEAR(points[0].y, 0, 1e-9);
-    // Tilted, it stands on one.
+    // Tilted, it touches at one corner.
     EXPECT_EQ(touchingPoints(floor, {{0, -0.5}, 0}, box, {{1, 0.33}, 0.5}).size(), 1U);
 }
 
@@ -147,7 +148,7 @@ TEST(SceneContacts, ABallTouchesWhereItIsLowest) {
     EXPECT_NEAR(points[0].y, 0, 0.002);
 }
 
-TEST(SceneContacts, PatchesAreShownOnlyWhileTheyAreKeptUp) {
+TEST(SceneContacts, PatchesAreShownOnlyWhileTheyAreComputed) {
     World world(everything());
     Store& store = world.store();
     store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
@@ -176,11 +177,11 @@ TEST(SceneContacts, PatchesAreShownOnlyWhileTheyAreKeptUp) {
     EXPECT_NE(patches, marks);
     EXPECT_NE(patches, empty);
     wantedContactPatches.end();
-    for (int i = 0; i < 60; ++i) { // it slides on while nobody reads
+    for (int i = 0; i < 60; ++i) { // it continues to slide while nothing reads the contacts
         store.column<Velocity>().set(box, {{2, 0}});
         world.step();
     }
-    // Marks are where it is now: two metres on.
+    // The marks are at its present place: two metres farther.
     Image const now = draw(true);
     auto const painted = [&](double from, double to) {
         for (int y = 230; y < 250; ++y) {

@@ -31,7 +31,7 @@ int darkness(Image const& image, double away) {
     return most;
 }
 
-TEST(Ripples, StandAtTheirRadiusAndNowhereElse) {
+TEST(Ripples, AreDrawnAtTheirRadiusOnly) {
     Image const image = drawn({{{0, 0}, 1, 1}});
     EXPECT_GT(darkness(image, 1), 20);
     for (double const away : {0.0, 0.5, 0.9, 1.1, 1.5}) {
@@ -39,12 +39,12 @@ TEST(Ripples, StandAtTheirRadiusAndNowhereElse) {
     }
 }
 
-TEST(Ripples, AreTheFainterTheWeaker) {
+TEST(Ripples, AreFainterIfWeaker) {
     int const strong = darkness(drawn({{{0, 0}, 1, 1}}), 1);
     int const weak = darkness(drawn({{{0, 0}, 1, 0.1}}), 1);
     EXPECT_GT(strong, weak);
     EXPECT_GT(weak, 0);
-    EXPECT_LT(strong, 128) << "faint: what lies below is still seen";
+    EXPECT_LT(strong, 128) << "translucent: objects below remain visible";
 }
 
 TEST(Ripples, OfNoStrengthOrNoRadiusAreNotDrawn) {

@@ -175,7 +175,7 @@ TEST(SceneGallery, EveryJoint) {
             },
             {}, camera),
         "scene-joints");
-    EXPECT_GT(length(world.find<Position>(hung)->value - Vec2{-3.3, 0.6}), 0.01); // it did run
+    EXPECT_GT(length(world.find<Position>(hung)->value - Vec2{-3.3, 0.6}), 0.01); // the world did run
 }
 
 void drawLevel(std::filesystem::path const& file) {

@@ -70,10 +70,10 @@ TEST_F(BuildWorld, CreatesObjectsInCanonicalOrderWithTheirEffectiveProperties) {
 
 TEST_F(BuildWorld, PlacesProblemsWhereThePropertyIsStated) {
     EXPECT_SAYS(problemOf(R"("objects": [{"name": "a", "part": "thng"}])"),
-                "/objects/0/part: there is no part 'thng', did you mean 'thing'?");
+                "/objects/0/part: there is no part 'thng' (did you mean 'thing'?)");
     EXPECT_SAYS(problemOf(R"("toolbox": [{"part": "thng"}])"), "/toolbox/0/part: there is no part");
     EXPECT_SAYS(problemOf(R"("objects": [{"name": "abc", "properties": {"cake": {"eater": "abd"}}}])"),
-                "/objects/0/properties/cake/eater: there is no object 'abd', did you mean 'abc'?");
+                "/objects/0/properties/cake/eater: there is no object 'abd' (did you mean 'abc'?)");
     EXPECT_SAYS(problemOf(R"("objects": [{"name": "a", "properties": {"cake": {"guests": ["a", "q"]}}}])"),
                 "/objects/0/properties/cake/guests/1: there is no object 'q'");
     EXPECT_SAYS(problemOf(R"("joints": [{"a": "q"}])"), "/joints/0/a: there is no object 'q'");
@@ -86,7 +86,7 @@ TEST_F(BuildWorld, PlacesProblemsWhereThePropertyIsStated) {
                 "/connections/0: only what has a tag");
 }
 
-// Weights must differ; told of all but the first of equals.
+// Weights must differ; reported for all but the first of equal ones.
 int timesCompared = 0;
 std::vector<ObjectFault> compareWeights(Store const& store) {
     ++timesCompared;
@@ -101,10 +101,10 @@ std::vector<ObjectFault> compareWeights(Store const& store) {
     return faults;
 }
 
-TEST_F(BuildWorld, ComparesAllObjectsOnceAndPlacesWhatItFinds) {
+TEST_F(BuildWorld, ComparesAllObjectsOnceAndReportsPlaces) {
     registry.rule({.property = &propertyInfo<Weight>(), .checkAll = compareWeights});
     timesCompared = 0;
-    EXPECT_EQ(problemOf(R"("objects": [{"name": "a"}])"), "") << "there is nothing to compare";
+    EXPECT_EQ(problemOf(R"("objects": [{"name": "a"}])"), "") << "a single object is not compared";
     EXPECT_EQ(timesCompared, 0);
     std::string const problems = problemOf(R"("objects": [{"name": "c", "properties": {"weight": 13}},
                                  {"name": "a", "properties": {"weight": 13}},
@@ -139,9 +139,9 @@ TEST_F(BuildWorld, AvoidsNamesThatAreTaken) {
     EXPECT_EQ(world->find<Position>(world->store().find("thing 2"))->value, (Vec2{0, 0}));
 }
 
-// In whatever order the lists stand, each entry is found again in what was built from it, and the other way
-// round. The weight of every object is one of its own, so that it shows which entry it came from.
-TEST_F(BuildWorld, SaysWhichObjectEachEntryBecame) {
+// For any order of the lists, each entry leads to the object that was built from it, and back. Every object
+// has a different weight, which identifies its entry.
+TEST_F(BuildWorld, MapsEntriesToObjects) {
     EXPECT_TRUE(rc::check([&] {
         auto const shuffledTo = [](std::size_t count) {
             std::vector<std::size_t> order(count);
@@ -213,11 +213,13 @@ TEST_F(BuildWorld, SaysWhichObjectEachEntryBecame) {
         ObjectId const known = world.store().find("world");
         RC_ASSERT(world.store().originOf(known).kind == Origin::Kind::world);
         all.insert(known);
-        RC_ASSERT(all.size() == world.store().objects().size()); // each is one entry's, equal placements too
+        RC_ASSERT(
+            all.size() ==
+            world.store().objects().size()); // each object belongs to one entry, also for equal placements
     }));
 }
 
-TEST_F(BuildWorld, DoesNotCareAboutTheOrderOfEntries) {
+TEST_F(BuildWorld, DoesNotDependOnTheOrderOfEntries) {
     auto const shuffled = [](std::vector<std::string> list) {
         for (std::size_t i = list.size(); i > 1; --i) {
             std::swap(list[i - 1], list[*rc::gen::inRange<std::size_t>(0, i)]);

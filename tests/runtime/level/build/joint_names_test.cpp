@@ -39,12 +39,12 @@ protected:
     Registry registry;
 };
 
-TEST_F(JointNames, KeepWhatIsStatedAndNumberTheOthers) {
+TEST_F(JointNames, KeepStatedNamesAndNumberTheOthers) {
     EXPECT_EQ(jointNames(levelOf(registry, {}, {{"", 2}, {"axle", 5}, {"", 3}})),
               (std::vector<std::string>{"joint 1", "axle", "joint 2"}));
     EXPECT_EQ(jointNames(levelOf(registry, {"joint 1"}, {{"", 3}, {"joint 3", 5}, {"", 2}})),
               (std::vector<std::string>{"joint 4", "joint 3", "joint 2"}))
-        << "an object and a joint have names of that kind already; the weaker one comes first";
+        << "an object and a joint already have such names; the weaker joint comes first";
     EXPECT_TRUE(jointNames(levelOf(registry, {}, {})).empty());
 }
 
@@ -52,7 +52,7 @@ TEST_F(JointNames, AreUniqueAndTheSameForAnyOrderOfTheFile) {
     EXPECT_TRUE(rc::check([&] {
         std::vector<std::string> objects;
         std::vector<Tie> ties;
-        for (int i = 1; i <= 4; ++i) { // each such name is an object's, a joint's or nobody's
+        for (int i = 1; i <= 4; ++i) { // each such name belongs to an object, to a joint or is free
             int const whose = *rc::gen::inRange(0, 3);
             if (whose == 0) {
                 objects.push_back("joint " + std::to_string(i));

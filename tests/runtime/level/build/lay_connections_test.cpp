@@ -77,7 +77,7 @@ TEST(LayConnections, AStatedKindDecides) {
     EXPECT_EQ(Site::ends<Links>(*world, "both 1"), Names{"both 2"});
 }
 
-TEST(LayConnections, WhatSeveralEffectsCouldConnectIsRefusedAtItsPlace) {
+TEST(LayConnections, APairThatSeveralEffectsCouldConnectIsRefusedAtItsPlace) {
     Site site;
     std::string const text = site.problemOf(R"(["tag 1", "tag 2"], ["both 2", "both 1"])");
     expectWords(
@@ -85,7 +85,7 @@ TEST(LayConnections, WhatSeveralEffectsCouldConnectIsRefusedAtItsPlace) {
                R"({"between": ["both 1", "both 2"], "kind": one of 'pipe')", "'string'"});
 }
 
-TEST(LayConnections, WhatNoEffectCanConnectIsRefusedAtItsPlace) {
+TEST(LayConnections, APairThatNoEffectCanConnectIsRefusedAtItsPlace) {
     Site site;
     expectWords(site.problemOf(R"(["air", "both 1"])"),
                 {"/connections/0: nothing can connect 'air' and 'both 1'", "no string: only what has a tag",
@@ -113,13 +113,13 @@ TEST(LayConnections, FormsAndKindsAreCheckedAsTheyAreRead) {
     };
     for (Case const& c : {
              Case{R"({"between": ["tag 1", "tag 2"], "kind": "pip"})",
-                  {"/connections/0/kind: there is no kind of connection 'pip', did you mean 'pipe'?",
+                  {"/connections/0/kind: there is no kind of connection 'pip' (did you mean 'pipe'?)",
                    "'pipe' or 'string'"}},
              Case{R"({"between": ["tag 1", "tag 2"]})", {"/connections/0", "kind", "'pipe' or 'string'"}},
              Case{R"({"kind": "pipe"})", {"/connections/0", "between"}},
              Case{R"({"between": ["tag 1"], "kind": "string"})", {"/connections/0/between", "a pair"}},
              Case{R"({"between": ["tag 1", "tga 2"], "kind": "string"})",
-                  {"/connections/0/between/1: there is no object 'tga 2', did you mean 'tag 2'?"}},
+                  {"/connections/0/between/1: there is no object 'tga 2' (did you mean 'tag 2'?)"}},
              Case{R"({"between": ["tag 1", "tag 1"], "kind": "string"})", {"/connections/0", "with itself"}},
              Case{R"({"between": ["tag 1", "tag 2"], "kind": "string", "colour": 1})",
                   {"/connections/0/colour", "unknown key 'colour'"}},
@@ -134,7 +134,7 @@ TEST(LayConnections, FormsAndKindsAreCheckedAsTheyAreRead) {
     }
 }
 
-TEST(LayConnections, AnEditorsKindIsCheckedToo) {
+TEST(LayConnections, AKindThatAnEditorStatesIsCheckedToo) {
     Site site;
     LevelFile level = sample::read(site.registry, Site::levelWith(""));
     level.connections.push_back({"tag 1", "tag 2", "", "rope"});
@@ -147,7 +147,7 @@ TEST(LayConnections, AnEditorsKindIsCheckedToo) {
     }
 }
 
-TEST(LayConnections, SurviveWriting) {
+TEST(LayConnections, AreWrittenAndReadBack) {
     Site site;
     LevelFile const level = sample::read(
         site.registry,

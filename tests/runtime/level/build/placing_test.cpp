@@ -33,7 +33,7 @@ protected:
     [[nodiscard]] static Placement at(double x, double y, std::string part = "crate") {
         return {std::move(part), {x, y}, 0, ""};
     }
-    /// Why it may not be placed; "" if it may.
+    /// The reason why it may not be placed; "" if it may.
     [[nodiscard]] std::string refusal(LevelFile const& in, Placement const& candidate,
                                       std::vector<Placement> const& others = {}) const {
         return checkPlacement(in, library, others, candidate).value_or("");
@@ -42,7 +42,7 @@ protected:
     PartLibrary library;
 };
 
-TEST_F(Placing, OfAPartThatThereIsNotNamesTheOneThatIsMeant) {
+TEST_F(Placing, OfAnUnknownPartIsReportedWithASimilarName) {
     LevelFile const any = level("");
     EXPECT_SAYS(refusal(any, at(0, 0, "crat")), "crat");
     EXPECT_SAYS(refusal(any, at(0, 0, "crat")), "did you mean 'crate'?");
@@ -61,7 +61,7 @@ TEST_F(Placing, TakesNoMoreThanTheToolboxHas) {
     EXPECT_SAYS(refusal(none, at(0, 0)), "only 0 of 'crate'");
 }
 
-TEST_F(Placing, WhatIsNoNumberIsNoPlace) {
+TEST_F(Placing, PlacesMustBeFinite) {
     LevelFile const any = level("");
     double const none = std::numeric_limits<double>::quiet_NaN();
     double const infinite = std::numeric_limits<double>::infinity();
@@ -71,7 +71,7 @@ TEST_F(Placing, WhatIsNoNumberIsNoPlace) {
     }
 }
 
-TEST_F(Placing, KeepsToTheBoundsTheirEdgesIncludedUnlessThereAreAreas) {
+TEST_F(Placing, IsLimitedToTheBoundsIncludingTheirEdgesIfThereAreNoAreas) {
     std::string const bounds = R"(, "world": {"bounds": [-2, -1, 4, 2]})";
     LevelFile const bounded = level(bounds);
     for (Vec2 const corner : {Vec2{-2, -1}, Vec2{2, 1}, Vec2{0, 0}}) {
@@ -89,8 +89,8 @@ TEST_F(Placing, KeepsToTheBoundsTheirEdgesIncludedUnlessThereAreAreas) {
     EXPECT_SAYS(refusal(level(R"(, "placing": [])"), at(0, 0)), "Nothing can be placed there");
 }
 
-// Counting parts as they come says of each placement what a look at all those before it says.
-TEST_F(Placing, ACountSaysOfEachWhatALookAtAllBeforeItSays) {
+// Counting parts incrementally gives the same answer for each placement as counting all earlier ones.
+TEST_F(Placing, AnIncrementalCountAgreesWithACountOfAllEarlierOnes) {
     LevelFile const bounded = level(R"(, "world": {"bounds": [-5, -2, 10, 6]})");
     EXPECT_TRUE(rc::check([&] {
         std::vector<Placement> placements(*rc::gen::inRange<std::size_t>(0, 12));
@@ -150,7 +150,7 @@ TEST_F(Placing, TheOrderInWhichPartsWerePlacedNeverMatters) {
         if (*rc::gen::arbitrary<bool>()) {
             std::reverse(placements.begin(), placements.end());
         }
-        for (Placement& placement : placements) { // what is nought is so with either sign
+        for (Placement& placement : placements) { // zero may have either sign
             placement.angle =
                 placement.angle == 0 && *rc::gen::arbitrary<bool>() ? -placement.angle : placement.angle;
         }
@@ -160,7 +160,7 @@ TEST_F(Placing, TheOrderInWhichPartsWerePlacedNeverMatters) {
     }));
 }
 
-TEST_F(Placing, NamesAreThePartsAndANumberThatNobodyElseHas) {
+TEST_F(Placing, NamesAreThePartsNameAndAFreeNumber) {
     LevelFile const taken = sample::read(registry, R"({"version": 2, "title": "t", "objects": [
         {"name": "crate 2", "properties": {"weight": 1}}, {"name": "lamp 1", "properties": {"weight": 1}}],
         "joints": [{"a": "crate 2", "strength": 1}, {"name": "crate 3", "a": "lamp 1"}]})");

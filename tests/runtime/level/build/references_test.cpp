@@ -21,7 +21,7 @@ Dangling resolve(P& value, NameTable const& names, Store const& store) {
     ValueOf<P> held(value);
     Dangling dangling;
     for (DanglingReference const& one : resolveReferences(held, names, store)) {
-        EXPECT_TRUE(dangling.emplace(one.path, one.name).second) << one.path << " is told twice";
+        EXPECT_TRUE(dangling.emplace(one.path, one.name).second) << one.path << " is reported twice";
     }
     value = held.value;
     return dangling;
@@ -30,7 +30,7 @@ Dangling resolve(P& value, NameTable const& names, Store const& store) {
 TEST(References, NamesBecomeTheObjectsThatHaveThem) {
     Store store;
     NameTable names;
-    ObjectId const ann = names.refer("Ann"); // the other way round than the store has them
+    ObjectId const ann = names.refer("Ann"); // not in the order of the store
     ObjectId const bob = names.refer("Bob");
     ObjectId const bobIn = store.create("Bob");
     ObjectId const annIn = store.create("Ann");
@@ -42,7 +42,7 @@ TEST(References, NamesBecomeTheObjectsThatHaveThem) {
     EXPECT_EQ(cake.guests, (std::vector{annIn, bobIn, annIn}));
 }
 
-TEST(References, WhatIsNotThereIsToldByItsPathAndRefersToNothing) {
+TEST(References, UnknownNamesAreReportedWithTheirPathAndReferToNothing) {
     Store store;
     NameTable names;
     ObjectId const here = store.create("here");
@@ -55,15 +55,15 @@ TEST(References, WhatIsNotThereIsToldByItsPathAndRefersToNothing) {
     EXPECT_EQ(cake.guests, (std::vector{here, ObjectId{}, ObjectId{}}));
     Knot knot;
     knot.b = names.refer("a/b~c");
-    EXPECT_EQ(resolve(knot, names, store), (Dangling{{"/b", "a/b~c"}})) << "a name is no path";
-    EXPECT_FALSE(knot.a.valid()) << "what refers to nothing goes on doing so";
+    EXPECT_EQ(resolve(knot, names, store), (Dangling{{"/b", "a/b~c"}})) << "a name is not a path";
+    EXPECT_FALSE(knot.a.valid()) << "an invalid reference stays invalid";
 }
 
 TEST(References, LeaveEverythingElseAsItIs) {
     Store store;
     Cake cake;
     cake.flavour = Flavour::sour;
-    cake.note = "somebody"; // a text that might be a name is none
+    cake.note = "somebody"; // a text is not a reference, even if an object has this name
     cake.toppings.resize(3);
     cake.toppings[1].spots = {{1, 2}, {3, 4}};
     Cake const before = cake;
@@ -76,7 +76,7 @@ TEST(References, LeaveEverythingElseAsItIs) {
     EXPECT_EQ(cake.toppings[1].spots, before.toppings[1].spots);
 }
 
-TEST(References, OfAnyListAreThoseThatALookUpByNameFinds) {
+TEST(References, OfAnyListAgreeWithLookUpsByName) {
     EXPECT_TRUE(rc::check([] {
         Store store;
         NameTable names;

@@ -25,7 +25,7 @@ std::vector<Diagnostic> thrownBy(Problems const& problems) {
     }
 }
 
-TEST(Diagnostic, PrintsWhatItHas) {
+TEST(Diagnostic, PrintsItsPresentFields) {
     Diagnostic one = at(0, 0, "cannot be read", "a.json");
     EXPECT_EQ(one.print(), "a.json: cannot be read");
     one.line = 3;
@@ -36,11 +36,11 @@ TEST(Diagnostic, PrintsWhatItHas) {
     EXPECT_EQ(one.print(), "a.json:3:14: /objects/2: cannot be read; expected a circle");
 }
 
-TEST(Diagnostic, IsOneLineAndNoLongerThanAnybodyReads) {
+TEST(Diagnostic, IsOneLineOfLimitedLength) {
     Diagnostic one = at(1, 1, "a\nb\x1b[2J");
     EXPECT_EQ(one.print().find('\n'), std::string::npos);
     EXPECT_EQ(one.print().find('\x1b'), std::string::npos);
-    for (std::size_t pad = 0; pad < 3; ++pad) { // a cut inside a character would leave half of it
+    for (std::size_t pad = 0; pad < 3; ++pad) { // a cut inside a character would leave an incomplete one
         one.message.assign(pad, 'x');
         while (one.message.size() < 5000) {
             one.message += "\xE2\x86\x92";
@@ -57,7 +57,7 @@ TEST(Problems, AreThrownInOrderOfTheirPlaces) {
     problems.add(at(2, 1, "c", "f"));
     problems.add(at(1, 9, "b", "f"));
     problems.add(at(9, 9, "a", "e"));
-    problems.add(at(2, 1, "d", "f")); // of the same place: the first complaint first
+    problems.add(at(2, 1, "d", "f")); // at the same place: the first problem first
     auto const sorted = thrownBy(problems);
     ASSERT_EQ(sorted.size(), 4U);
     std::string order;
@@ -73,7 +73,7 @@ TEST(Problems, AreThrownInOrderOfTheirPlaces) {
     }
 }
 
-TEST(Problems, BeyondTheMostThatAnybodyReadsAreOnlyCounted) {
+TEST(Problems, BeyondTheLimitAreOnlyCounted) {
     Problems problems;
     std::size_t made = 0;
     for (std::size_t i = 0; i < Problems::most + 7; ++i) {
@@ -82,7 +82,7 @@ TEST(Problems, BeyondTheMostThatAnybodyReadsAreOnlyCounted) {
             return at(i + 1, 1, "wrong");
         });
     }
-    EXPECT_EQ(made, Problems::most) << "the words of the others are not even looked for";
+    EXPECT_EQ(made, Problems::most) << "the texts of the others are not made";
     EXPECT_EQ(problems.count(), Problems::most + 7);
     problems.add(at(1, 1, "one more"));
     auto const all = thrownBy(problems);

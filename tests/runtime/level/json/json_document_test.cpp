@@ -16,7 +16,7 @@ std::vector<Diagnostic> problemsOf(std::string text) {
     }
 }
 
-TEST(JsonDocument, SaysWhereTheSyntaxBreaks) {
+TEST(JsonDocument, ReportsThePlaceOfSyntaxErrors) {
     auto const problems = problemsOf("{\n  \"a\": 1,\n  \"b\" 2\n}");
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems[0].line, 3U);
@@ -24,14 +24,14 @@ TEST(JsonDocument, SaysWhereTheSyntaxBreaks) {
     EXPECT_NE(problems[0].print().find("f.json:3:7: syntax error"), std::string::npos) << problems[0].print();
 }
 
-TEST(JsonDocument, RefusesWhatIsNotOneFiniteJsonValue) {
+TEST(JsonDocument, RefusesTextsThatAreNotOneFiniteJsonValue) {
     for (std::string const text : {"", " ", "{", "[1,]", "{} {}", "[1] x", "NaN", "[Infinity]", "[1e999]",
                                    "[-1e999]", "{\"a\": \"\xff\"}", "// c\n1", "{a: 1}", "[01]", "'x'"}) {
         EXPECT_EQ(problemsOf(text).size(), 1U) << text;
     }
 }
 
-TEST(JsonDocument, NamesEveryKeyThatStandsTwiceAtItsSecondPlace) {
+TEST(JsonDocument, ReportsDuplicateKeysAtTheirSecondPlace) {
     auto const problems = problemsOf("{\"a\": 1,\n \"b\": {\"c\": 1,\n  \"c\": 2},\n \"a\": 3}");
     ASSERT_EQ(problems.size(), 2U);
     EXPECT_EQ(problems[0].path, "/b/c");
@@ -53,9 +53,8 @@ TEST(JsonDocument, RefusesDeepNestingWithoutDescending) {
 TEST(JsonDocument, DiagnosticsAreOneHarmlessLine) {
     auto const problems = problemsOf("{\"a\\n\\u001b[2J\\u202e\": 1, \"a\\n\\u001b[2J\\u202e\": 2}");
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_EQ(problems[0].print(),
-              "f.json:1:27: /a<U+000A><U+001B>[2J<U+202E>: the key "
-              "'a<U+000A><U+001B>[2J<U+202E>' stands here twice; expected every key once");
+    EXPECT_EQ(problems[0].print(), "f.json:1:27: /a<U+000A><U+001B>[2J<U+202E>: the key "
+                                   "'a<U+000A><U+001B>[2J<U+202E>' is repeated; expected every key once");
 }
 
 TEST(JsonDocument, DiagnosticsAreNotAsLongAsTheirFile) {
@@ -67,7 +66,7 @@ TEST(JsonDocument, DiagnosticsAreNotAsLongAsTheirFile) {
     }
 }
 
-TEST(JsonDocument, FilesThatCannotBeReadSayWhy) {
+TEST(JsonDocument, FilesThatCannotBeReadAreReportedWithTheReason) {
     auto const whyNot = [](char const* file) {
         try {
             (void)JsonDocument::load(file);
@@ -87,14 +86,14 @@ TEST(JsonDocument, CountsColumnsInCharacters) {
     EXPECT_EQ(document->diagnostic("/b", "", "", Spot::key).column, 13U);
 }
 
-TEST(JsonDocument, PlacesTheMissingAtWhatIsAroundIt) {
+TEST(JsonDocument, MissingValuesArePlacedAtTheSurroundingValue) {
     auto const document = JsonDocument::parse("[1,\n {\"x\": [5, 6]}]", "f.json");
     EXPECT_EQ(document->diagnostic("/1/x/7", "", "").column, 8U);
     EXPECT_EQ(document->diagnostic("/1/nothing/here", "", "").column, 2U);
     EXPECT_EQ(document->diagnostic("/9", "", "").column, 1U);
 }
 
-TEST(JsonDocument, TellsMissingFilesAndFolders) {
+TEST(JsonDocument, ReportsMissingFilesAndFolders) {
     EXPECT_THROW((void)JsonDocument::load("/nowhere/at/all.json"), InputError);
     EXPECT_THROW((void)JsonDocument::load("/"), InputError);
 }

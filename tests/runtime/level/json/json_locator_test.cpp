@@ -1,4 +1,4 @@
-// Places in a text, against a writer that notes where it puts each value.
+// Places in a text, compared with a writer that records the place of each value.
 #include "runtime/level/json/json_locator.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 struct Noted {
     std::string pointer;
     std::size_t value = 0;
-    std::size_t key = 0; ///< the value's own place where it has no key
+    std::size_t key = 0; ///< the place of the value if it has no key
 };
 
 /// Writes a random document, with blanks wherever JSON allows them and escapes where it allows those.
@@ -119,29 +119,30 @@ TEST(JsonLocator, FindsEveryValueAndKeyWhereItWasWritten) {
     }));
 }
 
-TEST(JsonLocator, WhatIsNotThereIsAtTheNearestValueAroundIt) {
+TEST(JsonLocator, AMissingValueIsAtTheNearestSurroundingValue) {
     std::string const text = R"({"a": [1, {"b": 2}], "c": 3})";
     EXPECT_EQ(locate(text, "/a/1/x"), text.find("{\"b"));
     EXPECT_EQ(locate(text, "/a/1/x/y/z"), text.find("{\"b"));
     EXPECT_EQ(locate(text, "/a/7"), text.find('['));
-    EXPECT_EQ(locate(text, "/a/b"), text.find('[')) << "a list has numbers";
+    EXPECT_EQ(locate(text, "/a/b"), text.find('[')) << "entries of a list have numbers";
     EXPECT_EQ(locate(text, "/a/-"), text.find('['));
     EXPECT_EQ(locate(text, "/c/0"), text.find('3'));
     EXPECT_EQ(locate(text, "/d", Spot::key), 0U);
     EXPECT_EQ(locate(text, "no pointer"), 0U);
 }
 
-TEST(JsonLocator, OfAKeyThatStandsTwiceFindsTheFirstOrTheLast) {
+TEST(JsonLocator, FindsTheFirstOrTheLastOfDuplicateKeys) {
     std::string const text = R"({"a": {"k": 1, "k": 2}, "a": {"k": 3, "k": 4, "\u006b": 5}})";
     EXPECT_EQ(locate(text, "/a/k"), text.find('1'));
     EXPECT_EQ(locate(text, "/a/k", Spot::key), text.find("\"k\": 1"));
     EXPECT_EQ(locate(text, "/a", Spot::lastKey), text.find("\"a\": {\"k\": 3"));
-    EXPECT_EQ(locate(text, "/a/k", Spot::lastKey), text.find("\"k\": 2")) << "in the first \"a\"";
+    EXPECT_EQ(locate(text, "/a/k", Spot::lastKey), text.find("\"k\": 2"))
+        << "the last key in the first \"a\"";
     EXPECT_EQ(locate(R"({"k": 4, "\u006b": 5})", "/k", Spot::lastKey), 9U);
 }
 
-// Nobody asks for places in such texts, but whoever does gets one that the text has.
-TEST(JsonLocator, OfATextThatBreaksOffIsNoFartherThanItsEnd) {
+// Also for incomplete texts, a place never lies beyond the end.
+TEST(JsonLocator, APlaceInAnIncompleteTextIsNotBeyondItsEnd) {
     std::string const whole = R"({"a": [1, "x\"y", {"b": [[], {}]}], "c\\": "d"})";
     for (std::size_t length = 0; length <= whole.size(); ++length) {
         std::string const part = whole.substr(0, length);
@@ -161,7 +162,7 @@ TEST(JsonLocator, CountsLinesAndCharactersFromOne) {
     std::size_t column = 1;
     for (std::size_t at = 0; at < text.size(); ++at) {
         TextPlace const place = placeOf(text, at);
-        if ((static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U) { // where a character begins
+        if ((static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U) { // the first byte of a character
             EXPECT_EQ(place.line, line) << at;
             EXPECT_EQ(place.column, column) << at;
             ++column;
@@ -171,12 +172,12 @@ TEST(JsonLocator, CountsLinesAndCharactersFromOne) {
             column = 1;
         }
     }
-    EXPECT_EQ(placeOf(text, text.size() + 10).line, 3U) << "no farther than the end";
+    EXPECT_EQ(placeOf(text, text.size() + 10).line, 3U) << "at most the end";
     EXPECT_EQ(placeOf(text, text.size() + 10).column, 2U);
     EXPECT_EQ(placeOf("", 5).column, 1U);
 }
 
-// nlohmann::json reads pointers by itself.
+// Compared with nlohmann::json's own reading of pointers.
 TEST(JsonLocator, PointersLeadToTheirKeys) {
     for (std::string const key : {"", "plain", "a/b", "~", "~1", "~0/~1", "//", "0"}) {
         nlohmann::json const object{{"outer", {{key, 7}}}};

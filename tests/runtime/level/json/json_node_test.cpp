@@ -1,4 +1,4 @@
-// The checked reads of one value: what they take, and what they say of everything else.
+// The checked reads of one value: the accepted values, and the messages for all others.
 #include "runtime/level/json/json_node.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace trembler {
 namespace json_node_test {
 namespace {
 
-/// A document, its root, and what was complained of.
+/// A document, its root, and the reported problems.
 struct Text {
     explicit Text(std::string const& text)
         : document(JsonDocument::parse(text, "f.json")),
@@ -40,7 +40,7 @@ struct Text {
 
 std::string const everyType = R"([null, true, 7, 1.5, "text", [1], {"a": 1}])";
 
-TEST(JsonNode, EachReadTakesOneTypeAndSaysOfEveryOtherWhereItIs) {
+TEST(JsonNode, EachReadTakesOneTypeAndReportsOthersWithTheirPlace) {
     struct Read {
         std::vector<std::size_t> takes; ///< elements of the list of all types
         bool (*works)(JsonNode const&);
@@ -98,7 +98,7 @@ TEST(JsonNode, NumbersAreTakenWithinTheirRangeEndsIncluded) {
     }
 }
 
-TEST(JsonNode, WholeNumbersMayBeWrittenInAnyWayUpToWhereADoubleIsExact) {
+TEST(JsonNode, WholeNumbersMayBeWrittenInAnyWayIfADoubleIsExact) {
     struct Case {
         char const* text;
         std::optional<std::int64_t> value;
@@ -124,7 +124,7 @@ TEST(JsonNode, WholeNumbersMayBeWrittenInAnyWayUpToWhereADoubleIsExact) {
     EXPECT_EQ(text.said()[1], "f.json:1:11: /3: is 6; expected a whole number from 1 to 5");
 }
 
-TEST(JsonNode, VectorsSayWhichCoordinateIsWrong) {
+TEST(JsonNode, VectorsReportTheWrongCoordinate) {
     Text const text("[[1, 2], [1], [1, 2, 3], [1, \"y\"], [11, -11]]");
     EXPECT_EQ(text.root.element(0).vector(-10, 10), (Vec2{1, 2}));
     for (std::size_t i = 1; i < 5; ++i) {
@@ -138,7 +138,7 @@ TEST(JsonNode, VectorsSayWhichCoordinateIsWrong) {
                                "f.json:1:41: /4/1: is -11; expected a number from -10 to 10"}));
 }
 
-TEST(JsonNode, ChoicesAreNumberedAndMisspeltOnesAreUnderstood) {
+TEST(JsonNode, ChoicesAreNumberedAndMisspeltOnesGetASuggestion) {
     std::array<std::string_view, 3> const names{"circle", "box", "capsule"};
     for (std::size_t i = 0; i < names.size(); ++i) {
         Text const text("\"" + std::string(names[i]) + "\"");
@@ -147,10 +147,10 @@ TEST(JsonNode, ChoicesAreNumberedAndMisspeltOnesAreUnderstood) {
     }
     Text const misspelt("\"cirlce\"");
     EXPECT_FALSE(misspelt.root.choice(names));
-    EXPECT_EQ(misspelt.only(), "f.json:1:1: is \"cirlce\", did you mean 'circle'?; expected 'circle', 'box' "
+    EXPECT_EQ(misspelt.only(), "f.json:1:1: is \"cirlce\" (did you mean 'circle'?); expected 'circle', 'box' "
                                "or 'capsule'");
     Text const number("1");
-    EXPECT_FALSE(number.root.choice(names)) << "the number of a choice is nothing that a file states";
+    EXPECT_FALSE(number.root.choice(names)) << "a file states a choice by name, not by number";
 }
 
 TEST(JsonNode, NamesAreOneLineOfOneToAHundredBytes) {
@@ -170,7 +170,7 @@ TEST(JsonNode, NamesAreOneLineOfOneToAHundredBytes) {
     }
 }
 
-TEST(JsonNode, WhatIsTooLongToBeShownIsCutBetweenCharacters) {
+TEST(JsonNode, LongTextsAreCutBetweenCharacters) {
     for (int pad = 0; pad < 4; ++pad) {
         std::string accents(static_cast<std::size_t>(pad), 'x');
         for (int i = 0; i < 60; ++i) {
@@ -181,7 +181,7 @@ TEST(JsonNode, WhatIsTooLongToBeShownIsCutBetweenCharacters) {
         std::string const said = text.only();
         EXPECT_NE(said.find("\xC3\xA9...; expected true or false"), std::string::npos) << said;
         EXPECT_LT(said.size(), 120U);
-        EXPECT_EQ(said.find('<'), std::string::npos) << "half a character would be shown as its byte";
+        EXPECT_EQ(said.find('<'), std::string::npos) << "an incomplete character would be shown as a byte";
     }
 }
 
@@ -192,7 +192,7 @@ TEST(JsonNode, ListsThatAreTooLongAreRefused) {
     EXPECT_EQ(text.only(), "f.json:1:1: has 3 entries; expected at most 2");
 }
 
-TEST(MemberReader, ComplainsOfWhatIsMissingAndOfWhatNobodyAskedFor) {
+TEST(MemberReader, ReportsMissingAndUnknownMembers) {
     Text const text(R"({"mass": 2, "densty": 1, "read elsewhere": 0, "": 3})");
     MemberReader reader(text.root, "an object");
     ASSERT_TRUE(reader.valid());
@@ -206,13 +206,13 @@ TEST(MemberReader, ComplainsOfWhatIsMissingAndOfWhatNobodyAskedFor) {
     reader.finish();
     EXPECT_EQ(text.said(), (std::vector<std::string>{
                                "f.json:1:1: 'at' is missing; expected a place",
-                               "f.json:1:13: /densty: unknown key 'densty', did you mean 'density'?; "
+                               "f.json:1:13: /densty: unknown key 'densty' (did you mean 'density'?); "
                                "expected 'at', 'density', 'mass' or 'read elsewhere'",
                                "f.json:1:47: /: unknown key ''; expected 'at', 'density', 'mass' or 'read "
                                "elsewhere'"}));
 }
 
-TEST(MemberReader, OfWhatIsNoObjectComplainsOnce) {
+TEST(MemberReader, ReportsOnceThatAValueIsNotAnObject) {
     Text const text("[1]");
     MemberReader reader(text.root, "a part");
     EXPECT_FALSE(reader.valid());

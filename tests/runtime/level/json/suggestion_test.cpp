@@ -30,7 +30,7 @@ std::set<std::string> neighboursOf(std::string const& word, bool swaps) {
     return found;
 }
 
-/// The least number of steps from a word to each word that is at most that far away, tried one by one.
+/// The least number of steps from a word to each word within a distance, by exhaustive search.
 std::map<std::string, std::size_t> stepsFrom(std::string const& word, std::size_t most, bool swaps) {
     std::map<std::string, std::size_t> steps{{word, 0}};
     std::set<std::string> front{word};
@@ -48,7 +48,7 @@ std::map<std::string, std::size_t> stepsFrom(std::string const& word, std::size_
     return steps;
 }
 
-// Between the distance with swaps anywhere and the one without any: what was swapped is not edited again.
+// Between the distances with arbitrary swaps and without swaps, because swapped letters are not edited again.
 TEST(EditDistance, IsBetweenTheNumbersOfStepsWithAndWithoutSwaps) {
     int strictlyBelow = 0;
     for (std::string const word : {"", "a", "ab", "abc", "cab", "aabb"}) {
@@ -62,18 +62,18 @@ TEST(EditDistance, IsBetweenTheNumbersOfStepsWithAndWithoutSwaps) {
                 EXPECT_LE(distance, most->second) << word << " " << other;
                 strictlyBelow += distance < most->second ? 1 : 0;
             }
-            if (least <= 1) { // one step, whichever it is, is one in both
+            if (least <= 1) { // a single step is one step in both
                 EXPECT_EQ(distance, least) << word << " " << other;
             }
         }
     }
     EXPECT_GT(strictlyBelow, 10) << "swaps count";
-    EXPECT_EQ(editDistance("ca", "abc"), 3U) << "2 with an insertion into what was swapped";
+    EXPECT_EQ(editDistance("ca", "abc"), 3U) << "2 with an insertion between swapped letters";
     EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
     EXPECT_EQ(editDistance("ab", "ba"), 1U);
 }
 
-TEST(Suggestion, FindsSlipsOfThePenAndNothingElse) {
+TEST(Suggestion, FindsTypingErrorsAndNothingElse) {
     std::vector<std::string> const known{"friction", "fixed", "density", "mass"};
     EXPECT_EQ(suggestion("fricton", known), "friction");
     EXPECT_EQ(suggestion("desnity", known), "density");
@@ -89,7 +89,7 @@ TEST(Suggestion, IsTheNearestAndTheFirstOfEquals) {
     EXPECT_EQ(suggestion("mas", known), "mask");
     EXPECT_EQ(suggestion("mass", known), "mass");
     EXPECT_EQ(suggestion("mass", {}), std::nullopt);
-    EXPECT_EQ(didYouMean("masz", known), ", did you mean 'mask'?");
+    EXPECT_EQ(didYouMean("masz", known), " (did you mean 'mask'?)");
     EXPECT_EQ(didYouMean("velocity", known), "");
     std::vector<std::string> const longWord{std::string(101, 'x')};
     EXPECT_EQ(suggestion(std::string(100, 'x'), longWord), longWord[0]);

@@ -32,7 +32,7 @@ protected:
     Registry registry;
 };
 
-TEST_F(Parts, HaveANameWordsAndProperties) {
+TEST_F(Parts, HaveANameTextsAndProperties) {
     PartDefinition const part =
         read(R"({"$schema": "x", "name": "steel bar", "title": "Bar", "text": "Heavy.",
         "properties": {"weight": 7, "tag": true}})");
@@ -46,14 +46,14 @@ TEST_F(Parts, HaveANameWordsAndProperties) {
     EXPECT_TRUE(plain.properties.empty());
 }
 
-TEST_F(Parts, SayEverythingThatIsWrongWithThem) {
+TEST_F(Parts, ReportAllTheirErrors) {
     EXPECT_SAYS(problemsIn("[]"), "is a list of 0; expected a part");
     EXPECT_SAYS(problemsIn("{}"), "'name' is missing");
     EXPECT_SAYS(problemsIn(R"({"name": ""})"), "/name: is \"\"");
     EXPECT_SAYS(problemsIn(R"({"name": "a", "titel": "A"})"), "did you mean 'title'");
     EXPECT_SAYS(problemsIn(R"({"name": "a", "properties": {"weihgt": 1}})"), "did you mean 'weight'");
     EXPECT_SAYS(problemsIn(R"({"name": "a", "properties": {"climate": [1, 2]}})"), "climate");
-    // A part is no object of a level: there is nobody to refer to.
+    // A part does not belong to a level, so it cannot refer to objects.
     EXPECT_SAYS(problemsIn(R"({"name": "a", "properties": {"cake": {"eater": "b"}}})"),
                 "/properties/cake/eater");
     std::string const several = problemsIn(R"({"name": 3, "text": 4, "properties": {"weight": 0}})");
@@ -62,7 +62,7 @@ TEST_F(Parts, SayEverythingThatIsWrongWithThem) {
     EXPECT_SAYS(several, "/properties/weight");
 }
 
-// What a part states that it is without, its objects are without, whatever follows from the rest.
+// Objects do not have the properties that their part excludes, even if these follow from others.
 TEST_F(Parts, BecomePrototypes) {
     Prototype const made =
         read(R"({"name": "crate", "properties": {"weight": 7, "tag": false}})").prototype();
@@ -75,7 +75,7 @@ TEST_F(Parts, BecomePrototypes) {
     EXPECT_EQ(read(R"({"name": "crate", "properties": {"weight": 7}})").prototype().values.size(), 1U);
 }
 
-TEST_F(Parts, OfALibraryAreInOrderOfTheirNamesAndHaveNamesOfTheirOwn) {
+TEST_F(Parts, OfALibraryAreOrderedByTheirUniqueNames) {
     PartLibrary library =
         sample::parts(registry, {R"({"name": "b"})", R"({"name": "a"})", R"({"name": "c"})"});
     EXPECT_EQ(library.names(), (std::vector<std::string>{"a", "b", "c"}));
@@ -90,7 +90,7 @@ TEST_F(Parts, OfALibraryAreInOrderOfTheirNamesAndHaveNamesOfTheirOwn) {
                      "part.json:1:28: /name: there is already a part 'b', in part.json; expected "
                      "a name of its own");
     }
-    PartDefinition made; // by a program, from no file
+    PartDefinition made; // made by a program, not read from a file
     made.name = "a";
     EXPECT_THROW(library.add(std::move(made)), InputError);
     EXPECT_EQ(library.all().size(), 3U);

@@ -31,7 +31,7 @@ TEST(FieldOutline, NamesEveryFieldWithItsTypeInOrder) {
         EXPECT_EQ(fields[i].type, types[i]) << fields[i].info.key;
     }
     EXPECT_FALSE(isBare(fields));
-    // Which fields there are depends on a choice.
+    // The fields depend on a choice.
     cake.value.flavour = Flavour::sour;
     EXPECT_EQ(outlineOf(cake)[4].info.key, "tilt_deg");
     EXPECT_TRUE(isAngle(outlineOf(cake)[4].info.unit));
@@ -48,7 +48,7 @@ TEST(FieldOutline, APropertyIsBareWithOneFieldThatIsItsValue) {
     EXPECT_FALSE(isBare(outlineOf(links)));
 }
 
-TEST(FieldOutline, AnglesAreWhatIsMeasuredInRadians) {
+TEST(FieldOutline, AnglesAreTheFieldsInRadians) {
     EXPECT_TRUE(isAngle("rad"));
     EXPECT_TRUE(isAngle("rad/s"));
     for (std::string_view const unit : {"", "m", "1/s", "N m/rad"}) {
@@ -56,7 +56,7 @@ TEST(FieldOutline, AnglesAreWhatIsMeasuredInRadians) {
     }
 }
 
-TEST(FieldOutline, AnglesComeBackAsTheFileStatedThem) {
+TEST(FieldOutline, AnglesAreWrittenAsTheFileStatedThem) {
     EXPECT_TRUE(rc::check("degrees survive the way to radians and back", [] {
         double const stated =
             *rc::gen::map(rc::gen::inRange(-3600000, 3600001), [](int i) { return i / 1e4; });
@@ -64,8 +64,9 @@ TEST(FieldOutline, AnglesComeBackAsTheFileStatedThem) {
     }));
 }
 
-// Radians that no file has stated, such as those of a body that has turned: written and read, the same bits.
-TEST(FieldOutline, RadiansComeBackAsTheyWere) {
+// Angles that were not read from a file, such as those of a turned body, keep their bits when written and
+// read.
+TEST(FieldOutline, RadiansKeepTheirBits) {
     EXPECT_TRUE(rc::check("what degrees() returns means the same angle", [] {
         double const stated =
             *rc::gen::map(rc::gen::inRange<std::int64_t>(-(std::int64_t{1} << 40U), std::int64_t{1} << 40U),

@@ -18,7 +18,7 @@ using sample::Knot;
 using sample::Tag;
 using sample::Weight;
 
-/// What is stated of each property: a weight's number, or only that it is there or taken away.
+/// The statement for each property: a weight's number, or only that it is present or excluded.
 using Model = std::map<std::string, std::optional<double>>;
 
 Model modelOf(PropertySet const& set) {
@@ -62,7 +62,7 @@ void change(PropertySet& set, Model& model) {
     RC_ASSERT((set.find<P>() != nullptr) == (set.find(propertyInfo<P>()) != nullptr));
 }
 
-TEST(PropertySet, IsAMapOfWhatWasStatedLast) {
+TEST(PropertySet, IsAMapOfTheLastStatements) {
     EXPECT_TRUE(rc::check("the same as a map", [] {
         PropertySet set;
         Model model;
@@ -104,7 +104,7 @@ TEST(PropertySet, CopiesAreIndependent) {
     EXPECT_EQ(copy.find<Weight>()->value, 3);
     EXPECT_NE(copy.find<Weight>(), set.find<Weight>());
     PropertySet& same = copy;
-    copy = same; // to itself: nothing is lost
+    copy = same; // assigned to itself: unchanged
     EXPECT_EQ(copy.find<Weight>()->value, 3);
     EXPECT_EQ(copy.entries().size(), 2U);
     PropertySet const moved = std::move(copy);

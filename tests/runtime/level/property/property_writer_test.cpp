@@ -49,7 +49,7 @@ std::string dump(PropertyValue const& value) {
     return dump.all;
 }
 
-/// Writes, prints, parses and reads.
+/// Writes, prints, parses and reads a value.
 template <class P>
 std::string throughFile(P const& value, NameTable& names) {
     std::string const text = writeProperty(ValueOf<P>(value), names).dump();
@@ -121,7 +121,7 @@ TEST(PropertyRoundTrip, KeepsEveryBit) {
     }));
 }
 
-TEST(PropertyWriter, LeavesOutWhatIsInitial) {
+TEST(PropertyWriter, LeavesOutInitialValues) {
     EXPECT_EQ(writeProperty(ValueOf<Cake>()).dump(), "true");
     EXPECT_EQ(writeProperty(ValueOf<sample::Tag>()).dump(), "true");
     EXPECT_EQ(writeProperty(ValueOf<Weight>()).dump(), "1");

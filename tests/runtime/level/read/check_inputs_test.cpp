@@ -21,7 +21,7 @@ protected:
     Registry registry;
 };
 
-TEST_F(CheckInputs, RefusesACutWhereNoWireIs) {
+TEST_F(CheckInputs, RefusesACutWithoutAWire) {
     std::string const wire = R"(["a", "b"])";
     EXPECT_TRUE(problemsWith(wire, R"("inputs": [{"frame": 3, "cut": ["b", "a"]}])").empty());
     EXPECT_SAYS(sample::only(problemsWith(wire, R"("inputs": [{"frame": 3, "cut": ["a", "c"]}])")),
@@ -33,7 +33,7 @@ TEST_F(CheckInputs, RefusesACutWhereNoWireIs) {
                 "there is no object 'd'");
 }
 
-TEST_F(CheckInputs, TakesNamesThatObjectsGetWhileALevelRuns) {
+TEST_F(CheckInputs, AcceptsNamesOfObjectsThatAreCreatedWhileALevelRuns) {
     auto const grabbing = [&](std::string const& name) {
         return problemsWith("", R"("inputs": [{"frame": 3, "grab": ")" + name + R"(", "at": [0, 0]}])");
     };
@@ -42,7 +42,7 @@ TEST_F(CheckInputs, TakesNamesThatObjectsGetWhileALevelRuns) {
     EXPECT_SAYS(sample::only(grabbing("king of hearts")), "there is no object 'king of hearts'");
 }
 
-TEST_F(CheckInputs, RefusesWhatComesAfterTheLastFrame) {
+TEST_F(CheckInputs, RefusesInputsAfterTheLastFrame) {
     std::string const inputs =
         R"("inputs": [{"frame": 10, "grab": "a", "at": [0, 0]}, {"frame": 11, "release": true}])";
     EXPECT_TRUE(problemsWith("", inputs).empty()) << "a solution without an end has no last frame";
@@ -52,7 +52,7 @@ TEST_F(CheckInputs, RefusesWhatComesAfterTheLastFrame) {
     EXPECT_EQ(problemsWith("", inputs + R"(, "frames": 9)").size(), 2U);
 }
 
-TEST_F(CheckInputs, RefusesAConnectionThatStandsTwice) {
+TEST_F(CheckInputs, RefusesADuplicateConnection) {
     EXPECT_TRUE(problemsWith(R"(["a", "b"], ["b", "c"], ["c", "a"])", R"("frames": 1)").empty());
     for (char const* const twice :
          {R"(["a", "b"], ["c", "b"], ["b", "a"])", R"(["a", "b"], ["c", "b"], ["a", "b"])"}) {

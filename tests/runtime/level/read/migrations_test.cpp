@@ -1,4 +1,4 @@
-// How files of older versions are turned into those of the present one.
+// Conversion of files of older versions into those of the present one.
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/read/migrations.hpp"
 
@@ -16,7 +16,7 @@ TEST(Migrations, AChainWithoutAGapLeadsToThePresentVersion) {
     EXPECT_EQ(next, levelVersion);
 }
 
-TEST(Migrations, TheDraftsGravityAndToolboxGoWhereTheyBelong) {
+TEST(Migrations, TheDraftsGravityAndToolboxAreMoved) {
     nlohmann::json old{{"version", 0}, {"gravity", {0, -3.7}}};
     migrate(old, 0);
     EXPECT_EQ(old["world"]["gravity"][1], -3.7);
@@ -25,14 +25,14 @@ TEST(Migrations, TheDraftsGravityAndToolboxGoWhereTheyBelong) {
     migrate(toolbox, 0);
     EXPECT_EQ(toolbox["toolbox"], nlohmann::json::parse(R"([{"part": "other", "count": 1},
         {"part": "thing", "count": 2}])"));
-    // What the world states already is not replaced.
+    // Properties that the world already states are not replaced.
     nlohmann::json both{{"gravity", 1}, {"world", {{"gravity", 2}}}};
     migrate(both, 0);
     EXPECT_EQ(both, nlohmann::json::parse(R"({"world": {"gravity": 2}})"));
 }
 
-TEST(Migrations, WhatALookWasMadeOfIsStatedByTheObject) {
-    // What things were made of stood in their look, and only their sound followed from it.
+TEST(Migrations, TheMaterialOfALookBecomesThatOfTheObject) {
+    // The material was part of the look, and determined only the sound.
     nlohmann::json looks = nlohmann::json::parse(R"({"version": 1, "objects": [
         {"name": "own", "properties": {"look": {"material": "steel", "label": "x"}, "friction": 0.2}},
         {"name": "wall", "properties": {"look": {"material": "brick"}, "fixed": true}},
@@ -44,7 +44,7 @@ TEST(Migrations, WhatALookWasMadeOfIsStatedByTheObject) {
     EXPECT_EQ(looks["objects"][1]["properties"], nlohmann::json::parse(R"({"material": "brick",
         "fixed": true, "friction": 0.5, "restitution": 0, "conductor": false, "magnetic_strength": false})"));
     EXPECT_EQ(looks["objects"][2]["properties"], nlohmann::json::parse(R"({"look": {"pattern": "glass"}})"));
-    // A liquid had a density even where it was fixed; a stated mass needs none.
+    // A liquid had a density even if it was fixed; an object with a stated mass needs none.
     nlohmann::json water = nlohmann::json::parse(R"({"objects": [
         {"properties": {"look": {"material": "water"}, "fixed": true, "liquid": true}},
         {"properties": {"look": {"material": "oak"}, "mass": 3}}]})");
@@ -53,8 +53,8 @@ TEST(Migrations, WhatALookWasMadeOfIsStatedByTheObject) {
     EXPECT_FALSE(water["objects"][1]["properties"].contains("density"));
 }
 
-// Whatever a step does not understand is for the reader to complain about.
-TEST(Migrations, LeaveAloneWhatTheyDoNotUnderstandAndWhatIsNew) {
+// Values that a step does not understand are left to the reader, which reports them.
+TEST(Migrations, KeepUnknownAndNewValues) {
     for (char const* const text :
          {R"({"objects": 3})", R"({"objects": [{"properties": []}, {"properties": {"look": "red"}}]})",
           R"({"toolbox": 7})", R"({"toolbox": [{"part": "a", "count": 1}]})", R"({"world": 5})", R"({})"}) {

@@ -60,10 +60,10 @@ TEST(ReadArea, ABoxIsFourNumbers) {
         ASSERT_EQ(bad.said.size(), 1U) << c.text;
         EXPECT_NE(bad.said[0].find(c.says), std::string::npos) << bad.said[0];
     }
-    EXPECT_EQ(readingOf("[2000000, null, 0, 1]").said.size(), 3U) << "all that is wrong at once";
+    EXPECT_EQ(readingOf("[2000000, null, 0, 1]").said.size(), 3U) << "all errors are reported at once";
 }
 
-TEST(ReadArea, WhatIsNeitherABoxNorAPolygonSaysWhatBothLookLike) {
+TEST(ReadArea, OtherValuesAreRefusedWithADescriptionOfBothForms) {
     for (char const* const text : {"3", "{}", "[]", "[1, 2]", "[1, 2, 3]", "[1, 2, 3, 4, 5]",
                                    "[[0, 0], [1, 1]]", "\"[0, 0, 1, 1]\"", "null"}) {
         Reading const bad = readingOf(text);
@@ -74,10 +74,10 @@ TEST(ReadArea, WhatIsNeitherABoxNorAPolygonSaysWhatBothLookLike) {
     }
     Reading const mixed = readingOf("[[0, 0], 1, [1, 1], [2]]");
     EXPECT_FALSE(mixed.area);
-    EXPECT_EQ(mixed.said.size(), 2U) << "each corner that is none";
+    EXPECT_EQ(mixed.said.size(), 2U) << "one problem for each invalid corner";
 }
 
-/// The smallest width of a set of points over directions tried one by one: what it measures across.
+/// The smallest extent of a set of points over many sampled directions.
 double narrowest(std::vector<Vec2> const& points) {
     double least = HUGE_VAL;
     for (int i = 0; i < 3600; ++i) {
@@ -94,7 +94,7 @@ double narrowest(std::vector<Vec2> const& points) {
     return least;
 }
 
-TEST(ReadArea, PolygonsAreTakenAsStatedAndFlatOnesRefused) {
+TEST(ReadArea, PolygonsAreReadAsStatedAndFlatOnesRefused) {
     EXPECT_TRUE(rc::check("wide polygons are taken, flat ones are not", [] {
         auto const coordinate = [] { return *rc::gen::inRange(-4000, 4001) / 1000.0; };
         std::vector<Vec2> corners;
@@ -119,7 +119,7 @@ TEST(ReadArea, PolygonsAreTakenAsStatedAndFlatOnesRefused) {
     }));
 }
 
-TEST(ReadArea, APolygonMayHaveSoManyCornersAndNoMore) {
+TEST(ReadArea, APolygonHasALimitedNumberOfCorners) {
     auto const ring = [](std::size_t count) {
         std::vector<Vec2> corners;
         for (std::size_t i = 0; i < count; ++i) {

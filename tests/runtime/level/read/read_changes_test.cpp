@@ -1,4 +1,4 @@
-// What was changed while a solution was recorded is written and read.
+// Changes that were recorded with a solution are written and read.
 #include "runtime/level/model/world_change.hpp"
 #include "runtime/level/read/read_changes.hpp"
 #include "runtime/level/read/read_solutions.hpp"
@@ -53,7 +53,7 @@ TEST(Changes, AreWrittenAsTheyAreRead) {
     EXPECT_FALSE(writeSolution(*read(R"({"name": "old"})")).contains("changes"));
 }
 
-TEST(Changes, SayWhatIsWrongWithThem) {
+TEST(Changes, AreReportedWithTheirErrors) {
     struct Case {
         char const* entry;
         char const* says;

@@ -73,8 +73,8 @@ TEST_F(ReadLevel, ReadsEverySection) {
 
 TEST_F(ReadLevel, PrintsPlacePathProblemAndExpectation) {
     EXPECT_EQ(sample::only(problemsWithProperty("\"weigth\": 3")),
-              "test.json:2:42: /objects/0/properties/weigth: unknown property 'weigth', did you mean "
-              "'weight'?; expected 'angular_velocity_deg', 'cake', 'joint', 'tag', 'velocity' or "
+              "test.json:2:42: /objects/0/properties/weigth: unknown property 'weigth' (did you mean "
+              "'weight'?); expected 'angular_velocity_deg', 'cake', 'joint', 'tag', 'velocity' or "
               "'weight'");
     EXPECT_EQ(sample::only(problemsWithProperty("\"weight\": 0")),
               "test.json:2:52: /objects/0/properties/weight: is 0; expected a number above 0 and at "
@@ -182,7 +182,7 @@ TEST_F(ReadLevel, RefusesWrongStructureWithItsPath) {
     }
 }
 
-TEST_F(ReadLevel, TellsAllProblemsAtOnceInTheOrderOfTheFile) {
+TEST_F(ReadLevel, ReportsAllProblemsAtOnceInTheOrderOfTheFile) {
     auto const problems = problemsWith("\"objects\": [{\"name\": \"a\", \"at\": [1]},\n {\"properties\": "
                                        "{\"weight\": -1}}],\n \"hints\": 3");
     ASSERT_EQ(problems.size(), 4U);
@@ -192,7 +192,7 @@ TEST_F(ReadLevel, TellsAllProblemsAtOnceInTheOrderOfTheFile) {
     EXPECT_SAYS(problems[3], ":4:");
 }
 
-TEST_F(ReadLevel, KeepsCountWhereThereIsTooMuchToTell) {
+TEST_F(ReadLevel, CountsTheProblemsBeyondTheLimit) {
     std::string hints = "1";
     for (int i = 1; i < 500; ++i) {
         hints += ", 1";

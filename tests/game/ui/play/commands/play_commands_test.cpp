@@ -1,4 +1,4 @@
-// The table of the level's screen and those of all others: nothing twice, nothing without words.
+// The table of the level's screen and those of all others: no duplicates, no missing texts.
 #include "game/ui/app/command_lists.hpp"
 #include "game/ui/play/commands/play_commands.hpp"
 #include "tests/game/ui/player.hpp"
@@ -11,18 +11,18 @@
 namespace trembler::ui::test {
 namespace {
 
-TEST(Commands, EachIsThereOnceAndHasWords) {
+TEST(Commands, EachIsListedOnceAndHasTexts) {
     for (CommandList const& list : commandLists()) {
         std::set<std::string_view> ids;
         for (CommandInfo const* command : list.commands) {
-            EXPECT_TRUE(ids.insert(command->id).second) << command->id << " is there twice";
+            EXPECT_TRUE(ids.insert(command->id).second) << command->id << " is a duplicate";
             EXPECT_TRUE(std::regex_match(std::string(command->id), std::regex("[a-z]+(-[a-z]+)*")))
-                << command->id << " will be in profiles";
+                << command->id << " is stored in profiles";
             for (char const* text : {command->name, command->tip, command->help}) {
                 EXPECT_GT(std::strlen(text), 0U) << command->id;
             }
             EXPECT_EQ(std::string(command->tip).find('('), std::string::npos)
-                << command->id << ": keys are added to its tip, they do not stand in it";
+                << command->id << ": keys are added to its tip automatically, the text must not contain them";
         }
     }
 }
@@ -53,7 +53,7 @@ TEST(Commands, AnIdMeansTheSameOnEveryScreen) {
     }
 }
 
-TEST(Commands, OthersThatAreNamedAreThere) {
+TEST(Commands, CommandsThatAreNamedByOthersExist) {
     std::set<std::string_view> ids;
     for (Command<PlayParts> const& command : playCommands()) {
         EXPECT_NE(command.run, nullptr) << command.info.id;
@@ -63,11 +63,11 @@ TEST(Commands, OthersThatAreNamedAreThere) {
         EXPECT_TRUE(command.info.alsoBy.empty() || ids.contains(command.info.alsoBy)) << command.info.id;
     }
     for (Gesture const& gesture : playGestures()) {
-        EXPECT_TRUE(ids.contains(gesture.beside)) << gesture.with;
+        EXPECT_TRUE(gesture.beside.empty() || ids.contains(gesture.beside)) << gesture.with;
     }
 }
 
-/// What players and their profiles have learned: a key or an id that changes here changes under their hands.
+/// Players and their profiles rely on these keys and ids: they must not change.
 TEST(Commands, UsualKeysStayAsTheyAre) {
     KeyBindings const bindings(commandLists());
     std::map<std::string, std::string> const usual{{"run", "Space"},
@@ -137,7 +137,7 @@ TEST(Commands, KeysDoWhatTheyAreBoundTo) {
     EXPECT_TRUE(player.play().shown().electricity);
 }
 
-TEST(Commands, WhatIsNotAvailableDoesNothing) {
+TEST(Commands, UnavailableCommandsDoNothing) {
     Player player;
     player.open(levelsFolder() / "first/1-first-contact.json");
     player.key(SDLK_x); // nothing runs
@@ -150,7 +150,7 @@ TEST(Commands, WhatIsNotAvailableDoesNothing) {
     EXPECT_EQ(player.session().placed().size(), 1U) << "the first time it only asks";
     player.key(SDLK_BACKSPACE);
     EXPECT_TRUE(player.session().placed().empty());
-    // Escape lets go of what is in the hand even while Ctrl is held, which means: without the grid.
+    // Escape releases the part in the hand even while Ctrl, which disables the grid, is held.
     player.clickItem("part steel bar");
     ASSERT_TRUE(player.play().placing().carried());
     player.key(SDLK_ESCAPE, KMOD_LCTRL);

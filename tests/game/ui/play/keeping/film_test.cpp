@@ -31,20 +31,20 @@ protected:
 
 TEST_F(Films, HaveAPictureForEachStep) {
     take(true);
-    EXPECT_EQ(read, 0) << "nobody asked for it";
+    EXPECT_EQ(read, 0) << "no picture was requested";
     film.toggle();
     EXPECT_TRUE(film.recording());
     take(true);
-    take(false); // the world stood still
+    take(false); // the world is paused
     take(true);
     film.toggle();
     take(true);
     EXPECT_EQ(read, 2);
     EXPECT_TRUE(fs::exists(folder / "film-1" / "frame-00002.png"));
     EXPECT_FALSE(fs::exists(folder / "film-1" / "frame-00003.png"));
-    EXPECT_EQ(toasts.count(), 2U) << "where it goes, and where it is";
+    EXPECT_EQ(toasts.count(), 2U) << "the file's name at the beginning and at the end";
     film.end();
-    EXPECT_EQ(toasts.count(), 2U) << "there was none to end";
+    EXPECT_EQ(toasts.count(), 2U) << "there is no film to end";
 }
 
 TEST_F(Films, SinglePicturesAreTakenOnce) {
@@ -55,15 +55,15 @@ TEST_F(Films, SinglePicturesAreTakenOnce) {
     EXPECT_TRUE(fs::exists(folder / "picture-1.png"));
 }
 
-TEST_F(Films, EndWhereNothingCanBeWritten) {
+TEST_F(Films, EndIfTheyCannotBeWritten) {
     film.toggle();
     fs::remove_all(folder);
-    std::ofstream(folder) << "no folder";
+    std::ofstream(folder) << "not a folder";
     take(true);
     EXPECT_FALSE(film.recording());
-    EXPECT_EQ(toasts.count(), 2U) << "where it should have gone, and why it did not";
+    EXPECT_EQ(toasts.count(), 2U) << "the file's name, and the reason of the failure";
     film.toggle();
-    EXPECT_FALSE(film.recording()) << "nor can another one begin";
+    EXPECT_FALSE(film.recording()) << "another one cannot begin either";
     fs::remove(folder);
 }
 

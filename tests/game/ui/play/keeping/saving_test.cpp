@@ -1,4 +1,4 @@
-// A run kept as a solution file.
+// A run that is saved as a solution file.
 #include "game/ui/play/keeping/saving.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -7,7 +7,7 @@
 namespace trembler::ui::test {
 namespace {
 
-TEST(Saving, ARunIsKeptAndNothingElse) {
+TEST(Saving, OnlyARunIsSaved) {
     auto const folder = testFolder() / "saved";
     std::filesystem::remove_all(folder);
     Recorder recorder(folder);
@@ -16,7 +16,7 @@ TEST(Saving, ARunIsKeptAndNothingElse) {
         gameData().registry, gameData().parts,
         loadLevel(gameData().registry, levelsFolder() / "experiments/1-switched-electromagnet.json"));
     saveSolution(session, "magnet", recorder, toasts);
-    EXPECT_EQ(toasts.count(), 1U) << "it says that it has to run first";
+    EXPECT_EQ(toasts.count(), 1U) << "a message that the level has to run first";
     EXPECT_FALSE(std::filesystem::exists(folder));
     for (int i = 0; i < 120; ++i) {
         session.step();

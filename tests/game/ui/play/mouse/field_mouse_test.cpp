@@ -1,4 +1,4 @@
-// The mouse on the field without a window: what is pointed at, clicked, dragged and looked around with.
+// The mouse on the field without a window: pointing, clicking, dragging and moving the view.
 #include "game/ui/play/mouse/field_mouse.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
@@ -57,7 +57,7 @@ protected:
     FieldMouse mouse{session, placing, hand, view, picking};
 };
 
-TEST_F(MouseOnTheField, PointsAtWhatLiesOpen) {
+TEST_F(MouseOnTheField, PointsAtObjectsThatNoCardCovers) {
     Vec2 const magnet = placeOf("electromagnet");
     update(at(magnet));
     EXPECT_EQ(picking.hovered(), session.world().store().find("electromagnet"));
@@ -74,7 +74,7 @@ TEST_F(MouseOnTheField, PointsAtWhatLiesOpen) {
     EXPECT_FALSE(picking.hovered().valid());
 }
 
-TEST_F(MouseOnTheField, AClickInspectsAndOneBesideClosesAgain) {
+TEST_F(MouseOnTheField, AClickInspectsAndAClickBesideClosesTheInspector) {
     Vec2 const magnet = placeOf("electromagnet");
     EXPECT_FALSE(press(magnet));
     EXPECT_FALSE(release(magnet));
@@ -93,7 +93,7 @@ TEST_F(MouseOnTheField, DraggingThePaperMovesItAndInspectsNothing) {
     EXPECT_FALSE(inspector.open());
 }
 
-TEST_F(MouseOnTheField, TheWheelZoomsWhereNothingIsCarriedAndNoCardLies) {
+TEST_F(MouseOnTheField, TheWheelZoomsUnlessAPartIsHeldOrACardIsUnderTheMouse) {
     double const scale = view.camera().pixelsPerMetre;
     Pointer pointer = at({0, 1});
     pointer.wheel = 1;
@@ -105,7 +105,7 @@ TEST_F(MouseOnTheField, TheWheelZoomsWhereNothingIsCarriedAndNoCardLies) {
     EXPECT_GT(view.camera().pixelsPerMetre, scale);
 }
 
-TEST_F(MouseOnTheField, AThingIsTakenByTheHandAndNotWhileARunIsWatchedAgain) {
+TEST_F(MouseOnTheField, AnObjectIsGrabbedExceptDuringAReplay) {
     session.start();
     session.step();
     Vec2 const lever = placeOf("switch");

@@ -1,4 +1,4 @@
-// A run's success: told once, celebrated until it has been seen.
+// A run's success: reported once, celebrated until the player has seen it.
 #include "game/ui/play/run/celebration.hpp"
 #include "tests/game/ui/play/run/controlled_run.hpp"
 
@@ -28,7 +28,7 @@ TEST(Celebrations, BeginOncePerRunAndEndWhenSeen) {
     celebration.dismiss();
     celebration.pass(1);
     EXPECT_FALSE(celebration.showing());
-    EXPECT_FALSE(celebration.noteStep(level.session)) << "this run's success has been told";
+    EXPECT_FALSE(celebration.noteStep(level.session)) << "this run's success has already been reported";
     celebration.reset();
     EXPECT_FALSE(celebration.solvedAt());
 }

@@ -1,4 +1,4 @@
-// What reaches the loudspeakers, with real input events.
+// The output to the loudspeakers, with real input events.
 #include "audio/device/loudspeaker.hpp"
 #include "tests/game/ui/player.hpp"
 
@@ -7,16 +7,16 @@
 namespace trembler::ui::test {
 namespace {
 
-constexpr render::Size small{960, 540}; // there is nothing to look at
+constexpr render::Size small{960, 540}; // the pictures do not matter
 auto const doorbell = levelsFolder() / "experiments/2-doorbell.json";
 
-/// What a loudspeaker has been told to do.
+/// The calls that a loudspeaker has received.
 struct Heard {
     int blocks = 0;
     double loudest = 0; ///< Pa at 1 m, of the last block
     double height = 0;  ///< m, of the listener above the drawing
     OutputSettings settings;
-    bool silenced = false; ///< by the last thing it was told
+    bool silenced = false; ///< by the last call
 };
 
 class Ear final : public Output {
@@ -66,7 +66,7 @@ TEST(SoundInTheWindow, TheDoorbellRingsUntilItIsStopped) {
     EXPECT_EQ(heard.blocks, blocks);
 }
 
-TEST(SoundInTheWindow, WhatRingsDiesAwayInAPause) {
+TEST(SoundInTheWindow, ARingingObjectDiesAwayInAPause) {
     Heard heard;
     Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
     Player player(small, {}, levelsFolder(), &loudspeaker);

@@ -1,4 +1,4 @@
-// A level's run without a window: what the buttons do to the session, and what is told of it.
+// A level's run without a window: the effects of the buttons on the session, and the reported state.
 #include "tests/game/ui/play/run/controlled_run.hpp"
 
 namespace trembler::ui::test {
@@ -32,7 +32,7 @@ TEST(RunControl, RunsPausesAndStops) {
     EXPECT_EQ(level.told, "sn");
 }
 
-TEST(RunControl, SingleFramesBeginTheRunAndStandStill) {
+TEST(RunControl, SingleFramesStartTheRunAndPauseIt) {
     Controlled level;
     level.run.step();
     EXPECT_TRUE(level.run.paused());
@@ -43,7 +43,7 @@ TEST(RunControl, SingleFramesBeginTheRunAndStandStill) {
     level.run.step();
     EXPECT_TRUE(level.run.paused());
     EXPECT_EQ(level.frame(), 3U);
-    EXPECT_EQ(level.run.alpha(), 1) << "what stands still is drawn where it is";
+    EXPECT_EQ(level.run.alpha(), 1) << "a paused world is drawn at its current positions";
 }
 
 TEST(RunControl, FastIsFourTimesAsFastByKeyAndBySwitch) {
@@ -67,7 +67,7 @@ TEST(RunControl, AFilmHasEveryFrameOnce) {
     EXPECT_EQ(level.run.alpha(), 1);
 }
 
-TEST(RunControl, ComputesWhatTheSessionComputesByItself) {
+TEST(RunControl, ComputesTheSameAsTheSessionAlone) {
     Controlled level;
     level.run.runOrStop();
     level.pictures(90);
@@ -78,7 +78,7 @@ TEST(RunControl, ComputesWhatTheSessionComputesByItself) {
     EXPECT_EQ(level.session.world().stateHash(), alone.world().stateHash());
 }
 
-TEST(RunControl, ARunIsWatchedAgainToTheBit) {
+TEST(RunControl, AReplayHasTheSameBits) {
     Controlled level;
     level.run.runOrStop();
     level.pictures(120);

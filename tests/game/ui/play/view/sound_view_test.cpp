@@ -1,4 +1,4 @@
-// What there is to see of sound, and that seeing it changes nothing.
+// The display of sound, which must not influence the world.
 #include "game/ui/play/view/sound_view.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "puzzle/session/session.hpp"
@@ -28,7 +28,7 @@ void step(Session& session, SoundView& sounds) {
     sounds.afterStep(session.world());
 }
 
-/// Whether the two have begun to touch in the last frame, or did so within it only.
+/// Whether the two began to touch in the last frame, even if the contact ended within it.
 bool beginsToTouch(World const& world, std::string const& a, std::string const& b) {
     ObjectId const first = world.store().find(a);
     ObjectId const second = world.store().find(b);
@@ -78,7 +78,7 @@ TEST(SoundView, LookingChangesNoStateOfTheWorld) {
     EXPECT_GT(most, 0U);
 }
 
-TEST(SoundView, NothingIsLeftOfARunThatHasEnded) {
+TEST(SoundView, RingsOfAnEndedRunAreRemoved) {
     auto const session = opened("experiments/2-doorbell.json", "hold, then release");
     SoundView sounds;
     while (sounds.ripples().empty() && session->world().frame() < 600) {

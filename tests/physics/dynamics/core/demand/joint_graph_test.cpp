@@ -18,7 +18,7 @@ std::vector<JointLoad> loadsIn(TiedBodies const& tied) {
     return jointLoads(tied.columns(), tied.bodies(), tied.joints(), tied.loads());
 }
 
-TEST(JointGraph, EveryLinkOfAChainCarriesWhatHangsBelowIt) {
+TEST(JointGraph, EveryLinkOfAChainCarriesTheLinksBelowIt) {
     TiedBodies tied;
     std::vector<ObjectId> joints;
     ObjectId above;
@@ -46,7 +46,7 @@ TEST(JointGraph, EveryLinkOfAChainCarriesWhatHangsBelowIt) {
     }
 }
 
-TEST(JointGraph, WhatHangsSideBySideFromTheGroundStaysApart) {
+TEST(JointGraph, BodiesThatHangSideBySideFromTheGroundAreSeparate) {
     TiedBodies tied;
     ObjectId const wall = tied.fixed({0, 5});
     ObjectId const light = tied.body({-1, 0}, 2);
@@ -60,8 +60,8 @@ TEST(JointGraph, WhatHangsSideBySideFromTheGroundStaysApart) {
     EXPECT_EQ(found[tied.slotOf(two)].pull, 3000);
 }
 
-// The world and all that is fixed are one: what is held by both of two walls is held in a loop.
-TEST(JointGraph, ABridgeBetweenTwoWallsIsALoopAndMayHaveToCarryAllThatPulls) {
+// The world and all fixed bodies count as one: bodies held by two walls are part of a loop.
+TEST(JointGraph, ABridgeBetweenTwoWallsIsALoopWhoseJointsMayCarryAllForces) {
     TiedBodies tied;
     ObjectId const left = tied.fixed({-5, 0});
     ObjectId const a = tied.body({-1, 0}, 2);
@@ -69,7 +69,7 @@ TEST(JointGraph, ABridgeBetweenTwoWallsIsALoopAndMayHaveToCarryAllThatPulls) {
     std::vector<ObjectId> const joints{tied.joint(JointForm::hinge, a, left, {-2, 0}),
                                        tied.joint(JointForm::hinge, a, b, {0, 0}),
                                        tied.joint(JointForm::hinge, b, {}, {2, 0})};
-    tied.pull(a, {30, 40}); // against another, and yet neither lessens the other
+    tied.pull(a, {30, 40}); // opposite to the other force, but the two do not cancel
     tied.pull(b, {-30, -40});
     tied.settle();
     for (JointLoad const& load : loadsIn(tied)) {
@@ -94,7 +94,7 @@ TEST(JointGraph, InFreeFallTheLighterSideHangsOnTheHeavier) {
     EXPECT_EQ(load.centre, (Vec2{0, 0}));
 }
 
-TEST(JointGraph, SpringsAndGearsCarryNothingTautAndNoLoopRunsOverThem) {
+TEST(JointGraph, SpringsAndGearsCarryNoLoadAndCloseNoLoop) {
     TiedBodies tied;
     ObjectId const a = tied.body({0, 0}, 1);
     ObjectId const b = tied.body({1, 0}, 1);
@@ -122,7 +122,7 @@ TEST(JointGraph, SpringsAndGearsCarryNothingTautAndNoLoopRunsOverThem) {
     }
 }
 
-TEST(JointGraph, AFreeSlotCarriesNothingAndBodiesWithoutLoadsPullAtNothing) {
+TEST(JointGraph, FreeSlotsAndBodiesWithoutLoadsAddNoLoad) {
     TiedBodies tied;
     ObjectId const a = tied.body({0, 0}, 1);
     ObjectId const b = tied.body({0, -1}, 1);
@@ -138,8 +138,8 @@ TEST(JointGraph, AFreeSlotCarriesNothingAndBodiesWithoutLoadsPullAtNothing) {
     EXPECT_EQ(found[tied.slotOf(held)].pull, 0);
 }
 
-// A random graph of bodies, some of them fixed, and its joints, told by taking each of them out and looking
-// what then still hangs together.
+// A random graph of bodies, some of them fixed, and of joints. The expected loads follow from removing each
+// joint and finding the bodies that are then still connected.
 struct Graph {
     struct Edge {
         std::size_t a = 0;
@@ -175,7 +175,7 @@ struct Graph {
             edge.form = *rc::gen::element(JointForm::hinge, JointForm::weld, JointForm::distance,
                                           JointForm::rope, JointForm::slider, JointForm::spring);
             if (edge.a == edge.b || (stands(edge.a) && stands(edge.b))) {
-                continue; // it would be refused
+                continue; // such a joint would be refused
             }
             ObjectId const b = edge.b == count ? ObjectId{} : bodies[edge.b];
             edge.id = tied.joint(edge.form, bodies[edge.a], b, at[edge.a]);
@@ -184,8 +184,8 @@ struct Graph {
         tied.settle();
     }
     [[nodiscard]] bool stands(std::size_t i) const { return i == bodies.size() || fixed[i]; }
-    // Every body that moves and hangs together with `from` without the edge `out`; nothing is passed on over
-    // what stands. `held` becomes true if any of them is held by what stands.
+    // Every movable body that is connected with `from` without the edge `out`; fixed bodies do not connect
+    // others. `held` becomes true if any of them is joined to a fixed body.
     [[nodiscard]] std::set<std::size_t> side(std::size_t from, std::size_t out, bool& held) const {
         std::set<std::size_t> found{from};
         for (bool more = true; more;) {
@@ -221,7 +221,7 @@ struct Graph {
         load.centre = alone ? moment / load.mass : Vec2{};
         return load;
     }
-    // What a joint may be said to carry: one answer, or two where both sides of it weigh the same.
+    // The valid loads of a joint: one, or two if both its sides weigh the same.
     [[nodiscard]] std::vector<JointLoad> answers(std::size_t e) const {
         if (edges[e].form == JointForm::spring) {
             return {JointLoad{}};
@@ -252,7 +252,7 @@ bool alike(JointLoad const& x, JointLoad const& y) {
            length(x.centre - y.centre) < 1e-9;
 }
 
-TEST(JointGraph, OfAnyGraphIsWhatTakingEachJointOutTells) {
+TEST(JointGraph, OfAnyGraphAgreesWithRemovingEachJoint) {
     EXPECT_TRUE(rc::check([] {
         Graph const graph;
         std::vector<JointLoad> const found = loadsIn(graph.tied);

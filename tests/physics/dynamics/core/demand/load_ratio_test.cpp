@@ -23,7 +23,7 @@ double ratioIn(TiedBodies const& tied, std::vector<TouchingPair> const& touching
     return loadRatio(tied.columns(), tied.bodies(), touching, tied.loads());
 }
 
-// Boxes on one another from the ground upwards, in a world whose down is `down`.
+// A stack of boxes on the ground, in a world in which `down` points downwards.
 double ratioOfStack(std::vector<double> const& masses, Vec2 down) {
     TiedBodies tied;
     std::vector<TouchingPair> touching;
@@ -38,7 +38,7 @@ double ratioOfStack(std::vector<double> const& masses, Vec2 down) {
     return ratioIn(tied, touching);
 }
 
-TEST(LoadRatio, OfAStackIsWhatRestsOnItsLowestBox) {
+TEST(LoadRatio, OfAStackIsTheMassOnItsLowestBox) {
     for (std::size_t const boxes : {1U, 2U, 5U, 30U}) {
         EXPECT_NEAR(ratioOfStack(std::vector<double>(boxes, 2.5), {0, -1}), static_cast<double>(boxes) - 1,
                     1e-9);
@@ -46,8 +46,8 @@ TEST(LoadRatio, OfAStackIsWhatRestsOnItsLowestBox) {
     EXPECT_NEAR(ratioOfStack({50, 1, 1000}, {0, -1}), 1000, 1e-9);
 }
 
-// Between a floor and a ceiling nothing says which way is down but the forces.
-TEST(LoadRatio, IsOneWhicheverWayIsDownAndHoweverStronglyItPulls) {
+// Between a floor and a ceiling only the forces determine the direction downwards.
+TEST(LoadRatio, DoesNotDependOnDirectionAndStrengthOfGravity) {
     std::vector<double> const masses{3, 1, 20, 7};
     double const upright = ratioOfStack(masses, {0, -1});
     EXPECT_NEAR(upright, 27, 1e-9);
@@ -58,7 +58,7 @@ TEST(LoadRatio, IsOneWhicheverWayIsDownAndHoweverStronglyItPulls) {
     EXPECT_NEAR(ratioOfStack(masses, {0, -0.01}), upright, 1e-9);
 }
 
-TEST(LoadRatio, WhatOnlyTouchesRestsOnNothing) {
+TEST(LoadRatio, NeedsAForceAndAContact) {
     TiedBodies tied;
     ObjectId const light = tied.body({0, 0}, 1);
     ObjectId const heavy = tied.body({0, 0.2}, 1000);
@@ -66,11 +66,12 @@ TEST(LoadRatio, WhatOnlyTouchesRestsOnNothing) {
     EXPECT_EQ(ratioIn(tied, {pairOf(light, heavy)}), 0) << "no force";
     tied.weigh({0, -g});
     EXPECT_EQ(ratioIn(tied, {}), 0) << "no contact";
-    EXPECT_NEAR(ratioIn(tied, {pairOf(light, heavy)}), 1000, 1e-9) << "both fall, but who knows?";
+    EXPECT_NEAR(ratioIn(tied, {pairOf(light, heavy)}), 1000, 1e-9)
+        << "both fall, which forces and contacts do not show";
 }
 
-// What floats is pushed up by nearly as much as it is pulled down: it rests on nothing.
-TEST(LoadRatio, WhatFloatsWeighsNothing) {
+// The forces on a floating body nearly cancel, so it rests on nothing.
+TEST(LoadRatio, FloatingBodiesAreNoLoad) {
     TiedBodies tied;
     ObjectId const light = tied.body({0, 0}, 1);
     ObjectId const heavy = tied.body({0, 0.2}, 1000);
@@ -95,11 +96,11 @@ TEST(LoadRatio, ABridgeRestsOnItsPiersInEqualShares) {
     EXPECT_NEAR(ratioIn(tied, touching), 60 / 3.0 / 4, 1e-9);
 }
 
-// Any heap of equal forces straight down: what a body carries is what each of those above it hands on.
+// Any heap with equal downward forces: a body carries a share of the load of each body above it.
 struct Heap {
     std::vector<double> heights;
     std::vector<double> masses;
-    std::vector<std::vector<std::size_t>> on; // by body: what it lies on; masses.size(): the ground
+    std::vector<std::vector<std::size_t>> on; // by body: the bodies below it; masses.size(): the ground
 
     [[nodiscard]] double handsOn(std::size_t i) const {
         return (masses[i] + carried(i)) / static_cast<double>(on[i].size());
@@ -114,7 +115,7 @@ struct Heap {
     }
 };
 
-TEST(LoadRatio, OfAnyHeapIsThatOfItsSharesHandedDown) {
+TEST(LoadRatio, OfAnyHeapAgreesWithDistributingTheLoadsStepByStep) {
     EXPECT_TRUE(rc::check([] {
         Heap heap;
         TiedBodies tied;

@@ -82,7 +82,7 @@ TEST(JointDemand, IsTheFastestModeOfAChainThatAWeightPullsTaut) {
     double const zigZag = chain.demand().zigZag;
     EXPECT_GE(zigZag, mode);
     EXPECT_LT(zigZag, 1.01 * mode);
-    EXPECT_NEAR(chain.demand({0.6, 0.8}).zigZag, zigZag, 1e-9 * zigZag) << "whichever way it hangs";
+    EXPECT_NEAR(chain.demand({0.6, 0.8}).zigZag, zigZag, 1e-9 * zigZag) << "in any direction of its weight";
     Chain elsewhere = chain;
     elsewhere.gravity = g / 4;
     EXPECT_NEAR(elsewhere.demand().zigZag, zigZag / 2, 1e-9 * zigZag);
@@ -101,7 +101,7 @@ TEST(JointDemand, IsNeverBelowTheFastestModeOfAnyChain) {
         double const zigZag = chain.demand().zigZag;
         RC_LOG() << "mode " << mode << " rad/s, demand " << zigZag << " rad/s\n";
         RC_ASSERT(zigZag >= mode * (1 - 1e-9));
-        // And by no more than the greatest tension on the quickest of rods would make of it.
+        // The upper bound is the fastest rod under the greatest tension.
         double shortest = chain.lengths[0];
         double lightest = chain.masses[0];
         double all = chain.weight;
@@ -114,7 +114,7 @@ TEST(JointDemand, IsNeverBelowTheFastestModeOfAnyChain) {
     }));
 }
 
-TEST(JointDemand, OfWhatNothingPullsAtIsNone) {
+TEST(JointDemand, OfAnUnloadedChainIsNone) {
     Chain chain{{0.3, 0.3, 0.3}, {1, 1, 1}, 100};
     chain.gravity = 0;
     JointDemand const demand = chain.demand();
@@ -126,7 +126,7 @@ TEST(JointDemand, OfWhatNothingPullsAtIsNone) {
     EXPECT_EQ(nothing.network, 0U);
 }
 
-// What is welded cannot turn about its other joints.
+// A welded body cannot turn about its other joints.
 TEST(JointDemand, AWeldStiffensTheRodThatItHolds) {
     TiedBodies tied;
     ObjectId const rod = tied.body(Shape{{boxPiece(1, 0.02)}}, {0.5, 0}, 1);
@@ -164,7 +164,7 @@ TEST(JointDemand, OfABeamGrowsWithItsLength) {
     }
 }
 
-TEST(JointDemand, ANetworkIsTheMostRigidTiesInOnePiece) {
+TEST(JointDemand, NetworkIsTheGreatestNumberOfRigidTiesInOnePiece) {
     EXPECT_TRUE(rc::check([] {
         TiedBodies tied;
         std::vector<ObjectId> bodies;
@@ -191,7 +191,7 @@ TEST(JointDemand, ANetworkIsTheMostRigidTiesInOnePiece) {
             }
         }
         tied.settle();
-        // Each piece found by spreading from one of its bodies.
+        // Each piece, found by a search from one of its bodies.
         std::size_t most = 0;
         for (std::size_t from = 0; from < bodies.size(); ++from) {
             std::set<std::size_t> piece{from};
@@ -211,7 +211,7 @@ TEST(JointDemand, ANetworkIsTheMostRigidTiesInOnePiece) {
     }));
 }
 
-// The least distance between two parallel lines with all of the piece between them, tried at many angles.
+// The least distance between two parallel lines around the piece, over many sampled angles.
 double widthOf(ShapePiece const& piece) {
     std::vector<Vec2> points = piece.corners;
     double around = 0;
@@ -263,7 +263,7 @@ ShapePiece somePiece() {
     }
 }
 
-// Half of them are thick enough in the unit that is chosen, and fewer than half in one twice as long.
+// Half of them are thick enough in the chosen unit, and fewer than half in a unit twice as long.
 TEST(ScaleFor, IsTheLongestUnitInWhichHalfOfTheBodiesAreThickEnough) {
     EXPECT_TRUE(rc::check([] {
         TiedBodies tied;
@@ -280,12 +280,12 @@ TEST(ScaleFor, IsTheLongestUnitInWhichHalfOfTheBodiesAreThickEnough) {
             }
             widths.push_back(least);
             tied.body(shape, {1.0 * i, 0}, 1);
-            tied.fixed({1.0 * i, 5}); // as thick as a metre, and yet no body that moves
+            tied.fixed({1.0 * i, 5}); // as thick as a metre, but it does not count, as it is fixed
         }
         double const thick = count < 20 ? 0.06 : 0.4;
         double const scale = scaleFor(tied.columns());
         auto const thickAt = [&](double unitsPerMetre) {
-            // Angles of which so many are tried miss the least width by less than a hundredth.
+            // The sampled angles miss the least width by less than a hundredth.
             return std::count_if(widths.begin(), widths.end(),
                                  [&](double width) { return width * unitsPerMetre >= thick; });
         };
@@ -295,7 +295,7 @@ TEST(ScaleFor, IsTheLongestUnitInWhichHalfOfTheBodiesAreThickEnough) {
     }));
 }
 
-TEST(RoundedSubsteps, AreFewNumbersAndNotFarAboveWhatIsWanted) {
+TEST(RoundedSubsteps, AreFewNumbersAndNotFarAboveTheDemand) {
     std::set<int> all;
     int before = 0;
     for (double wanted = 0; wanted < 70; wanted += 0.01) {

@@ -18,7 +18,7 @@ public:
     void applyImpulse(SlotIndex, Vec2, Vec2) override {}
     [[nodiscard]] std::span<std::uint8_t const> awake() const override { return {}; }
     [[nodiscard]] bool anyAwake() const override { return false; }
-    void step(double, DynamicsSettings const&) override { FAIL() << "nothing is to move"; }
+    void step(double, DynamicsSettings const&) override { FAIL() << "step() must not be called"; }
     [[nodiscard]] std::span<MovedBody const> moved() const override { return {}; }
     [[nodiscard]] std::vector<TouchChange>& touchChanges() override { return changes_; }
     void addContactPatches(std::vector<ContactPatch>&) const override {}

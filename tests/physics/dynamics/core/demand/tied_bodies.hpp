@@ -29,7 +29,7 @@ public:
     [[nodiscard]] DynamicsColumns columns() const;
     [[nodiscard]] BodyTable const& bodies() const { return bodies_; }
     [[nodiscard]] JointTable const& joints() const { return joints_; }
-    /// By slot of the bodies.
+    /// Indexed by slot of the bodies.
     [[nodiscard]] std::vector<LoadSum> loads() const;
     [[nodiscard]] SlotIndex slotOf(ObjectId joint) const;
 

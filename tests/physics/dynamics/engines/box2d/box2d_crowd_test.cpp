@@ -38,7 +38,7 @@ private:
     CrowdFilter filter_;
 };
 
-TEST(CrowdFilter, RemembersOnlyWhatCountingWouldFind) {
+TEST(CrowdFilter, AgreesWithCountingTheContacts) {
     Compared filter;
     b2World world({0, -10});
     world.SetContactFilter(&filter);
@@ -61,7 +61,7 @@ TEST(CrowdFilter, RemembersOnlyWhatCountingWouldFind) {
     for (std::uintptr_t number = 0; number < 250; ++number) {
         bodies.push_back(add(number, 0.3F));
     }
-    for (int step = 0; step < 12; ++step) { // they burst apart, go, come and gather
+    for (int step = 0; step < 12; ++step) { // bodies scatter, are removed, are added and gather again
         world.Step(1.0F / 60, 4, 2);
         std::size_t const which = random() % bodies.size();
         switch (random() % 4) {

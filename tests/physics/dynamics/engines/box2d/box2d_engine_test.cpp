@@ -14,7 +14,7 @@ namespace {
 constexpr SlotIndex blocks = 2500;
 constexpr SlotIndex keptOneIn = 50;
 
-/// A row of fixed blocks, and a ball above each that stays and above each that goes.
+/// A row of fixed blocks, some of which will be removed, with a ball above each.
 struct Row {
     std::unique_ptr<Engine> engine = makeBox2dEngine(1);
     Shape block{.pieces = {boxPiece(0.2, 0.2)}};
@@ -50,7 +50,7 @@ struct Row {
     }
 };
 
-TEST(Box2dEngine, RemovesManyBodiesBeforeItsFirstStepAsIfTheyHadNeverBeen) {
+TEST(Box2dEngine, BodiesRemovedBeforeItsFirstStepHaveNoInfluence) {
     auto const stays = [](SlotIndex slot) { return slot % keptOneIn == 0; };
     auto const placeOf = [](SlotIndex slot) { return Vec2{0.3 * slot, 0}; };
     Row row;

@@ -1,5 +1,5 @@
-// The joints of a Box2D world solved all at once: afterwards nothing that they hold moves apart, and in a
-// hanging chain each joint carries what hangs on it.
+// The joints of a Box2D world solved all at once: afterwards joined points do not move apart, and in a
+// hanging chain each joint carries the load below it.
 #include "physics/dynamics/engines/box2d/joints_at_once.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ public:
             return JointsAtOnce::Pull{body.GetMass() * acceleration, 0};
         });
     }
-    /// The velocity that the point of a body will have when the pull has acted as well.
+    /// The velocity that a point of a body will have after the pull has acted.
     [[nodiscard]] static b2Vec2 velocityAt(b2Body const& body, b2Vec2 point, b2Vec2 acceleration) {
         b2Vec2 const own = body.GetLinearVelocityFromWorldPoint(point);
         return body.GetType() == b2_dynamicBody ? own + h * acceleration : own;
@@ -80,7 +80,7 @@ float anyBetween(float low, float high) {
                                               [](int i) { return static_cast<float>(i) / 1e5F; });
 }
 
-TEST(JointsAtOnce, NothingThatIsTiedMovesApart) {
+TEST(JointsAtOnce, JoinedPointsDoNotMoveApart) {
     EXPECT_TRUE(rc::check("every joint's ends move alike", [] {
         Chain chain;
         b2Vec2 const acceleration{anyBetween(-5, 5), anyBetween(-20, 5)};
@@ -123,7 +123,7 @@ TEST(JointsAtOnce, NothingThatIsTiedMovesApart) {
     }));
 }
 
-TEST(JointsAtOnce, InAHangingChainEachJointCarriesWhatHangsOnIt) {
+TEST(JointsAtOnce, InAHangingChainEachJointCarriesTheLoadBelowIt) {
     Chain chain;
     b2Vec2 const acceleration{0, -10};
     b2Body* before = chain.ground;
@@ -139,7 +139,8 @@ TEST(JointsAtOnce, InAHangingChainEachJointCarriesWhatHangsOnIt) {
         b2Vec2 const impulse = chain.solver.impulse(static_cast<SlotIndex>(i));
         EXPECT_NEAR(impulse.y / (h * 10 * below), 1, 1e-5) << i;
         EXPECT_NEAR(impulse.x, 0, 1e-5);
-        EXPECT_NEAR(chain.discs[i]->GetLinearVelocity().y, h * 10, 1e-5) << "as much as the pull will take";
+        EXPECT_NEAR(chain.discs[i]->GetLinearVelocity().y, h * 10, 1e-5)
+            << "the velocity that the pull will remove";
     }
     EXPECT_EQ(chain.solver.impulse(1000).y, 0) << "there is no such joint";
     // Two hinges in one place share the load.
@@ -187,8 +188,8 @@ TEST(JointsAtOnce, GivesAPairInTheAirNoMomentum) {
     }));
 }
 
-TEST(JointsAtOnce, LeavesWhatItCannotGainFromAsItIs) {
-    Chain net; // everybody tied to everybody
+TEST(JointsAtOnce, LeavesDenseNetworksAndMissingJointsUnchanged) {
+    Chain net; // every disc joined to every other
     for (int i = 0; i < 60; ++i) {
         net.disc({static_cast<float>(i % 8), static_cast<float>(i / 8)});
     }
@@ -210,14 +211,14 @@ TEST(JointsAtOnce, LeavesWhatItCannotGainFromAsItIs) {
     EXPECT_EQ(none.solver.impulse(1).Length(), 0);
 }
 
-// The symbolic part is kept from step to step; the numbers follow the bodies.
+// The symbolic factorisation is kept from step to step; the numbers follow the bodies.
 TEST(JointsAtOnce, FollowsTheBodiesFromStepToStep) {
     Chain chain;
     b2Body* const bob = chain.disc({1, 0});
     chain.hinge(chain.ground, bob, {0, 0});
     chain.solve({0, -10});
-    // A pendulum let go from the side falls freely at first, but for its inertia: tangential g m l²/(m l² +
-    // I).
+    // A pendulum released from the side falls freely at first, except for its inertia: tangentially by g m
+    // l²/(m l² + I).
     double const massive = bob->GetMass();
     double const share = massive / (massive + bob->GetInertia());
     EXPECT_NEAR(bob->GetLinearVelocity().y + h * -10, -h * 10 * share, 1e-5);
@@ -225,7 +226,7 @@ TEST(JointsAtOnce, FollowsTheBodiesFromStepToStep) {
     bob->SetAngularVelocity(0);
     bob->SetTransform({0, -1}, -b2_pi / 2);
     chain.again({0, -10});
-    EXPECT_NEAR(bob->GetLinearVelocity().y, h * 10, 1e-5) << "now it hangs";
+    EXPECT_NEAR(bob->GetLinearVelocity().y, h * 10, 1e-5) << "now it hangs at rest";
 }
 
 } // namespace

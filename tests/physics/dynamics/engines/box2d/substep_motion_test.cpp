@@ -32,7 +32,7 @@ b2Vec2 turnedBy(double angle, b2Vec2 v) {
     return {static_cast<float>(c * x - s * y), static_cast<float>(s * x + c * y)};
 }
 
-// One that moves with a rigid motion about the origin, but for a deviation.
+// A body that follows a rigid motion about the origin, except for a deviation.
 SubstepMotion drawnWith(b2Vec2 shift, float turn, float deviation) {
     SubstepMotion body;
     body.from = drawnIn(2);
@@ -56,7 +56,7 @@ float farthestPoint(SubstepMotion const& seen, SubstepMotion const& frame) {
     return farthest;
 }
 
-RC_GTEST_PROP(SubstepMotion, NoPointMovesFarWhereNoneIsSaidTo, ()) {
+RC_GTEST_PROP(SubstepMotion, NoPointMovesFartherThanReported, ()) {
     SubstepMotion const a = drawnWith(drawnIn(0.05F), drawn(-0.2F, 0.2F), 0.02F);
     SubstepMotion const b = drawnWith(drawnIn(0.05F), drawn(-0.2F, 0.2F), 0.02F);
     bool const aSmaller = a.extent < b.extent;
@@ -83,7 +83,7 @@ RC_GTEST_PROP(SubstepMotion, BodiesThatDoNotDeviateHaveNotMovedApart, ()) {
         RC_ASSERT(!movedFarApart(a, b, limit * 1.001F + 2e-4F * 4)); // the series' error over a few metres
     }
     if (deviation == 0 && turn * turn < 0.01F) {
-        RC_ASSERT(!deviatesFrom(reference, a, 2 * limit)); // else it would spare nothing
+        RC_ASSERT(!deviatesFrom(reference, a, 2 * limit)); // else the bound would be useless
     }
 }
 
@@ -93,7 +93,7 @@ b2PolygonShape drawnPolygon() {
         shape.SetAsBox(drawn(0.02F, 1), drawn(0.02F, 1), drawnIn(0.5F), drawn(-3, 3));
         return shape;
     }
-    b2Vec2 corners[3]; // narrow ones, too
+    b2Vec2 corners[3]; // including narrow ones
     float const length = drawn(0.2F, 2);
     float const width = drawn(0.02F, 1);
     corners[0] = {0, 0};
@@ -131,10 +131,10 @@ RC_GTEST_PROP(SubstepMotion, OverlapsAreThoseOfBox2D, ()) {
         bool const out = outOfReach({atA.p, atA.p, 0, reach(a)}, {atB.p, atB.p, 0, reach(b)});
         RC_ASSERT(!out || manifold.pointCount == 0);
     }
-    RC_ASSERT(last == Overlap::none); // 5 m away, where no two of them reach each other
+    RC_ASSERT(last == Overlap::none); // 5 m away, where no two of the shapes meet
 }
 
-TEST(SubstepMotion, NothingIsSaidOfTheOverlapOfCircles) {
+TEST(SubstepMotion, TheOverlapOfCirclesIsUnknown) {
     b2CircleShape circle;
     circle.m_radius = 0.1F;
     b2PolygonShape box;
@@ -143,7 +143,7 @@ TEST(SubstepMotion, NothingIsSaidOfTheOverlapOfCircles) {
     b2Transform const there({5, 0}, b2Rot(0));
     EXPECT_EQ(overlapOf(box, here, box, there), Overlap::none);
     EXPECT_EQ(overlapOf(box, here, box, here), Overlap::certain);
-    EXPECT_EQ(overlapOf(circle, here, box, there), Overlap::unknown); // Box2D's own test of it is as quick
+    EXPECT_EQ(overlapOf(circle, here, box, there), Overlap::unknown); // Box2D's own test is as fast
 }
 
 } // namespace

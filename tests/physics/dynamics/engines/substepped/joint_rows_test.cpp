@@ -27,7 +27,7 @@ struct Velocity3 {
     double angular = 0;
 };
 
-/// A joint between two bodies, with what it needs to be made into rows.
+/// A joint between two bodies, with the data from which its rows are made.
 struct Pair {
     Joint joint;
     JointAnchors anchors;
@@ -107,7 +107,7 @@ Vec2 axisOf(Pair const& p) {
     return rotated(p.anchors.axis, p.poses[1].angle);
 }
 
-// What the rows of each form must hold, written down from what the joints are.
+// The quantities that the rows of each form must keep, from the definitions of the joints.
 TEST(JointRows, FollowTheirConstraintsAsTheBodiesMove) {
     using Measure = std::function<double(Pair const&)>;
     struct Case {
@@ -154,7 +154,7 @@ TEST(JointRows, FollowTheirConstraintsAsTheBodiesMove) {
     }
 }
 
-// Whatever a joint between two bodies does, it does to both: no momentum and no turning comes from nowhere.
+// A joint acts on both its bodies: it conserves momentum and angular momentum.
 TEST(JointRows, PushBothBodiesAlike) {
     for (JointForm const form : {JointForm::hinge, JointForm::weld, JointForm::slider, JointForm::wheel,
                                  JointForm::distance, JointForm::rope, JointForm::spring}) {
@@ -165,7 +165,7 @@ TEST(JointRows, PushBothBodiesAlike) {
             pair.joint.motorStrength = anyBetween(0, 1e3);
             pair.joint.lower = anyBetween(-1, 0);
             pair.joint.upper = anyBetween(0, 1);
-            if (form == JointForm::hinge || form == JointForm::weld) { // these pin one place of both
+            if (form == JointForm::hinge || form == JointForm::weld) { // these join one point of both bodies
                 Vec2 const end = Pair::endOf(pair.poses[0], pair.anchors.onA);
                 pair.anchors.onB = rotated(end - pair.poses[1].centre, -pair.poses[1].angle);
             }
@@ -224,7 +224,7 @@ TEST(JointRows, ASpringIsAnImplicitStep) {
         double const v = anyBetween(-5, 5);
         double const h = 1.0 / 240;
         pair.poses[0].centre = {1 + x, 0};
-        pair.velocities[0].linear = {v, 7}; // across it is free
+        pair.velocities[0].linear = {v, 7}; // free across the spring
         JointRows rows = pair.rows();
         rows.prepare(pair.poses, h);
         solve(rows, pair, 1);
@@ -235,7 +235,7 @@ TEST(JointRows, ASpringIsAnImplicitStep) {
     }));
 }
 
-TEST(JointRows, AMotorDrivesAsHardAsItIsStrong) {
+TEST(JointRows, AMotorDrivesWithItsStrength) {
     double const h = 1.0 / 240;
     for (double const strength : {1e9, 10.0}) {
         Pair pair = onTheWorld(JointForm::hinge);
@@ -252,7 +252,7 @@ TEST(JointRows, AMotorDrivesAsHardAsItIsStrong) {
     }
     Pair idle = onTheWorld(JointForm::hinge);
     idle.joint.motor = true;
-    EXPECT_FALSE(idle.rows().restless()) << "at no speed it may rest";
+    EXPECT_FALSE(idle.rows().restless()) << "at a speed of zero it may sleep";
     idle.joint.form = JointForm::weld;
     idle.joint.motorSpeed = idle.joint.motorStrength = 1;
     EXPECT_FALSE(idle.rows().restless()) << "a weld has no motor";
@@ -272,12 +272,12 @@ TEST(JointRows, ALimitLetsABodyJustReachIt) {
         solve(rows, pair, 20);
         return pair.velocities[0].angular;
     };
-    EXPECT_DOUBLE_EQ(after(0.1, 1), 1) << "far from both";
-    EXPECT_DOUBLE_EQ(after(0.24, 1), 1) << "it will not get there yet";
-    EXPECT_NEAR(after(0.24, 10), 0.01 / h, 1e-9) << "as far as it can within a substep";
+    EXPECT_DOUBLE_EQ(after(0.1, 1), 1) << "far from both limits";
+    EXPECT_DOUBLE_EQ(after(0.24, 1), 1) << "it does not reach the limit in this substep";
+    EXPECT_NEAR(after(0.24, 10), 0.01 / h, 1e-9) << "it just reaches the limit within a substep";
     EXPECT_NEAR(after(-0.49, -10), -0.01 / h, 1e-9);
     EXPECT_NEAR(after(0.3, 10), 0, 1e-9) << "beyond: no further";
-    EXPECT_DOUBLE_EQ(after(0.3, -10), -10) << "it may always go back";
+    EXPECT_DOUBLE_EQ(after(0.3, -10), -10) << "it may move back";
 }
 
 TEST(JointRows, ARopePullsAndNeverPushes) {
@@ -294,9 +294,9 @@ TEST(JointRows, ARopePullsAndNeverPushes) {
         return -pair.velocities[0].linear.y;
     };
     EXPECT_DOUBLE_EQ(after(1, 5), 5);
-    EXPECT_DOUBLE_EQ(after(2, -5), -5) << "towards its other end it is slack";
+    EXPECT_DOUBLE_EQ(after(2, -5), -5) << "towards the other end the rope is slack";
     EXPECT_NEAR(after(2, 5), 0, 1e-12);
-    EXPECT_NEAR(after(1.99, 5), 0.01 / h, 1e-9) << "as far as it is long";
+    EXPECT_NEAR(after(1.99, 5), 0.01 / h, 1e-9) << "up to the length of the rope";
 }
 
 // Errors of place vanish by velocities that are forgotten: six tenths of the error in each substep.
@@ -312,20 +312,20 @@ TEST(JointRows, ErrorsOfPlaceAreCorrectedApartFromVelocities) {
     EXPECT_TRUE(row.corrects);
     double const change = row.solveCorrection(0);
     EXPECT_NEAR(change * pair.poses[0].inverseMass * h, -0.6 * 0.02, 1e-12);
-    EXPECT_EQ(row.solve(0), 0) << "at rest nothing pulls";
+    EXPECT_EQ(row.solve(0), 0) << "no impulse at rest";
     EXPECT_EQ(row.impulse, 0);
-    // Impulses stay for the next substep, from which solving starts.
+    // Impulses are kept: solving starts from them in the next substep.
     row.impulse = 3;
     rows.prepare(pair.poses, h);
     EXPECT_EQ(rows.rows()[0].impulse, 3);
     EXPECT_EQ(rows.rows()[0].push, 0);
-    // Two ends in one place have no direction, and still finite rows.
+    // Two ends in one place have no direction, but finite rows.
     pair.poses[0].centre = {};
     rows.prepare(pair.poses, h);
     EXPECT_TRUE(std::isfinite(rows.rows()[0].mass) && std::isfinite(rows.rows()[0].correction));
 }
 
-TEST(JointRows, BetweenTwoThatNothingMovesARowRests) {
+TEST(JointRows, BetweenTwoImmovableBodiesARowHasNoImpulse) {
     Pair pair = onTheWorld(JointForm::weld);
     pair.poses[0].inverseMass = pair.poses[0].inverseInertia = 0;
     JointRows rows = pair.rows();

@@ -20,7 +20,7 @@ constexpr double skin = 0.01 / scale; // of polygons, each
 
 auto const everybody = [](SlotIndex, SlotIndex) { return true; };
 
-/// Bodies in a finder, and where they are.
+/// Bodies in a finder, and their places.
 class Scatter {
 public:
     void add(ShapePiece const& piece, Vec2 at, double angle) {
@@ -55,7 +55,7 @@ public:
 };
 
 ShapePiece anyPiece() {
-    // Without offsets of their own: a body's frame is its centre. Capsules become several of the engine's.
+    // Pieces without offsets: a body's frame is its centre. Capsules become several of the engine's shapes.
     switch (*rc::gen::inRange(0, 3)) {
     case 0:
         return circlePiece(*number(0.05, 0.5));
@@ -66,7 +66,7 @@ ShapePiece anyPiece() {
     }
 }
 
-TEST(TouchFinder, FindsEveryPairThatTouchesAndNoOther) {
+TEST(TouchFinder, FindsExactlyTheTouchingPairs) {
     EXPECT_TRUE(rc::check("as the gaps say", [] {
         Scatter scatter;
         auto const count = *rc::gen::inRange<SlotIndex>(2, 8);
@@ -91,7 +91,7 @@ TEST(TouchFinder, FindsEveryPairThatTouchesAndNoOther) {
             RC_ASSERT(std::abs(length(touch.normal) - 1) < 1e-9);
             pairs.emplace(touch.a, touch.b);
         }
-        constexpr double rounding = 2e-4; // of single precision, and of how Box2D rounds corners off
+        constexpr double rounding = 2e-4; // of single precision, and of Box2D's rounded corners
         for (SlotIndex a = 0; a < count; ++a) {
             for (SlotIndex b = a + 1; b < count; ++b) {
                 double const gap = scatter.gap(a, b);
@@ -126,11 +126,11 @@ TEST(TouchFinder, PlaceNormalAndDepthOfABallOnAFloor) {
     scatter.add(boxPiece(1, 1), {0.5, 0.5}, 0);
     auto const edge = scatter.find({1});
     ASSERT_EQ(edge.size(), 1U);
-    EXPECT_EQ(edge[0].count, 2) << "a side on a side";
+    EXPECT_EQ(edge[0].count, 2) << "two parallel sides touch at two points";
     EXPECT_NEAR(std::abs(edge[0].points[0].x - edge[0].points[1].x), 1, 0.01);
 }
 
-TEST(TouchFinder, LooksOnlyAtThoseAskedForAndThoseAllowed) {
+TEST(TouchFinder, SearchesOnlyRequestedAndAllowedPairs) {
     Scatter scatter;
     scatter.add(circlePiece(1), {0, 0}, 0);
     scatter.add(circlePiece(1), {1, 0}, 0);
@@ -153,21 +153,21 @@ TEST(TouchFinder, LooksOnlyAtThoseAskedForAndThoseAllowed) {
     EXPECT_EQ(scatter.find({0, 1}).size(), 1U);
     std::vector<FoundTouch> more = scatter.find({0});
     scatter.finder.find(std::vector<SlotIndex>{1}, everybody, more);
-    EXPECT_EQ(more.size(), 2U) << "it appends";
+    EXPECT_EQ(more.size(), 2U) << "results are appended";
 }
 
-TEST(TouchFinder, ADiscGoesAsFarAsItIsFree) {
+TEST(TouchFinder, ADiscMovesUpToTheFirstObstacle) {
     Scatter scatter;
     scatter.add(boxPiece(0.2, 10), {5, 0}, 0); // its near face at 4.9
     auto const stops = [](SlotIndex) { return true; };
     // The face less the disc's radius, and both skins.
     EXPECT_NEAR(scatter.finder.freeShare({}, 0.3, {10, 0}, stops), 0.46, 0.005);
     EXPECT_NEAR(scatter.finder.freeShare({0, 4}, 0.3, {10, -3}, stops), 0.46, 0.005) << "aslant";
-    EXPECT_EQ(scatter.finder.freeShare({}, 0.3, {4, 0}, stops), 1) << "it stops short of it";
-    EXPECT_EQ(scatter.finder.freeShare({}, 0.3, {-10, 0}, stops), 1) << "away from it";
-    EXPECT_EQ(scatter.finder.freeShare({0, 9}, 0.3, {10, 0}, stops), 1) << "over it";
+    EXPECT_EQ(scatter.finder.freeShare({}, 0.3, {4, 0}, stops), 1) << "its path ends before the block";
+    EXPECT_EQ(scatter.finder.freeShare({}, 0.3, {-10, 0}, stops), 1) << "its path leads away from the block";
+    EXPECT_EQ(scatter.finder.freeShare({0, 9}, 0.3, {10, 0}, stops), 1) << "its path passes above the block";
     EXPECT_EQ(scatter.finder.freeShare({}, 0.3, {10, 0}, [](SlotIndex) { return false; }), 1);
-    EXPECT_EQ(scatter.finder.freeShare({5, 0}, 0.05, {10, 0}, stops), 1) << "it is in it already";
+    EXPECT_EQ(scatter.finder.freeShare({5, 0}, 0.05, {10, 0}, stops), 1) << "it starts inside the block";
     scatter.add(circlePiece(0.5), {2, 0}, 0);
     EXPECT_NEAR(scatter.finder.freeShare({}, 0.3, {10, 0}, stops), 0.12, 0.005) << "the nearest counts";
 }

@@ -27,10 +27,11 @@ PieceContact contact(SlotIndex a, SlotIndex b, std::size_t piece = 0, double imp
     return made;
 }
 
-TEST(TouchRecord, PiecesKeepTheirNamesWhicheverComesFirst) {
+TEST(TouchRecord, PiecesKeepTheirKeysInEitherOrder) {
     std::set<std::uint64_t> keys;
     for (SlotIndex slot = 0; slot < 5; ++slot) {
-        for (std::size_t piece = 0; piece < 768; piece += 255) { // three of the engine's to each of 256
+        for (std::size_t piece = 0; piece < 768;
+             piece += 255) { // up to three shapes of the engine for each of 256 pieces
             std::uint32_t const name = pieceName(slot, piece);
             EXPECT_EQ(slotOfPiece(name), slot);
             std::uint32_t const other = pieceName(7, 3);
@@ -40,12 +41,12 @@ TEST(TouchRecord, PiecesKeepTheirNamesWhicheverComesFirst) {
     }
 }
 
-TEST(TouchRecord, TellsEveryBeginningAndEveryEndOnce) {
+TEST(TouchRecord, ReportsEveryBeginningAndEveryEndOnce) {
     EXPECT_TRUE(rc::check("the same as a set", [] {
         TouchRecord record;
         std::map<std::uint64_t, PieceContact> model;
         for (int substep = *rc::gen::inRange(1, 10); substep > 0; --substep) {
-            SlotIndex const resting = *rc::gen::inRange(0U, 5U); // not looked for, as it sleeps
+            SlotIndex const resting = *rc::gen::inRange(0U, 5U); // asleep, so it is not searched
             std::vector<PieceContact> found;
             std::map<std::uint64_t, PieceContact> next;
             for (int i = *rc::gen::inRange(0, 12); i > 0; --i) {
@@ -87,7 +88,7 @@ TEST(TouchRecord, TellsEveryBeginningAndEveryEndOnce) {
     }));
 }
 
-TEST(TouchRecord, ABodyThatGoesEndsItsContacts) {
+TEST(TouchRecord, RemovingABodyEndsItsContacts) {
     TouchRecord record;
     std::vector<PieceContact> found{contact(0, 1), contact(1, 2), contact(0, 2), contact(1, 2, 1)};
     record.take(found, neverRests);
@@ -105,7 +106,7 @@ double oneKilogramEach(SlotIndex) {
     return 1;
 }
 
-TEST(TouchRecord, AnImpactIsWhatPressesHarderThanBefore) {
+TEST(TouchRecord, AnImpactIsAnIncreaseOfTheImpulse) {
     TouchRecord record;
     record.noteImpacts(true);
     auto const substep = [&](double impulse, double since) {
@@ -119,25 +120,26 @@ TEST(TouchRecord, AnImpactIsWhatPressesHarderThanBefore) {
     EXPECT_EQ(record.impacts()[0].impulse, 3);
     EXPECT_EQ(record.impacts()[0].point, (Vec2{0, 5}));
     substep(3, 0.5);
-    EXPECT_TRUE(record.impacts().empty()) << "it presses as before";
+    EXPECT_TRUE(record.impacts().empty()) << "the force is as before";
     substep(1, 0.5);
     EXPECT_TRUE(record.impacts().empty());
     substep(4, 0.5);
     ASSERT_EQ(record.impacts().size(), 1U);
-    EXPECT_NEAR(record.impacts()[0].impulse, 4 - 0.8 * 3, 1e-12) << "than what is remembered of 3 N s";
+    EXPECT_NEAR(record.impacts()[0].impulse, 4 - 0.8 * 3, 1e-12) << "less the remembered share of 3 N s";
     substep(4 + 0.4 * faintestImpact, 0.5);
-    EXPECT_TRUE(record.impacts().empty()) << "too faint: two bodies of 1 kg change speed by twice that";
+    EXPECT_TRUE(record.impacts().empty())
+        << "too weak: the relative speed of two bodies of 1 kg changes by twice the impulse";
     substep(5 + faintestImpact, 0.5);
     EXPECT_EQ(record.impacts().size(), 1U);
 }
 
-TEST(TouchRecord, NotedFromTheMiddleOnWhatLiesThereAlreadyIsNoImpact) {
+TEST(TouchRecord, ContactsFromBeforeTheFirstRequestAreNoImpacts) {
     TouchRecord record;
     std::vector<PieceContact> found{contact(0, 1, 0, 9)};
     record.take(found, neverRests);
     record.noteImpacts(true);
     record.findImpacts(0, oneKilogramEach);
-    EXPECT_TRUE(record.impacts().empty()) << "it may have pressed so all along";
+    EXPECT_TRUE(record.impacts().empty()) << "the force may have existed before";
     found = {contact(0, 1, 0, 20)};
     record.take(found, neverRests);
     record.findImpacts(0, oneKilogramEach);
@@ -147,10 +149,10 @@ TEST(TouchRecord, NotedFromTheMiddleOnWhatLiesThereAlreadyIsNoImpact) {
     found = {contact(0, 1, 0, 90)};
     record.take(found, neverRests);
     record.findImpacts(0, oneKilogramEach);
-    EXPECT_TRUE(record.impacts().empty()) << "nobody wants them";
+    EXPECT_TRUE(record.impacts().empty()) << "impacts are not requested";
 }
 
-TEST(TouchRecord, AnImpactIsWhereItsPointsPress) {
+TEST(TouchRecord, AnImpactIsAtTheWeightedMeanOfItsPoints) {
     TouchRecord record;
     record.noteImpacts(true);
     PieceContact edge = contact(0, 1);

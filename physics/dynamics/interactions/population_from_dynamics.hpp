@@ -1,4 +1,4 @@
-// Joints break, and go when an object that they tied is gone.
+// Joints break, and are destroyed when an object that they connected no longer exists.
 #pragma once
 
 #include "physics/dynamics/properties/motion_causes.hpp"

@@ -1,4 +1,4 @@
-// (Dynamics <- Electricity): motors with current turn, and generators that supply current are hard to turn.
+// (Dynamics <- Electricity): motors with current turn, and generators that supply current resist turning.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"
@@ -24,6 +24,9 @@ public:
     void apply(Access& access);
 };
 
+/// It reports no rate: the amount of the braking torque is constant, and a torque that would turn the rotor
+/// back within the time for which it stands is reduced to the one that stops it. The torque thus has no rate
+/// that shorter steps would follow better.
 class DynamicsFromGenerators final
     : public Interaction<DynamicsFromGenerators, DynamicsRole,
                          Reads<ElectricalState, Generator, AngularVelocity, Mass, Shape, Fixed>> {

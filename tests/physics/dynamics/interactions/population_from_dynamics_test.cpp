@@ -27,7 +27,7 @@ Joint ropeOf(ObjectId weight, Vec2 from, Vec2 to, double breakForce) {
     return joint;
 }
 
-TEST_P(Breaking, ARopeBearsItsWeightAndNoMore) {
+TEST_P(Breaking, ARopeBreaksAboveItsStrength) {
     for (double const strength : {1.02, 0.98}) {
         Scene scene;
         ObjectId const weight = scene.ball({0, -1});
@@ -39,7 +39,7 @@ TEST_P(Breaking, ARopeBearsItsWeightAndNoMore) {
     }
 }
 
-TEST_P(Breaking, TheForceOfAJointIsWhatItCarries) {
+TEST_P(Breaking, TheForceOfAJointIsItsLoad) {
     for (int const substeps : {1, 4, 10}) {
         Scene scene({.solver = {.substeps = substeps},
                      .extend = [](Registry& r) { r.component<ReadsJointForces>(); }});
@@ -83,7 +83,7 @@ TEST_P(Breaking, TheTraceLeadsFromTheBreakToThePull) {
     EXPECT_TRUE(found);
 }
 
-TEST_P(Breaking, JointsGoWithTheirObjectsAndGearsWithTheirJoints) {
+TEST_P(Breaking, JointsAreRemovedWithTheirObjectsAndGearsWithTheirJoints) {
     Scene scene;
     ObjectId const a = scene.ball({0, 0});
     ObjectId const b = scene.ball({1, 0});

@@ -1,4 +1,4 @@
-#include "physics/dynamics/interactions/hand.hpp"
+#include "physics/dynamics/interactions/from_player.hpp"
 
 #include "physics/dynamics/core/point_pull.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"
@@ -35,7 +35,7 @@ void DynamicsFromPlayer::apply(Access& access) {
         force *= limit / size;
     }
     access.call(AddForceToPoint{held, point, force}, hand.event);
-    access.call(TellRate{held, frequency});
+    access.call(StateRate{held, frequency});
     access.call(AddTorque{held, -turnDamping * mass->value * gyration * spin->value}, hand.event);
 }
 

@@ -10,8 +10,7 @@
 
 namespace trembler {
 
-/// Whether it has connected one at present is read from the graph, so it has no memory of its own that could
-/// go wrong.
+/// Reads from the graph whether a generator is connected, so it needs no memory.
 class ElectricityFromRotation final
     : public Interaction<ElectricityFromRotation, ElectricityRole,
                          Reads<Generator, AngularVelocity, ElectricityGraph, MotionCauses>> {
@@ -23,7 +22,8 @@ public:
                                             "Connects every generator that turns fast enough to its source, "
                                             "and disconnects it when it turns a tenth slower than that."};
     using Activation = NeedsAll<Generator>;
-    static constexpr double lettingGo = 0.9; ///< of the speed: so that it does not flicker on the border
+    static constexpr double lettingGo =
+        0.9; ///< share of the speed, so that it does not switch on and off at the limit
     void apply(Access& access);
 };
 

@@ -1,4 +1,4 @@
-#include "physics/dynamics/interactions/breaking.hpp"
+#include "physics/dynamics/interactions/population_from_dynamics.hpp"
 
 namespace trembler {
 

@@ -10,7 +10,7 @@ namespace {
 struct Limit {
     std::string_view effect;
     std::string_view level; ///< for settings, the part that the names of all their levels share
-    std::string_view cannotTell;
+    std::string_view cannotRepresent;
 };
 
 constexpr std::array<Limit, 24> limits{{
@@ -35,25 +35,25 @@ constexpr std::array<Limit, 24> limits{{
     {"buoyancy", "particles",
      "waves, currents and the level that rises; and exactly when the last corner dips in"},
     {"buoyancy", "every", "what a body meets between two computations, beyond the first order"},
-    {"sound", "1-mode", "material and form: one sine is one sine, high or low"},
+    {"sound", "1-mode", "material and form, except by pitch"},
     {"sound", "4-modes", "the higher half of what a bell or a bar rings with"},
     {"sound", "modes", "the bending of sound by the air, and how bodies in touch damp one another"},
-    {"co-simulation", "substep", "what the other simulation would have said within the frame"},
+    {"co-simulation", "substep", "changes of the other simulation within a frame"},
     {"loudness", "straight", "what comes round a corner"},
     {"loudness", "around", "echoes"},
 }};
 
 } // namespace
 
-std::string whatCannotTell(std::string const& effect, std::string const& level) {
+std::string whatLevelCannotRepresent(std::string const& effect, std::string const& level) {
     for (Limit const& limit : limits) { // exact names first: "4-modes" must not match the entry "modes"
         if (limit.effect == effect && limit.level == level) {
-            return std::string(limit.cannotTell);
+            return std::string(limit.cannotRepresent);
         }
     }
     for (Limit const& limit : limits) {
         if (limit.effect == effect && level.find(limit.level) != std::string::npos) {
-            return std::string(limit.cannotTell);
+            return std::string(limit.cannotRepresent);
         }
     }
     return "";

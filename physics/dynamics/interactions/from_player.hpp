@@ -1,4 +1,4 @@
-// The player's hand pulls like anything else: with a force.
+// The player's hand pulls with a force.
 #pragma once
 
 #include "physics/dynamics/calls.hpp"
@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// A damped spring from the held point to where the hand is.
+/// A damped spring from the held point to the hand.
 class DynamicsFromPlayer final
     : public Interaction<DynamicsFromPlayer, DynamicsRole,
                          Reads<Hand, Position, Rotation, Velocity, AngularVelocity, Mass, Shape, Fixed>> {
@@ -24,8 +24,8 @@ public:
     using Activation = NeedsAll<Shape>;
 
     static constexpr double frequency = 12; ///< rad/s, of the spring
-    /// m/s². A hand has a strength of its own, whatever the world's gravity: it can accelerate the object
-    /// that it holds by this much, light or heavy, and so holds up anything in a world whose gravity is less.
+    /// m/s². The greatest acceleration that the hand gives an object, light or heavy, independent of the
+    /// world's gravity. So the hand can hold up any object in a world with less gravity.
     static constexpr double strongest = 490.5;
     static constexpr double turnDamping = 2; ///< 1/s
 

@@ -1,4 +1,4 @@
-#include "physics/motor/from_rotation.hpp"
+#include "physics/motor/electricity_from_rotation.hpp"
 
 #include "runtime/property/for_each.hpp"
 

@@ -1,4 +1,4 @@
-#include "physics/motor/from_electricity.hpp"
+#include "physics/motor/dynamics_from_motors.hpp"
 
 #include "physics/motor/rotor.hpp"
 #include "physics/motor/torque.hpp"
@@ -30,7 +30,7 @@ void DynamicsFromElectricity::apply(Access& access) {
             double const torque = motorTorque(motor, speed, reduced, access.duration());
             access.call(AddTorque{id, torque}, state.eventOf(id));
             if (double const rate = motorRate(motor, reduced, access.duration()); rate > 0) {
-                access.call(TellRate{.object = id, .rate = rate, .foreseen = false, .swings = false});
+                access.call(StateRate{.object = id, .rate = rate, .foreseen = false, .swings = false});
             }
             if (motor.against.valid()) {
                 access.call(AddTorque{motor.against, -torque}, state.eventOf(id));

@@ -1,11 +1,11 @@
 // The player's hand: grabbing, dragging and releasing objects.
-#include "physics/dynamics/interactions/hand.hpp"
+#include "physics/dynamics/interactions/from_player.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>
 
 namespace trembler::test {
-namespace hand_test {
+namespace from_player_test {
 namespace {
 
 class Hand : public OnEveryEngine {};
@@ -19,7 +19,7 @@ Vec2 held(Scene const& scene, ObjectId id, Vec2 local) {
     return scene.at(id) + rotated(local, scene.angle(id));
 }
 
-TEST_P(Hand, PullsTheHeldPointToWhereItIsWithoutSwingingBeyond) {
+TEST_P(Hand, PullsTheGrabbedPointToItsPlaceWithoutOvershoot) {
     for (double const mass : {0.01, 1.0, 1000.0}) {
         Scene scene;
         scene.gravity = 0;
@@ -39,7 +39,7 @@ TEST_P(Hand, PullsTheHeldPointToWhereItIsWithoutSwingingBeyond) {
     }
 }
 
-TEST_P(Hand, HoldsAgainstGravityAndLetsGo) {
+TEST_P(Hand, HoldsAgainstGravityAndReleases) {
     Scene scene({.trace = true});
     ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 2});
     scene.run(1);
@@ -73,7 +73,7 @@ TEST_P(Hand, HangsHigherOnTheMoonAndIsAsStrongAsOnEarth) {
     EXPECT_NEAR(scene.velocity(box).y, (DynamicsFromPlayer::strongest - 1.62) * 3 * frameDuration, 1);
 }
 
-TEST_P(Hand, IsNoStrongerThanItIs) {
+TEST_P(Hand, HasALimitedForce) {
     Scene scene;
     scene.gravity = 0;
     ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 0});
@@ -85,7 +85,7 @@ TEST_P(Hand, IsNoStrongerThanItIs) {
     EXPECT_GT(scene.velocity(box).x, DynamicsFromPlayer::strongest * 2 * frameDuration);
 }
 
-TEST_P(Hand, DoesNotMoveWhatIsFixedNorForgetWhatIsGone) {
+TEST_P(Hand, DoesNotMoveFixedObjectsAndReleasesRemovedOnes) {
     Scene scene;
     ObjectId const wall = scene.fixed("wall", boxPiece(1, 1), {0, 0});
     ObjectId const ball = scene.ball({5, 0});
@@ -101,5 +101,5 @@ TEST_P(Hand, DoesNotMoveWhatIsFixedNorForgetWhatIsGone) {
 }
 
 } // namespace
-} // namespace hand_test
+} // namespace from_player_test
 } // namespace trembler::test
