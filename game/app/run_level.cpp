@@ -180,7 +180,7 @@ int runLevel(RunArguments const& arguments) {
     }
     RunReport const report = trembler::run(session, arguments.level, run);
     progress.clear();
-    tellScriptMessages(gameData);
+    reportScriptMessages(gameData);
     if (table) {
         for (std::string const& sentence : table->withoutValue(session.world())) {
             std::cerr << "trembler: " << visible(sentence) << "\n";

@@ -80,7 +80,7 @@ int play(PlayArguments const& arguments) {
     options.pictures = arguments.pictures;
     options.fullscreen = arguments.fullscreen;
     int const result = ui::play(gameData, options);
-    tellScriptMessages(*data);
+    reportScriptMessages(*data);
     return result;
 }
 

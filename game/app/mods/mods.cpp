@@ -122,7 +122,7 @@ std::vector<std::string> verifyWithScripts(GameData const& gameData, std::filesy
     return failures;
 }
 
-void tellScriptMessages(GameData const& gameData) {
+void reportScriptMessages(GameData const& gameData) {
     for (lua::ScriptMessage const& message : gameData.scriptLog->take()) {
         std::cerr << visibleLines(fmt::format("{} in frame {}: {}{}", message.script, message.frame,
                                               message.error ? "switched off: " : "", message.text))

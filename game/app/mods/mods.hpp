@@ -46,6 +46,6 @@ verifyWithScripts(GameData const& gameData, std::filesystem::path const& level,
                   std::map<std::string, std::string> const& detail = {});
 
 /// Writes what scripts have said since the last time to standard error: errors, and what they log.
-void tellScriptMessages(GameData const& gameData);
+void reportScriptMessages(GameData const& gameData);
 
 } // namespace trembler

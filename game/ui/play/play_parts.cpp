@@ -40,14 +40,14 @@ RunEvents PlayParts::runEvents() {
             .stopped =
                 [this] {
                     celebration.reset();
-                    toldAltered_ = false;
+                    reportedAltered_ = false;
                     film.end();
                 }};
 }
 
 void PlayParts::stepped() {
     if (session.altered()) {
-        if (session.solved() && !celebration.solvedAt() && !std::exchange(toldAltered_, true)) {
+        if (session.solved() && !celebration.solvedAt() && !std::exchange(reportedAltered_, true)) {
             context.toasts.add(words::worksButAltered(*session.altered()), render::ToastKind::News, 6);
         }
         return;

@@ -78,7 +78,7 @@ struct PlayParts {
 private:
     [[nodiscard]] RunEvents runEvents();
     void stepped();
-    bool toldAltered_ = false; // that the goals of this run are reached and do not count
+    bool reportedAltered_ = false; // whether the player knows that the reached goals of this run do not count
     [[nodiscard]] render::Extent subject() const;
 };
 

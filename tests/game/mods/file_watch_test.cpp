@@ -39,7 +39,7 @@ protected:
     fs::path folder;
 };
 
-TEST_F(WatchedFiles, AreToldOnceTheyStayAsTheyAre) {
+TEST_F(WatchedFiles, AreReportedOnceTheyStayAsTheyAre) {
     FileWatch watch({save("a", "one", 1), save("b", "two", 1)}, 100);
     EXPECT_EQ(told(watch), "");
     save("b", "half", 2);

@@ -230,7 +230,7 @@ TEST_F(InTheWorkshop, ANewVersionMayReadMore) {
     EXPECT_EQ(workshop->scripts().front().log.back(), "0 true");
 }
 
-TEST_F(InTheWorkshop, AScriptThatFailsIsToldOnceInARunAndTheWorldGoesOn) {
+TEST_F(InTheWorkshop, AScriptThatFailsIsReportedOnceInARunAndTheWorldGoesOn) {
     save(pushing("error('oh no')"));
     open();
     steps(20);

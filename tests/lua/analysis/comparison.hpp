@@ -17,7 +17,7 @@ namespace trembler::lua::analysis {
 /// One interaction in all recorded plays of all levels.
 struct Comparison {
     std::string name;
-    int plays = 0;            ///< in which the level calls for it and it has a turn
+    int plays = 0;            ///< in which the level activates it and it has a turn
     std::uint64_t frames = 0; ///< compared
     std::uint64_t turns = 0;  ///< of the one in C++
     std::optional<std::uint64_t>

@@ -92,7 +92,7 @@ TEST(LiveScript, AVersionThatDoesTheSameChangesNoHash) {
     EXPECT_EQ(never.world.stateHash(), changes.world.stateHash());
 }
 
-TEST(LiveScript, ADescriptionThatChangedCallsForTheScriptInNewWorlds) {
+TEST(LiveScript, ADescriptionThatChangedActivatesTheScriptInNewWorlds) {
     LiveGame const game(pushing(1000, "reads = { \"Mass\", \"Liquid\" }, each = { \"Mass\", \"Liquid\" },"));
     LiveWorld dry(game);
     dry.steps(2);

@@ -52,7 +52,7 @@ TEST(ScriptedInteraction, SleepsWhileNothingThatItReadsChanges) {
     EXPECT_NEAR(world.find<Velocity>(box)->value.x, 1.0, 1e-5) << "its force goes on while it sleeps";
 }
 
-TEST(ScriptedInteraction, IsAbsentWhereNoObjectCallsForIt) {
+TEST(ScriptedInteraction, IsAbsentIfNoObjectActivatesIt) {
     Play run(scriptOf("error('never')"));
     ObjectId const wall = run.world->store().create("wall");
     run.world->store().column<Position>().set(wall, {});

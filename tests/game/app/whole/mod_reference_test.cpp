@@ -17,7 +17,9 @@ TEST_F(ModReference, IsPrintedForPeopleForThePageAndForPrograms) {
     EXPECT_NE(text.out.find("object.Mass\n"), std::string::npos);
     Ran const page = runProgram({"mod", "reference", "--markdown"});
     EXPECT_NE(page.out.find("### addForce\n"), std::string::npos) << page.err;
-    EXPECT_EQ(runProgram({"mod", "reference", "--json", at("reference.json")}).status, 0);
+    Ran const file = runProgram({"mod", "reference", "--json", at("reference.json")});
+    EXPECT_EQ(file.status, 0) << file.err;
+    EXPECT_EQ(file.out, text.out) << "into a file: the text is printed as usual";
     auto const json = nlohmann::json::parse(contentsOf(at("reference.json")));
     EXPECT_GT(json["properties"].size(), 50U);
     EXPECT_EQ(runProgram({"mod", "reference", "--markdwon"}).status, 2);

@@ -41,7 +41,7 @@ TEST_F(Mods, ANewModIsGood) {
     EXPECT_TRUE(contains(listed.out, "(Dynamics <- Wind)")) << "and those that come with the program";
 }
 
-TEST_F(Mods, AMistakeIsToldWithFileAndLineAndNothingIsChecked) {
+TEST_F(Mods, AMistakeIsReportedWithFileAndLineAndNothingIsChecked) {
     makeMod("my-mod", folder.string());
     std::string const script = at("my-mod/interactions/push.lua");
     replace(script, "apply = function", "aply = function");
@@ -98,12 +98,26 @@ TEST_F(Mods, AreFoundBesideALevelInTheUsersFolderAndWhereTheyAreStated) {
     }
 }
 
-TEST_F(Mods, AScriptIsNeverReplacedByAnOutput) {
+TEST_F(Mods, NoCommandThatReadsAModReplacesItsFiles) {
     makeMod("my-mod", folder.string());
-    std::string const script = at("my-mod/interactions/push.lua");
-    std::string const before = contentsOf(script);
-    EXPECT_EQ(run({"run", at("my-mod/levels/1-push.json"), "--frames", "2", "--json", script}).status, 2);
-    EXPECT_EQ(contentsOf(script), before);
+    fs::create_directories(folder / "my-mod/parts");
+    write(folder / "my-mod/parts/cube.json", R"({"name": "cube", "properties": {"mass": 1}})");
+    std::string const level = at("my-mod/levels/1-push.json");
+    for (char const* const name :
+         {"mod.json", "interactions/push.lua", "parts/cube.json", "levels/1-push.json"}) {
+        std::string const file = at(std::string("my-mod/") + name);
+        std::string const before = contentsOf(file);
+        for (std::vector<std::string> const& command : std::vector<std::vector<std::string>>{
+                 {"components", "--mod", folder.string(), "--json", file},
+                 {"components", "--mod", folder.string(), "--markdown", file},
+                 {"verify", level, "--mod", folder.string(), "--json", file},
+                 {"run", level, "--frames", "2", "--json", file}}) {
+            Ran const ran = run(command);
+            EXPECT_EQ(ran.status, 2) << command.front() << " " << name;
+            EXPECT_TRUE(contains(ran.err, "not overwritten")) << ran.err;
+            EXPECT_EQ(contentsOf(file), before) << command.front() << " " << name;
+        }
+    }
 }
 
 TEST_F(Mods, VerifyOfAModLooksAtItsLevelsAndTestsOnly) {
@@ -125,7 +139,7 @@ TEST_F(Mods, TheirInteractionsStandAmongTheComponents) {
     }
 }
 
-TEST_F(Mods, ALevelThatStatesScriptsAndNoModsIsToldSo) {
+TEST_F(Mods, ALevelThatStatesScriptsAndNoModsIsReported) {
     write(at("level.json"), R"({"version": 2, "title": "a", "objects": [{"name": "b", "at": [0, 0],
         "properties": {"scripts": [{"script": "Dynamics <- Wind"}]}}]})");
     Ran const ran = run({"run", at("level.json"), "--frames", "1"});

@@ -216,7 +216,7 @@ TEST_F(SavedScripts, ReplaceTheWorldThatIsBeingBuilt) {
     EXPECT_FALSE(player.session().altered());
 }
 
-TEST_F(SavedScripts, OfAMissingModAreToldBeforeTheLevelStarts) {
+TEST_F(SavedScripts, OfAMissingModAreReportedBeforeTheLevelStarts) {
     fs::remove_all(folder / "mods");
     Player player({1280, 720}, {}, folder);
     LevelCatalog const& levels = player.app().context().levels;
@@ -225,7 +225,7 @@ TEST_F(SavedScripts, OfAMissingModAreToldBeforeTheLevelStarts) {
     EXPECT_NE(entry->trouble.find("needs the mod 'pushing', which is not in "), std::string::npos)
         << entry->trouble;
     EXPECT_THROW(player.app().open(folder / "level.json"), InputError);
-    EXPECT_EQ(player.app().play(), nullptr);
+    EXPECT_EQ(player.findPlay(), nullptr);
 }
 
 } // namespace

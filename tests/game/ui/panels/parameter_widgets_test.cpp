@@ -85,7 +85,7 @@ TEST(ParameterWidgets, TrueOrFalseIsATickBox) {
     EXPECT_EQ(widget.value, lua::Value(true));
 }
 
-TEST(ParameterWidgets, NamesAndValuesAreToldInWords) {
+TEST(ParameterWidgets, NamesAndValuesAreReportedInWords) {
     EXPECT_EQ(spokenName("half_angle"), "half angle");
     EXPECT_EQ(valueInWords(12.0), "12");
     EXPECT_EQ(valueInWords(true), "yes");

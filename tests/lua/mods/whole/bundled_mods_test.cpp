@@ -98,7 +98,7 @@ TEST(BundledMods, ALevelWithoutItsModSaysWhichIsMissing) {
     }
 }
 
-TEST(BundledMods, AModThatIsNotCalledForChangesNoBit) {
+TEST(BundledMods, AModThatIsNotActivatedChangesNoBit) {
     GameData const plain;
     auto const modded = gameWith({"wind", "weightless", "pressure-plate"});
     fs::path const level = plain.home / "levels/experiments/1-switched-electromagnet.json";

@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Rates, TapRate, testing::Values(0.0, 0.7, 4.0, 10.0, 29
 TEST(TapMod, ADropLeavesTheMouthAndFallsFreely) {
     auto const game = gameWith({"tap"});
     auto const world = worldOf(*game, tapOf(4, 1), "[0, -9.81]");
-    stepFrames(*world, 15 + 1); // called for after a quarter of a second
+    stepFrames(*world, 15 + 1); // requested after a quarter of a second
     double const born = of<Position>(*world, "drop of tap 1").value.y;
     EXPECT_NEAR(born, 10 - 0.3, 0.05);
     stepFrames(*world, 60);
