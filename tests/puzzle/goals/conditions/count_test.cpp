@@ -82,9 +82,9 @@ TEST(CountCondition, IsRefusedIfTheNumberCanNeverBeReached) {
     EXPECT_TRUE(isRefused(R"({"count": {"of": "crate", "at_least": 3)" + that,
                           "/goals: can never hold: it demands 3 objects, but there can be only 1"));
     EXPECT_TRUE(isRefused(R"({"count": {"of": ["crate", "crate", "object 1"], "exactly": 3)" + that,
-                          "there can be 2 of"));
+                          "there can be only 2"));
     EXPECT_TRUE(
-        isRefused(R"({"count": {"of": {"part": "iron ball"}, "at_least": 3)" + that, "there can be 2 of"));
+        isRefused(R"({"count": {"of": {"part": "iron ball"}, "at_least": 3)" + that, "there can be only 2"));
     EXPECT_EQ(refusalOf(R"({"count": {"of": {"part": "iron ball"}, "at_least": 2)" + that), "");
     EXPECT_EQ(refusalOf(R"({"count": {"of": "crate", "at_most": 3)" + that), "");
 }

@@ -216,7 +216,8 @@ TEST(WriteLevel, IsReadAsItWasWrittenSectionBySection) {
         sample::Climate const* const climate = level.world.find<sample::Climate>();
         sample::Climate const* const read = again.world.find<sample::Climate>();
         RC_ASSERT((climate == nullptr) == (read == nullptr));
-        RC_ASSERT(climate == nullptr || read->wind == climate->wind);
+        RC_ASSERT(
+            (climate == nullptr || read->wind == climate->wind)); // parentheses keep || from being overloaded
         RC_ASSERT(again.objects.size() == level.objects.size());
         for (std::size_t i = 0; i < level.objects.size(); ++i) {
             RC_ASSERT(again.objects[i].name == level.objects[i].name);
@@ -224,7 +225,7 @@ TEST(WriteLevel, IsReadAsItWasWrittenSectionBySection) {
             sample::Weight const* const stated = level.objects[i].properties.find<sample::Weight>();
             sample::Weight const* const found = again.objects[i].properties.find<sample::Weight>();
             RC_ASSERT((stated == nullptr) == (found == nullptr));
-            RC_ASSERT(stated == nullptr || found->value == stated->value);
+            RC_ASSERT((stated == nullptr || found->value == stated->value));
         }
         RC_ASSERT(again.connections.size() == level.connections.size());
         for (std::size_t i = 0; i < level.connections.size(); ++i) {
