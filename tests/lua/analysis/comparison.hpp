@@ -38,7 +38,7 @@ void putInPlace(Registry& registry, Counterpart const& counterpart, std::shared_
 /// the two keep different things; it shows in the properties as soon as it makes a difference.
 [[nodiscard]] std::uint64_t propertyHash(World const& world, Registry const& registry);
 
-/// All levels of the game, and those in tests/lua/analysis/levels for what they do not call for.
+/// All levels of the game, and those in tests/lua/analysis/levels for what they do not activate.
 [[nodiscard]] std::vector<std::filesystem::path> comparedLevels(GameData const& data);
 
 /// Compares every interaction that has a script in every play of these levels, in at most `frames` of each.

@@ -15,7 +15,7 @@ Comparison const* comparisonOf(std::vector<Comparison> const& compared, std::str
 
 std::string verdictOn(Comparison const& comparison) {
     if (comparison.plays == 0) {
-        return "called for nowhere";
+        return "activated nowhere";
     }
     if (!comparison.firstDiffers) {
         return "equal";
