@@ -64,7 +64,7 @@ std::vector<std::string> ManifestFields::namesIn(json const& list, std::string_v
         if (!name.is_string()) {
             good = false;
         } else if (std::find(all.begin(), all.end(), name.get<std::string>()) != all.end()) {
-            complain(name.get<std::string>(), fmt::format("'{}' stands twice", name.get<std::string>()),
+            complain(name.get<std::string>(), fmt::format("'{}' is repeated", name.get<std::string>()),
                      "every property once");
         } else {
             all.push_back(name.get<std::string>());

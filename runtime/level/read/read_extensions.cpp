@@ -24,7 +24,7 @@ std::vector<std::string> readExtensions(JsonNode const& node, Registry const& re
                 fmt::format("the mod '{}' is not loaded{}", *name, didYouMean(*name, known)),
                 known.empty() ? "a mod that is installed" : listed(known));
         } else if (std::find(names.begin(), names.end(), *name) != names.end()) {
-            node.element(i).complain(fmt::format("'{}' stands twice", *name), "every mod once");
+            node.element(i).complain(fmt::format("'{}' is repeated", *name), "every mod once");
         } else {
             names.push_back(*name);
         }

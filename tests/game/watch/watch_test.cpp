@@ -356,11 +356,8 @@ TEST_F(WatchTest, EveryFieldThatAPropertyDescribesHasAName) {
     std::map<std::string, std::string> const reasons{
         {"contact_patches", "data of the engine, for drawing"},
         {"graph_changes", "a journal for components"},
-        {"immersion", "moments and ids of events; its results are buoyancy_force and centre_of_buoyancy"},
         {"magnet_switching", "ids of events only"},
         {"motion_causes", "ids of events only"},
-        {"overloaded_joints", "ids of events; joint_forces has the forces"},
-        {"player_commands", "the input of the frame"},
         {"population_changes", "ids, some of objects that are gone"},
         {"sounds", "data for the loudspeaker; loudness has the levels"},
     };

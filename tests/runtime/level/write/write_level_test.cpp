@@ -24,6 +24,8 @@ Registry const& registry() {
         made.property<bakery::Oven>();
         made.component<bakery::ExactBaking>();
         made.component<bakery::RoughBaking>();
+        made.extension("mill");
+        made.extension("shop");
         return made;
     }();
     return shared;
@@ -159,6 +161,11 @@ LevelFile randomLevel() {
     level.title = word();
     level.text = heads() ? "" : word() + "\n" + word();
     level.demonstration = heads();
+    for (char const* const name : {"shop", "mill"}) {
+        if (heads()) {
+            level.mods.emplace_back(name);
+        }
+    }
     if (heads()) {
         level.bounds = Box{point(), {(1 + below(1000)) / 8.0, (1 + below(1000)) / 8.0}};
     }
@@ -211,6 +218,7 @@ TEST(WriteLevel, IsReadAsItWasWrittenSectionBySection) {
         RC_ASSERT(again.title == level.title);
         RC_ASSERT(again.text == level.text);
         RC_ASSERT(again.demonstration == level.demonstration);
+        RC_ASSERT(again.mods == level.mods);
         RC_ASSERT((again.bounds == level.bounds));
         RC_ASSERT(again.detail == level.detail);
         sample::Climate const* const climate = level.world.find<sample::Climate>();
