@@ -12,11 +12,13 @@ namespace trembler::lua {
 /// names below is the number of objects, or pairs, that it is applied to.
 struct ScriptLimits {
     std::uint64_t instructions = 30'000;
-    std::uint64_t instructionsPerObject = 500;      ///< on average: an object may use what others leave
-    std::size_t memory = std::size_t{4} << 20U;     ///< bytes at any time
-    std::size_t allocation = std::size_t{4} << 20U; ///< bytes, the sum over all that is allocated in a turn
-    std::size_t allocationPerObject = 1024;         ///< bytes
-    std::uint32_t calls = 100;                      ///< of functions of the resolver
+    std::uint64_t instructionsPerObject = 500; ///< on average: an object may use what others leave
+    /// Bytes by which the memory in use may grow in a turn. Garbage of one application counts until its end.
+    std::size_t memory = std::size_t{4} << 20U;
+    /// Bytes, the sum over all that is allocated in a turn, less what a growing block gives back.
+    std::size_t allocation = std::size_t{4} << 20U;
+    std::size_t allocationPerObject = 1024; ///< bytes
+    std::uint32_t calls = 100;              ///< of functions of the resolver
     std::uint32_t callsPerObject = 10;
     std::uint32_t creations = 20; ///< calls that create objects, of those calls
     std::uint32_t logLines = 10;
@@ -60,5 +62,9 @@ inline constexpr std::size_t mostPairs = 100'000;
 inline constexpr std::size_t largestNewBlock = 8'192;
 /// Bytes to which a block may grow: it bounds the length of arrays and the depth of the stack.
 inline constexpr std::size_t largestGrownBlock = 32'768;
+/// Bytes of the table of all strings of a state: 8 for each of them.
+inline constexpr std::size_t largestTableOfStrings = std::size_t{1} << 20U;
+/// Bytes by which an untrusted script's memory grows at least, between two collections of garbage.
+inline constexpr std::size_t leastGarbage = std::size_t{128} << 10U;
 
 } // namespace trembler::lua

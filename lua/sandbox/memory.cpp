@@ -3,6 +3,7 @@
 #include "lua/sandbox/limits.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -10,15 +11,32 @@
 
 namespace trembler::lua {
 
+namespace {
+
+// LuaJIT's table of all strings of a state, which doubles as their number grows. It is its only new block of
+// such a size: what scripts make of that length is refused otherwise (see longestString), or is an array,
+// which has an element more.
+bool mayBeTableOfStrings(std::size_t before, std::size_t wanted) {
+    return before == 0 && wanted <= largestTableOfStrings && std::has_single_bit(wanted);
+}
+
+} // namespace
+
 bool Memory::refuses(std::size_t before, std::size_t wanted) const {
-    if (wanted <= before) {
+    if (wanted <= before || collecting_) {
         return false;
     }
-    if (wanted - before > cap_ - (used_ < cap_ ? used_ : cap_) || wanted > mostAllocated_ ||
-        allocated_ > mostAllocated_ - wanted) {
+    std::size_t const more = wanted - before;
+    auto const allocated = static_cast<std::size_t>(std::max<std::ptrdiff_t>(allocated_, 0));
+    if (more > cap_ - std::min(used_, cap_) || more > mostAllocated_ - std::min(allocated, mostAllocated_)) {
         return true;
     }
-    return !host_ && wanted > (before == 0 ? largestNewBlock : largestGrownBlock);
+    return !host_ && wanted > (before == 0 ? largestNewBlock : largestGrownBlock) &&
+           !mayBeTableOfStrings(before, wanted);
+}
+
+bool Memory::worthCollecting() const {
+    return used_ >= live_ + std::max(leastGarbage, live_ / 4);
 }
 
 // NOLINTBEGIN(cppcoreguidelines-no-malloc): Lua asks for realloc's behaviour
@@ -87,6 +105,9 @@ void* Memory::allocate(void* self, void* block, std::size_t before, std::size_t 
             memory.give(block, before);
         }
         memory.used_ -= before;
+        if (!memory.collecting_) {
+            memory.allocated_ -= static_cast<std::ptrdiff_t>(before);
+        }
         return nullptr;
     }
     if (memory.refuses(before, wanted)) {
@@ -98,8 +119,8 @@ void* Memory::allocate(void* self, void* block, std::size_t before, std::size_t 
         return nullptr;
     }
     memory.used_ += wanted - before;
-    if (wanted > before) {
-        memory.allocated_ += wanted;
+    if (!memory.collecting_) {
+        memory.allocated_ += static_cast<std::ptrdiff_t>(wanted) - static_cast<std::ptrdiff_t>(before);
     }
     return moved;
 }

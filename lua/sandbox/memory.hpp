@@ -16,8 +16,6 @@ public:
     [[nodiscard]] void* owner() const { return owner_; }
     /// Bytes that are allocated now.
     [[nodiscard]] std::size_t used() const { return used_; }
-    /// Bytes that were allocated since beginTurn().
-    [[nodiscard]] std::size_t allocated() const { return allocated_; }
     /// Whether something was refused since beginTurn().
     [[nodiscard]] bool exhausted() const { return exhausted_; }
 
@@ -31,6 +29,15 @@ public:
     /// text.
     void setHost(bool host) { host_ = host; }
     [[nodiscard]] bool host() const { return host_; }
+    /// Between these, nothing is refused: the collector makes a smaller table of strings before it gives the
+    /// larger one back, and an error there would end the program.
+    void beginCollection() { collecting_ = true; }
+    void endCollection() {
+        collecting_ = false;
+        live_ = used_;
+    }
+    /// Whether so much is used since the last collection that another one is worth its time.
+    [[nodiscard]] bool worthCollecting() const;
 
     /// The function of type lua_Alloc; `self` is a Memory. Never refuses to shrink a block.
     static void* allocate(void* self, void* block, std::size_t before, std::size_t wanted);
@@ -57,11 +64,15 @@ private:
     std::size_t slabLeft_ = 0; // bytes at the beginning of the last one, behind its header
     void* owner_;
     std::size_t used_ = 0;
-    std::size_t allocated_ = 0;
+    // Since beginTurn(), less what was given back for a larger or smaller block: how often a table is made
+    // anew depends on where the random hashes put its keys.
+    std::ptrdiff_t allocated_ = 0;
     std::size_t cap_ = static_cast<std::size_t>(-1);
     std::size_t mostAllocated_ = static_cast<std::size_t>(-1);
     bool exhausted_ = false;
     bool host_ = true;
+    bool collecting_ = false;
+    std::size_t live_ = 0; // used after the last collection
 };
 
 } // namespace trembler::lua

@@ -69,8 +69,12 @@ void Sandbox::openLibraries(lua_State* L) {
 
 void Sandbox::open() {
     auto const failed = protect([this](lua_State* L) {
+        if (trusted()) {
+            lua_gc(L, LUA_GCSETPAUSE, 110); // or garbage is taken for memory that is needed
+        } else {
+            lua_gc(L, LUA_GCSTOP, 0);
+        }
         openLibraries(L);
-        lua_gc(L, LUA_GCSETPAUSE, 110); // or garbage is taken for memory that is needed
         compile(L, countedPrelude(), "=(prelude)");
         lua_pushvalue(L, -1);
         for (counterAt_ = 1;; ++counterAt_) {

@@ -31,6 +31,11 @@ struct CallBudget {
 /// The memory, the instructions and the functions that a script gets. A script's text is run anew in each
 /// turn, and nothing of what it makes lasts to the next one, so it cannot keep a state that nobody hashes.
 /// Used by one thread at a time.
+///
+/// What an untrusted script uses is the same in every run, to the byte. LuaJIT's collector would prevent
+/// that: it goes through the strings in the order of their hashes, for which each state has a random seed,
+/// and it makes stacks smaller. So it is stopped, all garbage is collected at once where the host decides it,
+/// and each turn has a new stack.
 class Sandbox {
 public:
     /// Throws std::bad_alloc.
@@ -87,7 +92,7 @@ public:
     /// Instructions and bytes of the last turn.
     [[nodiscard]] std::uint64_t instructions() const { return spent_; }
     [[nodiscard]] Memory const& memory() const { return memory_; }
-    /// Bytes that may be in use at any time.
+    /// Bytes by which the memory in use may grow in a turn.
     [[nodiscard]] std::size_t mostMemory() const;
     [[nodiscard]] CallBudget& calls() { return calls_; }
     [[nodiscard]] bool trusted() const { return trust_ == Trust::trusted; }
@@ -114,7 +119,10 @@ private:
     /// What is left of the instructions: a variable of the prelude that all functions of the state share.
     [[nodiscard]] double left(lua_State* L) const;
     void setLeft(lua_State* L, double instructions) const;
-    std::optional<ScriptError> run(Body const& body);
+    [[nodiscard]] std::optional<ScriptError> run(lua_State* L, Body const& body);
+    [[nodiscard]] std::optional<ScriptError> runOnNewStack(Body const& body);
+    /// Collects all garbage: between turns and between two calls of the script only.
+    void collect();
     void finishTurn(std::optional<ScriptError>& failed);
 
     ScriptLimits limits_;
@@ -142,8 +150,8 @@ private:
     std::uint32_t logged_ = 0;
     std::string stopped_; // why a limit ended the turn; empty: none has
     bool counting_ = false;
-    bool collectorStopped_ = false; // for the rest of the turn
-    ScriptError error_;             // of the run under way: filled by its message handler
+    bool keepsGarbage_ = false; // for the rest of the turn
+    ScriptError error_;         // of the run under way: filled by its message handler
 };
 
 } // namespace trembler::lua

@@ -19,7 +19,7 @@ std::optional<ScriptError> Sandbox::load(std::string_view text, std::string cons
     std::optional<BlockFault> fault;
     source_ = countSource(withCountedJoins(text), fault);
     // LuaJIT says it better: its message has what stands there. If it finds nothing wrong, the blocks are.
-    return protect([&](lua_State* L) {
+    auto failed = protect([&](lua_State* L) {
         if (fault) {
             if (luaL_loadbuffer(L, text.data(), text.size(), ("@" + name).c_str()) == 0) {
                 lua_pushstring(L, fmt::format("{}:{}: {}", name, fault->line, fault->message).c_str());
@@ -33,6 +33,8 @@ std::optional<ScriptError> Sandbox::load(std::string_view text, std::string cons
         lua_setfenv(L, -2);
         chunk_ = luaL_ref(L, LUA_REGISTRYINDEX);
     });
+    collect();
+    return failed;
 }
 
 void Sandbox::compile(lua_State* L, CountedSource const& source, std::string const& name) {

@@ -13,12 +13,31 @@ namespace trembler::lua {
 
 std::optional<ScriptError> Sandbox::protect(Body const& body) {
     memory_.setHost(true);
-    return run(body);
+    return run(state_, body);
+}
+
+// A stack keeps the size to which a script has made it grow, and how far it can grow depends on it.
+std::optional<ScriptError> Sandbox::runOnNewStack(Body const& body) {
+    std::optional<ScriptError> failed;
+    auto noStack = protect([&](lua_State* L) { failed = run(lua_newthread(L), body); });
+    return noStack ? std::move(noStack) : std::move(failed);
 }
 
 std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) {
+    if (plainGlobals_ &&
+        !filled_) { // before the turn, or the first one would have less memory than the others
+        filled_ = true;
+        if (auto failed = protect([this](lua_State* L) {
+                lua_rawgeti(L, LUA_REGISTRYINDEX, fill_);
+                lua_pushboolean(L, source_.assignsFields ? 0 : 1);
+                lua_call(L, 1, 0);
+            })) {
+            return failed;
+        }
+    }
     memory_.beginTurn(trusted() ? static_cast<std::size_t>(-1)
                                 : limits_.allocation + limits_.allocationPerObject * objects);
+    memory_.setCap(memory_.used() + mostMemory()); // garbage of earlier turns takes nothing away from this one
     budget_ = static_cast<double>(limits_.instructions + limits_.instructionsPerObject * objects);
     calls_ = {.made = 0,
               .most =
@@ -27,30 +46,21 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) 
     creations_ = 0;
     logged_ = 0;
     counting_ = true;
-    auto failed = protect([&](lua_State* L) {
-        if (plainGlobals_ && !filled_) {
-            lua_rawgeti(L, LUA_REGISTRYINDEX, fill_);
-            lua_pushboolean(L, source_.assignsFields ? 0 : 1);
-            lua_call(L, 1, 0);
-            filled_ = true;
-        }
+    Body const whole = [&](lua_State* L) {
         lua_rawgeti(L, LUA_REGISTRYINDEX, reset_);
         lua_call(L, 0, 0);
         setLeft(L, budget_);
         body(L);
-    });
+    };
+    auto failed = trusted() ? protect(whole) : runOnNewStack(whole);
     counting_ = false;
     finishTurn(failed);
     return failed;
 }
 
 void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
-    if (collectorStopped_) {
-        collectorStopped_ = false;
-        lua_gc(state_, LUA_GCRESTART, 0);
-        // What is left of the turn, so that the next one can have all of the memory. Nothing here has a
-        // finaliser.
-        lua_gc(state_, LUA_GCCOLLECT, 0);
+    if (std::exchange(keepsGarbage_, false) || (!trusted() && memory_.worthCollecting())) {
+        collect(); // what is left of the turn, so that the next one can have all of the memory
     }
     if (stopped_.empty()) {
         spent_ = static_cast<std::uint64_t>(std::clamp(budget_ - left(state_), 0.0, budget_));
@@ -75,11 +85,18 @@ void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
     }
     stopped_.clear();
     memory_.beginTurn(static_cast<std::size_t>(-1));
+    memory_.setCap(mostMemory());
 }
 
-std::optional<ScriptError> Sandbox::run(Body const& body) {
+void Sandbox::collect() {
+    memory_.beginCollection();
+    lua_gc(state_, LUA_GCCOLLECT, 0); // Nothing here has a finaliser.
+    lua_gc(state_, trusted() ? LUA_GCRESTART : LUA_GCSTOP, 0);
+    memory_.endCollection();
+}
+
+std::optional<ScriptError> Sandbox::run(lua_State* L, Body const& body) {
     error_ = {};
-    lua_State* const L = state_;
     int const top = lua_gettop(L);
     // Pushing these needs no memory beyond the stack that every state has.
     lua_pushcfunction(L, Functions::handler);
@@ -102,6 +119,9 @@ void Sandbox::callScript(lua_State* L, int arguments, int results) {
     memory_.setHost(trusted());
     lua_call(L, arguments, results);
     memory_.setHost(true);
+    if (!trusted() && !keepsGarbage_ && memory_.worthCollecting()) {
+        collect();
+    }
 }
 
 } // namespace trembler::lua

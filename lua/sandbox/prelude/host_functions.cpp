@@ -115,7 +115,7 @@ int Sandbox::Functions::plain(lua_State* L) {
 }
 
 int Sandbox::Functions::keepGarbage(lua_State* L) {
-    of(L).collectorStopped_ = true;
+    of(L).keepsGarbage_ = true;
     lua_gc(L, LUA_GCSTOP, 0);
     return 0;
 }
