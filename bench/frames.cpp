@@ -19,7 +19,7 @@ constexpr std::size_t repetitions = 2001;
 
 struct Trait {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Trait", "trait", "What calls for all the components."};
+    static constexpr PropertyText text{"Trait", "trait", "Activates all the components."};
     double value = 0;
 
     template <class Self, class Visitor>

@@ -65,7 +65,7 @@ std::string andMore(std::size_t count) {
     return fmt::format("and {} more", count);
 }
 std::string activatedBy(std::string const& why) {
-    return "The scene calls for " + why + ".";
+    return "Activated by " + why + ".";
 }
 
 std::string nothingHas(std::string_view property) {
