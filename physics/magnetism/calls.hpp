@@ -22,7 +22,7 @@ struct EnableMagnet {
 /// contain the reason.
 struct DisableMagnet {
     static constexpr CallText text{"disableMagnet", "(object)",
-                                   "Leaves the electromagnet off unless anybody enables it."};
+                                   "Switches the electromagnet off unless any interaction enables it."};
     static constexpr Algebra algebra = Algebra::anyOf;
     ObjectId object;
     [[nodiscard]] std::array<ObjectId, 1> objects() const { return {object}; }

@@ -25,8 +25,8 @@ public:
         .level = "",
         .work = "Manipulates the electricity graph as instructed: counts, for each "
                 "pair of conductors, the connections of each caller and of the "
-                "level. Connections to objects, and of callers, that are gone go "
-                "with them. Blows fuses: what has blown has no connections."};
+                "level. Removes the connections of objects and callers that no longer exist. Blows fuses: a "
+                "blown fuse has no connections."};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
         leftOut("the conductors and their networks in the last advance, to find changes");
