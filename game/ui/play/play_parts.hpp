@@ -22,7 +22,7 @@
 
 namespace trembler::ui {
 
-/// Each part keeps its own state and nobody copies that; here is only what concerns several parts. Window
+/// Each part keeps its own state, which is not copied; here is only state that concerns several parts. Window
 /// thread only; the context must outlive it.
 struct PlayParts {
     /// Throws InputError if the level cannot be read or built.

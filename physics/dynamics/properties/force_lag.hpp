@@ -22,7 +22,7 @@ struct ForceLag {
     double turn = 0; ///< s, of one turn of Dynamics: a frame or a part of one
     double step = 0; ///< s, of the engine, `turn` or a part of it
 
-    /// Lag in s of a force that is computed anew for each turn of Dynamics.
+    /// Lag in s of a force that is computed again for each turn of Dynamics.
     [[nodiscard]] double ofTurn() const { return of(turn); }
     /// Lag in s of a force that is held for `time` (s).
     [[nodiscard]] double of(double time) const { return std::max(0.0, time - step) / 2; }
