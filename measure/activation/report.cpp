@@ -35,7 +35,7 @@ std::vector<LevelUse const*> firstOfEach(std::vector<LevelUse> const& plays) {
 
 std::string cell(ComponentUse const& use) {
     if (use.atEnd == Activity::absent) {
-        return use.updates == 0 ? "" : fmt::format("{}, gone", use.updates);
+        return use.updates == 0 ? "" : fmt::format("{}, absent at the end", use.updates);
     }
     return use.atEnd == Activity::active ? fmt::format("**{}**", use.updates) : std::to_string(use.updates);
 }

@@ -147,7 +147,7 @@ void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode cons
     ImGui::TextUnformatted(words::capital(cost.effect).c_str());
     ImGui::PopStyleColor();
     tip(session.world().why(cost.effect).empty() ? std::string()
-                                                 : words::activatedBy(session.world().why(cost.effect)));
+                                                 : words::sceneNeeds(session.world().why(cost.effect)));
 
     ImGui::TableNextColumn();
     auto const effect = std::find_if(levels_.begin(), levels_.end(),
@@ -178,7 +178,7 @@ void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode cons
         if (!ImGui::BeginCombo(("##" + cost.effect).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge)) {
             layout.item("detail of " + cost.effect);
             std::string const why = session.world().why(cost.effect);
-            tip(shown + (why.empty() ? "" : ". " + words::activatedBy(why)));
+            tip(shown + (why.empty() ? "" : ". " + words::sceneNeeds(why)));
         } else {
             if (ImGui::Selectable(automatic.c_str(), effect->chosen.empty())) {
                 attempt(toasts, [&] { session.setDetail(cost.effect, ""); });

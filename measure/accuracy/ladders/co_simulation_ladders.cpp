@@ -54,7 +54,7 @@ Ladder climbMagnet(GameData const& gameData, Effort) {
                    magnetOnSpring(gameData, 16, false, parts));
     }
     return growth.finish(
-        "A force that is computed once in a frame of the length t, and stands for it, is late by t/2 on "
+        "A force that is computed once in a frame of the length t, and held for it, is late by t/2 on "
         "average. Where it is late by τ, amplitudes grow at the rate ½ τ F'/m, F' being its stiffness, and "
         "energies twice as fast (Åström and Wittenmark, Computer-Controlled Systems, 1997, on sample and "
         "hold). N substeps of semi-implicit Euler leave τ = t/2 (1 - 1/N): one is late by nothing, and more "

@@ -83,7 +83,7 @@ TEST_F(Watching, ASolutionWithOtherPhysicsIsRefused) {
     EXPECT_TRUE(contains(ran.err, "solver.substeps")) << ran.err;
     Ran const other = runProgram(run({"--detail", "electricity=single-cable", "--record", at("other.json")}));
     EXPECT_EQ(other.status, 2);
-    EXPECT_TRUE(contains(other.err, "other physics")) << other.err;
+    EXPECT_TRUE(contains(other.err, "changes the physics")) << other.err;
 }
 
 } // namespace
