@@ -79,15 +79,16 @@ std::string scheduleText(Registry const& registry, std::string_view bullet) {
                 continue;
             }
             if (mayRunTogether(*resolvers[i], *resolvers[j])) {
-                text += fmt::format("{}{} beside {}\n", bullet, title(*resolvers[i]), title(*resolvers[j]));
+                text += fmt::format("{}{} in parallel with {}\n", bullet, title(*resolvers[i]),
+                                    title(*resolvers[j]));
             } else {
                 text += fmt::format("{}{} before {}: {}\n", bullet, title(*resolvers[i]),
                                     title(*resolvers[j]), reason(*resolvers[i], *resolvers[j]));
             }
         }
     }
-    text += fmt::format("{}then all derived property sets beside one another\n", bullet);
-    text += fmt::format("{}then all interactions beside one another\n", bullet);
+    text += fmt::format("{}then all derived property sets, in parallel\n", bullet);
+    text += fmt::format("{}then all interactions, in parallel\n", bullet);
     return text;
 }
 
