@@ -45,7 +45,7 @@ void drawOptions(Layout& layout, Session& session, Toasts& toasts, budget::Knob 
     ImGui::PushFont(theme().fonts.small);
     for (std::size_t i = 0; i < knob.options.size(); ++i) {
         budget::Option const& option = knob.options[i];
-        if (option.name.find(", every ") != std::string::npos && i != knob.current) {
+        if (option.lessOften && i != knob.current) {
             continue; // the period of a component has a knob of its own
         }
         std::string const label = option.name + "  ·  " + words::howFarOff(option.error.metres);
