@@ -79,7 +79,7 @@ void writePicture(GameData const& gameData, Session const& session, fs::path con
     } catch (render::WindowError const& error) {
         out << "No picture was made, because drawing is not possible here. " << error.what() << "\n";
     } catch (render::RenderError const& error) {
-        out << "There is no picture. " << error.what() << "\n";
+        out << "No picture was made. " << error.what() << "\n";
     }
 }
 
