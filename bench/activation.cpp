@@ -65,7 +65,7 @@ bool noneActivated(Registry const& all, Registry const& dynamicsAlone, bench::Sc
     // tenth of the blocks of each.
     double const fastest = times[2].quantile(0.1) / times[0].quantile(0.1);
     double const percent = 100 * (fastest - 1);
-    bench::Table table(scene.name + " without gravity: all effects compiled in, none called for");
+    bench::Table table(scene.name + " without gravity: all other effects registered, none activated");
     table.row("bare Box2D, per frame", 1e6 * times[0].median(), "us");
     table.row("a world that knows dynamics alone", 1e6 * times[1].median(), "us");
     table.row("a world that knows every effect", 1e6 * times[2].median(), "us");

@@ -19,7 +19,7 @@ constexpr std::size_t repetitions = 2001;
 
 struct Trait {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Trait", "trait", "What calls for all the components."};
+    static constexpr PropertyText text{"Trait", "trait", "Activates all the components."};
     double value = 0;
 
     template <class Self, class Visitor>
@@ -81,7 +81,7 @@ Registry const& crowd() {
     }();
     return registry;
 }
-Registry const& nobody() {
+Registry const& emptyRegistry() {
     static Registry const registry;
     return registry;
 }
@@ -109,7 +109,7 @@ double frameTime(Registry const& registry, bool activation, bool changing) {
 
 int main() {
     constexpr double components = 3.0 * ofEachKind;
-    double const empty = frameTime(nobody(), false, false);
+    double const empty = frameTime(emptyRegistry(), false, false);
     bench::Table table("A frame in which nothing happens, " + std::to_string(3 * ofEachKind) +
                        " components: resolvers, derived property sets and interactions in equal parts");
     table.row("no component at all", 1e9 * empty, "ns per frame");

@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     }
     std::stable_sort(all.begin(), all.end(),
                      [](Cost const& a, Cost const& b) { return a.added() < b.added(); });
-    std::puts("| µs per frame | nobody listens | sounds and rings | more | worst frame | rings at most |");
+    std::puts("| µs per frame | not computed | sounds and rings | more | worst frame | rings at most |");
     std::puts("|---|---|---|---|---|---|");
     for (Cost const& cost : all) {
         std::puts(fmt::format("| {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {} |", cost.level, cost.silent,

@@ -49,7 +49,9 @@ struct Look {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "pattern", .unit = "", .meaning = "surface; own: that of its material"},
+        visit(FieldInfo{.key = "pattern",
+                        .unit = "",
+                        .meaning = "pattern of the surface; own: that of its material"},
               self.pattern);
         visit(FieldInfo{.key = "colour", .unit = "", .meaning = "#rrggbb; left out: the pattern's own"},
               self.colour);

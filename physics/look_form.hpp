@@ -28,18 +28,17 @@ inline constexpr std::array<std::string_view, 8> choiceNames<LookForm>{"own",   
 /// A separate property and not a member of Look, so that the hash of objects without it has not changed.
 struct DrawnAs {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{
-        "Form of drawing", "look_form",
-        "As what the object is drawn, where that is not to follow from what it is. It has no other "
-        "consequences."};
+    static constexpr PropertyText text{"Form of drawing", "look_form",
+                                       "The symbol by which the object is drawn, where it must not follow "
+                                       "from its other properties. It has no other consequences."};
     LookForm form = LookForm::own;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "value",
                         .unit = "",
-                        .meaning = "own: a bulb if it is of glass and uses electricity, else the sign of its "
-                                   "part in electricity",
+                        .meaning = "own: a bulb if it is of glass and uses electricity, else the symbol of "
+                                   "its function in electricity",
                         .required = true},
               self.form);
     }

@@ -23,14 +23,13 @@ struct MadeOf {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
         "Material", "material",
-        "What the object is made of: its density, friction, restitution, sound, whether it conducts and "
-        "whether "
-        "magnets pull it, as far as nothing else is stated, and how it looks."};
+        "The material of the object. Where not stated, it determines density, friction, restitution, sound, "
+        "conduction, attraction by magnets and look."};
     Material material = Material::plastic;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "", .meaning = "what it is made of", .required = true},
+        visit(FieldInfo{.key = "value", .unit = "", .meaning = "kind of material", .required = true},
               self.material);
     }
     friend bool operator==(MadeOf const&, MadeOf const&) = default;

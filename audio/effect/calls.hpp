@@ -13,7 +13,7 @@ namespace trembler {
 /// order of calls. Two bodies that collide make two calls, one for each.
 struct Strike {
     static constexpr CallText text{"strike", "(object, other, point, normal, impulse, contact, since)",
-                                   "Excites the object's modes as an impact by the other one does, once."};
+                                   "Excites the object's modes by an impact with the other object, once."};
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId object;
     ObjectId other;
@@ -68,8 +68,9 @@ struct Strike {
 
 /// Rubbing or rolling: a noise of small impacts while the call is held. Their energies add up.
 struct Rub {
-    static constexpr CallText text{"rub", "(object, other, point, normal, force, bandwidth)",
-                                   "Excites the object's modes with the noise of one surface on another."};
+    static constexpr CallText text{
+        "rub", "(object, other, point, normal, force, bandwidth)",
+        "Excites the object's modes by the noise of its surface rubbing on the other one."};
     static constexpr Algebra algebra = Algebra::sumOfRates;
     static constexpr double negligible = 1e-6; ///< N
     ObjectId object;
@@ -140,7 +141,7 @@ struct PlaySample {
 /// Repeats the object's recording while any interaction makes this call.
 struct HoldSample {
     static constexpr CallText text{"holdSample", "(object)",
-                                   "Plays the object's recording over and over while anybody holds it."};
+                                   "Repeats the object's recording while any interaction holds the call."};
     static constexpr Algebra algebra = Algebra::anyOf;
     ObjectId object;
     template <class Self, class Visitor>

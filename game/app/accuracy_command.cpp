@@ -93,7 +93,7 @@ int report(AccuracyArguments const& arguments) {
 void addAccuracyCommand(CLI::App& program, int& result) {
     auto const arguments = std::make_shared<AccuracyArguments>();
     CLI::App* const command = program.add_subcommand(
-        "accuracy", "Measure how far every detail level is off and what it costs, scene by scene");
+        "accuracy", "Measure the error and the time of every detail level, scene by scene");
     command->add_option("EFFECT", arguments->effects, "Effects, for example gravity (default: all)");
     addOptionalFile(*command, "--json", arguments->json,
                     "Write one JSON object; on the terminal it replaces the table");

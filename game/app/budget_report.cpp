@@ -36,7 +36,7 @@ std::string budgetInWords(budget::BudgetMode const& mode) {
                       "a second\n",
                       *mode.budget() / 1000, mode.figures().microseconds / 1000,
                       mode.kept()       ? ""
-                      : mode.hopeless() ? ": nothing that would do is cheap enough"
+                      : mode.hopeless() ? ": no allowed choice is fast enough"
                                         : ": more than that",
                       mode.error());
 }

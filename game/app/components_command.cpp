@@ -78,7 +78,7 @@ void addComponentsCommand(CLI::App& program, int& result) {
     addOptionalFile(*command, "--markdown", arguments->markdown,
                     "Write them as Markdown tables; on the terminal they replace the text");
     command->add_flag("--levels", arguments->levels,
-                      "What every level activates instead: which components are absent, asleep and active, "
+                      "Instead, for every level: which components are absent, asleep and active, "
                       "and their updates");
     command
         ->add_option(

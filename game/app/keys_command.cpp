@@ -62,13 +62,13 @@ int printKeys(KeysArguments const& arguments) {
 void addKeysCommand(CLI::App& program, int& result) {
     auto const arguments = std::make_shared<KeysArguments>();
     CLI::App* const command =
-        program.add_subcommand("keys", "Print what can be done in the window, and the usual keys for it");
+        program.add_subcommand("keys", "Print the commands of the window and their default keys");
     addOptionalFile(*command, "--json", arguments->json,
                     "Write them as one JSON object; on the terminal it replaces the text");
     addOptionalFile(*command, "--markdown", arguments->markdown,
                     "Write them as Markdown tables; on the terminal they replace the text");
     addOptionalFile(*command, "--mouse", arguments->mouse,
-                    "Write what the mouse does as Markdown tables; on the terminal they replace the text");
+                    "Write the mouse gestures as Markdown tables; on the terminal they replace the text");
     command->footer(outputConvention);
     command->callback([arguments, &result] { result = guarded([&] { return printKeys(*arguments); }); });
 }

@@ -19,7 +19,7 @@ int runCommand(int argc, char** argv) {
         "  trembler run LEVEL --sound it.wav                      write its sound\n"
         "  trembler verify                                        check every level\n"
         "  trembler components                                    all components and their schedule\n"
-        "  trembler accuracy                                      what accuracy costs, effect by effect\n"
+        "  trembler accuracy                                      errors and times of all detail levels\n"
         "\n"
         "Each command has its own --help."};
     program.set_version_flag("--version", "Trembler " TREMBLER_VERSION);

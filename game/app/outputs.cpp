@@ -93,7 +93,7 @@ void Outputs::claimFile(std::string const& option, OutputTarget const& target, s
     }
     if (*target == terminal) {
         throw OutputError(
-            fmt::format("{} {}: cannot go to the terminal; expected {}", option, *target, expected));
+            fmt::format("{} {}: cannot be written to the terminal; expected {}", option, *target, expected));
     }
     claim(option, *target, "expected " + expected);
 }
@@ -116,7 +116,7 @@ void Outputs::claim(std::string const& option, std::string const& target, std::s
                               : other.path != terminal && sameFile(target, other.path) && !isDevice(target);
         if (same) {
             throw OutputError(
-                fmt::format("{}: {} writes there, too; expected a file of its own", what, other.what));
+                fmt::format("{}: {} writes to the same file; expected different files", what, other.what));
         }
     }
     terminalTaken_ = terminalTaken_ || toTerminal;

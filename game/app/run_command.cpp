@@ -18,17 +18,18 @@ void addRunCommand(CLI::App& program, int& result) {
               "Frames to run, 60 are one second (default: the solution's, else 600)");
     command->add_option("--solution", arguments->solution,
                         "Name of a solution recorded in the level, or a file with one");
-    addNumber(*command, "--threads", arguments->threads, 1, 256, "Threads; the result never depends on them")
+    addNumber(*command, "--threads", arguments->threads, 1, 256,
+              "Number of threads; the result does not depend on it")
         ->default_str("1");
     addOptionalFile(*command, "--json", arguments->json,
                     "Write one JSON object; on the terminal it replaces the words");
     addFile(*command, "--trace", arguments->trace, "Write every event and its causes, one JSON line each");
     addFile(*command, "--account", arguments->account,
-            "Write what is new in each frame, in the form of the thesis's accounts (Markdown)");
+            "Write the changes of each frame, in the form of the thesis's accounts (Markdown)");
     command
         ->add_option_function<std::string>(
             "--sound", [arguments](std::string const& file) { arguments->sound = file; },
-            "Write what it sounds like to a .wav file, never to the terminal, as heard in front of the "
+            "Write the sound to a .wav file, never to the terminal, as heard in front of the "
             "middle "
             "of the level; needs no sound device")
         ->type_name("FILE.wav");
@@ -49,11 +50,12 @@ void addRunCommand(CLI::App& program, int& result) {
               "Steps of the dynamics engine in a frame; 0: as many as the scene needs");
     addFile(*command, "--export-spice", arguments->spice,
             "Write the circuits, as they are after the last frame, as a netlist for ngspice -b");
-    addNumber(*command, "--budget", arguments->budget, 1e-3, 1e3,
-              "Milliseconds per frame: levels and periods are chosen, while it runs, so that the error is "
-              "least; the choices depend on this computer's speed, so record them to repeat the run");
+    addNumber(
+        *command, "--budget", arguments->budget, 1e-3, 1e3,
+        "Time budget in milliseconds per frame: detail levels and periods are chosen during the run so that "
+        "the error is least; the choices depend on this computer's speed, so record them to repeat the run");
     addFile(*command, "--record", arguments->record,
-            "Write the run, with all that was changed in it, as a solution for --solution");
+            "Write the run, with all inputs and changes, as a solution for --solution");
     command
         ->add_option(
             "--watch", arguments->watch,
@@ -66,7 +68,7 @@ void addRunCommand(CLI::App& program, int& result) {
               "Frames between rows of the table --csv")
         ->default_str("1");
     addFile(*command, "--csv", arguments->csv,
-            "Write what --watch names over time, as comma-separated values");
+            "Write the values that --watch names over time, as comma-separated values");
     command->footer(outputConvention);
     command->callback([arguments, &result] {
         takeBack(arguments->level, arguments->json, "LEVEL");

@@ -131,8 +131,9 @@ int runLevel(RunArguments const& arguments) {
     }
     if (arguments.watch.empty() == arguments.csv.has_value()) {
         throw std::invalid_argument(
-            arguments.watch.empty() ? "--csv: expected --watch OBJECT.FIELD as well, which says what to write"
-                                    : "--watch: expected --csv FILE as well, which says where to write it");
+            arguments.watch.empty()
+                ? "--csv: expected --watch OBJECT.FIELD as well, which names the values to write"
+                : "--watch: expected --csv FILE as well, which names the file to write");
     }
     Outputs outputs;
     noteInputs(outputs, arguments, gameData, level);
@@ -214,7 +215,7 @@ int runLevel(RunArguments const& arguments) {
     }
     if (withoutNetlist) {
         throw std::invalid_argument("--export-spice: the level has no circuit with a resistance, an EMF, a "
-                                    "rated power or a fuse, so there are no volts to compute");
+                                    "rated power or a fuse, so there are no voltages to compute");
     }
     return report.solved ? exitSolved : exitNotSolved;
 }

@@ -180,7 +180,7 @@ void addVerifyCommand(CLI::App& program, int& result) {
     CLI::App* const command = program.add_subcommand(
         "verify",
         "Check levels: valid, not solved by an empty toolbox (unless it is a demonstration), every recorded "
-        "solution does what it says, and always in the same way; no script fails. A line per failure. Exit "
+        "solution has its stated result, and always the same one; no script fails. A line per failure. Exit "
         "status: 0 all valid, 1 not all valid, 2 bad input or output.");
     command->add_option("PATH", arguments->paths,
                         "Level files or folders (default: all levels, including those of the mods that come "

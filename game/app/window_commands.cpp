@@ -141,7 +141,7 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
 void addPlayCommand(CLI::App& program, int& result) {
     auto const arguments = std::make_shared<PlayArguments>();
     CLI::App* const command = program.add_subcommand(
-        "play", "Play. Without a display: play the level's first recorded solution and leave a picture.");
+        "play", "Play. Without a display: play the level's first recorded solution and save a picture.");
     command->add_option("LEVEL", arguments->level, "Level file (default: the title screen)");
     command
         ->add_option("--pictures", arguments->pictures,
@@ -156,9 +156,10 @@ void addPlayCommand(CLI::App& program, int& result) {
 void addScreenshotCommand(CLI::App& program, int& result) {
     auto const arguments = std::make_shared<ScreenshotArguments>();
     CLI::App* const command = program.add_subcommand(
-        "screenshot", "Draw a level as it is at some frame into a PNG; needs no display");
+        "screenshot", "Draw a level at a given frame into a PNG file; needs no display");
     command->add_option("LEVEL", arguments->level, "Level file")->required();
-    addNumber(*command, "--frame", arguments->frame, 0, limits::frames, "Frames done, 60 are one second")
+    addNumber(*command, "--frame", arguments->frame, 0, limits::frames,
+              "Frames to compute first, 60 are one second")
         ->default_str("0");
     addFile(*command, "--out", arguments->out, "The PNG file to write")->required();
     command
@@ -168,7 +169,7 @@ void addScreenshotCommand(CLI::App& program, int& result) {
         ->capture_default_str();
     command->add_option("--solution", arguments->solution, "Recorded solution, by name or file");
     addModFolders(*command, arguments->mods);
-    command->add_flag("--electricity", arguments->electricity, "With the electricity graph");
+    command->add_flag("--electricity", arguments->electricity, "Also draw the electricity graph");
     command->add_flag("--forces", arguments->forces, "With magnetic forces");
     command->add_flag("--contacts", arguments->contacts, "With contacts");
     command->add_flag("--bare", arguments->bare, "Without title and goals");

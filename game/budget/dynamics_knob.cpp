@@ -41,9 +41,8 @@ std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log) {
     Knob knob;
     knob.effect = effect;
     knob.of = "of a second's fall";
-    knob.source =
-        "Half a step times what velocities have changed by in the last second: the engines' steps are of "
-        "the first order.";
+    knob.source = "Half a step times the change of velocities in the last second, as the engines' steps are "
+                  "of the first order.";
     knob.components.push_back(title(*now->info));
     auto const add = [&](std::string name, int setting, int steps, std::string cannot) {
         double const step = frameDuration / steps;
@@ -73,7 +72,7 @@ std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log) {
     for (int const steps : usual) {
         bool const tooFew = steps < fewest && steps != settings.substeps;
         add(fmt::format("{} step{}", steps, steps == 1 ? "" : "s"), steps, steps,
-            tooFew ? "with so long steps joints gape, and chains and stacks burst" : "");
+            tooFew ? "with so long steps joints open, and chains and stacks fall apart" : "");
     }
     return knob;
 }

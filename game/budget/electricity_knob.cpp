@@ -23,8 +23,7 @@ std::optional<Knob> electricityKnob(World const& world) {
     Knob knob;
     knob.effect = effect;
     knob.of = "of the lamps";
-    knob.source =
-        "A level that tells everything which the circuits state makes no error that another would not make.";
+    knob.source = "A level that represents everything that the circuits state adds no error.";
     for (ComponentStatus const& level : levels) {
         std::string_view const name = level.info->text.level;
         Option option{
@@ -36,7 +35,7 @@ std::optional<Knob> electricityKnob(World const& world) {
             enough = enough || (name == nameOf(known) && isFaithful(known, world.store()));
         }
         if (!enough && !isNow) { // a level that the user has chosen stays allowed
-            option.cannot = "it cannot tell everything that the circuits state";
+            option.cannot = "it cannot represent everything that the circuits state";
         }
         if (isNow) {
             knob.current = knob.options.size();

@@ -87,7 +87,7 @@ std::optional<Knob> gravityKnob(World const& world) {
     knob.of = "of the force";
     knob.source =
         isLaw ? fmt::format("Measured on {} masses, against the sum over all pairs.", sample.bodies.size())
-              : "The world states no law of gravity, so linear gravity is all there is to know.";
+              : "The world states no law of gravity, so linear gravity is exact.";
     Staleness stale(world, sample, sums, right);
     auto const add = [&](ComponentStatus const& level, Option const& made, Error const& error) {
         std::string const component = title(*level.info);

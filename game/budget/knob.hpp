@@ -21,7 +21,8 @@ struct Option {
     std::vector<RecordedChange> makes; ///< all changes that select it, including those that hold already
     double work = 1;                   ///< relative cost among the knob's options
     Error error;
-    std::string cannot; ///< the reason why the scene forbids the option; "": allowed
+    std::string cannot;     ///< the reason why the scene forbids the option; "": allowed
+    bool lessOften = false; ///< a component runs less often than in every frame
 };
 
 /// The options for one effect.

@@ -66,6 +66,7 @@ void runEvery(Option& option, std::string_view component, int period) {
     option.work /= period;
     if (period > 1) {
         option.name += fmt::format(", every {} frames", period);
+        option.lessOften = true;
     }
 }
 

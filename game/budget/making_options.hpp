@@ -45,7 +45,7 @@ template <class Settings>
     return column == nullptr || column->empty() ? Settings{} : column->values().front();
 }
 
-/// Adds the component's period (frames) to an option: to its name, its changes and its work.
+/// Adds the component's period (frames) to an option: to its name, its changes, its work and lessOften.
 void runEvery(Option& option, std::string_view component, int period);
 
 /// The sum of two independent errors: root of the sum of the squares.

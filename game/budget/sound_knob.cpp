@@ -52,9 +52,8 @@ std::optional<Knob> soundKnob(World const& world) {
     Knob knob;
     knob.effect = effect;
     knob.of = "of the pitch";
-    knob.source = "Calibrated: what the level was off by in docs/measurements/accuracy.md. It moves nothing, "
-                  "so it counts "
-                  "for little.";
+    knob.source = "Calibrated: the error of the level in docs/measurements/accuracy.md. It changes no "
+                  "motion, so it counts for little.";
     double const frequency = meanFrequency(world);
     for (ComponentStatus const& level : levels) {
         for (Calibrated const& known : ladder) {

@@ -141,17 +141,16 @@ std::string objectIn(World const& world, std::string_view what) {
     }
     std::size_t const first = what.find('.');
     if (first == std::string_view::npos || first == 0 || first + 1 == what.size()) {
-        throw std::invalid_argument(
-            fmt::format("'{}' does not say what of which object; expected OBJECT.FIELD, "
-                        "for example lamp.current or world.gravity",
-                        what));
+        throw std::invalid_argument(fmt::format("'{}' does not name a field of an object; expected "
+                                                "OBJECT.FIELD, for example lamp.current or world.gravity",
+                                                what));
     }
     std::string name(what.substr(0, first));
     if (isBirthName(name)) {
         return name;
     }
     auto const names = objectNames(world);
-    throw std::invalid_argument(fmt::format("there is no object '{}'{}; there are: {}", name,
+    throw std::invalid_argument(fmt::format("there is no object '{}'{}; the objects are: {}", name,
                                             didYouMean(name, names), listed(names)));
 }
 

@@ -60,8 +60,8 @@ std::vector<Ladder> climb(GameData const& gameData, std::vector<std::string> con
                     known += (known.empty() ? "" : ", ") + plan.effect;
                 }
             }
-            throw std::invalid_argument(
-                fmt::format("no ladder for the effect \"{}\"; there are: {}", effect, known));
+            throw std::invalid_argument(fmt::format(
+                "no ladder for the effect \"{}\"; the effects with ladders are: {}", effect, known));
         }
     }
     std::vector<Ladder> ladders;

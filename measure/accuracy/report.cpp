@@ -62,22 +62,22 @@ std::string cannotRepresentOfAll(Ladder const& ladder) {
     return same ? first : "";
 }
 
-constexpr std::string_view intro = R"(# What accuracy costs
+constexpr std::string_view intro = R"(# Accuracy and its cost
 
 Every effect has detail levels that offer the same properties, so that a level, the command line (`--detail`) or the
-running game can swap one for another. This page says how far each of them is off and what it costs:
+running game can swap one for another. This page lists the error and the time of each:
 
     build/trembler accuracy --runs 5 --markdown --plot docs/pictures/accuracy >docs/measurements/accuracy.md
 
 A *ladder* is one effect in one scene. Its error is measured against something that is independent of the level: a
 closed form, a sum over everything in more digits, or the level that has converged. Its time is the median over the
-frames, in µs, of all components of the effect, on one thread, and the least of five runs, as what else a machine does
-only adds to it. Errors are the same on every machine (the simulation is deterministic); times belong to the machine
+frames, in µs, of all components of the effect, on one thread, and the least of five runs, as other load of the machine
+can only add to it. Errors are the same on every machine (the simulation is deterministic); times belong to the machine
 that this was made on and are good for comparing within a table.
 
-*Front* marks the levels on the Pareto front: no other level of the table is faster and at least as accurate. What is
-beaten has no use in that scene, and the text below the table says why it is there; times within 5 % count as the same.
-Tables without that column are no choice between levels, but a study of what one thing does to the error.
+*Front* marks the levels on the Pareto front: no other level of the table is faster and at least as accurate. Any
+other level has no use in that scene, and the text below the table explains why it exists; times within 5 % count as equal.
+Tables without that column offer no choice between levels; they show the influence of one parameter on the error.
 
 )";
 

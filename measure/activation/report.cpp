@@ -35,7 +35,7 @@ std::vector<LevelUse const*> firstOfEach(std::vector<LevelUse> const& plays) {
 
 std::string cell(ComponentUse const& use) {
     if (use.atEnd == Activity::absent) {
-        return use.updates == 0 ? "" : fmt::format("{}, gone", use.updates);
+        return use.updates == 0 ? "" : fmt::format("{}, absent at the end", use.updates);
     }
     return use.atEnd == Activity::active ? fmt::format("**{}**", use.updates) : std::to_string(use.updates);
 }
@@ -104,10 +104,9 @@ std::string activationMarkdown(std::vector<LevelUse> const& plays) {
     }
     std::uint64_t const seconds = plays.front().frames / framesPerSecond;
     text += fmt::format(
-        "## Every level, every recorded play\n\nHow the {} components fare after {} s, and how many turns "
-        "all of "
-        "them had in the busiest second and in the last. *At\nrest*: the world's state was the same, bit for "
-        "bit, after every frame of the last second. What the player does in that\nsecond counts, too.\n\n"
+        "## Every level, every recorded play\n\nThe {} components after {} s, and the number of their turns "
+        "in the busiest second and in the last. *At\nrest*: the world's state was the same, bit for "
+        "bit, after every frame of the last second. The player's inputs in that\nsecond count, too.\n\n"
         "| level | play | absent | asleep | active | turns in the busiest second | in the last | |\n"
         "|---|---|---|---|---|---|---|---|\n",
         plays.front().components.size(), seconds);

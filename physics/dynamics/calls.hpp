@@ -87,7 +87,7 @@ struct AddTorque {
 
 struct AddDrag {
     static constexpr CallText text{"addDrag", "(object, point, coefficients, angular)",
-                                   "Resists the motion of a point of the object and its turning, in "
+                                   "Resists the velocity of a point of the object and its rotation, in "
                                    "proportion to both (kg/s, kg m²/s)."};
     static constexpr Algebra algebra = Algebra::sumOfRates;
     static constexpr double negligible = negligibleForce;
@@ -134,10 +134,10 @@ struct AddDrag {
 /// rate at which the object would come to rest if the force alone slowed it down. A factor of two does not
 /// matter. A force without such a call does not vary. Dynamics summarises these calls in ForceRates.
 struct StateRate {
-    static constexpr CallText text{"tellRate", "(object, rate, foreseen, swings)",
-                                   "Says how fast (1/s) a force on the object varies as it moves, whether "
-                                   "the force is one that allows for "
-                                   "the time for which it stands, and whether the object can swing by it."};
+    static constexpr CallText text{
+        "tellRate", "(object, rate, foreseen, swings)",
+        "States how fast (1/s) a force on the object varies as the object moves, whether the force allows "
+        "for the time for which it is held, and whether the object can oscillate by it."};
     static constexpr Algebra algebra = Algebra::greatest;
     static constexpr double negligible = 0;
     ObjectId object;

@@ -43,10 +43,9 @@ struct AddConnection : ConnectionKey {
 /// Subtracts one from the caller's count of a connection.
 struct RemoveConnection : ConnectionKey {
     using MembersOf = ConnectionKey;
-    static constexpr CallText text{
-        "removeConnection", "(object, object)",
-        "Takes one from the caller's own count of connections between two conductors; taking from "
-        "zero leaves zero."};
+    static constexpr CallText text{"removeConnection", "(object, object)",
+                                   "Subtracts one from the caller's own count of connections between two "
+                                   "conductors, but not below zero."};
     [[nodiscard]] int delta() const { return -1; }
 };
 
@@ -93,10 +92,9 @@ struct AddVoltage {
 /// Removes one of the wires that the level states between two objects, named in either order, but no
 /// connection by an interaction. Several cuts add up; a cut has no effect if no wire is left.
 struct CutWire {
-    static constexpr CallText text{
-        "cutWire", "(object, object)",
-        "Takes away one wire that the level has laid between two conductors; where "
-        "none is left, nothing."};
+    static constexpr CallText text{"cutWire", "(object, object)",
+                                   "Removes one wire that the level states between two conductors; without "
+                                   "such a wire it has no effect."};
     static constexpr Algebra algebra = Algebra::sumOfAmounts;
     ObjectId a;
     ObjectId b;
@@ -110,8 +108,9 @@ struct CutWire {
 
 /// A fuse melts.
 struct BlowFuse {
-    static constexpr CallText text{"blowFuse", "(object)",
-                                   "Blows a fuse, for good: it loses its connections and takes no more."};
+    static constexpr CallText text{
+        "blowFuse", "(object)",
+        "Blows a fuse permanently: it loses its connections and accepts no new ones."};
     static constexpr Algebra algebra = Algebra::destroy;
     ObjectId fuse;
     template <class Self, class Visitor>

@@ -117,7 +117,7 @@ void registerElectricity(Registry& registry) {
     registry.property<ElectricalDevice>();
     registry.completion<ConductorCompletion>();
     registry.completion<VertexCompletion>();
-    registry.connector({"wire", "electricity", "a wire between two conductors, which the scissors can cut",
+    registry.connector({"wire", "electricity", "a wire between two conductors, which the player can cut",
                         refuseWire, layWire});
     registry.rule({&propertyInfo<ElectricalSource>(), checkTerminal<ElectricalSource>});
     registry.rule({&propertyInfo<ElectricalReturn>(), checkTerminal<ElectricalReturn>});

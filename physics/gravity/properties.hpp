@@ -10,15 +10,16 @@ namespace trembler {
 /// The world's gravity: a level on Mars changes one number (3.3.3).
 struct GravityField {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{
-        "Gravity", "gravity", "The acceleration due to gravity all over the world.", PropertyPlace::world};
+    static constexpr PropertyText text{"Gravity", "gravity",
+                                       "The acceleration due to gravity, the same everywhere in the world.",
+                                       PropertyPlace::world};
     Vec2 acceleration;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "value",
                         .unit = "m/s²",
-                        .meaning = "acceleration; [0, -9.81] on Earth",
+                        .meaning = "[0, -9.81] on Earth",
                         .minimum = -1e4,
                         .maximum = 1e4},
               self.acceleration);
@@ -39,21 +40,20 @@ struct GravityLaw {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "constant",
                         .unit = "N m²/kg²",
-                        .meaning = "Newton's constant, or a toy world's",
+                        .meaning = "gravitational constant; 6.6743e-11 in reality",
                         .minimum = 0,
                         .maximum = 1e12},
               self.constant);
         visit(FieldInfo{.key = "softening",
                         .unit = "m",
-                        .meaning = "keeps the force finite at zero distance",
+                        .meaning = "length that keeps the force finite at zero distance",
                         .minimum = 1e-6,
                         .maximum = 1e6},
               self.softening);
         visit(FieldInfo{.key = "opening_angle",
                         .unit = "",
-                        .meaning =
-                            "at the detail level \"tree\": a cluster whose radius is a smaller share of "
-                            "its distance than this acts as a whole; 0: never",
+                        .meaning = "at the detail level \"tree\": a cluster acts as one mass if its radius "
+                                   "divided by its distance is below this; 0: never",
                         .minimum = 0,
                         .maximum = 1,
                         .accuracy = {0, 1}},
@@ -71,11 +71,11 @@ struct GravityForce {
         double rate = 0; ///< 1/s, at which the force varies as the object moves; see StateRate
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
-            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "object on which it acts"}, self.object);
             visit(FieldInfo{.key = "force", .unit = "N", .meaning = "at the centre of mass"}, self.force);
             visit(FieldInfo{.key = "rate",
                             .unit = "1/s",
-                            .meaning = "at which the force varies as the object moves"},
+                            .meaning = "rate at which the force varies as the object moves"},
                   self.rate);
         }
     };

@@ -21,7 +21,8 @@ public:
         .name = "Tree Gravity",
         .effect = "gravity",
         .level = "tree",
-        .work = "Exports the sum of the attractions of all other masses, far clusters of them as wholes.",
+        .work =
+            "Exports the sum of the attractions of all other masses, with distant clusters as single masses.",
         .rank = -1}; // cheaper than Real Gravity in scenes that it suits
     using Activation = NeedsAll<GravityLaw, Mass, Position>;
     static constexpr int longestPeriod =

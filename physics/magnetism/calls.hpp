@@ -28,7 +28,7 @@ struct EnableMagnet {
 /// contain the reason.
 struct DisableMagnet {
     static constexpr CallText text{"disableMagnet", "(object)",
-                                   "Leaves the electromagnet off unless anybody enables it."};
+                                   "Switches the electromagnet off unless any interaction enables it."};
     static constexpr Algebra algebra = Algebra::anyOf;
     ObjectId object;
     template <class Self, class Visitor>

@@ -19,10 +19,10 @@ namespace trembler {
 /// the world.
 struct SusceptibilityCompletion final
     : Completion<SusceptibilityCompletion, Reads<MadeOf, Without, Shape>, Adds<MagneticStrength>> {
-    static constexpr CompletionText text{.name = "Susceptibility",
-                                         .work = "What is made of iron or steel is attracted by magnets, "
-                                                 "unless it is stated not to be: saturation "
-                                                 "times the root of its area times the depth of the world."};
+    static constexpr CompletionText text{
+        .name = "Susceptibility",
+        .work = "Makes magnets attract an object of iron or steel, unless it is stated that they do not. Its "
+                "susceptibility is the saturation times the root of its area times the depth of the world."};
     using Activation = NeedsAll<MadeOf, Shape>;
     static void complete(Access& access) {
         double const saturation = materialFacts(access.find<MadeOf>()->material).saturation;
@@ -39,8 +39,7 @@ struct MagnetCompletion final
     static constexpr CompletionText text{
         .name = "Magnet",
         .work =
-            "Whatever has poles is a magnet: an electromagnet begins off, until there is electricity, any "
-            "other on."};
+            "Makes an object with poles a magnet: an electromagnet is off at first, any other magnet is on."};
     using Activation = NeedsAny<Electromagnet, MagneticPoles>;
     static void complete(Access& access) {
         access.add(access.has<Electromagnet>() ? Magnet{false, 0} : Magnet{});

@@ -22,7 +22,7 @@ public:
         .effect = "magnetism",
         .level = "",
         .work =
-            "Asks for parts of a frame so short that the forces between the strongest magnets are followed."};
+            "Requests parts of a frame that are short enough for the forces between the strongest magnets."};
     using Activation = NeedsAll<Shape>; // forces move bodies only
     void apply(Access& access) {
         auto const& fixed = access.read<Fixed>();

@@ -19,7 +19,7 @@ public:
         .name = "Magnetic Tree",
         .effect = "magnetism",
         .level = "tree",
-        .work = "Adds up the forces that magnets exert, far clusters of poles as wholes.",
+        .work = "Adds up the forces that magnets exert, with distant clusters of poles as wholes.",
         .rank = 0};
     /// The number of objects with poles from which it is three times as fast as all pairs; it is faster from
     /// about 300 on (bench_many_bodies).

@@ -28,13 +28,13 @@ struct MagneticStrength {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "strength",
                         .unit = "A m",
-                        .meaning = "of each of its poles, as a magnet",
+                        .meaning = "pole strength of each of its poles, as a magnet",
                         .minimum = 0,
                         .maximum = 1e8},
               self.strength);
         visit(FieldInfo{.key = "susceptibility",
                         .unit = "A m",
-                        .meaning = "pole strength with which any magnet's pole attracts it",
+                        .meaning = "pole strength with which the poles of magnets attract it",
                         .minimum = 0,
                         .maximum = 1e8},
               self.susceptibility);
@@ -60,13 +60,13 @@ struct MagneticPoles {
               self.poles);
         visit(FieldInfo{.key = "north",
                         .unit = "m",
-                        .meaning = "in the object's frame",
+                        .meaning = "position of the north pole, in the object's frame",
                         .minimum = -1e3,
                         .maximum = 1e3},
               self.north);
         visit(FieldInfo{.key = "south",
                         .unit = "m",
-                        .meaning = "in the object's frame",
+                        .meaning = "position of the south pole, in the object's frame",
                         .minimum = -1e3,
                         .maximum = 1e3},
               self.south);
@@ -104,7 +104,7 @@ struct Electromagnet {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "cool_down",
                         .unit = "frames",
-                        .meaning = "until its force is gone once it is off",
+                        .meaning = "time from switching off until its force is zero",
                         .minimum = 1,
                         .maximum = 600},
               self.coolDown);
@@ -145,17 +145,16 @@ struct MagnetismSettings {
               self.forceThreshold);
         visit(FieldInfo{.key = "opening_angle",
                         .unit = "",
-                        .meaning =
-                            "at the detail level \"tree\": a cluster whose radius is a smaller share of "
-                            "its distance than this acts as a whole; 0: never",
+                        .meaning = "at the detail level \"tree\": a cluster acts as a whole if its radius "
+                                   "divided by its distance is below this; 0: never",
                         .minimum = 0,
                         .maximum = 1,
                         .accuracy = {0, 1}},
               self.openingAngle);
         visit(FieldInfo{.key = "look_ahead",
                         .unit = "",
-                        .meaning = "whether forces are those of where things will be by when they act on "
-                                   "average, half a frame later"},
+                        .meaning = "whether forces are computed for the positions half a frame later, which "
+                                   "is when they act on average"},
               self.lookAhead);
     }
     friend bool operator==(MagnetismSettings const&, MagnetismSettings const&) = default;
@@ -166,7 +165,7 @@ struct MagnetSwitching {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Magnet switching", "magnet_switching",
                                        "The event that last switched each magnet."};
-    static constexpr Coverage coverage = leftOut("events of the trace lead to nothing");
+    static constexpr Coverage coverage = leftOut("events of the trace have no effect");
     static constexpr std::string_view standing = "the event that last switched each magnet";
     std::vector<EventId> byIndex; ///< by object index
 };
@@ -182,10 +181,10 @@ struct MagneticForce {
         EventId cause; ///< switched on the magnet with the strongest pull; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
-            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "object on which it acts"}, self.object);
             visit(FieldInfo{.key = "force",
                             .unit = "N",
-                            .meaning = "of all magnets, on all its poles together",
+                            .meaning = "sum of the forces of all magnets on all its poles",
                             .adds = true},
                   self.force);
             visit(FieldInfo{.key = "point", .unit = "m", .meaning = "where it acts, in the world"},

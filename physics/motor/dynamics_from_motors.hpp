@@ -18,8 +18,8 @@ public:
     static constexpr ComponentText text{.name = "Dynamics <- Electricity",
                                         .effect = "motor",
                                         .level = "",
-                                        .work = "Turns every electric motor that is on, and what it turns "
-                                                "against the other way."};
+                                        .work = "Applies the torque of every electric motor that is on, and "
+                                                "the opposite torque to the object that bears the reaction."};
     using Activation = NeedsAll<ElectricMotor>;
     void apply(Access& access);
 };

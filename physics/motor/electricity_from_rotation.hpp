@@ -19,8 +19,8 @@ public:
                                         .effect = "motor",
                                         .level = "",
                                         .work =
-                                            "Connects every generator that turns fast enough to its source, "
-                                            "and disconnects it when it turns a tenth slower than that."};
+                                            "Connects every generator to its source when it turns fast "
+                                            "enough, and disconnects it below nine tenths of that speed."};
     using Activation = NeedsAll<Generator>;
     static constexpr double lettingGo =
         0.9; ///< share of the speed, so that it does not switch on and off at the limit

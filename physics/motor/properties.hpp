@@ -11,7 +11,7 @@ namespace trembler {
 struct ElectricMotor {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Electric motor", "electric_motor",
-                                       "Turns the object while it has electricity."};
+                                       "Drives the object's rotation while the object is on."};
     double torque = 0;    ///< N m at rest; above zero: anticlockwise
     double idleSpeed = 0; ///< rad/s, in either direction; 0: none, the torque is constant
     ObjectId against;     ///< receives the reaction, and speed is relative to it; invalid: the world
@@ -20,20 +20,20 @@ struct ElectricMotor {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "torque",
                         .unit = "N m",
-                        .meaning = "at rest; above 0: anticlockwise",
+                        .meaning = "torque at rest; above 0: anticlockwise",
                         .minimum = -1e9,
                         .maximum = 1e9,
                         .required = true},
               self.torque);
         visit(FieldInfo{.key = "idle_speed_deg",
                         .unit = "rad/s",
-                        .meaning = "at which it has no torque left; 0: the torque is constant",
+                        .meaning = "speed at which the torque has fallen to zero; 0: the torque is constant",
                         .minimum = 0,
                         .maximum = 1e4},
               self.idleSpeed);
         visit(FieldInfo{.key = "against",
                         .unit = "",
-                        .meaning = "what bears the reaction; left out: the world"},
+                        .meaning = "object that bears the reaction; left out: the world"},
               self.against);
     }
 };
@@ -42,7 +42,8 @@ struct ElectricMotor {
 /// current flows through it, it resists turning. Induction is not part of this effect.
 struct Generator {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Generator", "generator", "Gives electricity while the object turns."};
+    static constexpr PropertyText text{"Generator", "generator",
+                                       "Supplies electricity while the object turns."};
     ObjectId source;    ///< the electrical source that it is connected to while it turns
     double speed = 1;   ///< rad/s, in either direction, from which on it is connected
     double braking = 0; ///< N m against its turning while current flows through it
@@ -56,13 +57,13 @@ struct Generator {
               self.source);
         visit(FieldInfo{.key = "speed_deg",
                         .unit = "rad/s",
-                        .meaning = "from which on it gives electricity, either way round",
+                        .meaning = "speed from which on it supplies electricity, in either direction",
                         .minimum = 1e-3,
                         .maximum = 1e4},
               self.speed);
         visit(FieldInfo{.key = "braking",
                         .unit = "N m",
-                        .meaning = "against its turning while current flows through it",
+                        .meaning = "braking torque while current flows through it",
                         .minimum = 0,
                         .maximum = 1e9},
               self.braking);

@@ -43,8 +43,9 @@ std::optional<std::string> checkMotor(Store const& store, ObjectId id) {
 std::optional<std::string> checkGenerator(Store const& store, ObjectId id) {
     ObjectId const source = find<Generator>(store, id)->source;
     if (source == id || find<ElectricalSource>(store, source) == nullptr) {
-        return fmt::format("the source of '{}' is none; expected another object with the property '{}'",
-                           store.nameOf(id), ElectricalSource::text.key);
+        return fmt::format(
+            "the source of '{}' is not an electrical source; expected another object with the property '{}'",
+            store.nameOf(id), ElectricalSource::text.key);
     }
     return checkTurns(store, id, Generator::text);
 }

@@ -24,10 +24,10 @@ Json conditionSchema(std::string const& key, Json body) {
     members["for"] = Json{{"type", "number"},
                           {"minimum", 0},
                           {"maximum", 3600},
-                          {"description", "seconds that it must hold without a break"}};
+                          {"description", "seconds for which it must hold without interruption"}};
     members["id"] = goal_schema::reference("name");
     members["text"] =
-        Json{{"type", "string"}, {"description", "what the player reads; left out: made from the condition"}};
+        Json{{"type", "string"}, {"description", "text for the player; left out: made from the condition"}};
     return goal_schema::strictObject(std::move(members), {key});
 }
 
@@ -64,15 +64,13 @@ Json goalSchema() {
     Json definitions;
     definitions["selector"] =
         Json{{"anyOf", Json::array({single, goal_schema::listOf(single, limits::objects)})},
-             {"description",
-              "The name of an object, {\"part\": name} for anything made from that part, or a list of "
-              "these: any of them."}};
-    definitions["condition"] =
-        Json{{"oneOf", conditionSchemas()},
-             {"description",
-              fmt::format("Something that can hold in a world, or not; at most {} of them in a level, one "
-                          "inside another included.",
-                          limits::conditions)}};
+             {"description", "The name of an object, {\"part\": name} for any object made from that part, or "
+                             "a list of these for any of them."}};
+    definitions["condition"] = Json{
+        {"oneOf", conditionSchemas()},
+        {"description",
+         fmt::format("A condition on a world; a level has at most {} of them, including those inside others.",
+                     limits::conditions)}};
     return Json{{"$ref", "#/$defs/condition"}, {"$defs", std::move(definitions)}};
 }
 

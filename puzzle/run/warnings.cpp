@@ -15,9 +15,8 @@ std::vector<std::string> warningsOf(World const& world) {
         return warnings;
     }
     if (!state->gaveUp.empty()) {
-        warnings.push_back(
-            fmt::format("the engine {} could not go on ({}); Box2D computes the motion instead",
-                        state->gaveUp, state->why));
+        warnings.push_back(fmt::format("the engine {} failed ({}); Box2D computes the motion instead",
+                                       state->gaveUp, state->why));
     }
     if (!state->stopped.empty()) {
         constexpr std::size_t most = 5;
@@ -31,7 +30,7 @@ std::vector<std::string> warningsOf(World const& world) {
             names += fmt::format(" and {} more", state->stopped.size() - most);
         }
         warnings.push_back(
-            fmt::format("Box2D could not compute the motion of {} ({}); from then on it stands still", names,
+            fmt::format("Box2D could not compute the motion of {} ({}); from then on it is held still", names,
                         state->why));
     }
     return warnings;

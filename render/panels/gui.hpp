@@ -30,8 +30,8 @@ public:
     void beginFrame(InputEvents const& input, double seconds);
     /// Draws the panels over the window's contents.
     void endFrame();
-    /// Instead of endFrame, where nobody looks: draws nothing. The panels have answered the player's input
-    /// and are laid out all the same.
+    /// Instead of endFrame, if the window is not visible: draws nothing. The panels have answered the
+    /// player's input and are laid out all the same.
     void dropFrame();
 
     /// The mouse is over a panel, or a text field has the keys: the world must not react.

@@ -106,15 +106,15 @@ inline constexpr bool statesMemory = requires {
 template <class Self, class Base>
 void copyMemory(ComponentInfo& info) {
     static_assert(sizeof(Self) == sizeof(Base) || hashesMemory<Self> || statesMemory<Self>,
-                  "a component with members of its own says how the state hash covers them: 'void "
-                  "hashMemory(StateHash&) const', or 'static constexpr Coverage memory = leftOut(why)'");
+                  "a component with data members must declare how the state hash covers them: 'void "
+                  "hashMemory(StateHash&) const' or 'static constexpr Coverage memory = leftOut(why)'");
     info.hashesMemory = hashesMemory<Self>;
     if constexpr (statesMemory<Self>) {
         info.memory = Self::memory;
     }
 }
 
-/// Fills in the properties whose objects call for a component.
+/// Fills in the properties whose objects activate a component.
 template <class... P>
 void copyNeeds(NeedsAll<P...> const&, ComponentInfo& info) {
     info.neededAll = {&propertyInfo<P>()...};

@@ -61,33 +61,36 @@ namespace detail {
 template <class C>
 constexpr bool checkCall() {
     static_assert(std::is_trivially_copyable_v<C>,
-                  "a call is plain data: it is recorded by copying its bytes");
+                  "a call must be trivially copyable: it is recorded by copying its bytes");
     static_assert(
         requires {
             { C::text } -> std::convertible_to<CallText>;
         },
-        "a call has its words: CallText text");
+        "a call must have 'static constexpr CallText text'");
     static_assert(
-        requires(C const& c) { {c.objects()}; }, "a call says which objects it is about: objects()");
+        requires(C const& c) { {c.objects()}; },
+        "a call must return the objects that it concerns: objects()");
     constexpr bool states = requires {
         { C::algebra } -> std::convertible_to<Algebra>;
     };
-    static_assert(states, "a call states its algebra, by which the order of calls does not matter (5.7.2)");
+    static_assert(states, "a call must have 'static constexpr Algebra algebra', which makes the result "
+                          "independent of the order of calls (5.7.2)");
     if constexpr (states) {
         constexpr Algebra a = C::algebra;
         static_assert(
             a == Algebra::sumOfRates || a == Algebra::sumOfAmounts || a == Algebra::sequence ||
                 requires(C const& c) { {c.key()}; },
-            "a call whose algebra is not a sum says what it is about: key()");
+            "a call whose algebra is neither a sum nor a sequence must return the key by which calls are "
+            "combined: key()");
         static_assert(
             a != Algebra::countedSet ||
                 requires(C const& c) {
                     { c.delta() } -> std::convertible_to<int>;
                 },
-            "a call on a counted set says whether it adds or takes away: delta() (5.7.2)");
+            "a call on a counted set must return the change of the count: delta() (5.7.2)");
         static_assert((a != Algebra::least && a != Algebra::greatest) ||
                           requires(C const& c) { {c.value()}; },
-                      "a call of which the least or the greatest counts has a value()");
+                      "a call whose algebra is least or greatest must return the compared number: value()");
     }
     return true;
 }
@@ -113,7 +116,8 @@ constexpr bool checkRole() {
             requires {
                 { R::fedBy } -> std::convertible_to<std::string_view>;
             },
-        "calls in sequence come from outside the world: a role with such calls says who feeds it, fedBy");
+        "calls with Algebra::sequence come from outside the world: a role with such calls must name their "
+        "source in fedBy");
     return true;
 }
 } // namespace detail

@@ -25,9 +25,12 @@ public:
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             std::string by(self.caller.name());
-            visit(FieldInfo{.key = "by", .unit = "", .meaning = "the interaction that added, or \"level\""},
+            visit(FieldInfo{.key = "by",
+                            .unit = "",
+                            .meaning = "the interaction that added them, or \"level\""},
                   by);
-            visit(FieldInfo{.key = "count", .unit = "", .meaning = "how often"}, self.count);
+            visit(FieldInfo{.key = "count", .unit = "", .meaning = "number of additions minus removals"},
+                  self.count);
         }
         friend bool operator==(Entry const&, Entry const&) = default;
     };

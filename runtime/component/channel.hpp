@@ -55,7 +55,7 @@ public:
     /// openToOutside(), the call is lost.
     template <InteractionCall C>
     void feed(C const& call) requires FedFromOutside<Role> {
-        static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this role");
+        static_assert(detail::callListed<C, typename Role::Calls>, "the call is not in Calls of this role");
         if (resolverThere_ && outside_) {
             std::get<CallBuffer<C>>(outside_->chunks.front()).push(call);
             ++outside_->version;

@@ -72,12 +72,13 @@ template <class... P>
 template <class Self, class ReadsList, class AddsList>
 class Completion {
     static_assert(detail::isReads<ReadsList> && detail::isAdds<AddsList>,
-                  "a completion declares Reads<...>, Adds<...>, in this order");
-    static_assert(detail::onlyObjectProperties<ReadsList>,
-                  "a completion reads object properties only: no component has run when an object is born");
+                  "a completion must declare Reads<...>, Adds<...>, in this order");
     static_assert(
-        detail::disjoint<AddsList, ReadsList>,
-        "a completion does not read what it adds: of other objects that would depend on their order");
+        detail::onlyObjectProperties<ReadsList>,
+        "a completion may read object properties only: no component has run when an object is created");
+    static_assert(detail::disjoint<AddsList, ReadsList>,
+                  "a completion must not read a property that it adds: the values of other objects would "
+                  "depend on the order of creation");
 
 public:
     /// Access to one object that is being completed.
@@ -160,12 +161,13 @@ public:
     };
 
     [[nodiscard]] static CompletionInfo const& describeSelf() {
-        static_assert(std::is_empty_v<Self>, "a completion remembers nothing: it has no data");
+        static_assert(std::is_empty_v<Self>, "a completion must have no data members");
         static_assert(
             requires(Access & access) { Self::complete(access); },
-            "a completion has 'static void complete(Access&)': it is handed what it declares");
+            "a completion must define 'static void complete(Access&)', and access properties through it "
+            "only");
         static_assert(detail::disjoint<AddsList, typename Self::Activation>,
-                      "a completion is not activated by what it adds itself");
+                      "a completion must not be activated by a property that it adds");
         static CompletionInfo const info = [] {
             CompletionInfo made{.type = typeid(Self), .text = Self::text};
             made.reads = detail::infos(ReadsList{});

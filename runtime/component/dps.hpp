@@ -15,10 +15,12 @@ namespace trembler {
 template <class Self, class ReadsList, class DerivesList>
 class Dps : public Component {
     static_assert(detail::isReads<ReadsList> && detail::isDerives<DerivesList>,
-                  "a derived property set declares Reads<...>, Derives<...>, and changes nothing else (5.5)");
-    static_assert(!detail::anyDerived<ReadsList>, "a derived property set never reads another one (5.5)");
+                  "a derived property set must declare Reads<...>, Derives<...>, in this order, and may "
+                  "write nothing else (5.5)");
+    static_assert(!detail::anyDerived<ReadsList>,
+                  "a derived property set may not read derived properties (5.5)");
     // Properties derived from states are states. Properties derived from news may hold for one part only.
-    static_assert(detail::allSayWhatAFrameMakes<
+    static_assert(detail::allDeclareNewsOrState<
                   std::conditional_t<detail::anyReportsNews<ReadsList>, DerivesList, Derives<>>>);
 
 public:
@@ -39,7 +41,9 @@ public:
         }
         template <class P>
         void write() {
-            static_assert(sizeof(P) == 0, "a derived property set changes no property (5.5)");
+            static_assert(
+                sizeof(P) == 0,
+                "a derived property set may not write a property; write its results with derive() (5.5)");
         }
         /// One of its derived properties, for writing. It still has the value of the last update, which an
         /// alternative of this component may have computed.

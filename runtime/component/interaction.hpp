@@ -18,7 +18,8 @@ namespace trembler {
 /// also be set"); it then reads object properties only.
 template <class Self, ResolverRole RoleType, class ReadsList>
 class Interaction : public Component {
-    static_assert(detail::isReads<ReadsList>, "an interaction declares Reads<...> and changes nothing (5.6)");
+    static_assert(detail::isReads<ReadsList>,
+                  "an interaction must declare Reads<...>, and may not declare Writes<...> (5.6)");
 
 public:
     using Role = RoleType;
@@ -31,9 +32,10 @@ public:
         template <class C>
         void call(C const& c, EventId cause = {}) {
             static_assert(detail::callListed<C, typename Role::Calls>,
-                          "an interaction calls functions of its own resolver only (5.6)");
+                          "an interaction may call functions of the one role that it declares only (5.6)");
             static_assert(C::algebra != Algebra::sequence,
-                          "calls in sequence come from outside the world, not from an interaction");
+                          "an interaction may not make a call with Algebra::sequence: such calls come from "
+                          "outside the world only");
             std::get<CallBuffer<C>>(buffers_).push(c);
             if (sink_ != nullptr) [[unlikely]] {
                 traceLast<C>(cause);
@@ -79,7 +81,8 @@ public:
         }
         template <class P>
         void write() {
-            static_assert(sizeof(P) == 0, "an interaction changes no property; it calls its resolver (5.6)");
+            static_assert(sizeof(P) == 0,
+                          "an interaction may not write a property: call the resolver that writes it (5.6)");
         }
         /// True in the first turn after the component was constructed: it must then process all objects, not
         /// only changes since the last frame.
@@ -154,8 +157,8 @@ public:
         detail::copyNeeds(typename Self::Activation{}, made);
         if constexpr (requires { Self::inSetup; }) {
             static_assert(detail::onlyObjectProperties<ReadsList>,
-                          "in the setup there are object properties only: no resolver has advanced, no "
-                          "derived property set has been updated");
+                          "an interaction that runs in the setup may read object properties only: no "
+                          "resolver has advanced, and no derived property set has been updated");
             made.inSetup = Self::inSetup;
         }
         return made;

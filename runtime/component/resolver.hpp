@@ -20,11 +20,11 @@ template <class Self, ResolverRole RoleType, class ReadsList, class WritesList,
 class Resolver : public Component {
     static_assert(detail::isReads<ReadsList> && detail::isWrites<WritesList> &&
                       detail::isProvides<ProvidesList>,
-                  "a resolver declares Reads<...>, Writes<...>, Provides<...>, in this order (5.4)");
-    static_assert(
-        detail::onlyObjectProperties<ReadsList>,
-        "a resolver reads object properties only (5.4); data of others reaches it through interactions");
-    static_assert(detail::allSayWhatAFrameMakes<ProvidesList>);
+                  "a resolver must declare Reads<...>, Writes<...>, Provides<...>, in this order (5.4)");
+    static_assert(detail::onlyObjectProperties<ReadsList>,
+                  "a resolver may read object properties only; data of other simulations reach it through "
+                  "interactions (5.4)");
+    static_assert(detail::allDeclareNewsOrState<ProvidesList>);
 
 public:
     using Role = RoleType;
@@ -86,7 +86,8 @@ public:
         /// held call may have been destroyed: the interaction is applied only after this advance.
         template <InteractionCall C, class F>
         void forCalls(F&& f) const {
-            static_assert(detail::callListed<C, typename Role::Calls>, "not a call of this resolver's role");
+            static_assert(detail::callListed<C, typename Role::Calls>,
+                          "the call is not in Calls of this resolver's role");
             self_.channel_->template forCalls<C>(std::forward<F>(f));
         }
         /// Whether calls were made or withdrawn since the last advance. If not, the held calls are the same
@@ -110,8 +111,8 @@ public:
         channel_ = &channels.of<Role>();
         channel_->attachResolver();
         if constexpr (requires(Self & self) { self.bindStore(store); }) {
-            static_assert(Self::writesEverything,
-                          "only what declares to write everything is given the whole store");
+            static_assert(Self::writesEverything, "only a resolver with 'static constexpr bool "
+                                                  "writesEverything = true' may take the whole store");
             static_cast<Self&>(*this).bindStore(store);
         }
     }

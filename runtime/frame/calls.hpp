@@ -13,7 +13,7 @@ namespace trembler {
 /// above zero has no effect.
 struct SplitFrame {
     static constexpr CallText text{"splitFrame", "(longest)",
-                                   "Asks for parts of a frame that are no longer than this (s)."};
+                                   "Requests parts of a frame that are no longer than this (s)."};
     static constexpr Algebra algebra = Algebra::least;
     double longest = 0; ///< s
 

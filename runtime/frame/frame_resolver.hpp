@@ -12,14 +12,17 @@ namespace trembler {
 struct FrameParts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Frame parts", "frame_parts",
-                                       "In how many equal parts the frame is computed."};
+                                       "The number of equal parts in which the frame is computed."};
     static constexpr Coverage coverage = hashed;
-    static constexpr std::string_view standing = "in how many parts the frame is computed";
+    static constexpr std::string_view standing = "the number of parts of the frame";
     std::int32_t parts = 1; ///< 1, 2, 4 or 8
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "parts", .unit = "", .meaning = "in which the frame is computed"}, self.parts);
+        visit(FieldInfo{.key = "parts",
+                        .unit = "",
+                        .meaning = "number of equal parts in which the frame is computed"},
+              self.parts);
     }
 };
 
@@ -34,8 +37,8 @@ public:
         .name = "Frame",
         .effect = "frame",
         .level = "",
-        .work = "Divides each frame, before it begins, into 1, 2, 4 or 8 equal parts: as stated, or so that "
-                "they are as short as interactions request."};
+        .work = "Divides each frame, before it begins, into 1, 2, 4 or 8 equal parts: as many as stated, or "
+                "enough for them to be as short as interactions request."};
     using Activation = NeedsAll<>;
     void advance(Access& access);
 };

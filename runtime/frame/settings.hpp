@@ -22,9 +22,8 @@ struct FrameSettings {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "parts",
                         .unit = "",
-                        .meaning =
-                            "equal parts in which a frame is computed: 1, 2, 4 or 8 (others are rounded "
-                            "up); 0: as many as the scene needs",
+                        .meaning = "number of equal parts in which a frame is computed: 1, 2, 4 or 8 (others "
+                                   "are rounded up); 0: as many as the scene needs",
                         .minimum = 0,
                         .maximum = mostParts,
                         .accuracy = {0, mostParts}},

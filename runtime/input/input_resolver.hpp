@@ -13,10 +13,10 @@ namespace trembler {
 /// The object in the player's hand.
 struct Hand {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Hand", "hand",
-                                       "The object that the player holds, and where it is pulled to."};
+    static constexpr PropertyText text{
+        "Hand", "hand", "The object that the player holds, and the point to which it is pulled."};
     static constexpr Coverage coverage = hashed;
-    static constexpr std::string_view standing = "what is held, and where it is pulled to";
+    static constexpr std::string_view standing = "the held object, and the point to which it is pulled";
 
     ObjectId object; ///< invalid: the hand is empty
     Vec2 localPoint; ///< m, the point where it is held, in the object's own frame
@@ -26,9 +26,9 @@ struct Hand {
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "object", .unit = "", .meaning = "held object"}, self.object);
-        visit(FieldInfo{.key = "local_point", .unit = "m", .meaning = "where, in its own frame"},
+        visit(FieldInfo{.key = "local_point", .unit = "m", .meaning = "held point, in the object's frame"},
               self.localPoint);
-        visit(FieldInfo{.key = "target", .unit = "m", .meaning = "where it is pulled to"}, self.target);
+        visit(FieldInfo{.key = "target", .unit = "m", .meaning = "point to which it is pulled"}, self.target);
     }
 };
 
@@ -37,7 +37,7 @@ struct PlayerCommands {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
         "Player commands", "player_commands",
-        "Wires that the player cut and objects that the player removed this frame."};
+        "Wires that the player cut and objects that the player removed in this frame."};
     static constexpr Coverage coverage = hashed;
     struct Cut {
         ObjectId a;
@@ -81,10 +81,10 @@ public:
         .name = "Player",
         .effect = "player",
         .level = "",
-        .work = "Takes over what the player did since the last frame: what the hand "
-                "holds and where it pulls, which wires were cut, what was removed."};
+        .work = "Applies the player's inputs since the last frame: the held object, the point to which it is "
+                "pulled, cut wires and removed objects."};
     using Activation = NeedsAll<>;
-    static constexpr Coverage memory = leftOut("whether there are Player commands, which are hashed");
+    static constexpr Coverage memory = leftOut("whether there are Player commands; these are hashed");
 
     [[nodiscard]] bool restless() const { return isCalled() || commandsStand_; }
     /// Only fed input gives it work: the hand does not depend on how objects move.

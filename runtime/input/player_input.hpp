@@ -12,9 +12,9 @@ namespace trembler {
 
 struct PlayerInput {
     static constexpr CallText text{
-        "playerInput", "(deed, object, other object, position)",
-        "The player grabs, moves, releases, cuts or removes: from outside, never from an "
-        "interaction. One at no finite position is ignored."};
+        "playerInput", "(action, object, other object, position)",
+        "An input of the player: grab, move, release, cut or remove. It comes from outside the world, not "
+        "from an interaction. An input at a position that is not finite is ignored."};
     static constexpr Algebra algebra =
         Algebra::sequence; // a move before a grab has another effect than after it
     enum class Kind : std::uint8_t {

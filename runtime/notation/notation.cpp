@@ -79,15 +79,16 @@ std::string scheduleText(Registry const& registry, std::string_view bullet) {
                 continue;
             }
             if (mayRunTogether(*resolvers[i], *resolvers[j])) {
-                text += fmt::format("{}{} beside {}\n", bullet, title(*resolvers[i]), title(*resolvers[j]));
+                text += fmt::format("{}{} in parallel with {}\n", bullet, title(*resolvers[i]),
+                                    title(*resolvers[j]));
             } else {
                 text += fmt::format("{}{} before {}: {}\n", bullet, title(*resolvers[i]),
                                     title(*resolvers[j]), reason(*resolvers[i], *resolvers[j]));
             }
         }
     }
-    text += fmt::format("{}then all derived property sets beside one another\n", bullet);
-    text += fmt::format("{}then all interactions beside one another\n", bullet);
+    text += fmt::format("{}then all derived property sets, in parallel\n", bullet);
+    text += fmt::format("{}then all interactions, in parallel\n", bullet);
     return text;
 }
 
@@ -195,21 +196,20 @@ std::string notationMarkdown(Registry const& registry) {
     }
     text +=
         "## Properties\n\nObject properties. Resolver and derived properties are listed with the component "
-        "that provides them.\n\n";
+        "that provides them. Units are those of the program; in files, values whose key ends in _deg are in "
+        "degrees.\n\n";
     for (PropertyInfo const* property : registry.objectProperties()) {
         text += boxMarkdown(boxOf(*property));
     }
-    text += "## Completions\n\nWhat objects get when they come into being, in this order, besides what is "
-            "stated of "
-            "them. What is stated\nstays.\n\n";
+    text += "## Completions\n\nCompletions add properties to a new object, in this order. They do not change "
+            "stated properties.\n\n";
     for (CompletionInfo const* completion : completionOrder(registry.completions())) {
         text += boxMarkdown(boxOf(*completion));
     }
     return text + "## Schedule of a frame\n\n" + scheduleText(registry, "- ") +
            "\n## What the state hash covers\n\nEqual hashes mean equal worlds and equal futures. *Derived* "
-           "is what each "
-           "turn of its provider recomputes from\nwhat is hashed; it is hashed where that one has a "
-           "period.\n\n" +
+           "data are recomputed from hashed\ndata in each turn of the component that provides them; they are "
+           "hashed if this component has a period.\n\n" +
            coverageMarkdown(registry);
 }
 

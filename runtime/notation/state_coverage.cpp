@@ -38,8 +38,7 @@ std::vector<CoverageLine> stateCoverage(Registry const& registry) {
     std::vector<CoverageLine> lines{
         {"every member of every object property, and which ids are free", "hashed", ""},
         {"every held call, and every call that waits for its resolver's next advance", "hashed", ""},
-        {"which components are there, detail levels asked for, periods and whose turn is next", "hashed",
-         ""}};
+        {"which components are present, requested detail levels, periods and the next turns", "hashed", ""}};
     addSlots(registry, ComponentKind::resolver, lines);
     addSlots(registry, ComponentKind::dps, lines);
     for (Registration const& component : registry.components()) {
@@ -53,13 +52,13 @@ std::vector<CoverageLine> stateCoverage(Registry const& registry) {
                              std::string(info.memory->reason)});
         }
     }
-    lines.push_back({"versions, by which components sleep and wake", "left out",
+    lines.push_back({"versions, which determine the components that run", "left out",
                      "a component that runs with unchanged inputs computes the same result"});
     lines.push_back({"part definitions, registered components and completions", "left out",
-                     "constants, like the program; the objects made from them are hashed"});
+                     "they are constant; the objects made from them are hashed"});
     lines.push_back({"data for observers only: loudspeakers, overlays, the trace", "left out",
                      "nothing in the world reads it"});
-    lines.push_back({"threads, times and budgets", "left out", "they change no result"});
+    lines.push_back({"threads, measured times and budgets", "left out", "they do not change results"});
     return lines;
 }
 

@@ -7,7 +7,7 @@ namespace trembler {
 
 struct Name {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Name", "name", "What the object is called; unique in its world.",
+    static constexpr PropertyText text{"Name", "name", "The name of the object, unique in its world.",
                                        PropertyPlace::placement};
     std::string value;
 

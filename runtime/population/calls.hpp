@@ -13,8 +13,9 @@ namespace trembler {
 /// with one key create one object, and ids follow from the keys, not from the order of calls. A call for an
 /// unknown prototype, or with a number that is not finite, creates nothing.
 struct CreateObject {
-    static constexpr CallText text{"createObject", "(part, position, angle, velocity, spin, key)",
-                                   "Makes an object from a part definition; equal keys make one object."};
+    static constexpr CallText text{
+        "createObject", "(part, position, angle, velocity, spin, key)",
+        "Creates an object from a part definition; calls with equal keys create one object."};
     static constexpr Algebra algebra = Algebra::create;
     std::uint32_t prototype = 0; ///< number in the PrototypeLibrary
     Vec2 position;               ///< m
@@ -68,7 +69,7 @@ struct CreateObject {
 
 /// Destroys an object. A second call for the same object has no effect.
 struct DestroyObject {
-    static constexpr CallText text{"destroyObject", "(object)", "Takes the object out of the world."};
+    static constexpr CallText text{"destroyObject", "(object)", "Removes the object from the world."};
     static constexpr Algebra algebra = Algebra::destroy;
     ObjectId object;
 

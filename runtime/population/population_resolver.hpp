@@ -34,12 +34,12 @@ public:
         .name = "Population",
         .effect = "population",
         .level = "",
-        .work = "Destroys and creates objects as requested. Ids follow from the keys "
-                "of the births, so they depend on no order and no thread."};
+        .work = "Destroys and creates objects as requested. Ids follow from the keys of the calls, so they "
+                "do not depend on the order of calls or on threads."};
     static constexpr bool writesEverything = true;
     using Activation = NeedsAll<>;
     static constexpr Coverage memory =
-        leftOut("whether there is news to be cleared, as Population changes states");
+        leftOut("whether Population changes has news to clear, which follows from it");
 
     void bindStore(Store& store) { store_ = &store; }
     [[nodiscard]] bool restless() const { return changesStand_; }

@@ -95,9 +95,8 @@ void dispatch(FieldVisitor& visitor, FieldInfo const& info, T& value) {
         visitor.choice(info, {index, choiceNames<T>});
         value = static_cast<T>(index);
     } else {
-        static_assert(isVector<T>,
-                      "a field is bool, int32, double, Vec2, string, ObjectId, an enumeration or "
-                      "a vector of these or of described structs");
+        static_assert(isVector<T>, "the type of a field must be bool, int32, double, Vec2, string, ObjectId, "
+                                   "an enumeration, or a vector of these or of structs with describe()");
         VectorField<typename T::value_type> list(value, info);
         visitor.list(info, list);
     }
@@ -112,8 +111,8 @@ void visitFields([[maybe_unused]] P& property, [[maybe_unused]] FieldVisitor& vi
         P::describe(property,
                     [&](FieldInfo const& info, auto& field) { detail::dispatch(visitor, info, field); });
     } else {
-        static_assert(MayLackFields<P>, "a property whose members files may state describes them: 'static "
-                                        "void describe(Self&, Visitor&&)'");
+        static_assert(MayLackFields<P>, "an object property with members that level files may state must "
+                                        "describe them: 'static void describe(Self&, Visitor&&)'");
     }
 }
 

@@ -26,7 +26,8 @@ constexpr bool takesMembers(std::index_sequence<I...>) {
 /// How many members an aggregate has.
 template <class T, std::size_t n = 0>
 constexpr std::size_t memberCount() {
-    static_assert(n < 64, "more members than the ladder in members.hpp is made for");
+    static_assert(
+        n < 64, "a struct may have at most 32 members: add cases to forEachMember() in members.hpp for more");
     if constexpr (takesMembers<T>(std::make_index_sequence<n + 1>{})) {
         return memberCount<T, n + 1>();
     } else {
@@ -42,9 +43,12 @@ constexpr std::size_t memberCount() {
 template <class T, class F>
 constexpr void forEachMember(T& object, F&& f) {
     using Plain = std::remove_cv_t<T>;
-    static_assert(std::is_aggregate_v<Plain>, "only a plain struct shows its members");
+    static_assert(std::is_aggregate_v<Plain>,
+                  "forEachMember() takes aggregates only: give other classes hash() or describe()");
     constexpr std::size_t n = detail::memberCount<Plain>();
-    static_assert(n <= 32, "more members than the ladder in members.hpp is made for");
+    static_assert(
+        n <= 32,
+        "a struct may have at most 32 members: add cases to forEachMember() in members.hpp for more");
     [[maybe_unused]] auto const each = [&f](auto&... members) { (f(members), ...); };
     if constexpr (n == 1) {
         auto& [m0] = object;

@@ -43,18 +43,18 @@ namespace detail {
 /// Refuses a property that a component offers if it states neither gather() nor `standing`. One instance per
 /// property, so the compiler names the property beside the message.
 template <class P>
-struct SaysWhatAFrameMakes {
+struct DeclaresNewsOrState {
     static constexpr bool value = true;
     static_assert(
         ReportsNews<P> != ReportsState<P>,
-        "a property that is offered either tells news, 'static void gather(P& frame, P const& part, "
-        "PartSpan span)', or what stands, 'static constexpr std::string_view standing = why'");
+        "an offered property must have exactly one of 'static void gather(P& frame, P const& part, PartSpan "
+        "span)', for news, and 'static constexpr std::string_view standing = why', for a state");
 };
 
 template <class List>
-inline constexpr bool allSayWhatAFrameMakes = false;
+inline constexpr bool allDeclareNewsOrState = false;
 template <template <class...> class List, class... P>
-inline constexpr bool allSayWhatAFrameMakes<List<P...>> = (SaysWhatAFrameMakes<P>::value && ...);
+inline constexpr bool allDeclareNewsOrState<List<P...>> = (DeclaresNewsOrState<P>::value && ...);
 
 template <class List>
 inline constexpr bool anyReportsNews = false;

@@ -36,13 +36,13 @@ template <Property P>
     if constexpr (P::kind == PropertyKind::object) {
         return hashed;
     } else if constexpr (P::kind == PropertyKind::derived) {
-        return derivedFrom("a pure function of what its derived property set reads (5.5)");
+        return derivedFrom("a pure function of the properties that its derived property set reads (5.5)");
     } else {
         constexpr bool states = requires {
             { P::coverage } -> std::convertible_to<Coverage>;
         };
-        static_assert(states, "a resolver property says how the state hash covers it: 'static constexpr "
-                              "Coverage coverage = hashed', derivedFrom(what) or leftOut(why)");
+        static_assert(states, "a resolver property must declare how the state hash covers it: 'static "
+                              "constexpr Coverage coverage = hashed', derivedFrom(what) or leftOut(why)");
         if constexpr (states) {
             return P::coverage;
         } else {

@@ -63,7 +63,7 @@ public:
     /// Base`.
     template <class T>
     void members(T const& v) {
-        static_assert(!std::is_pointer_v<T>, "an address is another one in every run");
+        static_assert(!std::is_pointer_v<T>, "a pointer may not be hashed: addresses differ between runs");
         if constexpr (std::is_same_v<T, EventId>) {
             return;
         } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, Vec2> ||
@@ -76,7 +76,8 @@ public:
                                  v.end();
                              }) {
             static_assert(
-                !requires { typename T::hasher; }, "its order is another one in every run");
+                !requires { typename T::hasher; },
+                "an unordered container may not be hashed: its order differs between runs");
             integer(static_cast<std::uint64_t>(std::distance(v.begin(), v.end())));
             for (auto const& element : v) {
                 members(element);
@@ -89,7 +90,8 @@ public:
             members(v.first);
             members(v.second);
         } else if constexpr (requires { typename T::MembersOf; }) {
-            static_assert(sizeof(T) == sizeof(typename T::MembersOf), "its base has all its members");
+            static_assert(sizeof(T) == sizeof(typename T::MembersOf),
+                          "a type with MembersOf must have no data members besides those of that base");
             members(static_cast<typename T::MembersOf const&>(v));
         } else if constexpr (!std::is_aggregate_v<T>) {
             value(v); // a class: by its own hash(), or by the fields that it describes

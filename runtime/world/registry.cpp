@@ -64,7 +64,7 @@ void checkShortcutsOfOne(Registry const& registry, Shortcut const& a, Shortcut c
     };
     if (a.dps == b.dps || !areAlternatives(*infoOf(a.dps), *infoOf(b.dps))) {
         throw RuleBroken(
-            fmt::format("{} has shortcuts in the {} and in the {}, which may both be there (5.7.3)",
+            fmt::format("{} has shortcuts in the {} and in the {}, which may both be present (5.7.3)",
                         title(*infoOf(a.interaction)), title(*infoOf(a.dps)), title(*infoOf(b.dps))));
     }
 }
@@ -188,7 +188,7 @@ void Registry::check() const {
                     keys(b.offers)) { // possible for resolvers, which are alternatives by role
                     throw RuleBroken(
                         fmt::format("the {} and the {} are both the {} resolver, but do not offer the "
-                                    "same properties, so neither can stand in for the other",
+                                    "same properties, so neither can replace the other",
                                     title(a), title(b), a.roleName));
                 }
                 continue;
@@ -199,7 +199,7 @@ void Registry::check() const {
             for (PropertyInfo const* offer : a.offers) {
                 if (keys(b.offers).contains(offer->text.key)) {
                     throw RuleBroken(fmt::format("the {} and the {} both offer {}, but not the same set of "
-                                                 "properties, so neither can stand in for the other",
+                                                 "properties, so neither can replace the other",
                                                  title(a), title(b), offer->text.name));
                 }
             }

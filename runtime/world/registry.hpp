@@ -165,7 +165,7 @@ public:
     template <class C>
     void completion() {
         static_assert(detail::DerivedFromCompletion<C>,
-                      "a completion is derived from Completion<Self, Reads<...>, Adds<...>>");
+                      "a completion must be derived from Completion<Self, Reads<...>, Adds<...>>");
         if constexpr (detail::DerivedFromCompletion<C>) {
             add(detail::describeCompletion(static_cast<C const*>(nullptr)));
         }

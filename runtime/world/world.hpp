@@ -89,8 +89,8 @@ public:
     /// Before start(), or without a resolver of that role, the call is lost. Between frames only.
     template <ResolverRole Role, InteractionCall C>
     void feed(C const& call) {
-        static_assert(FedFromOutside<Role>,
-                      "this role is not fed from outside: what it does comes from interactions (5.4)");
+        static_assert(FedFromOutside<Role>, "only interactions may call this role; to allow calls from "
+                                            "outside the world, declare fedBy in the role (5.4)");
         if constexpr (FedFromOutside<Role>) {
             channels_.of<Role>().feed(call);
         }
@@ -117,8 +117,8 @@ public:
     /// frame on, for as long as the subscription lives. Changes no state of the world. Between frames only.
     template <Property P>
     [[nodiscard]] Subscription want() const {
-        static_assert(!ObjectProperty<P>,
-                      "properties of objects are there whether anybody reads them or not");
+        static_assert(!ObjectProperty<P>, "want() takes a resolver or derived property; object properties "
+                                          "always exist: read them with find()");
         return Subscription(wants_, propertyInfo<P>());
     }
     /// The same by description; `property` must not be an object property.

@@ -21,7 +21,7 @@ void World::setDetail(std::string const& effect, std::string const& level) {
             }
             if (text.effect == effect && text.level == level && !entry.registration->missing.empty()) {
                 throw std::invalid_argument(
-                    fmt::format("{}={} cannot be had: {}", effect, level, entry.registration->missing));
+                    fmt::format("{}={} is not available: {}", effect, level, entry.registration->missing));
             }
         }
     }
@@ -68,8 +68,8 @@ void World::setPeriod(std::string const& componentTitle, int period) {
             fmt::format("'{}' may mean any of these: {}", componentTitle, fmt::join(titles, ", ")));
     }
     if (named.empty()) {
-        throw std::invalid_argument(fmt::format("there is no component '{}'; there are: {}", componentTitle,
-                                                fmt::join(titles, ", ")));
+        throw std::invalid_argument(fmt::format("there is no component '{}'; the components are: {}",
+                                                componentTitle, fmt::join(titles, ", ")));
     }
     named.front()->status.period = period;
     options_.periods[title(*named.front()->status.info)] = period;

@@ -64,24 +64,24 @@ trembler_compile_fail(resolver_undeclared_write resolver/undeclared_write.cpp
 trembler_compile_fail(resolver_undeclared_provide resolver/undeclared_provide.cpp
   "undeclared: the resolver property is not in Provides<> of this resolver")
 trembler_compile_fail(resolver_reads_derived resolver/reads_derived.cpp
-  "a resolver reads object properties only")
+  "a resolver may read object properties only")
 trembler_compile_fail(resolver_reads_resolver resolver/reads_resolver.cpp
-  "a resolver reads object properties only")
+  "a resolver may read object properties only")
 trembler_compile_fail(resolver_offers_derived resolver/offers_derived.cpp
-  "a resolver declares Reads<...>, Writes<...>, Provides<...>")
+  "a resolver must declare Reads<...>, Writes<...>, Provides<...>")
 trembler_compile_fail(resolver_takes_the_store resolver/takes_the_store.cpp
-  "only what declares to write everything is given the whole store")
+  "only a resolver with .static constexpr bool writesEverything = true. may take the whole store")
 
 trembler_compile_fail(dps_undeclared_read dps/undeclared_read.cpp
   "undeclared read: the property is not in Reads<> of this derived property set")
-trembler_compile_fail(dps_writes dps/writes.cpp "a derived property set changes no property")
+trembler_compile_fail(dps_writes dps/writes.cpp "a derived property set may not write a property")
 trembler_compile_fail(dps_derives_undeclared dps/derives_undeclared.cpp
   "undeclared: the derived property is not in Derives<> of this derived property set")
-trembler_compile_fail(dps_reads_dps dps/reads_dps.cpp "a derived property set never reads another one")
+trembler_compile_fail(dps_reads_dps dps/reads_dps.cpp "a derived property set may not read derived properties")
 trembler_compile_fail(dps_reads_dps_in_disguise dps/reads_dps_in_disguise.cpp
-  "a derived property set declares Reads<...>, Derives<...>, and changes nothing else")
+  "a derived property set must declare Reads<...>, Derives<...>, in this order, and may write nothing else")
 trembler_compile_fail(dps_changes_resolver_property dps/changes_resolver_property.cpp
-  "a derived property set declares Reads<...>, Derives<...>, and changes nothing else")
+  "a derived property set must declare Reads<...>, Derives<...>, in this order, and may write nothing else")
 # The compilers' own message: a function cannot have a message of ours.
 trembler_compile_fail(dps_overrides_bind dps/overrides_bind.cpp
   "overriding final function|overrides a 'final' function")
@@ -89,17 +89,17 @@ trembler_compile_fail(dps_overrides_bind dps/overrides_bind.cpp
 trembler_compile_fail(interaction_undeclared_read interaction/undeclared_read.cpp
   "undeclared read: the property is not in Reads<> of this interaction")
 trembler_compile_fail(interaction_writes interaction/writes.cpp
-  "an interaction changes no property. it calls its resolver")
+  "an interaction may not write a property: call the resolver that writes it")
 trembler_compile_fail(interaction_calls_second_resolver interaction/calls_second_resolver.cpp
-  "an interaction calls functions of its own resolver only")
+  "an interaction may call functions of the one role that it declares only")
 
 trembler_compile_fail(call_without_description call_without_description.cpp "describes its arguments")
 trembler_compile_fail(call_without_algebra call_without_algebra.cpp
-  "a call states its algebra, by which the order of calls does not matter")
+  "a call must have .static constexpr Algebra algebra.")
 trembler_compile_fail(counted_set_without_delta counted_set_without_delta.cpp
-  "a call on a counted set says whether it adds or takes away: delta")
+  "a call on a counted set must return the change of the count: delta")
 trembler_compile_fail(any_of_without_key any_of_without_key.cpp
-  "a call whose algebra is not a sum says what it is about: key")
+  "must return the key by which calls are combined: key")
 
 trembler_compile_fail(completion_undeclared_read completion/undeclared_read.cpp
   "undeclared read: the property is not in Reads<> of this completion")
@@ -108,35 +108,35 @@ trembler_compile_fail(completion_undeclared_add completion/undeclared_add.cpp
 trembler_compile_fail(completion_adds_resolver_property completion/adds_resolver_property.cpp
   "a completion adds object properties only")
 trembler_compile_fail(completion_reads_resolver_property completion/reads_resolver_property.cpp
-  "a completion reads object properties only")
+  "a completion may read object properties only")
 trembler_compile_fail(completion_reads_what_it_adds completion/reads_what_it_adds.cpp
-  "a completion does not read what it adds")
+  "a completion must not read a property that it adds")
 trembler_compile_fail(completion_takes_the_store completion/takes_the_store.cpp
-  "a completion has .static void complete")
+  "a completion must define .static void complete")
 trembler_compile_fail(completion_in_disguise completion/in_disguise.cpp
-  "a completion is derived from Completion<Self, Reads<...>, Adds<...>>")
+  "a completion must be derived from Completion<Self, Reads<...>, Adds<...>>")
 trembler_compile_fail(setup_reads_derived setup_reads_derived.cpp
-  "in the setup there are object properties only")
+  "an interaction that runs in the setup may read object properties only")
 
 trembler_compile_fail(object_property_without_fields object_property_without_fields.cpp
-  "a property whose members files may state describes them")
+  "an object property with members that level files may state must describe them")
 trembler_compile_fail(slot_without_coverage slot_without_coverage.cpp
-  "a resolver property says how the state hash covers it")
+  "a resolver property must declare how the state hash covers it")
 trembler_compile_fail(offer_without_news offer_without_news.cpp
-  "a property that is offered either tells news")
+  "an offered property must have exactly one of .static void gather")
 trembler_compile_fail(offer_with_both offer_with_both.cpp
-  "a property that is offered either tells news")
+  "an offered property must have exactly one of .static void gather")
 trembler_compile_fail(dps_derives_of_news dps/derives_of_news.cpp
-  "a property that is offered either tells news")
+  "an offered property must have exactly one of .static void gather")
 trembler_compile_fail(component_without_coverage component_without_coverage.cpp
-  "a component with members of its own says how the state hash covers them")
-trembler_compile_fail(closed_role_is_fed closed_role_is_fed.cpp "this role is not fed from outside")
+  "a component with data members must declare how the state hash covers them")
+trembler_compile_fail(closed_role_is_fed closed_role_is_fed.cpp "only interactions may call this role")
 trembler_compile_fail(interaction_calls_in_sequence interaction/calls_in_sequence.cpp
-  "calls in sequence come from outside the world, not from an interaction")
+  "an interaction may not make a call with Algebra::sequence")
 trembler_compile_fail(sequence_without_feeder sequence_without_feeder.cpp
-  "a role with such calls says who feeds it, fedBy")
+  "a role with such calls must name their source in fedBy")
 trembler_compile_fail(object_property_wanted object_property_wanted.cpp
-  "properties of objects are there whether anybody reads them or not")
+  "want.. takes a resolver or derived property. object properties always exist")
 # The compilers' own messages again, for private, const and deleted members.
 trembler_compile_fail(caller_forged caller_forged.cpp "caller_.*private|private.*caller_")
 trembler_compile_fail(onlooker_changes_world onlooker_changes_world.cpp

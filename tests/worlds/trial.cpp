@@ -136,8 +136,8 @@ std::string runOn(std::string const& detail, Json const& level, TrialOptions con
             session.step();
             if (threads == options.threads.front()) {
                 auto const* const engine = world.find<EngineState>();
-                bool const told = engine != nullptr && engine->troubled(); // the engine reported a failure
-                slowest = told ? slowest : std::max(slowest, processorTime() - before);
+                bool const failed = engine != nullptr && engine->troubled(); // the engine reported a failure
+                slowest = failed ? slowest : std::max(slowest, processorTime() - before);
                 if (std::string wrong = notFinite(world); !wrong.empty()) {
                     return Json{{"fault", wrong}, {"slowest", slowest}}.dump();
                 }

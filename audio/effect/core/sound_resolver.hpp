@@ -19,7 +19,7 @@ class SoundResolver final
 public:
     using Activation = NeedsAny<MadeOf, Acoustics, Sample>;
     static constexpr Coverage memory =
-        leftOut("how bodies sound, from their columns; what does sound is in Sounds");
+        leftOut("the modes of bodies, computed from their properties; the current sounds are in Sounds");
     static constexpr bool onDemand = true;
 
     SoundResolver(ComponentInfo const& info, SoundLevel const& level) : Resolver(info), work_(level.modes) {}

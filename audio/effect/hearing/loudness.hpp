@@ -70,14 +70,14 @@ public:
 class StraightLoudness final : public LoudnessDps<StraightLoudness> {
 public:
     static constexpr PathDetail detail = PathDetail::straight;
-    static constexpr ComponentText text{.name = "Straight Loudness",
-                                        .effect = "loudness",
-                                        .level = "straight",
-                                        .work =
-                                            "Adds up, for every listening object, what reaches it of each "
-                                            "sound along a straight line: less with "
-                                            "distance, through walls by their mass, and around each of them.",
-                                        .rank = 1};
+    static constexpr ComponentText text{
+        .name = "Straight Loudness",
+        .effect = "loudness",
+        .level = "straight",
+        .work =
+            "Adds up, for every listening object, the sounds that reach it along straight lines: weakened by "
+            "the distance and by walls, through them according to their mass, and around each of them.",
+        .rank = 1};
     /// Not for scenes with very many obstacles or listeners, in which ways around all obstacles are too
     /// expensive.
     static bool suits(Store const& store);
@@ -86,13 +86,14 @@ public:
 class AroundLoudness final : public LoudnessDps<AroundLoudness> {
 public:
     static constexpr PathDetail detail = PathDetail::around;
-    static constexpr ComponentText text{.name = "Loudness around Corners",
-                                        .effect = "loudness",
-                                        .level = "around",
-                                        .work = "Adds up, for every listening object, what reaches it of "
-                                                "each sound: less with distance, through walls "
-                                                "by their mass, and by the shortest way around all of them.",
-                                        .rank = 2};
+    static constexpr ComponentText text{
+        .name = "Loudness around Corners",
+        .effect = "loudness",
+        .level = "around",
+        .work =
+            "Adds up, for every listening object, the sounds that reach it: weakened by the distance and by "
+            "walls, through them according to their mass, and along the shortest path around all of them.",
+        .rank = 2};
 };
 
 } // namespace trembler

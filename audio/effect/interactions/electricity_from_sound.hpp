@@ -17,12 +17,12 @@ class ElectricityFromSound final
     : public Interaction<ElectricityFromSound, ElectricityRole,
                          Reads<Loudness, SoundSensor, Contacts, Conductor, ElectricityGraph>> {
 public:
-    static constexpr ComponentText text{.name = "Electricity <- Sound",
-                                        .effect = "sound",
-                                        .level = "",
-                                        .work = "Connects, while a sensor hears enough, the two conductors "
-                                                "that it names, or all that touch it, and "
-                                                "disconnects them when it no longer does."};
+    static constexpr ComponentText text{
+        .name = "Electricity <- Sound",
+        .effect = "sound",
+        .level = "",
+        .work = "While the sound at a sensor is loud enough, connects the two conductors that it names, or "
+                "all conductors that touch it; disconnects them afterwards."};
     using Activation = NeedsAll<SoundSensor>;
     /// The connections that it has made and will remove.
     void hashMemory(StateHash& hash) const { hash.members(connected_); }

@@ -21,7 +21,8 @@ public:
         .name = "Sound <- Buoyancy",
         .effect = "sound",
         .level = "",
-        .work = "Strikes a liquid with the momentum that an object gives to what it newly displaces."};
+        .work =
+            "Excites a liquid by the momentum that an object gives to the liquid that it newly displaces."};
     using Activation = NeedsAll<Liquid>;
     /// The memory is hashed, as splashes depend on the areas that were immersed before.
     void hashMemory(StateHash& hash) const { hash.members(wet_); }

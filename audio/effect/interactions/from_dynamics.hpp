@@ -21,13 +21,13 @@ class SoundFromDynamics final
                          Reads<Impacts, ContactPatches, Contacts, Shape, MadeOf, Acoustics, Sample, Mass,
                                Fixed, Friction, Position, Rotation, Velocity, AngularVelocity>> {
 public:
-    static constexpr ComponentText text{.name = "Sound <- Dynamics",
-                                        .effect = "sound",
-                                        .level = "",
-                                        .work = "Strikes both objects of every impact, with its impulse and "
-                                                "for the time that their hardness keeps "
-                                                "them in touch; rubs those that slide or roll on each other; "
-                                                "plays the recordings of struck objects."};
+    static constexpr ComponentText text{
+        .name = "Sound <- Dynamics",
+        .effect = "sound",
+        .level = "",
+        .work = "Excites both objects of every impact, by its impulse and for the contact time that follows "
+                "from their hardness; excites objects that slide or roll on each other; plays the recordings "
+                "of struck objects."};
     using Activation = NeedsAny<MadeOf, Acoustics, Sample>;
 
     void apply(Access& access);

@@ -16,7 +16,8 @@ public:
         .name = "Sound <- Electricity",
         .effect = "sound",
         .level = "",
-        .work = "Keeps the recording going of every object that has one for when it is on, and is."};
+        .work =
+            "Repeats the recording of every object that is on and whose recording has the cue \"powered\"."};
     using Activation = NeedsAll<Sample>;
     void apply(Access& access) {
         auto const& state = access.read<ElectricalState>();

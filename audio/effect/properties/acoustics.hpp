@@ -24,8 +24,9 @@ inline constexpr std::array<std::string_view, 5> choiceNames<SoundingForm>{"auto
 /// The sound of an object if it must not follow from its shape and its material.
 struct Acoustics {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Acoustics", "acoustics",
-                                       "How the object sounds, where shape and material do not tell."};
+    static constexpr PropertyText text{
+        "Acoustics", "acoustics",
+        "How the object vibrates, where this does not follow from its shape and material."};
     SoundingForm form = SoundingForm::automatic;
     double frequency = 0;         ///< Hz, of the lowest mode, or of the prime of a bell; 0: from the size
     double ringing = 0;           ///< s, until that mode has decayed by 60 dB; 0: by the material
@@ -33,23 +34,26 @@ struct Acoustics {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "form", .unit = "", .meaning = "what it vibrates like"}, self.form);
+        visit(FieldInfo{.key = "form",
+                        .unit = "",
+                        .meaning = "kind of body whose modes it has; automatic: chosen by its shape"},
+              self.form);
         visit(FieldInfo{.key = "frequency",
                         .unit = "Hz",
-                        .meaning = "of the lowest mode, of a bell the prime; 0: from the size",
+                        .meaning = "of the lowest mode, or of the prime of a bell; 0: computed from the size",
                         .minimum = 0,
                         .maximum = 20000},
               self.frequency);
         visit(FieldInfo{.key = "ringing",
                         .unit = "s",
-                        .meaning = "until that mode has died away by 60 dB; 0: by the material",
+                        .meaning = "time in which that mode decays by 60 dB; 0: computed from the material",
                         .minimum = 0,
                         .maximum = 60},
               self.ringing);
         visit(
             FieldInfo{.key = "partials",
                       .unit = "",
-                      .meaning = "frequencies of all modes over that of the lowest; none: those of the form",
+                      .meaning = "frequencies of all modes, divided by the lowest; empty: those of the form",
                       .minimum = 0.01,
                       .maximum = 1000},
             self.partials);
@@ -81,25 +85,27 @@ struct Sample {
         visit(FieldInfo{.key = "file",
                         .unit = "",
                         .meaning =
-                            "an .ogg, .wav or .flac file, looked for beside the level and in assets/sounds",
+                            "name of an .ogg, .wav or .flac file in the level's folder or in assets/sounds",
                         .required = true},
               self.file);
-        visit(FieldInfo{.key = "cue", .unit = "", .meaning = "when it is played"}, self.cue);
+        visit(FieldInfo{.key = "cue",
+                        .unit = "",
+                        .meaning = "struck: once for each impact; powered: repeated while the object is on"},
+              self.cue);
         visit(FieldInfo{.key = "level_db",
                         .unit = "dB",
                         .meaning = "mean sound level at a distance of 1 m",
                         .minimum = 0,
                         .maximum = 140},
               self.level);
-        visit(FieldInfo{.key = "duration",
-                        .unit = "s",
-                        .meaning = "how long it is heard",
-                        .minimum = 0.01,
-                        .maximum = 600},
-              self.duration);
+        visit(
+            FieldInfo{
+                .key = "duration", .unit = "s", .meaning = "of one play", .minimum = 0.01, .maximum = 600},
+            self.duration);
         visit(FieldInfo{.key = "full_impulse",
                         .unit = "N s",
-                        .meaning = "impacts from this on play it at full level, softer ones in proportion",
+                        .meaning = "impulse from which on an impact plays it at its full level; weaker "
+                                   "impacts play it more quietly, in proportion",
                         .minimum = 1e-6,
                         .maximum = 1e6},
               self.fullImpulse);
@@ -110,15 +116,16 @@ struct Sample {
 /// Marks an object that listens, to display the loudness there.
 struct Ear {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Ear", "ear", "How loud it is here is worked out for the object."};
+    static constexpr PropertyText text{"Ear", "ear", "The sound level at the object is computed."};
 };
 
 /// A switch that closes while the sound is loud enough. If it names two objects, it connects these. Otherwise
 /// it connects the conductors that touch it; it should not be a conductor itself, or it connects them always.
 struct SoundSensor {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Sound sensor", "sound_sensor",
-                                       "The object conducts while it hears enough."};
+    static constexpr PropertyText text{
+        "Sound sensor", "sound_sensor",
+        "A switch that is closed while the sound at the object is loud enough."};
     double threshold = 70; ///< dB(A)
     ObjectId a;
     ObjectId b;
@@ -127,12 +134,16 @@ struct SoundSensor {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "threshold_db",
                         .unit = "dB",
-                        .meaning = "A-weighted sound level from which on it conducts",
+                        .meaning = "A-weighted sound level from which on it is closed",
                         .minimum = 0,
                         .maximum = 140},
               self.threshold);
-        visit(FieldInfo{.key = "from", .unit = "", .meaning = "a conductor that it connects"}, self.a);
-        visit(FieldInfo{.key = "to", .unit = "", .meaning = "the conductor that it connects it to"}, self.b);
+        visit(FieldInfo{.key = "from",
+                        .unit = "",
+                        .meaning = "one of two conductors that it connects; left out: it connects the "
+                                   "conductors that touch it"},
+              self.a);
+        visit(FieldInfo{.key = "to", .unit = "", .meaning = "the other one of the two conductors"}, self.b);
     }
     friend bool operator==(SoundSensor const&, SoundSensor const&) = default;
 };

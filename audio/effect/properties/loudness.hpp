@@ -13,8 +13,7 @@ namespace trembler {
 /// Derived by the present detail level of loudness.
 struct Loudness {
     static constexpr PropertyKind kind = PropertyKind::derived;
-    static constexpr PropertyText text{"Loudness", "loudness",
-                                       "How loud it is for each object that listens."};
+    static constexpr PropertyText text{"Loudness", "loudness", "The sound level at each listening object."};
     static constexpr std::string_view standing = "the level of the sounds at their end, smoothed over 125 ms";
     struct Entry {
         ObjectId ear;
@@ -23,9 +22,10 @@ struct Loudness {
         EventId event;    ///< made the loudest one sound; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
-            visit(FieldInfo{.key = "object", .unit = "", .meaning = "that listens"}, self.ear);
-            visit(FieldInfo{.key = "level", .unit = "dB(A)", .meaning = "how loud it is"}, self.level);
-            visit(FieldInfo{.key = "loudest", .unit = "", .meaning = "that contributes most"}, self.loudest);
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "listening object"}, self.ear);
+            visit(FieldInfo{.key = "level", .unit = "dB(A)", .meaning = "sound level at it"}, self.level);
+            visit(FieldInfo{.key = "loudest", .unit = "", .meaning = "object whose sound contributes most"},
+                  self.loudest);
         }
     };
     std::vector<Entry> entries; ///< ascending by ear

@@ -17,8 +17,9 @@ namespace trembler {
 /// All pressures are those at a distance of 1 m in free air. Sound has no travel time.
 struct Sounds {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Sounds", "sounds",
-                                       "What sounds where: modes that ring, impacts, rubbing, recordings."};
+    static constexpr PropertyText text{
+        "Sounds", "sounds",
+        "The current sounds and their places: ringing modes, impacts, rubbing, recordings."};
     static constexpr Coverage coverage = hashed;
 
     /// A mode of a body that rings.

@@ -75,11 +75,11 @@ void writePicture(GameData const& gameData, Session const& session, fs::path con
         writePng(pictureOf(window, gameData, session), file);
         std::error_code ignored;
         fs::path const where = fs::absolute(file, ignored);
-        out << "A picture of how it ended is in " << where.string() << ".\n";
+        out << "A picture of the last frame is in " << where.string() << ".\n";
     } catch (render::WindowError const& error) {
-        out << "There is no picture, because nothing can be drawn here. " << error.what() << "\n";
+        out << "No picture was made, because drawing is not possible here. " << error.what() << "\n";
     } catch (render::RenderError const& error) {
-        out << "There is no picture. " << error.what() << "\n";
+        out << "No picture was made. " << error.what() << "\n";
     }
 }
 

@@ -9,7 +9,7 @@ inline constexpr CommandInfo fullscreen{.id = "fullscreen",
                                         .keys = {{{SDLK_F11}}},
                                         .group = CommandGroup::program,
                                         .name = "Full screen",
-                                        .tip = "Fill the whole screen, or no longer",
+                                        .tip = "Switch full screen on or off",
                                         .help = "fill the whole screen"};
 
 } // namespace trembler::ui::common

@@ -45,7 +45,7 @@ void drawOptions(Layout& layout, Session& session, Toasts& toasts, budget::Knob 
     ImGui::PushFont(theme().fonts.small);
     for (std::size_t i = 0; i < knob.options.size(); ++i) {
         budget::Option const& option = knob.options[i];
-        if (option.name.find(", every ") != std::string::npos && i != knob.current) {
+        if (option.lessOften && i != knob.current) {
             continue; // the period of a component has a knob of its own
         }
         std::string const label = option.name + "  ·  " + words::howFarOff(option.error.metres);
@@ -147,7 +147,7 @@ void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode cons
     ImGui::TextUnformatted(words::capital(cost.effect).c_str());
     ImGui::PopStyleColor();
     tip(session.world().why(cost.effect).empty() ? std::string()
-                                                 : words::activatedBy(session.world().why(cost.effect)));
+                                                 : words::sceneNeeds(session.world().why(cost.effect)));
 
     ImGui::TableNextColumn();
     auto const effect = std::find_if(levels_.begin(), levels_.end(),
@@ -178,7 +178,7 @@ void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode cons
         if (!ImGui::BeginCombo(("##" + cost.effect).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge)) {
             layout.item("detail of " + cost.effect);
             std::string const why = session.world().why(cost.effect);
-            tip(shown + (why.empty() ? "" : ". " + words::activatedBy(why)));
+            tip(shown + (why.empty() ? "" : ". " + words::sceneNeeds(why)));
         } else {
             if (ImGui::Selectable(automatic.c_str(), effect->chosen.empty())) {
                 attempt(toasts, [&] { session.setDetail(cost.effect, ""); });

@@ -18,7 +18,7 @@ std::string reasonOf(ComponentStatus const& status) {
         return words::nothingHas(missing->text.name);
     }
     case ChoiceReason::notRead:
-        return words::nobodyAsks;
+        return words::notRead;
     default:
         return words::notNeeded;
     }

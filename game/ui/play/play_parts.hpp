@@ -24,7 +24,7 @@
 
 namespace trembler::ui {
 
-/// Each part keeps its own state and nobody copies that; here is only what concerns several parts. Window
+/// Each part keeps its own state, which is not copied; here is only state that concerns several parts. Window
 /// thread only; the context must outlive it.
 struct PlayParts {
     /// `levelData` is what the level is played with if it names mods, else nullptr: then that of the context.

@@ -48,7 +48,7 @@ public:
     /// Called instead of update() while the menu is open.
     virtual void updateBehindMenu(double seconds) = 0;
     /// Whether the screen keeps the picture that was just updated, for a film or a file: then it is drawn
-    /// even if nobody sees the window.
+    /// even if the window is not visible.
     [[nodiscard]] virtual bool keepsPicture() const { return false; }
     /// Draws into the window: after Window::beginFrame, before Gui::endFrame.
     virtual void draw() = 0;

@@ -35,11 +35,11 @@ std::string noSuchCommand(std::string const& id) {
     return fmt::format("Keys in your profile: there is no command \"{}\".", visible(id));
 }
 std::string notAKey(std::string const& id, std::string const& text) {
-    return fmt::format("Keys in your profile: \"{}\" has \"{}\", which is no key; it has its usual one.",
+    return fmt::format("Keys in your profile: \"{}\" has \"{}\", which is no key; the default key applies.",
                        visible(id), visible(text));
 }
 std::string keysNotTaken(std::string const& id, std::string const& why) {
-    return fmt::format("Keys in your profile: {}, so \"{}\" has its usual one.", why, visible(id));
+    return fmt::format("Keys in your profile: {}, so the default key of \"{}\" applies.", why, visible(id));
 }
 std::string keysNotRead(std::string const& what) {
     return fmt::format("Keys in your profile: expected {}.", visible(what));
@@ -115,8 +115,8 @@ std::string worksButAltered(std::string const& why) {
 std::string andMore(std::size_t count) {
     return fmt::format("and {} more", count);
 }
-std::string activatedBy(std::string const& why) {
-    return "The scene calls for " + why + ".";
+std::string sceneNeeds(std::string const& why) {
+    return "The scene needs " + why + ".";
 }
 
 std::string nothingHas(std::string_view property) {
@@ -138,8 +138,8 @@ std::string howFarOff(double metres) {
                               : fmt::format("{:.0f} m", std::min(metres, 1e6));
 }
 std::string errorTip(double metres, double share, std::string const& of, std::string const& source) {
-    return fmt::format("{:.2g} % {}: what nothing holds would be off by {} after a second. {}", 100 * share,
-                       of, metres > 0 ? howFarOff(metres) : "nothing", source);
+    return fmt::format("{:.2g} % {}: a body that nothing holds would be off by {} after a second. {}",
+                       100 * share, of, metres > 0 ? howFarOff(metres) : "nothing", source);
 }
 std::string budgetIs(double microseconds) {
     return fmt::format("Time budget: {:.2f} ms per frame", microseconds / 1000);
@@ -153,7 +153,7 @@ std::string ofRated(double share) {
 }
 
 std::string idleNow(std::string const& chosen, std::string const& working) {
-    return chosen + " (at work: " + working + ")";
+    return chosen + " (used: " + working + ")";
 }
 
 std::string automaticNow(std::string const& level) {

@@ -61,13 +61,13 @@ inline constexpr char const* shadows = "Soft shadows";
 inline constexpr char const* shadowsTip = "Look better, cost time on a computer without a graphics card";
 inline constexpr char const* volume = "Volume";
 inline constexpr char const* hrtf = "Spatial sound for headphones";
-inline constexpr char const* hrtfTip = "Left, right and behind as the shape of our ears tells them";
+inline constexpr char const* hrtfTip = "Simulates how ears hear sound from each direction";
 inline constexpr char const* fullscreen = "Fill the whole screen";
 inline constexpr char const* keys = "Keys";
 inline constexpr char const* changeKeys = "Change the keys";
 inline constexpr char const* resetKeys = "All keys as they were";
 inline constexpr char const* pressAKey = "Press a key …";
-inline constexpr char const* pressAKeyOrEsc = "Press the key that it is to have. Esc leaves it as it is.";
+inline constexpr char const* pressAKeyOrEsc = "Press the new key. Esc keeps the old one.";
 inline constexpr char const* changeKeysHint =
     "Click a line, or press Enter on it. The cross, or Delete, takes its key away.";
 inline constexpr char const* chooseAnother = "Press another one.";
@@ -92,25 +92,25 @@ inline constexpr char const* connectedTo = "connected to";
     return "by " + callers + ": " + objects;
 }
 inline constexpr char const* touches = "touches";
-inline constexpr char const* touchesMeaning = "whom it touches at this moment";
+inline constexpr char const* touchesMeaning = "the objects that it touches at this moment";
 inline constexpr char const* weight = "weight";
 inline constexpr char const* weightMeaning = "the force of gravity on it";
 inline constexpr char const* potential = "potential";
-inline constexpr char const* potentialMeaning = "above the return of its network";
-inline constexpr char const* floating = "floating: no way leads to a source or a return";
+inline constexpr char const* potentialMeaning = "relative to the return of its network";
+inline constexpr char const* floating = "floating: not connected to a source or a return";
 inline constexpr char const* current = "current";
 inline constexpr char const* currentMeaning = "through it";
 inline constexpr char const* power = "power";
 inline constexpr char const* powerMeaning = "that becomes heat or light in it";
 inline constexpr char const* shortCircuit = "short circuit";
 inline constexpr char const* shortMeaning =
-    "it loses nearly all of its voltage inside, or drives next to no load";
+    "nearly all of its voltage drops inside it, or its load has hardly any resistance";
 inline constexpr char const* magneticPull = "magnetic force";
 inline constexpr char const* magneticMeaning = "the sum of all magnetic forces on it";
 inline constexpr char const* sounds = "sounds";
-inline constexpr char const* soundsMeaning = "how loud it is, at a distance of 1 m";
+inline constexpr char const* soundsMeaning = "sound level at a distance of 1 m";
 inline constexpr char const* hears = "hears";
-inline constexpr char const* hearsMeaning = "how loud it is where it is";
+inline constexpr char const* hearsMeaning = "sound level at its position";
 inline constexpr char const* silence = "silence";
 inline constexpr char const* objectIsGone = "It is not in the world at the moment.";
 inline constexpr char const* yes = "yes";
@@ -123,7 +123,8 @@ inline constexpr char const* component = "component";
 inline constexpr char const* state = "state";
 inline constexpr char const* period = "every";
 inline constexpr char const* periodTip = "Runs in every nth frame. Drag to change, double-click to type.";
-inline constexpr char const* periodFixedTip = "It must not miss a frame: that would be other physics.";
+inline constexpr char const* periodFixedTip =
+    "It must run in every frame: otherwise the physics would change.";
 inline constexpr char const* timePerFrame = "time, µs";
 inline constexpr char const* active = "active";
 inline constexpr char const* asleep = "asleep";
@@ -164,22 +165,22 @@ inline constexpr char const* howItCameThere = "How it came there";
 inline constexpr char const* effect = "effect";
 inline constexpr char const* howExactly = "how exactly";
 inline constexpr char const* timePerFrameOf = "time per frame";
-inline constexpr char const* errorAfterASecond = "off after 1 s";
-inline constexpr char const* oneWayOnly = "in one way only";
+inline constexpr char const* errorAfterASecond = "error at 1 s";
+inline constexpr char const* oneWayOnly = "one level only";
 inline constexpr char const* notNeeded = "nothing activates it";
-inline constexpr char const* nobodyAsks = "nobody listens";
+inline constexpr char const* notRead = "nothing reads it";
 inline constexpr char const* wholeFrame = "A frame";
 inline constexpr char const* withoutBudget = "no budget";
 inline constexpr char const* keepToBudget = "Keep to a time budget";
 inline constexpr char const* budgetTip =
     "Levels, settings and periods are chosen, once a second, so that a frame takes no longer than this on "
     "average and "
-    "the error is least. What is chosen becomes part of what you save.";
+    "the error is least. The choices become part of what you save.";
 inline constexpr char const* budgetFormat = "%.2f ms";
 inline constexpr char const* lessOrMore = "Less or more of it";
 inline constexpr char const* budgetOff = "No time budget: levels stay as they are";
 inline constexpr char const* budgetMissed = "The last second took longer than that.";
-inline constexpr char const* budgetHopeless = "Nothing that would do is cheap enough for this budget.";
+inline constexpr char const* budgetHopeless = "No allowed choice is fast enough for this budget.";
 inline constexpr char const* nothingToChange = "Everything is as it should be: nothing to change.";
 inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 
@@ -215,7 +216,7 @@ inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 /// Of a run with other scripts or parameters than the level's.
 [[nodiscard]] std::string worksButAltered(std::string const& why);
 [[nodiscard]] std::string automaticNow(std::string const& level);
-[[nodiscard]] std::string activatedBy(std::string const& why);
+[[nodiscard]] std::string sceneNeeds(std::string const& why);
 [[nodiscard]] std::string nothingHas(std::string_view property);
 /// µs
 [[nodiscard]] std::string duration(double microseconds);

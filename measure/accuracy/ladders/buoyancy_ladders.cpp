@@ -77,8 +77,8 @@ Ladder climbRaft(GameData const& gameData, Effort effort) {
         }
     }
     ladder.rungs.push_back({"exact", right.microseconds, 0, {}, false, {}});
-    ladder.remark = "Half of the time goes into drag, which is the same at every level, so few particles "
-                    "save nothing. A scene gets exact unless it asks for them.";
+    ladder.remark = "Half of the time is drag, which is the same at every level, so few particles save "
+                    "nothing. A scene uses exact unless particles are requested.";
     return ladder;
 }
 
@@ -104,9 +104,9 @@ Ladder climbPeriods(GameData const& gameData, Effort effort) {
                                 {}});
     }
     ladder.remark =
-        "What is left from a period of five on is drag, which is computed in every frame: a longer one "
-        "saves nothing worth its error. The error is not smooth over the period, as where the boxes "
-        "come to lie on the deck depends on when they land ([buoyancy.md](../buoyancy.md)).";
+        "From a period of five on the remaining time is drag, which is computed in every frame: a longer "
+        "period saves too little time for its error. The error is not a smooth function of the period, as "
+        "the positions of the boxes on the deck depend on when they land ([buoyancy.md](../buoyancy.md)).";
     return ladder;
 }
 
@@ -177,10 +177,10 @@ Ladder climbCuts(GameData const&, Effort effort) {
     }
     add("exact", ExactHull(shape));
     ladder.remark =
-        "Particles are the thesis's own level (6.13), and stay as that: boxes, discs, polygons and "
-        "capsules can be cut exactly for the price of less than eight, so a scene gets exact unless "
-        "it asks for particles. How well they fit the float matters as much as how many there are: "
-        "8 are hardly better than 4, and 32 no better than 16.";
+        "Particles are the level of the thesis (6.13), and are kept for that reason: boxes, discs, polygons "
+        "and capsules are cut exactly in less time than eight particles take, so a scene uses exact unless "
+        "particles are requested. The fit of the particles to the float matters as much as their number: 8 "
+        "are hardly better than 4, and 32 no better than 16.";
     return ladder;
 }
 

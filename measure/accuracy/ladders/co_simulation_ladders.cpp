@@ -21,7 +21,7 @@ public:
     explicit Growth(std::string scene) {
         ladder_.scene = std::move(scene);
         ladder_.unit = "of the energy";
-        ladder_.error = "what the energy gains or loses in an oscillation, over five of them";
+        ladder_.error = "change of the energy in an oscillation, over five of them";
         ladder_.reference = "conserved (closed form)";
         ladder_.rivals = false;
     }
@@ -54,14 +54,15 @@ Ladder climbMagnet(GameData const& gameData, Effort) {
                    magnetOnSpring(gameData, 16, false, parts));
     }
     return growth.finish(
-        "A force that is computed once in a frame of the length t, and stands for it, is late by t/2 on "
+        "A force that is computed once in a frame of the length t, and held for it, is late by t/2 on "
         "average. Where it is late by τ, amplitudes grow at the rate ½ τ F'/m, F' being its stiffness, and "
         "energies twice as fast (Åström and Wittenmark, Computer-Controlled Systems, 1997, on sample and "
-        "hold). N substeps of semi-implicit Euler leave τ = t/2 (1 - 1/N): one is late by nothing, and more "
-        "of them do not help, they take away what makes up for the lag. The spring, which belongs to "
+        "hold). N substeps of semi-implicit Euler leave τ = t/2 (1 - 1/N): one has no lag, and more of them "
+        "do not help, as they remove the part that compensates the lag. The spring, which belongs to "
         "dynamics, has no such lag; Box2D's implicit steps take energy out of it, the less the shorter they "
-        "are. With one substep that is all there is, and the swing loses; with more it "
-        "gains. Looking ahead, the default, takes the force of where the magnet will be by τ. *In parts* a "
+        "are. With one substep this is the only change, and the oscillation loses energy; with more it gains "
+        "energy. Looking ahead, the default, uses the force at the position that the magnet has after τ. *In "
+        "parts* a "
         "frame is "
         "computed in several equal parts (`\"frame\": {\"parts\": 4}`), in each of which the force is "
         "computed "
@@ -85,10 +86,10 @@ Ladder climbFloat(GameData const& gameData, Effort) {
                    floatOnSpring(gameData, 4, period, true));
     }
     return growth.finish(
-        "*Late* are forces as in the thesis, with the same lag as the magnet's: one substep loses and "
-        "everything else gains. *Ahead* is the default, looking ahead ([buoyancy.md](../buoyancy.md)), which "
-        "resists the float's motion with just what the force will have lost on average by the time when it "
-        "is computed again. What is left is what the spring loses in the engine.");
+        "*Late* are forces as in the thesis, with the same lag as the magnet's: with one substep the "
+        "oscillation loses energy, otherwise it gains energy. *Ahead* is the default, looking ahead "
+        "([buoyancy.md](../buoyancy.md)), which resists the float's motion by the average change of the "
+        "force until it is computed again. The remaining loss is that of the spring in the engine.");
 }
 
 } // namespace

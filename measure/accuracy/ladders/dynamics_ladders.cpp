@@ -152,44 +152,45 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
     };
     std::string const gap = "widest gap of a joint";
     std::string const whole = "a chain without gaps";
-    plans.push_back(
-        substepsPlan({"a chain of 30 links under a hundred times a link's mass", gap, whole,
-                      "Below four substeps the chain's zig-zag mode is faster than the step can "
-                      "follow, and it bursts. Two are beaten by four for that reason alone: a chain "
-                      "that is torn has contacts, which cost more than the substeps that keep it whole. "
-                      "Automatic settings solve so long a chain's joints at once and so beat eight."},
-                     chain, {300, 60}));
+    plans.push_back(substepsPlan(
+        {"a chain of 30 links under a hundred times a link's mass", gap, whole,
+         "Below four substeps the step is too long for the chain's zig-zag mode, and the chain tears. For "
+         "that reason alone two substeps take longer than four: a torn chain has contacts, which take more "
+         "time than the substeps that keep it whole. The automatic settings solve all joints of so long a "
+         "chain together, and are better than eight substeps."},
+        chain, {300, 60}));
     plans.push_back(iterationsPlan(
         {"the same chain at 1 substep, by velocity iterations", gap, whole,
          "The chain tears with any number of iterations: they cannot make up for steps that are "
          "too long. By how much is a matter of chance."},
         chain, 1, velocityIterations, {300, 40}));
-    plans.push_back(iterationsPlan({"the same chain at 4 substeps, by velocity iterations", gap, whole,
-                                    "Where the step is short enough, more iterations help; eight substeps of "
-                                    "eight iterations cost what four of 32 cost. Fewer than four tear it."},
-                                   chain, 4, velocityIterations, {300, 40}));
+    plans.push_back(iterationsPlan(
+        {"the same chain at 4 substeps, by velocity iterations", gap, whole,
+         "If the step is short enough, more iterations help; eight substeps of eight iterations take as long "
+         "as four of 32. With fewer than four iterations the chain tears."},
+        chain, 4, velocityIterations, {300, 40}));
     plans.push_back(iterationsPlan(
         {"the same chain at 4 substeps, by position iterations", gap, whole,
-         "Under a load they do not help: it opens in the next substep what they close in this "
-         "one, and a dozen of them, each of which looks at one joint only, throw the chain "
-         "about. They are for gaps and overlaps of unloaded joints and contacts; three is the default."},
+         "Under a load they do not help: in the next substep the load opens the gaps that they close in this "
+         "one, and a dozen iterations, each for a single joint, make the chain unsteady. They are for gaps "
+         "and overlaps of unloaded joints and contacts; three is the default."},
         chain, 4, positionIterations, {300, 40}));
     plans.push_back(substepsPlan(
         {"a stack of 20 boxes", "farthest that a box has moved sideways", "a stack that stands still",
          "From eight on nothing is gained."},
         [](GameData const& gameData, Solver const& solver) { return stack(gameData, solver, 20); },
         {1200, 60}));
-    plans.push_back(enginesPlan(
-        {"engines: a chain of 30 links under a hundred times a link's mass", gap, whole,
-         "A scene gets Box2D; the others are there to be compared with it. Chipmunk tears the chain with 4 "
-         "substeps and holds it with 8; ODE, made for three dimensions, is the most expensive by far. See "
-         "[engines.md](../engines.md) for what else is different about them."},
-        chain, {300, 30}));
+    plans.push_back(
+        enginesPlan({"engines: a chain of 30 links under a hundred times a link's mass", gap, whole,
+                     "A scene uses Box2D unless another engine is requested. With Chipmunk the chain tears "
+                     "at 4 substeps and holds at 8; ODE, made for three dimensions, takes by far the most "
+                     "time. [engines.md](../engines.md) describes the other differences."},
+                    chain, {300, 30}));
     plans.push_back(enginesPlan(
         {"engines: a stack of 10 boxes", "farthest that a box has moved sideways",
          "a stack that stands still",
-         "Chipmunk's boxes creep by millimetres, so that even with more substeps it is beaten by fewer of "
-         "Box2D."},
+         "Chipmunk's boxes creep by millimetres, so even with more substeps it is less accurate than Box2D "
+         "with fewer."},
         [](GameData const& gameData, Solver const& solver) { return stack(gameData, solver, 10); },
         {600, 30}));
 }

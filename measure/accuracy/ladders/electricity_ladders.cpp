@@ -234,15 +234,14 @@ Ladder climbCircuits(std::vector<Wiring> const& circuits, std::string scene, Que
             {level, found.microseconds, glows ? found.wrong : found.amperes, {}, false, {}});
     }
     ladder.remark =
-        glows
-            ? "The simpler levels are not worse at their own task: they are told who is connected, not who "
-              "glows. This is what is lost when they are asked all the same. Flow is beaten by two-wire, as "
-              "it calls the same lamps on and costs more: no scene gets it unasked, and it is there for "
-              "what no other level tells, the bottlenecks ([electricity.md](../electricity.md))."
-            : "For flow every lamp states that it can carry its rated current, so it knows more than "
-              "two-wire. It is "
-              "beaten by nodal, which costs less and knows Ohm's law; its task is another one, bottlenecks "
-              "([electricity.md](../electricity.md)).";
+        glows ? "The simpler levels are not worse at their own task: their result is which objects are "
+                "connected, not which lamps glow. These are their errors if they are used for that all the "
+                "same. Two-wire is better than flow, which finds the same lamps on and takes longer: no "
+                "scene uses flow unless it is requested. It computes what no other level does, the "
+                "bottlenecks ([electricity.md](../electricity.md))."
+              : "For flow every lamp states that it can carry its rated current, so flow has more data than "
+                "two-wire. Nodal is better, as it takes less time and uses Ohm's law; the task of flow is "
+                "another one, bottlenecks ([electricity.md](../electricity.md)).";
     return ladder;
 }
 

@@ -200,10 +200,9 @@ void addMagnetismPlans(std::vector<Plan>& plans) {
                          int const count = effort.brief ? 100 : 1000;
                          return climbField(
                              field(count, PoleSet::both), fmt::format("{} bar magnets", count),
-                             "Bars have no far field to speak of, so a grid can do. The two levels overlap: "
-                             "a cutoff of 8 m costs more than a tree that is as exact, and an "
-                             "opening angle of 0.7 more than a grid of 4 m, so neither is worth "
-                             "asking for here.",
+                             "Bars have hardly any far field, so a grid is sufficient. The two levels "
+                             "overlap: a cutoff of 8 m takes longer than a tree of the same accuracy, and an "
+                             "opening angle of 0.7 longer than a grid of 4 m, so neither is useful here.",
                              effort);
                      }});
     plans.push_back({"magnetism", [](GameData const&, Effort effort) {
@@ -211,9 +210,9 @@ void addMagnetismPlans(std::vector<Plan>& plans) {
                          return climbField(
                              field(count, PoleSet::north), fmt::format("{} single north poles", count),
                              "Where all poles have one sign, the far field is most of the force: a grid is "
-                             "no level for that, whatever its cutoff. Cells hardly larger than the magnets' "
-                             "distance save few pairs and have to be gone through all the same, and an "
-                             "opening angle of 0.7 saves next to nothing over 0.5.",
+                             "unsuitable for that, with any cutoff. Cells hardly larger than the magnets' "
+                             "distance exclude few pairs and must be searched all the same, and an opening "
+                             "angle of 0.7 saves hardly any time compared with 0.5.",
                              effort);
                      }});
     plans.push_back({"magnetism", [](GameData const&, Effort effort) { return climbDipoles(effort); }});

@@ -72,7 +72,7 @@ Ladder climbModes(GameData const& gameData, Effort effort) {
     int const bodies = effort.brief ? 3 : 60;
     int const frames = effort.brief ? 40 : 180;
     Ladder ladder{"",         fmt::format("{} bodies fall on stone", bodies),
-                  "Hz",       "mean difference of the mean frequency that is heard of a body",
+                  "Hz",       "mean difference of the mean audible frequency of a body",
                   "32 modes", true,
                   {},         {}};
     Hearing const right = listen(gameData, "32-modes", bodies, frames);
@@ -87,9 +87,9 @@ Ladder climbModes(GameData const& gameData, Effort effort) {
         }
         ladder.rungs.push_back({level, found.microseconds, heard > 0 ? error / heard : 0, {}, false, {}});
     }
-    ladder.remark = "Times are means over the frames, not medians, as it is impacts that cost, and what the "
-                    "world pays. The loudspeakers' synthesis, beside it, renders only the modes that "
-                    "can be heard beside the others, so that more of them cost little more (bench_sound).";
+    ladder.remark = "Times are means over the frames, not medians, as impacts take most of the time, and "
+                    "they are the world's times. The synthesis for loudspeakers, which is not included, "
+                    "renders only the audible modes, so more modes take little more time (bench_sound).";
     return ladder;
 }
 

@@ -27,8 +27,7 @@ class BuoyancyResolver
 public:
     using Activation = NeedsAll<Liquid, Shape, Position>;
     static constexpr int longestPeriod = 12; // docs/buoyancy.md: no visible errors up to this period
-    static constexpr Coverage memory =
-        leftOut("what hulls are made of, from their shapes, and which of them moved");
+    static constexpr Coverage memory = leftOut("hulls, computed from shapes, and which of them moved");
     using Access = typename Base::Access;
 
     void advance(Access& access) {

@@ -37,9 +37,8 @@ public:
         .name = "Liquid Drag",
         .effect = "buoyancy",
         .level = "",
-        .work =
-            "For each object in a liquid, calculates linear and quadratic drag from its velocity, and what "
-            "must resist its motion while F_B stands unchanged.",
+        .work = "For each object in a liquid, calculates linear and quadratic drag from its velocity, and "
+                "the damping that makes up for F_B being held until it is computed again.",
         .rank = 1};
     using Activation = NeedsAll<Liquid, Shape, Velocity>;
     static constexpr int longestPeriod = 12;

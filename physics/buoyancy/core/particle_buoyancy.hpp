@@ -14,7 +14,7 @@ public:
         .effect = "buoyancy",
         .level = "particles",
         .work =
-            "Calculates the centre of buoyancy and F_B as sums over particles that stand for each object, "
+            "Calculates the centre of buoyancy and F_B as sums over particles that represent each object, "
             "and exports them as per-object properties.",
         .rank = 2}; // 64 particles cost more than an exact box
 

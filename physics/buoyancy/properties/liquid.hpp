@@ -26,13 +26,13 @@ struct Liquid {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "linear_drag",
                         .unit = "1/s",
-                        .meaning = "of what a body displaces: the share of its momentum lost per second",
+                        .meaning = "drag force divided by the speed and by the mass of the displaced liquid",
                         .minimum = 0,
                         .maximum = 1e3},
               self.linearDrag);
         visit(FieldInfo{.key = "quadratic_drag",
                         .unit = "",
-                        .meaning = "drag coefficient of what is immersed; about 1 for blunt bodies",
+                        .meaning = "drag coefficient of immersed bodies; about 1 for blunt ones",
                         .minimum = 0,
                         .maximum = 1e3},
               self.quadraticDrag);

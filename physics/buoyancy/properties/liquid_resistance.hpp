@@ -15,7 +15,7 @@ namespace trembler {
 struct LiquidResistance {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{"Liquid resistance", "liquid_resistance",
-                                       "What resists the motion of each object in a liquid."};
+                                       "The resistance to the motion of each object in a liquid."};
     struct Entry {
         ObjectId object;
         Vec2 point;         ///< m, in the world, where it acts
@@ -29,22 +29,32 @@ struct LiquidResistance {
         EventId event;      ///< "enters the liquid"; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
-            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whose motion it resists"}, self.object);
-            visit(FieldInfo{.key = "point", .unit = "m", .meaning = "where it acts"}, self.point);
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "object whose motion is resisted"},
+                  self.object);
+            visit(FieldInfo{.key = "point",
+                            .unit = "m",
+                            .meaning = "point of the world at which the resistance acts"},
+                  self.point);
             visit(FieldInfo{.key = "xx",
                             .unit = "kg/s",
                             .meaning = "force against the velocity of the point, along x"},
                   self.xx);
-            visit(FieldInfo{.key = "xy", .unit = "kg/s", .meaning = "across"}, self.xy);
-            visit(FieldInfo{.key = "yy", .unit = "kg/s", .meaning = "along y"}, self.yy);
+            visit(FieldInfo{.key = "xy",
+                            .unit = "kg/s",
+                            .meaning = "force along x against the velocity along y, and the reverse"},
+                  self.xy);
+            visit(FieldInfo{.key = "yy",
+                            .unit = "kg/s",
+                            .meaning = "force against the velocity of the point, along y"},
+                  self.yy);
             visit(FieldInfo{.key = "angular",
                             .unit = "kg m²/s",
                             .meaning = "torque against the angular velocity"},
                   self.angular);
-            visit(FieldInfo{.key = "push", .unit = "N", .meaning = "what a current adds"}, self.push);
+            visit(FieldInfo{.key = "push", .unit = "N", .meaning = "force that a current adds"}, self.push);
             visit(FieldInfo{.key = "rate",
                             .unit = "1/s",
-                            .meaning = "at which the buoyancy force varies as it moves"},
+                            .meaning = "at which the buoyancy force varies as the object moves"},
                   self.rate);
         }
     };

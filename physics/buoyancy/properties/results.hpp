@@ -16,7 +16,7 @@ namespace trembler {
 struct LinearGravityVector {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Linear gravity vector", "linear_gravity",
-                                       "The acceleration due to gravity that buoyancy works with."};
+                                       "The acceleration due to gravity that buoyancy uses."};
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing = "the latest gravity received";
     Vec2 gravity; ///< m/s²
@@ -30,8 +30,8 @@ struct LinearGravityVector {
 /// F_B: one entry per object that displaces any liquid, ascending.
 struct BuoyancyForce {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"F_B", "buoyancy_force",
-                                       "The buoyancy force on each object: the weight of what it displaces."};
+    static constexpr PropertyText text{
+        "F_B", "buoyancy_force", "The buoyancy force on each object: the weight of the displaced liquid."};
     static constexpr Coverage coverage = derivedFrom("Immersion and Linear gravity vector");
     static constexpr std::string_view standing = "the forces that act";
     struct Entry {
@@ -41,7 +41,7 @@ struct BuoyancyForce {
         friend bool operator==(Entry const&, Entry const&) = default;
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
-            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whom it acts on"}, self.object);
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "object on which it acts"}, self.object);
             visit(FieldInfo{.key = "force", .unit = "N", .meaning = "at the centre of buoyancy"}, self.force);
         }
     };
@@ -59,7 +59,7 @@ struct CentreOfBuoyancy {
     static constexpr PropertyText text{"COB", "centre_of_buoyancy",
                                        "The centre of buoyancy of each object: where F_B acts."};
     static constexpr Coverage coverage = derivedFrom("Immersion");
-    static constexpr std::string_view standing = "where they act";
+    static constexpr std::string_view standing = "the points at which the forces act";
     struct Entry {
         ObjectId object;
         Vec2 centre; ///< m, in the object's frame
@@ -67,7 +67,8 @@ struct CentreOfBuoyancy {
         friend bool operator==(Entry const&, Entry const&) = default;
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
-            visit(FieldInfo{.key = "object", .unit = "", .meaning = "whose it is"}, self.object);
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "object whose centre it is"},
+                  self.object);
             visit(FieldInfo{.key = "centre", .unit = "m", .meaning = "in the frame of the object"},
                   self.centre);
             visit(FieldInfo{.key = "world", .unit = "m", .meaning = "in the world"}, self.world);
@@ -85,10 +86,10 @@ struct CentreOfBuoyancy {
 struct Immersions {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Immersion", "immersion",
-                                       "Which part of each object is in which liquid."};
+                                       "The part of each object that is in each liquid."};
     static constexpr Coverage coverage =
-        derivedFrom("shapes, positions and rotations of what is in liquids and of these");
-    static constexpr std::string_view standing = "what is in which liquid, and how";
+        derivedFrom("shapes, positions and rotations of liquids and of the objects in them");
+    static constexpr std::string_view standing = "the immersed parts of objects";
     struct Entry {
         ObjectId object;
         ObjectId liquid;

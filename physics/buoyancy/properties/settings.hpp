@@ -18,15 +18,16 @@ struct BuoyancySettings {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "particles",
                         .unit = "",
-                        .meaning = "that stand for a body at the detail level \"particles\"",
+                        .meaning =
+                            "number of particles that represent a body at the detail level \"particles\"",
                         .minimum = 4,
                         .maximum = 256,
                         .accuracy = {4, 256}},
               self.particles);
         visit(FieldInfo{.key = "look_ahead",
                         .unit = "",
-                        .meaning = "whether a body resists what its motion will change about its buoyancy "
-                                   "before that is computed again"},
+                        .meaning = "whether a damping makes up for the change of a body's buoyancy until it "
+                                   "is computed again"},
               self.lookAhead);
     }
     friend bool operator==(BuoyancySettings const&, BuoyancySettings const&) = default;

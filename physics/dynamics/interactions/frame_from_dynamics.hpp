@@ -13,7 +13,7 @@ public:
         .name = "Frame <- Dynamics",
         .effect = "dynamics",
         .level = "",
-        .work = "Asks for parts of a frame so short that the fastest force is followed."};
+        .work = "Requests parts of a frame that are short enough for the force that varies fastest."};
     using Activation = NeedsAll<>;
     void apply(Access& access) {
         double const rate = access.read<ForceRates>().swinging;

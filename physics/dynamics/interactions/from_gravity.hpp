@@ -14,13 +14,12 @@ namespace trembler {
 class DynamicsFromGravity final
     : public Interaction<DynamicsFromGravity, DynamicsRole, Reads<GravityForce, Fixed>> {
 public:
-    static constexpr ComponentText text{
-        .name = "Dynamics <- Gravity",
-        .effect = "gravity",
-        .level = "",
-        .work =
-            "Applies the force due to gravity to each object at its centre of mass, unless it is fixed, and "
-            "says how fast it varies."};
+    static constexpr ComponentText text{.name = "Dynamics <- Gravity",
+                                        .effect = "gravity",
+                                        .level = "",
+                                        .work =
+                                            "Applies the force due to gravity to each object at its centre "
+                                            "of mass, unless it is fixed, and states how fast it varies."};
     using Activation = NeedsAll<>;
     void apply(Access& access) {
         auto const& forces = access.read<GravityForce>().forces;

@@ -10,12 +10,12 @@ namespace trembler {
 class DynamicsFromLiquidDrag final
     : public Interaction<DynamicsFromLiquidDrag, DynamicsRole, Reads<LiquidResistance>> {
 public:
-    static constexpr ComponentText text{
-        .name = "Dynamics <- Liquid Drag",
-        .effect = "buoyancy",
-        .level = "",
-        .work = "Lets liquids resist the motion of what is in them, and carry it along where they flow; says "
-                "how fast F_B varies."};
+    static constexpr ComponentText text{.name = "Dynamics <- Liquid Drag",
+                                        .effect = "buoyancy",
+                                        .level = "",
+                                        .work =
+                                            "Applies the resistance of liquids, and the push of their "
+                                            "currents, to the objects in them; states how fast F_B varies."};
     using Activation = NeedsAll<>;
     void apply(Access& access) {
         auto const& entries = access.read<LiquidResistance>().entries;

@@ -17,8 +17,9 @@ public:
         .name = "Dynamics <- Magnetic Forces",
         .effect = "magnetism",
         .level = "",
-        .work = "Adds all the forces calculated in the Magnetic Forces DPS at the "
-                "magnetic poles, or at the centre of what has none, and says how fast they vary."};
+        .work =
+            "Adds all the forces calculated in the Magnetic Forces DPS at the "
+            "magnetic poles, or at the centre of an object without poles, and states how fast they vary."};
     using Activation = NeedsAll<>;
     void apply(Access& access) {
         auto const& forces = access.read<MagneticForce>().forces;

@@ -19,8 +19,8 @@ public:
         .name = "Dynamics <- Player",
         .effect = "player",
         .level = "",
-        .work = "Pulls the held point of the object in the hand to where the hand "
-                "is, like a critically damped spring, and damps its turning."};
+        .work = "Pulls the held point of the held object to the position of the hand, like a critically "
+                "damped spring, and damps the object's rotation."};
     using Activation = NeedsAll<Shape>;
 
     static constexpr double frequency = 12; ///< rad/s, of the spring

@@ -14,9 +14,8 @@ public:
     static constexpr ComponentText text{.name = "Population <- Dynamics",
                                         .effect = "dynamics",
                                         .level = "",
-                                        .work =
-                                            "Destroys every joint that was overloaded, and every one whose "
-                                            "object, or whose joint to couple, no longer exists."};
+                                        .work = "Destroys every overloaded joint, and every joint of which "
+                                                "an object, or a coupled joint, no longer exists."};
     using Activation = NeedsAll<Joint>;
     void apply(Access& access);
 };

@@ -10,15 +10,18 @@ namespace trembler {
 
 struct Mass {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{
-        "Mass", "mass", "The mass of the object. Where none is stated it follows from the density."};
+    static constexpr PropertyText text{"Mass", "mass",
+                                       "The mass of the object. If not stated, it follows from the density."};
     double value = 1;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(
-            FieldInfo{.key = "value", .unit = "kg", .meaning = "whole mass", .minimum = 1e-6, .maximum = 1e9},
-            self.value);
+        visit(FieldInfo{.key = "value",
+                        .unit = "kg",
+                        .meaning = "mass of the whole object",
+                        .minimum = 1e-6,
+                        .maximum = 1e9},
+              self.value);
     }
 };
 
@@ -31,7 +34,7 @@ struct Density {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "value",
                         .unit = "kg/m³",
-                        .meaning = "in a world that is 0.1 m deep",
+                        .meaning = "mass per volume; the world is 0.1 m deep",
                         .minimum = 1e-3,
                         .maximum = 1e6},
               self.value);
@@ -41,7 +44,8 @@ struct Density {
 struct Friction {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
-        "Friction", "friction", "Coulomb's coefficient of the surface; a pair has the geometric mean."};
+        "Friction", "friction",
+        "Coulomb's coefficient of friction of the surface; two objects have the geometric mean of theirs."};
     double coefficient = 0.5;
 
     template <class Self, class Visitor>
@@ -55,14 +59,14 @@ struct Restitution {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
         "Restitution", "restitution",
-        "Speed after an impact over speed before it; a pair has the larger one."};
+        "Speed after an impact divided by the speed before it; two objects have the larger one of theirs."};
     double coefficient = 0;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "value",
                         .unit = "",
-                        .meaning = "0: none of it, 1: all of it",
+                        .meaning = "0: no bounce; 1: no loss of speed",
                         .minimum = 0,
                         .maximum = 1},
               self.coefficient);
@@ -79,31 +83,38 @@ struct Fixed {
 struct Bullet {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Bullet", "bullet",
-                                       "The object's path, not only its places, is tested for hits."};
+                                       "Collisions are found along the object's path, not only at its "
+                                       "position in each step: for fast, small objects."};
 };
 
 /// Which objects can collide: two do if each one's category is in the other's mask, unless both share a group
 /// other than 0: then they collide if it is positive and never if it is negative.
 struct CollisionGroups {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Collision groups", "collision", "Which objects this one can hit."};
+    static constexpr PropertyText text{"Collision groups", "collision",
+                                       "Which objects this one can collide with."};
     std::int32_t category = 1;
     std::int32_t mask = 0xffff;
     std::int32_t group = 0;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "category", .unit = "", .meaning = "bit set", .minimum = 0, .maximum = 0xffff},
+        visit(FieldInfo{.key = "category",
+                        .unit = "",
+                        .meaning = "bit set of the object's own categories",
+                        .minimum = 0,
+                        .maximum = 0xffff},
               self.category);
         visit(FieldInfo{.key = "mask",
                         .unit = "",
-                        .meaning = "bit set of categories that it hits",
+                        .meaning = "bit set of the categories that it collides with",
                         .minimum = 0,
                         .maximum = 0xffff},
               self.mask);
         visit(FieldInfo{.key = "group",
                         .unit = "",
-                        .meaning = "overrules the two if shared and not 0",
+                        .meaning = "two objects of the same group always collide if it is above 0, never if "
+                                   "it is below 0; 0: category and mask apply",
                         .minimum = -32768,
                         .maximum = 32767},
               self.group);
@@ -123,20 +134,24 @@ struct CollisionGroups {
 /// How strongly a body's motion is damped.
 struct Damping {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Damping", "damping", "How strongly motion dies away by itself."};
+    static constexpr PropertyText text{"Damping", "damping", "How fast motion decays by itself."};
     double linear = 0;
     double angular = 0;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(
-            FieldInfo{
-                .key = "linear", .unit = "1/s", .meaning = "of the velocity", .minimum = 0, .maximum = 1e3},
-            self.linear);
-        visit(
-            FieldInfo{
-                .key = "angular", .unit = "1/s", .meaning = "of the turning", .minimum = 0, .maximum = 1e3},
-            self.angular);
+        visit(FieldInfo{.key = "linear",
+                        .unit = "1/s",
+                        .meaning = "rate at which the velocity decays",
+                        .minimum = 0,
+                        .maximum = 1e3},
+              self.linear);
+        visit(FieldInfo{.key = "angular",
+                        .unit = "1/s",
+                        .meaning = "rate at which the angular velocity decays",
+                        .minimum = 0,
+                        .maximum = 1e3},
+              self.angular);
     }
     friend bool operator==(Damping const&, Damping const&) = default;
 };

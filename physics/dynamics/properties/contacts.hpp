@@ -81,7 +81,7 @@ struct ContactPatches {
                                        "Points, normals and impulses of all contacts."};
     static constexpr std::string_view standing = "the geometry of the contacts that still exist";
     static constexpr Coverage coverage = derivedFrom(
-        "the engine's contacts of the last advance; what interactions make of them is in their calls");
+        "the engine's contacts of the last advance; the results of interactions that read them are in calls");
     std::vector<ContactPatch> patches;
     double step = 0; ///< s, of that substep
 };

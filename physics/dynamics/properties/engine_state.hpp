@@ -14,8 +14,9 @@ namespace trembler {
 /// any number of threads.
 struct EngineState {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Engine state", "engine_state",
-                                       "Which engine failed, why, and which bodies are held still since."};
+    static constexpr PropertyText text{
+        "Engine state", "engine_state",
+        "The engine that failed, its error, and the bodies that are held still since then."};
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing =
         "which engine has failed, and which bodies are held still since";
@@ -25,10 +26,10 @@ struct EngineState {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "gave_up", .unit = "", .meaning = "detail level that could not go on"},
+        visit(FieldInfo{.key = "gave_up", .unit = "", .meaning = "detail level whose engine failed"},
               self.gaveUp);
-        visit(FieldInfo{.key = "why", .unit = "", .meaning = "what it said"}, self.why);
-        visit(FieldInfo{.key = "stopped", .unit = "", .meaning = "objects that stand still since"},
+        visit(FieldInfo{.key = "why", .unit = "", .meaning = "error of the engine"}, self.why);
+        visit(FieldInfo{.key = "stopped", .unit = "", .meaning = "objects that are held still since then"},
               self.stopped);
     }
     friend bool operator==(EngineState const&, EngineState const&) = default;

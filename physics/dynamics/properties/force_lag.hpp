@@ -15,22 +15,23 @@ namespace trembler {
 /// compensate it. Provided by Dynamics after each of its steps; zero without Dynamics.
 struct ForceLag {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Force lag", "force_lag",
-                                       "By how much forces lag behind the motion of what they act on."};
+    static constexpr PropertyText text{
+        "Force lag", "force_lag", "The delay of forces behind the motion of the objects on which they act."};
     static constexpr Coverage coverage = hashed;
-    static constexpr std::string_view standing = "what a force's lag is";
+    static constexpr std::string_view standing = "the delay of forces";
     double turn = 0; ///< s, of one turn of Dynamics: a frame or a part of one
     double step = 0; ///< s, of the engine, `turn` or a part of it
 
-    /// Lag in s of a force that is computed anew for each turn of Dynamics.
+    /// Lag in s of a force that is computed again for each turn of Dynamics.
     [[nodiscard]] double ofTurn() const { return of(turn); }
     /// Lag in s of a force that is held for `time` (s).
     [[nodiscard]] double of(double time) const { return std::max(0.0, time - step) / 2; }
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "turn", .unit = "s", .meaning = "computed at a time"}, self.turn);
-        visit(FieldInfo{.key = "step", .unit = "s", .meaning = "of the engine"}, self.step);
+        visit(FieldInfo{.key = "turn", .unit = "s", .meaning = "time that each turn of Dynamics computes"},
+              self.turn);
+        visit(FieldInfo{.key = "step", .unit = "s", .meaning = "step of the engine"}, self.step);
     }
     friend bool operator==(ForceLag const&, ForceLag const&) = default;
 };

@@ -11,10 +11,9 @@ namespace trembler {
 /// on, and accurate below about 0.5. Zero until the first forces act, in frame 2.
 struct ForceRates {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Force rates", "force_rates",
-                                       "How fast the forces vary that act on bodies."};
+    static constexpr PropertyText text{"Force rates", "force_rates", "How fast the forces on bodies vary."};
     static constexpr Coverage coverage = hashed;
-    static constexpr std::string_view standing = "how fast the forces vary that act";
+    static constexpr std::string_view standing = "how fast the forces on bodies vary";
     double greatest = 0;   ///< 1/s, of all
     double unforeseen = 0; ///< 1/s, of forces that do not compensate the lag
     ObjectId object;       ///< the body of the greatest rate; invalid while that is 0
@@ -23,23 +22,28 @@ struct ForceRates {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "greatest", .unit = "1/s", .meaning = "rate at which a force varies"},
+        visit(FieldInfo{.key = "greatest", .unit = "1/s", .meaning = "greatest rate at which a force varies"},
               self.greatest);
-        visit(FieldInfo{.key = "unforeseen",
-                        .unit = "1/s",
-                        .meaning = "the greatest of the forces that do not allow for the time for which they "
-                                   "stand"},
-              self.unforeseen);
-        visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object with the greatest rate"},
+        visit(
+            FieldInfo{
+                .key = "unforeseen",
+                .unit = "1/s",
+                .meaning =
+                    "greatest rate of the forces that do not allow for the time for which they are held"},
+            self.unforeseen);
+        visit(FieldInfo{.key = "object", .unit = "", .meaning = "object with the greatest rate"},
               self.object);
         visit(FieldInfo{.key = "swinging",
                         .unit = "1/s",
-                        .meaning = "the greatest of the forces that depend on where an object is"},
+                        .meaning = "greatest rate of the forces that depend on the position of an object"},
               self.swinging);
-        visit(FieldInfo{.key = "ahead",
-                        .unit = "1/s",
-                        .meaning = "the greatest of those that also allow for the time for which they stand"},
-              self.ahead);
+        visit(
+            FieldInfo{
+                .key = "ahead",
+                .unit = "1/s",
+                .meaning =
+                    "greatest rate of those of these forces that allow for the time for which they are held"},
+            self.ahead);
     }
     friend bool operator==(ForceRates const&, ForceRates const&) = default;
 };

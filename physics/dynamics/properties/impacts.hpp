@@ -23,10 +23,12 @@ struct Impact {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "a", .unit = "", .meaning = "one object"}, self.a);
-        visit(FieldInfo{.key = "b", .unit = "", .meaning = "the other"}, self.b);
-        visit(FieldInfo{.key = "point", .unit = "m", .meaning = "where they hit, in the world"}, self.point);
-        visit(FieldInfo{.key = "normal", .unit = "", .meaning = "from the one to the other"}, self.normal);
+        visit(FieldInfo{.key = "a", .unit = "", .meaning = "first object"}, self.a);
+        visit(FieldInfo{.key = "b", .unit = "", .meaning = "second object"}, self.b);
+        visit(FieldInfo{.key = "point", .unit = "m", .meaning = "point of the impact, in the world"},
+              self.point);
+        visit(FieldInfo{.key = "normal", .unit = "", .meaning = "from the first object to the second"},
+              self.normal);
         visit(FieldInfo{.key = "impulse", .unit = "N s", .meaning = "along the normal"}, self.impulse);
         visit(FieldInfo{.key = "since", .unit = "s", .meaning = "since the beginning of the frame"},
               self.since);
@@ -38,9 +40,9 @@ struct Impact {
 struct Impacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Impacts", "impacts",
-                                       "Where objects hit each other in this frame, and how hard."};
+                                       "The impacts of this frame: objects, points and impulses."};
     static constexpr Coverage coverage = derivedFrom(
-        "the engine's contacts of the last advance; what interactions make of them is in their calls");
+        "the engine's contacts of the last advance; the results of interactions that read them are in calls");
     std::vector<Impact> impacts; ///< ascending by pair, then by time
 
     static void gather(Impacts& frame, Impacts const& part, PartSpan span);

@@ -16,7 +16,8 @@ inline constexpr std::array<std::string_view, 9> choiceNames<JointForm>{
 /// Angles, shifts and motor speeds are those of `a` relative to `b`.
 struct Joint {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Joint", "joint", "Ties two objects together, or one to the world."};
+    static constexpr PropertyText text{"Joint", "joint",
+                                       "Connects two objects, or one object and the world."};
 
     JointForm form = JointForm::hinge;
     ObjectId a;
@@ -49,82 +50,90 @@ struct Joint {
         visit(FieldInfo{.key = "b", .unit = "", .meaning = "second object; the world if left out"}, self.b);
         visit(FieldInfo{.key = "at",
                         .unit = "m",
-                        .meaning = "pin, or end at a, in the world",
+                        .meaning = "pivot, or end at a, in the world at the start",
                         .minimum = -far,
                         .maximum = far},
               self.at);
-        visit(FieldInfo{.key = "at_b",
-                        .unit = "m",
-                        .meaning = "end at b, in the world",
-                        .minimum = -far,
-                        .maximum = far},
-              self.atB);
+        visit(
+            FieldInfo{.key = "at_b",
+                      .unit = "m",
+                      .meaning = "end at b, in the world at the start: of a distance, rope, spring or pulley",
+                      .minimum = -far,
+                      .maximum = far},
+            self.atB);
         visit(FieldInfo{.key = "axis",
                         .unit = "",
-                        .meaning = "direction of sliding, in the world",
+                        .meaning = "direction of a slider or wheel, in the world at the start",
                         .minimum = -far,
                         .maximum = far},
               self.axis);
-        visit(FieldInfo{.key = "limited", .unit = "", .meaning = "keeps between lower and upper"},
+        visit(FieldInfo{.key = "limited",
+                        .unit = "",
+                        .meaning =
+                            "whether the angle or displacement stays between the lower and the upper limit"},
               self.limited);
         bool const turns = self.form == JointForm::hinge; // limits are angles
         bool const spins = turns || self.form == JointForm::wheel;
         visit(FieldInfo{.key = turns ? "lower_deg" : "lower",
                         .unit = turns ? "rad" : "m",
-                        .meaning = "least angle or shift",
+                        .meaning = "lower limit of the angle or displacement of a against b",
                         .minimum = -far,
                         .maximum = far},
               self.lower);
         visit(FieldInfo{.key = turns ? "upper_deg" : "upper",
                         .unit = turns ? "rad" : "m",
-                        .meaning = "greatest angle or shift",
+                        .meaning = "upper limit of the angle or displacement of a against b",
                         .minimum = -far,
                         .maximum = far},
               self.upper);
-        visit(FieldInfo{.key = "motor", .unit = "", .meaning = "driven by a motor"}, self.motor);
+        visit(FieldInfo{.key = "motor", .unit = "", .meaning = "whether a motor drives the joint"},
+              self.motor);
         visit(FieldInfo{.key = spins ? "motor_speed_deg" : "motor_speed",
                         .unit = spins ? "rad/s" : "m/s",
-                        .meaning = "wanted speed",
+                        .meaning = "target speed of the motor, of a against b",
                         .minimum = -far,
                         .maximum = far},
               self.motorSpeed);
         visit(FieldInfo{.key = "motor_strength",
                         .unit = spins ? "N m" : "N",
-                        .meaning = "at most",
+                        .meaning = "greatest torque or force of the motor",
                         .minimum = 0,
                         .maximum = 1e9},
               self.motorStrength);
         visit(FieldInfo{.key = "length",
                         .unit = "m",
-                        .meaning = "0: as it is at the start",
+                        .meaning = "of a distance, rope or spring; 0: as at the start",
                         .minimum = 0,
                         .maximum = far},
               self.length);
-        visit(
-            FieldInfo{
-                .key = "stiffness", .unit = "N/m", .meaning = "of a spring", .minimum = 0, .maximum = 1e9},
-            self.stiffness);
+        visit(FieldInfo{.key = "stiffness",
+                        .unit = "N/m",
+                        .meaning = "spring constant of a spring or wheel",
+                        .minimum = 0,
+                        .maximum = 1e9},
+              self.stiffness);
         visit(FieldInfo{.key = "damping_rate",
                         .unit = "N s/m",
-                        .meaning = "of a spring",
+                        .meaning = "damping constant of a spring or wheel",
                         .minimum = 0,
                         .maximum = 1e9},
               self.dampingRate);
         visit(FieldInfo{.key = "ratio",
                         .unit = "",
-                        .meaning = "of a pulley or a gear",
+                        .meaning = "pulley: rope of a + ratio times rope of b is constant; gear: motion of a "
+                                   "+ ratio times motion of b is constant",
                         .minimum = -1e3,
                         .maximum = 1e3},
               self.ratio);
         visit(FieldInfo{.key = "ground_a",
                         .unit = "m",
-                        .meaning = "where the rope of a runs over",
+                        .meaning = "point over which a pulley's rope to a runs, in the world",
                         .minimum = -far,
                         .maximum = far},
               self.groundA);
         visit(FieldInfo{.key = "ground_b",
                         .unit = "m",
-                        .meaning = "where the rope of b runs over",
+                        .meaning = "point over which a pulley's rope to b runs, in the world",
                         .minimum = -far,
                         .maximum = far},
               self.groundB);
@@ -132,11 +141,11 @@ struct Joint {
               self.jointA);
         visit(FieldInfo{.key = "joint_b", .unit = "", .meaning = "hinge or slider of b, for a gear"},
               self.jointB);
-        visit(FieldInfo{.key = "collide", .unit = "", .meaning = "the tied objects can hit each other"},
+        visit(FieldInfo{.key = "collide", .unit = "", .meaning = "whether the connected objects can collide"},
               self.collide);
         visit(FieldInfo{.key = "break_force",
                         .unit = "N",
-                        .meaning = "breaks at this force; 0: never",
+                        .meaning = "force at which the joint breaks; 0: never",
                         .minimum = 0,
                         .maximum = 1e12},
               self.breakForce);

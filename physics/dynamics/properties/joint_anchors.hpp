@@ -13,7 +13,7 @@ namespace trembler {
 struct JointAnchors {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Joint anchors", "joint_anchors",
-                                       "Where a joint holds its objects, in their own frames.",
+                                       "The points of its objects at which a joint acts, in their frames.",
                                        PropertyPlace::hidden};
     Vec2 onA;                  ///< m, in the frame of a
     Vec2 onB;                  ///< m, in the frame of b
@@ -24,15 +24,19 @@ struct JointAnchors {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "on_a", .unit = "m", .meaning = "in the frame of a"}, self.onA);
-        visit(FieldInfo{.key = "on_b", .unit = "m", .meaning = "in the frame of b"}, self.onB);
-        visit(FieldInfo{.key = "axis", .unit = "", .meaning = "in the frame of b"}, self.axis);
+        visit(FieldInfo{.key = "on_a", .unit = "m", .meaning = "anchor on a, in the frame of a"}, self.onA);
+        visit(FieldInfo{.key = "on_b", .unit = "m", .meaning = "anchor on b, in the frame of b"}, self.onB);
+        visit(FieldInfo{.key = "axis", .unit = "", .meaning = "axis of a slider or wheel, in the frame of b"},
+              self.axis);
         visit(FieldInfo{.key = "reference_deg",
                         .unit = "rad",
-                        .meaning = "angle of a less angle of b at the start"},
+                        .meaning = "angle of a minus angle of b at the start"},
               self.referenceAngle);
-        visit(FieldInfo{.key = "length", .unit = "m", .meaning = "at the start or as stated"}, self.length);
-        visit(FieldInfo{.key = "length_b", .unit = "m", .meaning = "of b's part of a pulley's rope"},
+        visit(FieldInfo{.key = "length",
+                        .unit = "m",
+                        .meaning = "length at the start or as stated; of a pulley: of the rope to a"},
+              self.length);
+        visit(FieldInfo{.key = "length_b", .unit = "m", .meaning = "length of a pulley's rope to b"},
               self.lengthB);
     }
     friend bool operator==(JointAnchors const&, JointAnchors const&) = default;
@@ -43,7 +47,7 @@ struct JointCompletion final
     : Completion<JointCompletion, Reads<Joint, Position, Rotation>, Adds<JointAnchors>> {
     static constexpr CompletionText text{
         .name = "Joint",
-        .work = "Gives a joint its anchors from where its objects are when it comes into being."};
+        .work = "Computes the anchors of a joint from the positions of its objects when it is created."};
     using Activation = NeedsAll<Joint>;
     static void complete(Access& access);
 };

@@ -38,9 +38,8 @@ struct MotionCauses {
 /// The force of each joint, as a mean over the last frame in which any body moved.
 struct JointForces {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Joint forces", "joint_forces",
-                                       "The force with which each joint holds."};
-    static constexpr std::string_view standing = "what joints carry";
+    static constexpr PropertyText text{"Joint forces", "joint_forces", "The force that each joint exerts."};
+    static constexpr std::string_view standing = "the forces of joints";
     static constexpr Coverage coverage =
         derivedFrom("the forces of the engine's joints in the last advance; computed only while read");
     struct Entry {
@@ -49,7 +48,7 @@ struct JointForces {
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "the joint"}, self.joint);
-            visit(FieldInfo{.key = "force", .unit = "N", .meaning = "with which it holds"}, self.force);
+            visit(FieldInfo{.key = "force", .unit = "N", .meaning = "force that it exerts"}, self.force);
         }
     };
     std::vector<Entry> entries; ///< ascending by joint
@@ -64,7 +63,7 @@ struct JointForces {
 struct OverloadedJoints {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{"Overloaded joints", "overloaded_joints",
-                                       "The joints whose force exceeded their breaking force this frame."};
+                                       "The joints whose force exceeded their breaking force in this frame."};
     static constexpr Coverage coverage = hashed;
     struct Entry {
         ObjectId joint;

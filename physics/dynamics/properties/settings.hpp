@@ -23,38 +23,41 @@ struct DynamicsSettings {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "substeps",
-                        .unit = "",
-                        .meaning = "steps of the engine in a frame; 0: as many as the scene needs, 4 or more",
-                        .minimum = 0,
-                        .maximum = 64,
-                        .accuracy = {0, 64}},
-              self.substeps);
+        visit(
+            FieldInfo{.key = "substeps",
+                      .unit = "",
+                      .meaning = "steps of the engine in a frame; 0: as many as the scene needs, at least 4",
+                      .minimum = 0,
+                      .maximum = 64,
+                      .accuracy = {0, 64}},
+            self.substeps);
         visit(FieldInfo{.key = "velocity_iterations",
                         .unit = "",
-                        .meaning = "of the solver, per substep",
+                        .meaning = "velocity iterations of the solver per substep",
                         .minimum = 1,
                         .maximum = 256,
                         .accuracy = {1, 256}},
               self.velocityIterations);
         visit(FieldInfo{.key = "position_iterations",
                         .unit = "",
-                        .meaning = "of the solver, per substep",
+                        .meaning = "position iterations of the solver per substep",
                         .minimum = 1,
                         .maximum = 256,
                         .accuracy = {1, 256}},
               self.positionIterations);
         visit(
-            FieldInfo{.key = "scale",
-                      .unit = "1/m",
-                      .meaning = "units of length of the engine per metre; 0: as the shapes need, 4 or more",
-                      .minimum = 0,
-                      .maximum = 64,
-                      .accuracy = {0, 64}},
+            FieldInfo{
+                .key = "scale",
+                .unit = "1/m",
+                .meaning =
+                    "units of length of the engine per metre; 0: chosen by the sizes of shapes, at least 4",
+                .minimum = 0,
+                .maximum = 64,
+                .accuracy = {0, 64}},
             self.scale);
         visit(FieldInfo{.key = "sleeping",
                         .unit = "",
-                        .meaning = "bodies at rest are left out until disturbed"},
+                        .meaning = "whether bodies at rest are skipped until they are disturbed"},
               self.sleeping);
     }
     friend bool operator==(DynamicsSettings const&, DynamicsSettings const&) = default;

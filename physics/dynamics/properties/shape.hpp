@@ -34,14 +34,14 @@ struct ShapePiece {
               self.at);
         visit(FieldInfo{.key = "angle_deg",
                         .unit = "rad",
-                        .meaning = "turned anticlockwise in the object's frame",
+                        .meaning = "angle in the object's frame, anticlockwise",
                         .minimum = -1e3,
                         .maximum = 1e3},
               self.angle);
         if (self.form == ShapeForm::circle || self.form == ShapeForm::capsule) {
             visit(FieldInfo{.key = "radius",
                             .unit = "m",
-                            .meaning = "of a circle, or of a capsule's ends",
+                            .meaning = "radius of a circle or of the ends of a capsule",
                             .minimum = 0.005,
                             .maximum = 1e3},
                   self.radius);
@@ -49,21 +49,23 @@ struct ShapePiece {
         if (self.form == ShapeForm::box || self.form == ShapeForm::capsule) {
             visit(FieldInfo{.key = "width",
                             .unit = "m",
-                            .meaning = "of a box; the whole length of a capsule",
+                            .meaning = "width of a box; total length of a capsule",
                             .minimum = 0.01,
                             .maximum = 1e4},
                   self.width);
         }
         if (self.form == ShapeForm::box) {
-            visit(
-                FieldInfo{
-                    .key = "height", .unit = "m", .meaning = "of a box", .minimum = 0.01, .maximum = 1e4},
-                self.height);
+            visit(FieldInfo{.key = "height",
+                            .unit = "m",
+                            .meaning = "height of a box",
+                            .minimum = 0.01,
+                            .maximum = 1e4},
+                  self.height);
         }
         if (self.form == ShapeForm::polygon) {
             visit(FieldInfo{.key = "corners",
                             .unit = "m",
-                            .meaning = "of a convex polygon, anticlockwise",
+                            .meaning = "corners of a convex polygon, anticlockwise",
                             .minimum = -1e3,
                             .maximum = 1e3},
                   self.corners);

@@ -11,10 +11,11 @@ namespace trembler {
 /// ForceLag.
 struct SolverChoice {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Solver choice", "solver_choice",
-                                       "How exactly the last frame's motion was computed."};
+    static constexpr PropertyText text{
+        "Solver choice", "solver_choice",
+        "The accuracy settings with which the last frame's motion was computed."};
     static constexpr Coverage coverage = hashed;
-    static constexpr std::string_view standing = "what the motion is computed with";
+    static constexpr std::string_view standing = "the current accuracy settings";
     std::int32_t substeps = 4;
     std::int32_t velocityIterations = 8;
     bool jointsAtOnce = false;
@@ -24,7 +25,9 @@ struct SolverChoice {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "substeps", .unit = "", .meaning = "steps of the engine in the frame"},
               self.substeps);
-        visit(FieldInfo{.key = "velocity_iterations", .unit = "", .meaning = "of the solver, per substep"},
+        visit(FieldInfo{.key = "velocity_iterations",
+                        .unit = "",
+                        .meaning = "velocity iterations of the solver per substep"},
               self.velocityIterations);
         visit(FieldInfo{.key = "joints_at_once",
                         .unit = "",

@@ -14,9 +14,8 @@ namespace trembler {
 struct MatterCompletion final
     : Completion<MatterCompletion, Reads<MadeOf, Without>, Adds<Density, Friction, Restitution>> {
     static constexpr CompletionText text{.name = "Matter",
-                                         .work = "An object gets the density, the friction and the "
-                                                 "restitution of what it is made of, unless it is "
-                                                 "stated to be without them."};
+                                         .work = "Gives an object the density, friction and restitution of "
+                                                 "its material, unless it is stated to be without them."};
     using Activation = NeedsAll<MadeOf>;
     static void complete(Access& access);
 };
@@ -26,11 +25,10 @@ struct BodyCompletion final : Completion<BodyCompletion, Reads<Shape, Fixed, Liq
                                          Adds<Rotation, Velocity, AngularVelocity, Mass>> {
     static constexpr CompletionText text{
         .name = "Body",
-        .work = "An object with a shape gets a rotation and a mass: its density (1000 kg/m³ where none is "
-                "stated) "
-                "times its area times the depth of the world; and, unless it is fixed or a liquid, a "
-                "velocity and "
-                "an angular velocity. What never moves has a mass too: gravity and walls ask for it."};
+        .work = "Gives an object with a shape a rotation and a mass: its density (1000 kg/m³ if not stated) "
+                "times its area times the depth of the world. Unless it is fixed or a liquid, it also gets a "
+                "velocity and an angular velocity. Objects that never move have a mass too: gravity needs "
+                "it, and the attenuation of sound by walls."};
     using Activation = NeedsAll<Shape>;
     static void complete(Access& access);
 };

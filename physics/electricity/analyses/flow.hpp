@@ -26,7 +26,7 @@ public:
         .level = "flow",
         .work = "Computes the largest current that can flow from the source to the return of each network "
                 "through objects of limited capacity, and which objects are its bottleneck. An object is on "
-                "while it lies on a path from source to return. Looks only at circuits that have changed.",
+                "while it lies on a path from source to return. Analyses only circuits that have changed.",
         .rank = 4};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =

@@ -27,11 +27,12 @@ public:
         .name = "Nodal Electricity",
         .effect = "electricity",
         .level = "nodal",
-        .work = "Computes potentials, currents and powers by Kirchhoff's laws. An object is on while "
-                "a current flows through it; one with a rated power, while it has a hundredth of that. "
-                "Reports short circuits and floating islands. Looks only at circuits that have changed; "
-                "those in which nothing has a resistance, an EMF, a rating or a fuse are treated as two-wire "
-                "or single-cable.",
+        .work =
+            "Computes potentials, currents and powers by Kirchhoff's laws. An object is on while a current "
+            "flows through it; an object with a rated power, while its power is at least a hundredth of "
+            "that. "
+            "Reports short circuits and floating islands. Analyses only circuits that have changed; "
+            "circuits without any resistance, EMF, rating or fuse are treated as two-wire or single-cable.",
         .rank = 3};
     static constexpr double leastCurrent = 1e-10; ///< A
     static constexpr double leastShare = 1e-9;

@@ -21,7 +21,7 @@ public:
         .effect = "electricity",
         .level = "single-cable",
         .work = "An object is on while it is connected to a source of a network that "
-                "it may take part in. Looks only at circuits that have changed.",
+                "it may take part in. Analyses only circuits that have changed.",
         .rank = 1};
     using Activation = NeedsAny<Conductor>;
     using LeavesEmpty = ElectricalQuantities;

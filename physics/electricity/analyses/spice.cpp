@@ -18,9 +18,9 @@ namespace {
 
 template <class P>
 Column<P> const& columnOf(Store const& store) {
-    static Column<P> const nobody;
+    static Column<P> const none;
     auto const* const column = store.findColumn<P>();
-    return column == nullptr ? nobody : *column;
+    return column == nullptr ? none : *column;
 }
 
 /// The text as a single line.

@@ -27,8 +27,8 @@ public:
                                         .level = "two-wire",
                                         .work =
                                             "An object is on while it lies on a path from the source to the "
-                                            "return of a network that it may take part in, one that uses no "
-                                            "object twice. Looks only at circuits that have changed.",
+                                            "return of a network that it may take part in; the path uses no "
+                                            "object twice. Analyses only circuits that have changed.",
                                         .rank = 2};
     using Activation = NeedsAny<Conductor>;
     using LeavesEmpty = ElectricalQuantities;

@@ -27,9 +27,8 @@ public:
         .level = "",
         .work = "Manipulates the electricity graph as instructed: counts, for each "
                 "pair of conductors, the connections of each caller and of the "
-                "level. Connections to objects, and of callers, that are gone go "
-                "with them. Blows fuses: what has blown has no connections. Adds what is "
-                "induced to the EMF of sources."};
+                "level. Removes the connections of objects and callers that no longer exist. Blows fuses: a "
+                "blown fuse has no connections. Adds induced voltages to the EMF of sources."};
     using Activation = NeedsAny<Conductor>;
     static constexpr Coverage memory =
         leftOut("the conductors and their networks in the last advance, to find changes");

@@ -17,10 +17,10 @@ struct GraphChanges {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
         "Changes of G_E", "graph_changes",
-        "The vertices of the electricity graph that lately gained or lost a "
-        "connection, appeared, disappeared or changed their part in a network."};
+        "The vertices of the electricity graph that recently gained or lost a connection, appeared, "
+        "disappeared or changed their part in a network."};
     static constexpr std::string_view standing =
-        "a numbered journal, from which each reader takes what it has missed";
+        "a numbered journal, from which each reader takes the entries that it has missed";
     static constexpr Coverage coverage = leftOut(
         "a journal of changes of G_E, only to save work: a reader that missed entries reads all of G_E, "
         "with the same result");

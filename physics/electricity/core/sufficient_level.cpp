@@ -2,7 +2,7 @@
 
 namespace trembler {
 
-std::optional<ElectricalReason> callsForNodal(NodalColumns const& columns, ObjectId object) {
+std::optional<ElectricalReason> reasonForNodal(NodalColumns const& columns, ObjectId object) {
     if (columns.resistances.has(object)) {
         return ElectricalReason::resistance;
     }
@@ -26,7 +26,7 @@ SufficientLevel sufficientLevel(Circuit const& circuit, NodalColumns const& colu
     SufficientLevel found;
     for (ObjectId const object : circuit.objects) {
         if (!found.because.valid() || object < found.because) {
-            if (auto const reason = callsForNodal(columns, object)) {
+            if (auto const reason = reasonForNodal(columns, object)) {
                 found = {ElectricalLevel::nodal, *reason, object};
             }
         }

@@ -10,7 +10,7 @@
 namespace trembler {
 
 /// The first property of an object that needs nodal analysis, if any.
-[[nodiscard]] std::optional<ElectricalReason> callsForNodal(NodalColumns const& columns, ObjectId object);
+[[nodiscard]] std::optional<ElectricalReason> reasonForNodal(NodalColumns const& columns, ObjectId object);
 
 /// For one circuit: single-cable in a world that never had a return, as otherwise no current could flow; else
 /// nodal if any of its objects has a resistance, an EMF, a rating or a fuse; else two-wire.

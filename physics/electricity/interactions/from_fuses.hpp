@@ -17,8 +17,7 @@ public:
     static constexpr ComponentText text{.name = "Electricity <- Fuses",
                                         .effect = "electricity",
                                         .level = "",
-                                        .work = "In every circuit, blows the fuse that its current overloads "
-                                                "most."};
+                                        .work = "Blows, in every circuit, the most overloaded fuse."};
     /// Overloads that differ by no more than this share count as equal, because of rounding.
     static constexpr double equality = 1e-9;
     using Activation = NeedsAll<Fuse>;

@@ -21,9 +21,10 @@ struct Conductor {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(
-            FieldInfo{.key = "network", .unit = "", .meaning = "the only network it is made for; empty: any"},
-            self.network);
+        visit(FieldInfo{.key = "network",
+                        .unit = "",
+                        .meaning = "the only network of which it can be a part; empty: any"},
+              self.network);
     }
 };
 
@@ -60,8 +61,9 @@ struct ElectricalReturn {
 /// Marks a user of electricity for display; for the graph it is an ordinary conductor.
 struct ElectricalDevice {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Electrical device", "electrical_device",
-                                       "The object does something when it is on."};
+    static constexpr PropertyText text{
+        "Electrical device", "electrical_device",
+        "The object has a function while it is on, as a lamp has. For display only."};
 };
 
 /// Which objects are on. Derived by the present detail level of electricity.

@@ -16,8 +16,8 @@ struct ElectricityGraph {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
         "G_E", "electricity_graph",
-        "The electricity graph: whom the object is connected to, and how often by "
-        "whom: by an interaction, or by the level.",
+        "The electricity graph: the objects to which the object is connected, with the number of connections "
+        "made by each interaction and by the level.",
         PropertyPlace::hidden};
     struct Connection {
         ObjectId to;
@@ -27,7 +27,10 @@ struct ElectricityGraph {
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "to", .unit = "", .meaning = "the other object"}, self.to);
             auto by = self.counts.entries();
-            visit(FieldInfo{.key = "by", .unit = "", .meaning = "who connects them, and how often"}, by);
+            visit(FieldInfo{.key = "by",
+                            .unit = "",
+                            .meaning = "connections by each interaction and by the level"},
+                  by);
         }
     };
     std::vector<Connection> connections; ///< ascending by `to`; only present ones

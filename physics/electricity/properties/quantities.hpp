@@ -32,7 +32,7 @@ struct ElectricalQuantities {
     static constexpr PropertyKind kind = PropertyKind::derived;
     static constexpr PropertyText text{
         "Electrical quantities", "electrical_quantities",
-        "Potentials, currents and powers of objects, and what is wrong with their circuits."};
+        "Potentials, currents and powers of objects, and the faults of their circuits."};
     struct Entry {
         ObjectId object;       ///< invalid while no conductor has this index
         ObjectId circuit;      ///< the first object of its circuit, by id
@@ -51,17 +51,22 @@ struct ElectricalQuantities {
                   self.circuit);
             visit(FieldInfo{.key = "potential",
                             .unit = "V",
-                            .meaning = "of its middle, above the return of its network"},
+                            .meaning = "of its middle, relative to the return of its network"},
                   self.potential);
             visit(FieldInfo{.key = "current", .unit = "A", .meaning = "through it"}, self.current);
             visit(FieldInfo{.key = "power", .unit = "W", .meaning = "that becomes heat or light in it"},
                   self.power);
-            visit(FieldInfo{.key = "supplied", .unit = "W", .meaning = "that its EMF gives"}, self.supplied);
-            visit(FieldInfo{.key = "brightness", .unit = "", .meaning = "power over rated power"},
+            visit(FieldInfo{.key = "supplied", .unit = "W", .meaning = "that its EMF supplies"},
+                  self.supplied);
+            visit(FieldInfo{.key = "brightness", .unit = "", .meaning = "power divided by rated power"},
                   self.brightness);
-            visit(FieldInfo{.key = "overload", .unit = "", .meaning = "of a fuse: current over its rating"},
+            visit(FieldInfo{.key = "overload",
+                            .unit = "",
+                            .meaning = "of a fuse: current divided by its rating"},
                   self.overload);
-            visit(FieldInfo{.key = "floating", .unit = "", .meaning = "no way leads to a source or a return"},
+            visit(FieldInfo{.key = "floating",
+                            .unit = "",
+                            .meaning = "whether it is connected to no source and no return"},
                   self.floating);
         }
     };

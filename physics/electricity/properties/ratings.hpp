@@ -15,14 +15,14 @@ inline constexpr double greatestResistance = 1e9;
 struct Resistance {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Resistance", "resistance",
-                                       "What the object sets against a current from one side to the other."};
+                                       "The electrical resistance from one side of the object to the other."};
     double ohm = 0;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "value",
                         .unit = "ohm",
-                        .meaning = "0, an ideal conductor, or at least 0.001",
+                        .meaning = "0 (an ideal conductor) or at least 0.001",
                         .minimum = 0,
                         .maximum = greatestResistance,
                         .required = true},
@@ -35,7 +35,7 @@ struct Resistance {
 struct Emf {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Electromotive force", "emf",
-                                       "What an electrical source drives a current with."};
+                                       "The voltage with which an electrical source drives a current."};
     double voltage = 0;
     double internalResistance = 0;
     double induced = 0; ///< V, what AddVoltage adds to it at present
@@ -44,14 +44,14 @@ struct Emf {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "voltage",
                         .unit = "V",
-                        .meaning = "of the object above the return of its network, without a load",
+                        .meaning = "of the object relative to the return of its network, without a load",
                         .minimum = -1e6,
                         .maximum = 1e6,
                         .required = true},
               self.voltage);
         visit(FieldInfo{.key = "internal_resistance",
                         .unit = "ohm",
-                        .meaning = "in series with it; 0, an ideal source, or at least 0.001",
+                        .meaning = "in series with the source; 0 (an ideal source) or at least 0.001",
                         .minimum = 0,
                         .maximum = greatestResistance},
               self.internalResistance);
@@ -69,8 +69,7 @@ struct Emf {
 struct RatedPower {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Rated power", "rated",
-                                       "The power at which the object works as it should, and at which "
-                                       "voltage it takes it."};
+                                       "The power and the voltage for which the object is designed."};
     double power = 1;
     double voltage = 1;
 
@@ -78,7 +77,7 @@ struct RatedPower {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "power",
                         .unit = "W",
-                        .meaning = "at which it is as bright as it should be",
+                        .meaning = "power at full brightness",
                         .minimum = 0,
                         .maximum = 1e9,
                         .minimumExcluded = true,
@@ -86,7 +85,7 @@ struct RatedPower {
               self.power);
         visit(FieldInfo{.key = "voltage",
                         .unit = "V",
-                        .meaning = "across it, at that power",
+                        .meaning = "across the object at that power",
                         .minimum = 0,
                         .maximum = 1e6,
                         .minimumExcluded = true,
@@ -99,7 +98,8 @@ struct RatedPower {
 /// Carries a current up to its rating. Above the rating it blows and no longer conducts.
 struct Fuse {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Fuse", "fuse", "Blows where a current is above its rating."};
+    static constexpr PropertyText text{
+        "Fuse", "fuse", "Blows, and then conducts no more, when its current exceeds its rating."};
     double current = 1;
     bool blown = false;
 
@@ -107,13 +107,14 @@ struct Fuse {
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "current",
                         .unit = "A",
-                        .meaning = "that it carries without blowing",
+                        .meaning = "greatest current that it carries without blowing",
                         .minimum = 0,
                         .maximum = 1e9,
                         .minimumExcluded = true,
                         .required = true},
               self.current);
-        visit(FieldInfo{.key = "blown", .unit = "", .meaning = "whether it has blown, for good"}, self.blown);
+        visit(FieldInfo{.key = "blown", .unit = "", .meaning = "whether it has blown, which is permanent"},
+              self.blown);
     }
     friend bool operator==(Fuse const&, Fuse const&) = default;
 };
@@ -121,16 +122,16 @@ struct Fuse {
 /// The greatest current that an object can carry, for the detail level flow.
 struct CurrentCapacity {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Current capacity", "current_capacity",
-                                       "The current that the object can carry at most, where electricity is "
-                                       "computed as a flow."};
+    static constexpr PropertyText text{
+        "Current capacity", "current_capacity",
+        "The greatest current that the object can carry, at the detail level \"flow\"."};
     double ampere = 1;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
         visit(FieldInfo{.key = "value",
                         .unit = "A",
-                        .meaning = "in whole microamperes",
+                        .meaning = "rounded to whole microamperes",
                         .minimum = 0,
                         .maximum = 1e6,
                         .required = true},

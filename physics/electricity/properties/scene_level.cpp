@@ -69,7 +69,7 @@ bool isFaithful(ElectricalLevel level, Store const& store) {
 std::string whyElectricalLevel(Store const& store) {
     SufficientLevel const found = sufficientLevel(store);
     if (found.because.valid()) {
-        return fmt::format("{}, because '{}' has {}; circuits without such a thing are still on or off only",
+        return fmt::format("{}, because '{}' has {}; circuits without one are still only on or off",
                            nameOf(found.level), store.nameOf(found.because), nameOf(found.reason));
     }
     return fmt::format("{}: {}", nameOf(found.level), nameOf(found.reason));

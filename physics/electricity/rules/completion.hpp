@@ -16,7 +16,8 @@ namespace trembler {
 
 struct ConductorCompletion final : Completion<ConductorCompletion, Reads<MadeOf, Without>, Adds<Conductor>> {
     static constexpr CompletionText text{
-        .name = "Conductor", .work = "What is made of metal conducts, unless it is stated not to."};
+        .name = "Conductor",
+        .work = "Makes an object of metal a conductor, unless it is stated not to be one."};
     using Activation = NeedsAll<MadeOf>;
     static void complete(Access& access) {
         if (conductsByMaterial(access.find<MadeOf>(), access.find<Without>())) {
@@ -28,7 +29,7 @@ struct ConductorCompletion final : Completion<ConductorCompletion, Reads<MadeOf,
 struct VertexCompletion final : Completion<VertexCompletion, Reads<>, Adds<ElectricityGraph>> {
     static constexpr CompletionText text{
         .name = "Vertex",
-        .work = "Every conductor is a vertex of the electricity graph, at first without connections."};
+        .work = "Makes every conductor a vertex of the electricity graph, at first without connections."};
     using Activation = NeedsAll<Conductor>;
     static void complete(Access& access) { access.add(ElectricityGraph{}); }
 };

@@ -98,8 +98,8 @@ public:
         nlohmann::ordered_json body = goal_schema::strictObject(std::move(members), {"of", "that"});
         body["minProperties"] = 3;
         body["maxProperties"] = 3;
-        body["description"] =
-            "For how many objects the condition \"that\" holds; there \"it\" is the object.";
+        body["description"] = "The number of objects for which the condition \"that\" holds; in it, \"it\" "
+                              "refers to the object.";
         return body;
     }
 

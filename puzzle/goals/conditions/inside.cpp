@@ -29,7 +29,7 @@ public:
             condition.area = readArea(*area);
         }
         if (auto const called = members.optional("called")) {
-            condition.areaName = called->name("words for the area").value_or("");
+            condition.areaName = called->name("name of the area in texts for the player").value_or("");
         }
         members.finish();
     }
@@ -38,7 +38,7 @@ public:
         return goal_schema::strictObject(
             {{"object", goal_schema::selector()},
              {"area", goal_schema::reference("area")},
-             {"called", {{"type", "string"}, {"description", "words for the area"}}}},
+             {"called", {{"type", "string"}, {"description", "name of the area in texts for the player"}}}},
             {"object", "area"});
     }
 

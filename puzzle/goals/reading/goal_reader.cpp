@@ -104,7 +104,7 @@ void GoalReader::readExtras(MemberReader& reader, Condition& condition) {
         condition.id = id->name("an id").value_or("");
         if (!condition.id.empty() && !ids_.insert(condition.id).second) {
             id->complain(fmt::format("there is already a goal with the id '{}'", condition.id),
-                         "an id of its own");
+                         "a unique id");
         }
     }
 }

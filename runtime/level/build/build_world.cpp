@@ -149,7 +149,7 @@ public:
         }
         for (Made& made : made_) {
             if (store.find(made.name).valid()) {
-                problem(made.path, fmt::format("the name '{}' is taken", made.name), "a name of its own");
+                problem(made.path, fmt::format("the name '{}' is taken", made.name), "a unique name");
                 continue;
             }
             made.id = store.create(made.name, originOf(made));

@@ -21,7 +21,7 @@ public:
         ObjectId const a = store_.find(connection.a);
         ObjectId const b = store_.find(connection.b);
         if (connectors_.empty()) {
-            problem("/connections", "no effect of this program knows connections", "no connections");
+            problem("/connections", "no effect of this program has connections", "no connections");
         } else if (!a.valid() || !b.valid()) {
             problem(connection.path,
                     fmt::format("there is no object '{}'", a.valid() ? connection.b : connection.a),

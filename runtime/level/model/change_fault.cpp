@@ -122,7 +122,7 @@ std::optional<ChangeFault> faultInDetail(Registry const& registry, RecordedChang
         if (text.effect == change.subject) {
             note(levels, text.level);
             if (text.level == change.level && !registration.missing.empty()) {
-                return ChangeFault{fmt::format("{}={} cannot be had: {}", change.subject, change.level,
+                return ChangeFault{fmt::format("{}={} is not available: {}", change.subject, change.level,
                                                registration.missing),
                                    "a level that this program has"};
             }
@@ -173,11 +173,10 @@ std::optional<ChangeFault> otherPhysics(Registry const& registry, World const& w
             others.push_back(quoted);
         }
     }
-    return ChangeFault{fmt::format("in this level the detail level '{}' of {} is other physics, not only "
-                                   "another accuracy",
-                                   change.level.empty() ? "as the scene needs it" : change.level,
-                                   change.subject),
-                       fmt::format("one of the levels: {}", fmt::join(others, ", "))};
+    return ChangeFault{
+        fmt::format("in this level the detail level '{}' of {} changes the physics, not only its accuracy",
+                    change.level.empty() ? "as the scene needs it" : change.level, change.subject),
+        fmt::format("one of the levels: {}", fmt::join(others, ", "))};
 }
 
 } // namespace

@@ -39,7 +39,7 @@ void PartLibrary::add(PartDefinition part) {
         std::string const other = at->second.document ? at->second.document->file() : "another";
         std::string const message = fmt::format("there is already a part '{}', in {}", part.name, other);
         if (part.document) {
-            throw InputError({part.document->diagnostic("/name", message, "a name of its own")});
+            throw InputError({part.document->diagnostic("/name", message, "a unique name")});
         }
         Diagnostic problem;
         problem.file = "(part)";

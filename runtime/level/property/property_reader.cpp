@@ -238,7 +238,7 @@ std::unique_ptr<PropertyValue> readProperty(PropertyInfo const& info, JsonNode c
     auto const fields = outlineOf(*value);
     if (fields.empty()) {
         if (node.value() != true) {
-            node.complainOfType("true, as it has no fields; false takes it away");
+            node.complainOfType("true, as it has no fields, or false to remove it");
             return nullptr;
         }
         return value;

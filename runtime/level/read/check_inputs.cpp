@@ -55,8 +55,8 @@ public:
         }
         addProblem(problems_, [&] {
             return document_.diagnostic(
-                path, fmt::format("comes in frame {}, after the last", frame),
-                fmt::format("frames from 1 to {}, as \"frames\" of the solution has it", *solution_.frames));
+                path, fmt::format("is in frame {}, after the last one", frame),
+                fmt::format("frames from 1 to {}, the \"frames\" of the solution", *solution_.frames));
         });
     }
 

@@ -89,8 +89,7 @@ void readChange(JsonNode const& node, std::vector<RecordedChange>& into) {
         }
     }
     if (kinds != 1) {
-        node.complain(kinds == 0 ? "does not say what was changed"
-                                 : "changes several kinds of things at once",
+        node.complain(kinds == 0 ? "states no change" : "states several kinds of changes at once",
                       "one of \"detail\", \"period\", \"setting\"");
     }
     reader.finish();

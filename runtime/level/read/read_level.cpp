@@ -103,7 +103,7 @@ private:
         if (name == "world") {
             node.complain("the name 'world' is taken", "another name: 'world' is the object under \"world\"");
         } else if (auto const [at, isNew] = namePaths_.try_emplace(name, node.path()); !isNew) {
-            node.complain(fmt::format("the name '{}' is taken by {}", name, at->second), "a name of its own");
+            node.complain(fmt::format("the name '{}' is taken by {}", name, at->second), "a unique name");
         }
     }
 
@@ -151,7 +151,7 @@ private:
     void readJoint(JsonNode const& node) {
         PropertyInfo const* const info = registry_.objectProperty("joint");
         if (info == nullptr) {
-            node.complain("no effect of this program knows joints", "no joints");
+            node.complain("no effect of this program has joints", "no joints");
             return;
         }
         LevelJoint joint;

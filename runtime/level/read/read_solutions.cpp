@@ -97,7 +97,7 @@ std::optional<RecordedInput> readInput(JsonNode const& node) {
         }
     }
     if (kinds != 1) {
-        node.complain(kinds == 0 ? "does not say what the player did" : "says several things at once",
+        node.complain(kinds == 0 ? "states no input" : "states several inputs at once",
                       std::string(expected));
         reader.know("at");
         reader.finish();
@@ -179,7 +179,7 @@ std::vector<Solution> readSolutions(JsonNode const& node) {
         }
         if (!solution->name.empty() && !names.insert(solution->name).second) {
             node.element(i).complain(fmt::format("there is already a solution named '{}'", solution->name),
-                                     "a name of its own");
+                                     "a unique name");
         }
         solutions.push_back(std::move(*solution));
     }

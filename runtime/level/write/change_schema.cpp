@@ -75,8 +75,9 @@ Json detailSchema(Registry const& registry, bool orNothing) {
 }
 
 Json changeSchema(Registry const& registry) {
-    Json const frame{
-        {"type", "integer"}, {"minimum", 1}, {"description", "the first that it counts for, from 1"}};
+    Json const frame{{"type", "integer"},
+                     {"minimum", 1},
+                     {"description", "the first frame in which the change applies, from 1"}};
     std::map<std::string_view, Json> bodies{{"detail", detailSchema(registry, true)},
                                             {"period", periodsSchema(registry)},
                                             {"setting", settingsSchema(registry)}};
@@ -88,10 +89,11 @@ Json changeSchema(Registry const& registry) {
         members[std::string(kind)] = std::move(body);
         kinds.push_back(json_schema::strictObject(std::move(members), {"frame", std::string(kind)}));
     }
-    return Json{{"description",
-                 "How exactly the level is computed from a frame on, never its physics. A detail "
-                 "level must compute what the level states; see docs/budget.md."},
-                {"oneOf", std::move(kinds)}};
+    return Json{
+        {"description",
+         "A change of the accuracy with which the level is computed from a frame on, never of its physics. A "
+         "detail level must be able to compute everything that the level states; see docs/budget.md."},
+        {"oneOf", std::move(kinds)}};
 }
 
 } // namespace trembler

@@ -164,7 +164,7 @@ Json propertySchema(PropertyInfo const& info) {
     }
     std::string text(info.text.meaning);
     if (!outline.empty() && isBare(outline)) {
-        text += " " + describedField(outline.front().info) + ".";
+        text += " Value: " + describedField(outline.front().info) + ".";
     }
     schema["description"] = text;
     return schema;

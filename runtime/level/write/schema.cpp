@@ -26,13 +26,15 @@ Json worldSchema(Registry const& registry) {
     world["properties"]["bounds"] = json_schema::reference("box");
     world["properties"]["detail"] = detailSchema(registry, false);
     world["properties"]["detail"]["description"] =
-        "Detail level by effect; what is not stated is picked by the scene.";
+        "Detail level by effect; for an effect that is not stated, the scene determines it.";
     return world;
 }
 
 Json objectSchema(Registry const& registry) {
-    Json members{{"name", json_schema::reference("name")},
-                 {"part", {{"type", "string"}, {"description", "the part definition that it is made from"}}}};
+    Json members{
+        {"name", json_schema::reference("name")},
+        {"part",
+         {{"type", "string"}, {"description", "name of the part definition from which the object is made"}}}};
     Json const placement = propertiesSchema(registry, PropertyPlace::placement);
     for (auto const& [key, schema] : placement["properties"].items()) {
         members[key] = schema;
@@ -48,10 +50,11 @@ Json jointSchema(PropertyInfo const& info) {
 }
 
 Json inputSchema() {
-    Json const frame{{"type", "integer"},
-                     {"minimum", 1},
-                     {"maximum", limits::frames},
-                     {"description", "the frame that sees it, from 1; not after the solution's last one"}};
+    Json const frame{
+        {"type", "integer"},
+        {"minimum", 1},
+        {"maximum", limits::frames},
+        {"description", "the frame in which the input takes effect, from 1 to the solution's last one"}};
     Json kinds = Json::array();
     std::map<std::string_view, Json> const bodies{{"grab", json_schema::reference("name")},
                                                   {"move", json_schema::reference("point")},
@@ -116,9 +119,8 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     Json const count{{"type", "integer"}, {"minimum", 1}, {"maximum", limits::toolboxCount}};
     Json definitions = commonDefinitions();
     definitions["properties"] = propertiesSchema(registry, PropertyPlace::properties);
-    definitions["properties"]["description"] = "Properties of an object. They stand in the place of those "
-                                               "that its part has, each as a whole; false takes "
-                                               "one away.";
+    definitions["properties"]["description"] = "Properties of an object. Each replaces the whole property of "
+                                               "the same name that its part has; false removes it.";
     definitions["object"] = objectSchema(registry);
     definitions["placement"] = json_schema::strictObject(
         {{"part", text}, {"at", json_schema::reference("point")}, {"angle_deg", {{"type", "number"}}}},
@@ -138,7 +140,8 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     members["title"] = json_schema::reference("name");
     members["text"] = text;
     members["demonstration"] =
-        Json{{"type", "boolean"}, {"description", "the level is meant to reach its goals with hands off"}};
+        Json{{"type", "boolean"},
+             {"description", "whether the level is meant to reach its goals without any placement or input"}};
     members["mods"] = json_schema::listOf(json_schema::reference("name"), mostExtensions);
     members["mods"]["description"] = "Names of the mods that the level needs, each once.";
     members["world"] = worldSchema(registry);
@@ -148,11 +151,12 @@ Json levelSchema(Registry const& registry, Json const& goals) {
         members["joints"] = json_schema::listOf(json_schema::reference("joint"), limits::joints);
     }
     members["connections"] = json_schema::listOf(connectionSchema(registry), limits::connections);
-    members["connections"]["description"] = "Pairs of objects that are connected from the start. A bare pair "
-                                            "belongs to the effect that can connect "
-                                            "the two; where several can, \"kind\" says which.";
+    members["connections"]["description"] =
+        "Pairs of objects that are connected from the start. A pair without \"kind\" is connected by the "
+        "effect that can connect the two; if several can, \"kind\" must be stated.";
     members["placing"] = json_schema::listOf(json_schema::reference("area"), limits::areas);
-    members["placing"]["description"] = "Where the player may place; left out: anywhere within the bounds.";
+    members["placing"]["description"] =
+        "The areas in which the player may place parts; left out: anywhere within the bounds.";
     members["toolbox"] = json_schema::listOf(
         json_schema::strictObject({{"part", text}, {"count", count}}, {"part"}), limits::toolboxEntries);
     members["goals"] = goals.is_null() ? Json{{"type", "object"}} : json_schema::reference("condition");
@@ -168,10 +172,11 @@ Json levelSchema(Registry const& registry, Json const& goals) {
         {"$schema", draft},
         {"title", "A level of Trembler"},
         {"description",
-         fmt::format("Generated by `trembler schema`. SI units; angles in degrees where the key says so; y "
-                     "up. The order of entries in lists never matters to the simulation. A file has at "
-                     "most {} bytes and {} values, and {} lists and objects inside one another.",
-                     limits::fileSize, limits::values, limits::depth)}};
+         fmt::format(
+             "Generated by `trembler schema`. SI units; angles are in degrees, which the keys state; the y "
+             "axis points up. The simulation does not depend on the order of entries in lists. A file has at "
+             "most {} bytes and {} values, and {} lists and objects inside one another.",
+             limits::fileSize, limits::values, limits::depth)}};
     schema.update(json_schema::strictObject(std::move(members), {"version", "title"}));
     schema["$defs"] = std::move(definitions);
     return schema;

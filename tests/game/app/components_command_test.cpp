@@ -1,4 +1,4 @@
-// trembler components --levels: what levels call for, in all its forms.
+// trembler components --levels: what levels activate, in all output formats.
 #include "tests/game/app/program.hpp"
 
 #include <nlohmann/json.hpp>

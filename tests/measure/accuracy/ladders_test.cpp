@@ -201,9 +201,9 @@ TEST(Accuracy, AnUnknownEffectIsRefusedWithTheKnownOnes) {
         static_cast<void>(climb(gameData(), {"gravitty"}, {.brief = true, .runs = 1}));
         FAIL();
     } catch (std::invalid_argument const& error) {
-        EXPECT_EQ(std::string(error.what()),
-                  "no ladder for the effect \"gravitty\"; there are: dynamics, gravity, electricity, "
-                  "magnetism, buoyancy, sound, co-simulation");
+        EXPECT_EQ(std::string(error.what()), "no ladder for the effect \"gravitty\"; the effects with "
+                                             "ladders are: dynamics, gravity, electricity, "
+                                             "magnetism, buoyancy, sound, co-simulation");
     }
 }
 

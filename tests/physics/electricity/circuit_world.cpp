@@ -70,7 +70,7 @@ void ElectricityFromScript::apply(Access& access) {
 
 void registerScripts(Registry& registry) {
     constexpr auto script = [](std::string_view name, std::size_t number) {
-        return ScriptNumber{.text{.name = name, .effect = "test", .level = "", .work = "As told."},
+        return ScriptNumber{.text{.name = name, .effect = "test", .level = "", .work = "As the test states."},
                             .number = number};
     };
     static constexpr std::array<ScriptNumber, scripts> all{script("Electricity <- Script 1", 0),

@@ -71,7 +71,7 @@ class ScriptedCollisions final
     : public Resolver<ScriptedCollisions, CollisionRole, Reads<Touching>, Writes<>, Provides<Contacts>> {
 public:
     static constexpr ComponentText text{
-        .name = "Collisions", .effect = "test", .level = "", .work = "As told."};
+        .name = "Collisions", .effect = "test", .level = "", .work = "As the test states."};
     using Activation = NeedsAll<Touching>;
     void advance(Access& access);
 };
@@ -104,7 +104,7 @@ void registerScripts(Registry& registry);
 class PopulationFromScript final : public Interaction<PopulationFromScript, PopulationRole, Reads<Script>> {
 public:
     static constexpr ComponentText text{
-        .name = "Population <- Script", .effect = "test", .level = "", .work = "As told."};
+        .name = "Population <- Script", .effect = "test", .level = "", .work = "As the test states."};
     using Activation = NeedsAll<Script>;
     void apply(Access& access);
 };

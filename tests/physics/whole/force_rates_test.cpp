@@ -156,10 +156,10 @@ TEST_F(EffectRates, OfMagnetsIncludeTheirRotation) {
         give(id, CollisionGroups{.category = 1, .mask = 0xffff, .group = -1});
     }
     run(3);
-    double const told = rates().greatest;
+    double const stated = rates().greatest;
     double const turning = swing([&] { return world().find<Rotation>(needle)->angle - 1.5 * pi; });
-    EXPECT_GE(told, 0.98 * turning);
-    EXPECT_LE(told, 1.8 * turning);
+    EXPECT_GE(stated, 0.98 * turning);
+    EXPECT_LE(stated, 1.8 * turning);
 }
 
 // A float of draught d oscillates with ω² = g / d; for an upright one the stated rate is at most √3 times

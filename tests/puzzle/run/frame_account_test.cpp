@@ -108,23 +108,23 @@ TEST_F(FrameAccount, LeavesOutRepeats) {
 // Consecutive frames are distinguished from gaps.
 TEST_F(FrameAccount, EveryFrameIsDescribedOrSkippedByName) {
     std::string const text = account("1-switched-electromagnet.json", 120);
-    std::set<std::uint64_t> told;
+    std::set<std::uint64_t> listed;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);) {
         std::uint64_t from = 0;
         std::uint64_t to = 0;
         if (std::sscanf(line.c_str(), "### Frame %lu - ", &from) == 1) {
-            EXPECT_TRUE(told.insert(from).second);
+            EXPECT_TRUE(listed.insert(from).second);
         } else if (std::sscanf(line.c_str(), "*Frames %lu to %lu:", &from, &to) == 2) {
             for (std::uint64_t frame = from; frame <= to; ++frame) {
-                EXPECT_TRUE(told.insert(frame).second);
+                EXPECT_TRUE(listed.insert(frame).second);
             }
         } else if (std::sscanf(line.c_str(), "*Frame %lu:", &from) == 1) {
-            EXPECT_TRUE(told.insert(from).second);
+            EXPECT_TRUE(listed.insert(from).second);
         }
     }
-    EXPECT_EQ(told.size(), 121U);
-    EXPECT_EQ(*told.rbegin(), 120U);
+    EXPECT_EQ(listed.size(), 121U);
+    EXPECT_EQ(*listed.rbegin(), 120U);
 }
 
 TEST_F(FrameAccount, OfAWorldThatDoesNotTraceIsTheSetup) {

@@ -131,15 +131,15 @@ TEST(Notation, LinesStayWithinTheBox) {
 
 TEST(Notation, PrintsTheSchedule) {
     std::string const text = notationText(Kit().registry);
-    EXPECT_NE(text.find("Electricity Resolver beside Magnetics Resolver"), std::string::npos);
-    EXPECT_NE(text.find("Dynamics Resolver beside Electricity Resolver"), std::string::npos);
+    EXPECT_NE(text.find("Electricity Resolver in parallel with Magnetics Resolver"), std::string::npos);
+    EXPECT_NE(text.find("Dynamics Resolver in parallel with Electricity Resolver"), std::string::npos);
     EXPECT_NE(
         text.find("Dynamics Resolver before Buoyancy Resolver: Position is written, then read, Rotation is "
                   "written, then read"),
         std::string::npos)
         << text.substr(text.find("Schedule of a frame"));
-    EXPECT_NE(text.find("all derived property sets beside one another"), std::string::npos);
-    EXPECT_NE(text.find("all interactions beside one another"), std::string::npos);
+    EXPECT_NE(text.find("all derived property sets, in parallel"), std::string::npos);
+    EXPECT_NE(text.find("all interactions, in parallel"), std::string::npos);
 }
 
 TEST(Notation, PrintsMarkdownWithABoxForEveryComponent) {

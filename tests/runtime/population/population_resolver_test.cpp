@@ -165,13 +165,13 @@ TEST(Population, ListsDestroyedObjectsOnceInAscendingOrder) {
     world.step();
     world.step();
     EXPECT_EQ(world.find<PopulationChanges>()->destroyed, (std::vector{a, b}));
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     for (Event const& event : world.tracer()->events()) {
         if (event.event == "destroyed") {
-            told.push_back(event.objects.front());
+            reported.push_back(event.objects.front());
         }
     }
-    EXPECT_EQ(told, (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(reported, (std::vector<std::string>{"a", "b"}));
 }
 
 TEST(Population, ABirthNamesAMakerThatIsDestroyedInTheSameFrame) {

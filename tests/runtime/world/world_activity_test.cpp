@@ -210,7 +210,7 @@ TEST(WorldActivity, StartCompletesObjects) {
 // Its power equals the duration of its turn.
 struct HeatFromTime final : Interaction<HeatFromTime, HeatRole, Reads<Fuel>> {
     static constexpr ComponentText text{
-        .name = "Heat <- Time", .effect = "heat", .level = "", .work = "Tells the time."};
+        .name = "Heat <- Time", .effect = "heat", .level = "", .work = "Reports the time."};
     using Activation = NeedsAll<Fuel, Heat>;
     void apply(Access& access) {
         forEach(

@@ -35,7 +35,7 @@ struct BellRole {
 };
 struct BellLog {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Bell log", "bell_log", "What the bell was told."};
+    static constexpr PropertyText text{"Bell log", "bell_log", "The calls that the bell received."};
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing = "kept over all parts";
     std::vector<int> rings;

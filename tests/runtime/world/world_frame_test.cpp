@@ -276,13 +276,13 @@ TEST(FrameParts, TheNewsOfAFrameAreThoseOfAllItsParts) {
         thing(world, "coal", 6, 0); // six beats
         state(world, parts);
         world.start();
-        int told = 0;
-        int toldInside = 0;
+        int received = 0;
+        int receivedInside = 0;
         for (int frame = 1; frame <= 8; ++frame) {
             world.step([&](World const& inside) {
                 std::size_t const now = inside.find<Beats>()->beats.size();
                 EXPECT_LE(now, 1U) << "within a frame only the events of the part";
-                toldInside += static_cast<int>(now);
+                receivedInside += static_cast<int>(now);
             });
             Beats const& beats = *world.find<Beats>();
             EXPECT_EQ(beats.ever, std::min(6, frame * parts));
@@ -292,10 +292,10 @@ TEST(FrameParts, TheNewsOfAFrameAreThoseOfAllItsParts) {
                 EXPECT_NEAR(beats.beats[i].since, 0.001 + static_cast<double>(i) * frameDuration / parts,
                             1e-12);
             }
-            told += static_cast<int>(beats.beats.size());
+            received += static_cast<int>(beats.beats.size());
         }
-        EXPECT_EQ(told, 6) << parts;
-        EXPECT_EQ(toldInside, 6) << parts;
+        EXPECT_EQ(received, 6) << parts;
+        EXPECT_EQ(receivedInside, 6) << parts;
     }
 }
 

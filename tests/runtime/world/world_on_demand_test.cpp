@@ -14,7 +14,7 @@ using namespace heat;
 /// A log that a resolver keeps only if it is read.
 struct Diary {
     static constexpr PropertyKind kind = PropertyKind::resolver;
-    static constexpr PropertyText text{"Diary", "diary", "How often the scribe was told something."};
+    static constexpr PropertyText text{"Diary", "diary", "The number of calls that the scribe received."};
     static constexpr Coverage coverage = hashed;
     static constexpr std::string_view standing = "counts over all parts";
     int entries = 0;
@@ -53,7 +53,7 @@ struct Poet final : ScribeBase<Poet> {
 };
 struct ScribeFromHeat final : Interaction<ScribeFromHeat, ScribeRole, Reads<Heat>> {
     static constexpr ComponentText text{
-        .name = "Scribe <- Heat", .effect = "scribe", .level = "", .work = "Tells of all heat."};
+        .name = "Scribe <- Heat", .effect = "scribe", .level = "", .work = "Reports all heat."};
     using Activation = NeedsAll<Heat>;
     void apply(Access& access) {
         forEach([&](ObjectId id, Heat const&) { access.call(Note{id}); }, access.read<Heat>());

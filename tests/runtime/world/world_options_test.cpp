@@ -159,9 +159,9 @@ TEST(WorldOptions, APeriodForAnAmbiguousNameIsRefused) {
     EXPECT_EQ(status[1].period, 2);
 }
 
-struct ToldGlow final : Dps<ToldGlow, Reads<Heat>, Derives<Glow>> {
+struct ReasonedGlow final : Dps<ReasonedGlow, Reads<Heat>, Derives<Glow>> {
     static constexpr ComponentText text{
-        .name = "Told Glow", .effect = "glow", .level = "told", .work = "Nothing.", .rank = 0};
+        .name = "Reasoned Glow", .effect = "glow", .level = "reasoned", .work = "Nothing.", .rank = 0};
     using Activation = NeedsAny<Heat>;
     static std::string why(Store const& store) {
         return std::to_string(store.findColumn<Heat>()->size()) + " hot objects";
@@ -171,7 +171,7 @@ struct ToldGlow final : Dps<ToldGlow, Reads<Heat>, Derives<Glow>> {
 
 TEST(WorldOptions, TheReasonOfTheChosenLevelIsStated) {
     Registry registry;
-    registry.component<ToldGlow>();
+    registry.component<ReasonedGlow>();
     registry.component<ExactGlow>();
     World world(registry);
     hotThing(world, "a", 1);

@@ -37,7 +37,7 @@ constexpr Command<PlayParts> levelTable[] = {
     {.info = {.id = "keep-playing",
               .group = CommandGroup::running,
               .name = words::keepPlaying,
-              .tip = "Close the card that says that it works",
+              .tip = "Close the card and keep playing",
               .help = "keep playing"},
      .run = [](PlayParts& parts) { parts.celebration.dismiss(); },
      .available = [](PlayParts const& parts) { return parts.celebration.showing(); }},

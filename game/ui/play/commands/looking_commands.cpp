@@ -40,7 +40,7 @@ constexpr Command<PlayParts> lookingTable[] = {
               .icon = Icon::Eye,
               .group = CommandGroup::looking,
               .name = "Inspect",
-              .tip = "Show all properties of the selected part, or of what the mouse points at",
+              .tip = "Show all properties of the selected part, or of the object under the mouse",
               .help = "inspect the selected part"},
      .run = inspect},
     {.info = {.id = "electricity",

@@ -51,8 +51,8 @@ constexpr Command<PlayParts> programTable[] = {
               .icon = Icon::Save,
               .group = CommandGroup::program,
               .name = "Save",
-              .tip = "Save what you placed and did as a solution",
-              .help = "save what you did"},
+              .tip = "Save your placements and inputs as a solution",
+              .help = "save a solution"},
      .run =
          [](PlayParts& parts) {
              saveSolution(parts.session, parts.file.stem().string(), parts.context.recorder,
@@ -72,7 +72,7 @@ constexpr Command<PlayParts> programTable[] = {
               .icon = Icon::Back,
               .group = CommandGroup::program,
               .name = words::back,
-              .tip = "Let go of what is in the hand, close what is open, or else open the menu",
+              .tip = "Let go of the part in hand, close an open panel, or else open the menu",
               .help = "levels, menu"},
      .run = back},
     {.info = {.id = "menu",

@@ -13,8 +13,7 @@ inline constexpr DynamicsEngine box2dDynamics{
           .effect = "dynamics",
           .level = "box2d",
           .work = "Performs both collision detection and rigid body simulation, with "
-                  "Box2D, in the world's number of substeps; carries out the forces and "
-                  "impulses that were asked for."},
+                  "Box2D, in the world's number of substeps; applies the requested forces and impulses."},
     .make = makeBox2dEngine};
 
 } // namespace trembler

@@ -16,7 +16,7 @@ inline constexpr DynamicsEngine chipmunkDynamics{
           .level = "chipmunk",
           .work =
               "Performs both collision detection and rigid body simulation, with Chipmunk, in the world's "
-              "number of substeps; carries out the forces and impulses that were asked for.",
+              "number of substeps; applies the requested forces and impulses.",
           .rank = 10},
 #ifdef TREMBLER_HAS_CHIPMUNK
     .make = makeChipmunkEngine

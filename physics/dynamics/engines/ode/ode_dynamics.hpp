@@ -16,8 +16,8 @@ inline constexpr DynamicsEngine odeDynamics{
           .level = "ode",
           .work =
               "Performs both collision detection and rigid body simulation, with the Open Dynamics Engine "
-              "kept in the plane, in the world's number of substeps; carries out the forces and impulses "
-              "that were asked for. Gears, pulleys and wheels are approximated.",
+              "kept in the plane, in the world's number of substeps; applies the requested forces and "
+              "impulses. Gears, pulleys and wheels are approximated.",
           .rank = 20},
 #ifdef TREMBLER_HAS_ODE
     .make = makeOdeEngine

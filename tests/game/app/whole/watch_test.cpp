@@ -38,7 +38,7 @@ TEST_F(Watching, WritesATableOfTheNamedNumbers) {
 TEST_F(Watching, ReportsNamesSimilarToAnUnknownOne) {
     Ran const ran = runProgram(run({"--watch", "swicth.position", "--csv", at("run.csv")}));
     EXPECT_EQ(ran.status, 2);
-    EXPECT_TRUE(contains(ran.err, "there is no object 'swicth' (did you mean 'switch'?); there are: "))
+    EXPECT_TRUE(contains(ran.err, "there is no object 'swicth' (did you mean 'switch'?); the objects are: "))
         << ran.err;
     EXPECT_TRUE(names().empty()) << "no file is left";
     EXPECT_EQ(runProgram(run({"--watch", "switch.position"})).status, 2) << "where to?";
@@ -83,7 +83,7 @@ TEST_F(Watching, ASolutionWithOtherPhysicsIsRefused) {
     EXPECT_TRUE(contains(ran.err, "solver.substeps")) << ran.err;
     Ran const other = runProgram(run({"--detail", "electricity=single-cable", "--record", at("other.json")}));
     EXPECT_EQ(other.status, 2);
-    EXPECT_TRUE(contains(other.err, "other physics")) << other.err;
+    EXPECT_TRUE(contains(other.err, "changes the physics")) << other.err;
 }
 
 } // namespace

@@ -180,10 +180,10 @@ TEST(Program, AScreenshotIsWrittenAndNotBlank) {
     options.frame = 90;
     options.size = {960, 540};
     options.picture.overlays.electricity = true;
-    std::uint64_t told = 0;
-    options.progress = [&](std::uint64_t frame) { told = frame; };
+    std::uint64_t reported = 0;
+    options.progress = [&](std::uint64_t frame) { reported = frame; };
     auto const drawn = screenshot(gameData(), options);
-    EXPECT_EQ(told, 90U);
+    EXPECT_EQ(reported, 90U);
     render::writePng(drawn, folder / "experiment.png");
     auto const image = render::readPng(folder / "experiment.png");
     EXPECT_EQ(image, drawn);
@@ -223,7 +223,7 @@ TEST(Program, WithoutADisplayTheRecordedSolutionIsPlayed) {
     options.picture = folder / "not" / "there.png";
     std::ostringstream second;
     EXPECT_EQ(playWithoutDisplay(gameData(), options, second), status);
-    EXPECT_NE(second.str().find("There is no picture"), std::string::npos) << second.str();
+    EXPECT_NE(second.str().find("No picture was made"), std::string::npos) << second.str();
 }
 
 } // namespace

@@ -165,11 +165,11 @@ TEST_F(RunSoundTest, ALevelsOwnRecordingIsHeard) {
     auto const tone = [](Wav const& heard) {
         return std::abs(toneIn(std::span(heard.left).subspan(24000, 12000), 48000, 3137));
     };
-    std::vector<std::string> told;
-    double const played = tone(hear(level(), "", 60, nullptr, {folder}, &told));
-    EXPECT_TRUE(told.empty());
-    double const missing = tone(hear(level(), "", 60, nullptr, {}, &told));
-    EXPECT_EQ(told.size(), 1U) << "a missing recording is reported once";
+    std::vector<std::string> warnings;
+    double const played = tone(hear(level(), "", 60, nullptr, {folder}, &warnings));
+    EXPECT_TRUE(warnings.empty());
+    double const missing = tone(hear(level(), "", 60, nullptr, {}, &warnings));
+    EXPECT_EQ(warnings.size(), 1U) << "a missing recording is reported once";
     EXPECT_GT(played, 10 * missing);
 }
 

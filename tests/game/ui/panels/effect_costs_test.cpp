@@ -32,7 +32,7 @@ TEST(EffectCosts, DistinguishMissingReadersFromMissingObjects) {
     session.step();
     // Its bodies could sound, but nothing reads their sounds.
     EXPECT_EQ(costOf(session.world(), "sound").activity, Activity::absent);
-    EXPECT_EQ(costOf(session.world(), "sound").reason, words::nobodyAsks);
+    EXPECT_EQ(costOf(session.world(), "sound").reason, words::notRead);
     Subscription const listening = session.world().want<Sounds>();
     session.step();
     EXPECT_NE(costOf(session.world(), "sound").activity, Activity::absent);

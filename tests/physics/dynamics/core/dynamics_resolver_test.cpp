@@ -21,7 +21,7 @@ TEST(EngineChoice, AMissingOneIsRefusedAndTheOthersWork) {
         world.setDetail("dynamics", "absent");
         ADD_FAILURE() << "taken";
     } catch (std::invalid_argument const& error) {
-        EXPECT_STREQ(error.what(), "dynamics=absent cannot be had: this program was built without it");
+        EXPECT_STREQ(error.what(), "dynamics=absent is not available: this program was built without it");
     }
     EXPECT_THROW(
         World(registry, WorldOptions{.threads = 1, .detail = {{"dynamics", "absent"}}, .periods = {}}),

@@ -211,11 +211,11 @@ TEST_P(EngineFailures, AreReportedAndReproducible) {
             }
         }
         EngineState const& state = stateOf(scene);
-        bool told = false;
+        bool reported = false;
         for (Event const& event : scene.world->tracer()->events()) {
-            told = told || event.event.starts_with("engine gave up");
+            reported = reported || event.event.starts_with("engine gave up");
         }
-        EXPECT_EQ(told, state.troubled());
+        EXPECT_EQ(reported, state.troubled());
         EXPECT_EQ(state.troubled(), !state.why.empty());
         EXPECT_TRUE(state.gaveUp.empty() || state.gaveUp == GetParam());
     }

@@ -22,7 +22,7 @@ struct Varying {
 class DynamicsFromVarying final : public Interaction<DynamicsFromVarying, DynamicsRole, Reads<Varying>> {
 public:
     static constexpr ComponentText text{
-        .name = "Dynamics <- Varying", .effect = "test", .level = "", .work = "Tells rates."};
+        .name = "Dynamics <- Varying", .effect = "test", .level = "", .work = "States rates."};
     using Activation = NeedsAll<Varying>;
     void apply(Access& access) {
         auto const& all = access.read<Varying>();

@@ -154,11 +154,11 @@ TEST_P(Motion, ExcessiveForcesAreLimitedAndTheWorldContinues) {
     EXPECT_TRUE(isFinite(scene.velocity(ball)));
     EXPECT_TRUE(std::isfinite(scene.angle(ball)));
     EXPECT_EQ(scene.at(other), (Vec2{3, 0}));
-    bool told = false;
+    bool reported = false;
     for (Event const& event : scene.world->tracer()->events()) {
-        told = told || event.event == "refused: the force is not a finite number";
+        reported = reported || event.event == "refused: the force is not a finite number";
     }
-    EXPECT_TRUE(told);
+    EXPECT_TRUE(reported);
 }
 
 } // namespace

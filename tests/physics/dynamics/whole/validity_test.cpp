@@ -180,11 +180,11 @@ TEST_P(Validity, RefusalsAreReportedOnceAndTheOthersContinue) {
     scene.run(5);
     EXPECT_EQ(scene.at(bad), (Vec2{0, 5}));
     EXPECT_LT(scene.at(good).y, 5);
-    int told = 0;
+    int reported = 0;
     for (Event const& event : scene.world->tracer()->events()) {
-        told += event.event.starts_with("refused") && event.objects[0] == "bad" ? 1 : 0;
+        reported += event.event.starts_with("refused") && event.objects[0] == "bad" ? 1 : 0;
     }
-    EXPECT_EQ(told, 1);
+    EXPECT_EQ(reported, 1);
 }
 
 } // namespace

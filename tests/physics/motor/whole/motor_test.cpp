@@ -264,7 +264,7 @@ TEST(Motors, AreRefusedIfTheyCouldNotWork) {
     EXPECT_NE(refusal(good).find("against itself"), std::string::npos);
     bench.store().column<ElectricMotor>().remove(good);
     bench.store().column<Generator>().set(good, {wooden, 1, 0});
-    EXPECT_NE(refusal(good).find("source of 'good' is none"), std::string::npos);
+    EXPECT_NE(refusal(good).find("source of 'good' is not an electrical source"), std::string::npos);
     bench.store().column<Generator>().set(good, {bench.plus, 1, 0});
     EXPECT_EQ(refusal(good), "");
 }

@@ -101,7 +101,7 @@ TEST(LayConnections, APairThatNoEffectCanConnectIsRefusedAtItsPlace) {
         (void)buildWorld(none, sample::read(none, Site::levelWith(R"(["tag 1", "tag 2"])")), parts);
         FAIL() << "accepted";
     } catch (InputError const& error) {
-        expectWords(error.what(), {"/connections: no effect of this program knows connections"});
+        expectWords(error.what(), {"/connections: no effect of this program has connections"});
     }
 }
 

@@ -88,7 +88,7 @@ TEST_F(Parts, OfALibraryAreOrderedByTheirUniqueNames) {
     } catch (InputError const& error) {
         EXPECT_STREQ(error.what(),
                      "part.json:1:28: /name: there is already a part 'b', in part.json; expected "
-                     "a name of its own");
+                     "a unique name");
     }
     PartDefinition made; // made by a program, not read from a file
     made.name = "a";

@@ -48,7 +48,7 @@ TEST_F(CheckInputs, RefusesInputsAfterTheLastFrame) {
     EXPECT_TRUE(problemsWith("", inputs).empty()) << "a solution without an end has no last frame";
     EXPECT_TRUE(problemsWith("", inputs + R"(, "frames": 11)").empty());
     EXPECT_SAYS(sample::only(problemsWith("", inputs + R"(, "frames": 10)")),
-                "/solutions/0/inputs/1: comes in frame 11, after the last; expected frames from 1 to 10");
+                "/solutions/0/inputs/1: is in frame 11, after the last one; expected frames from 1 to 10");
     EXPECT_EQ(problemsWith("", inputs + R"(, "frames": 9)").size(), 2U);
 }
 

@@ -169,7 +169,7 @@ TEST_F(ReadLevel, RefusesWrongStructureWithItsPath) {
              Case{"\"solutions\": [{\"name\": \"s\", \"inputs\": [{\"frame\": 0, \"release\": true}]}]",
                   "/solutions/0/inputs/0/frame:", "from 1"},
              Case{"\"solutions\": [{\"name\": \"s\", \"inputs\": [{\"frame\": 1}]}]",
-                  "/solutions/0/inputs/0:", "does not say"},
+                  "/solutions/0/inputs/0:", "states no input"},
              Case{"\"solutions\": [{\"name\": \"s\", \"inputs\": [{\"frame\": 1, \"remove\": \"q\"}]}]",
                   "/solutions/0/inputs/0:", "no object 'q'"},
              Case{"\"solutions\": [{\"name\": \"s\", \"expect\": \"solvd\"}]",

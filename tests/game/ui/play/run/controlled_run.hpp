@@ -18,17 +18,17 @@ struct Controlled {
     budget::BudgetMode budget{gameData().registry};
     LevelAudio audio{nullptr};
     CameraControl view;
-    std::string told;
+    std::string callbacks;
     RunControl run{session,
                    placing,
                    hand,
                    budget,
                    audio,
                    view,
-                   {.newWorld = [this] { told += "n"; },
-                    .beforeStep = [this] { told += "b"; },
-                    .afterStep = [this] { told += "a"; },
-                    .stopped = [this] { told += "s"; }}};
+                   {.newWorld = [this] { callbacks += "n"; },
+                    .beforeStep = [this] { callbacks += "b"; },
+                    .afterStep = [this] { callbacks += "a"; },
+                    .stopped = [this] { callbacks += "s"; }}};
 
     void pictures(int count, double seconds = 1.0 / 60, bool oneFrame = false, bool fastHeld = false) {
         for (int i = 0; i < count; ++i) {

@@ -17,7 +17,7 @@ TEST(RunControl, RunsPausesAndStops) {
     level.pictures(2);
     EXPECT_EQ(level.frame(), 2U);
     EXPECT_TRUE(level.run.stepped());
-    EXPECT_EQ(level.told, "nbaba");
+    EXPECT_EQ(level.callbacks, "nbaba");
     level.run.pauseOrGo();
     EXPECT_TRUE(level.run.paused());
     level.pictures(5);
@@ -25,11 +25,11 @@ TEST(RunControl, RunsPausesAndStops) {
     level.run.pauseOrGo();
     level.pictures(1);
     EXPECT_EQ(level.frame(), 3U);
-    level.told.clear();
+    level.callbacks.clear();
     level.run.runOrStop();
     EXPECT_TRUE(level.run.building());
     EXPECT_EQ(level.frame(), 0U);
-    EXPECT_EQ(level.told, "sn");
+    EXPECT_EQ(level.callbacks, "sn");
 }
 
 TEST(RunControl, SingleFramesStartTheRunAndPauseIt) {
