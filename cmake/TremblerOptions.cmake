@@ -66,6 +66,15 @@ function(trembler_quick_with_sanitizers target)
   endif()
 endfunction()
 
+# trembler_fewer_checks_with_sanitizers(TARGET): for code that takes much of the tests' time, and is therefore optimised also with
+# sanitizers. Without these three checks, which are inserted at each access, it compiles in three quarters of the time;
+# the address sanitizer finds what object-size finds. All other code keeps them.
+function(trembler_fewer_checks_with_sanitizers target)
+  if(TREMBLER_SANITIZE MATCHES "undefined" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(${target} PRIVATE -fno-sanitize=alignment,object-size,vptr)
+  endif()
+endfunction()
+
 # trembler_precompile(TARGET HEADER...): with TREMBLER_PRECOMPILES, parses these headers and common ones of the standard
 # library only once for the whole target.
 function(trembler_precompile target)

@@ -24,9 +24,12 @@ std::set<std::string> testsIn(std::filesystem::path const& folder) {
     std::regex const declaration(R"(\bTEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\s*\))");
     for (auto const& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (entry.path().extension() == ".cpp") {
-            std::string const text = contentOf(entry.path());
-            for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) {
-                tests.insert((*at)[1].str() + "." + (*at)[2].str());
+            std::istringstream lines(contentOf(entry.path()));
+            std::smatch found;
+            for (std::string line; std::getline(lines, line);) {
+                if (line.starts_with("TEST") && std::regex_search(line, found, declaration)) {
+                    tests.insert(found[1].str() + "." + found[2].str());
+                }
             }
         }
     }
