@@ -106,7 +106,7 @@ ScriptSet withAlternatives(Setting const&) {
             {EventScript::On::collision, "bell", "", [](Game& game, std::string const&) { game.ring(); }},
             {EventScript::On::update, "", "", [](Game& game, std::string const&) {
                  if (static_cast<double>(game.frame()) < game.flags["push until"]) {
-                     game.push("striker", {250, 0});
+                     game.push("striker", {500, 0});
                  }
              }}};
 }
@@ -147,7 +147,7 @@ ScriptSet withEverything(Setting const& setting) {
     scripts.push_back({EventScript::On::update, "", "", [isSteel, strength](Game& game, std::string const&) {
                            bool const pushes = static_cast<double>(game.frame()) < game.flags["push until"];
                            if (pushes && isSteel && !(game.flags["dead"] > 0)) {
-                               game.push("striker", {250 * strength / 80000, 0});
+                               game.push("striker", {500 * strength / 80000, 0});
                            }
                        }});
     return scripts;

@@ -29,6 +29,8 @@ struct Row {
                                .spread = spread,
                                .mass = fixed ? 0 : 1.0,
                                .fixed = fixed,
+                               .groups = {},
+                               .damping = {},
                                .motion = {.centre = at, .angle = 0, .velocity = {}, .spin = 0}});
     }
     void run() {
