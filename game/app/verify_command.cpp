@@ -24,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a mod's files only those in levels/ and tests/ are levels.
-bool belongsToAMod(fs::path const& file) {
-    if (file.filename() == "mod.json") {
+/// Of a mod's files only those in levels/ and tests/ are levels; hidden files are settings of editors.
+bool isNoLevel(fs::path const& file) {
+    if (file.filename() == "mod.json" || file.filename().string().starts_with('.')) {
         return true;
     }
     fs::path const folder = file.parent_path();
@@ -41,7 +41,7 @@ std::vector<fs::path> levelsUnder(fs::path const& path) {
     for (fs::directory_entry const& entry : fs::recursive_directory_iterator(path)) {
         bool const schema = entry.path().filename().string().ends_with(".schema.json");
         if (entry.is_regular_file() && entry.path().extension() == ".json" && !schema &&
-            !belongsToAMod(entry.path())) {
+            !isNoLevel(entry.path())) {
             found.push_back(entry.path());
         }
     }

@@ -75,7 +75,8 @@ double transmission(ObstacleField const& field, std::span<ObjectId const> exempt
                 return 0;
             }
         }
-        return eachAlone / (distance * distance);
+        // Without a wall the distance alone decides.
+        return eachAlone < least * distance * distance ? 0 : eachAlone / (distance * distance);
     }
     double through = 1;
     for (Crossed const& wall : crossed) {

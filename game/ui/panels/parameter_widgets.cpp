@@ -36,9 +36,9 @@ std::string formatWith(std::string const& unit) {
 bool numberWidget(lua::Parameter const& parameter, double& number) {
     std::string const format = formatWith(parameter.unit);
     if (hasRange(parameter)) {
-        // Over several powers of ten every tenth of the slider is worth the same factor.
-        bool const wide =
-            parameter.minimum >= 0 && parameter.maximum >= 1000 * std::max(1e-3, parameter.minimum);
+        // Over three powers of ten, or from zero to thousands, equal lengths of the slider are equal factors.
+        bool const wide = parameter.minimum >= 0 &&
+                          parameter.maximum >= 1000 * (parameter.minimum > 0 ? parameter.minimum : 1);
         return ImGui::SliderScalar("##number", ImGuiDataType_Double, &number, &parameter.minimum,
                                    &parameter.maximum, format.c_str(),
                                    ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : 0));

@@ -94,9 +94,9 @@ TEST(Manifest, ComplainsWithFileAndLineAndASuggestion) {
     expect("return 3", "the script states nothing");
     expect("x = 1\n" + good, "'x' is not declared");
     expect("while true do end", "more than its");
-    // A resolver property that nothing describes.
-    expect(with("\"Position\"", "\"impacts\""),
-           "the property 'impacts' has no fields that a script could read");
+    // A resolver property without described fields.
+    expect(with("\"Position\"", "\"graph_changes\""),
+           "the property 'graph_changes' has no fields that a script could read");
     expect(with("each = { \"Mass\" }", "each = { \"contacts\" }"), "no object has 'contacts'");
 }
 

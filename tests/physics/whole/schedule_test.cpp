@@ -87,7 +87,7 @@ TEST_F(RealSchedule, RunsBuoyancyAfterDynamicsAndInParallelWithTheOthers) {
         text.find("Dynamics Resolver before Test Buoyancy Resolver: Position is written, then read, Rotation "
                   "is written, then read"),
         std::string::npos);
-    EXPECT_NE(text.find("Electricity Resolver beside Magnetics Resolver"), std::string::npos);
+    EXPECT_NE(text.find("Electricity Resolver in parallel with Magnetics Resolver"), std::string::npos);
 }
 
 TEST_F(RealSchedule, RunsPopulationBeforeAllThatTouchObjects) {

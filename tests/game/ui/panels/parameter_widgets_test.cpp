@@ -55,9 +55,9 @@ struct OneWidget {
 TEST(ParameterWidgets, ANumberWithARangeIsASliderFromEndToEnd) {
     OneWidget widget(
         {.name = "speed", .initial = 8.0, .minimum = 0, .maximum = 60, .unit = "m/s", .text = ""});
-    widget.clickAt(0.999);
+    widget.clickAt(0.99);
     EXPECT_EQ(widget.value, lua::Value(60.0));
-    widget.clickAt(0.001);
+    widget.clickAt(0.01);
     EXPECT_EQ(widget.value, lua::Value(0.0));
     widget.clickAt(0.5);
     EXPECT_NEAR(std::get<double>(widget.value), 30, 2);
@@ -68,14 +68,14 @@ TEST(ParameterWidgets, ASliderOverManyPowersOfTenIsFineAtItsLowEnd) {
         {.name = "reach", .initial = 8.0, .minimum = 0, .maximum = 1e4, .unit = "m", .text = ""});
     widget.clickAt(0.5);
     EXPECT_LT(std::get<double>(widget.value), 500);
-    widget.clickAt(0.999);
+    widget.clickAt(0.99);
     EXPECT_EQ(widget.value, lua::Value(1e4));
 }
 
 TEST(ParameterWidgets, AnUnitWithAPerCentSignIsShownAsItIs) {
     OneWidget widget(
         {.name = "share", .initial = 50.0, .minimum = 0, .maximum = 100, .unit = "%n%s", .text = ""});
-    widget.clickAt(0.999); // a format that ImGui took for its own would read where nothing is
+    widget.clickAt(0.99); // a format that ImGui took for its own would read where nothing is
     EXPECT_EQ(widget.value, lua::Value(100.0));
 }
 
