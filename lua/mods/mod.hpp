@@ -19,7 +19,7 @@ struct Mod {
     std::string text;               ///< what it is, for people
     std::vector<std::string> needs; ///< other mods
     std::filesystem::path folder;
-    bool bundled = false;               ///< it came with the program; whoever loads it says so
+    bool bundled = false;               ///< it came with the program; set where it is loaded
     std::vector<Manifest> interactions; ///< in order of their files
 
     [[nodiscard]] std::filesystem::path partFolder() const { return folder / "parts"; }
@@ -50,7 +50,8 @@ struct Mod {
                                         std::span<std::filesystem::path const> folders, std::string const& by,
                                         Problems& problems);
 
-/// The names under "mods" in a level's file; none if it cannot be read, which whoever reads it says.
+/// The names under "mods" in a level's file; none if it cannot be read, which the reader of the level
+/// reports.
 [[nodiscard]] std::vector<std::string> modsNamedBy(std::filesystem::path const& level);
 
 /// Makes the folder of a new mod with an interaction that works, a level that needs it and a test. Throws

@@ -25,7 +25,7 @@ struct ModSettings {
 
 /// $XDG_CONFIG_HOME/trembler/mods.json, or that in ~/.config; empty if there is no home.
 [[nodiscard]] std::filesystem::path modSettingsFile();
-/// A file that is not there says nothing. Adds what is wrong with one to `problems`; what is right in it
+/// A missing file states nothing. Adds what is wrong with one to `problems`; what is right in it
 /// counts.
 [[nodiscard]] ModSettings readModSettings(std::filesystem::path const& file, Problems& problems);
 /// Lets a mod be trusted from the next level on, or takes it back, and leaves the rest of the file as it is.
