@@ -19,7 +19,9 @@ struct Mod {
     std::string text;               ///< what it is, for people
     std::vector<std::string> needs; ///< other mods
     std::filesystem::path folder;
-    bool bundled = false;               ///< it came with the program; set where it is loaded
+    bool bundled = false; ///< it came with the program; set where it is loaded
+    /// It came with a level, so the player has not installed it: its name in the settings means another mod.
+    bool besideLevel = false;
     std::vector<Manifest> interactions; ///< in order of their files
 
     [[nodiscard]] std::filesystem::path partFolder() const { return folder / "parts"; }
