@@ -182,7 +182,7 @@ void measureObjects(int objects, int frames, int rounds) {
     table.print();
 }
 
-// Many of the same, as one is less than the clock tells.
+// Many of the same, as one takes less than the clock's resolution.
 constexpr int sleepers = 50;
 
 void measureSleepers() {

@@ -9,9 +9,9 @@
 
 namespace trembler {
 
-/// Looks at files when it is told to; it has no clock and no thread. A file counts as saved when two looks in
-/// a row find it the same after a change, so that nobody reads half of what an editor is writing. What is
-/// compared is the content: a file that is only touched, or saved as it was, has not changed. Not
+/// Looks at files on request; it has no clock and no thread. A file counts as saved when two looks in
+/// a row find it the same after a change, so that a file is not read while an editor writes it. The
+/// content is compared: a file that is only touched, or saved as it was, has not changed. Not
 /// thread-safe.
 class FileWatch {
 public:

@@ -1,4 +1,4 @@
-// The scripts of a level that is played: their files, switches and parameters, and what they say.
+// The scripts of a level that is played: their files, switches and parameters, and their messages.
 #pragma once
 
 #include "game/mods/file_watch.hpp"
@@ -40,10 +40,10 @@ struct WorkshopNews {
 };
 
 /// Between the frames of one session. A script whose file is saved is replaced in the running world; if the
-/// new version is wrong, the old one goes on and the player is told. A run in which a script was replaced,
-/// switched or given other parameters counts as no solution (Session::altered()); a later run counts if the
-/// scripts are as their files say and the parameters as the level states them. Needs no window. Not
-/// thread-safe.
+/// new version is wrong, the old one goes on and the player gets a message. A run in which a script was
+/// replaced, switched or given other parameters counts as no solution (Session::altered()); a later run
+/// counts if the scripts are as their files say and the parameters as the level states them. Needs no window.
+/// Not thread-safe.
 class Workshop {
 public:
     /// Both must outlive it. Of game data without mods there is nothing to do.

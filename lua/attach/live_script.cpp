@@ -9,7 +9,7 @@
 
 namespace trembler::lua {
 
-/// A component that its script knows for as long as it exists.
+/// A component that is registered with its script for as long as it exists.
 class LiveScript::Instance final : public ScriptedInteraction {
 public:
     Instance(std::shared_ptr<LiveScript> live)

@@ -82,7 +82,7 @@ std::shared_ptr<LiveScripts const> registerMods(Registry& registry, std::span<Mo
     }
     registry.property<Scripts>();
     auto const scripts = std::make_shared<LiveScripts>(Vocabulary(registry));
-    std::map<std::string, std::string> taken; // names of components, and who has them
+    std::map<std::string, std::string> taken; // names of components, and their files
     for (Registration const& registration : registry.components()) {
         taken.emplace(registration.info->text.name, "this program");
     }

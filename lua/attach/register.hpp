@@ -11,7 +11,7 @@
 
 namespace trembler::lua {
 
-/// Registers the property Scripts of a program without mods: levels that state it are told so.
+/// Registers the property Scripts of a program without mods: levels that state it get a message.
 void registerScripts(Registry& registry);
 
 /// Registers the interactions of the mods after all that is registered already, and the property Scripts.

@@ -54,8 +54,12 @@ private:
                 return i;
             }
         }
+        if (std::find(refused_.begin(), refused_.end(), name) != refused_.end()) {
+            return std::nullopt; // 'reads' and a selection may both name it; one message is enough
+        }
         PropertyInfo const* const info = vocabulary_.property(name);
         if (info == nullptr) {
+            refused_.push_back(name);
             auto const known = vocabulary_.propertyNames();
             problems_.add(script_.manifest.problem(
                 name, fmt::format("there is no property '{}'{}", name, didYouMean(name, known)),
@@ -63,6 +67,7 @@ private:
             return std::nullopt;
         }
         if (info->fields == nullptr && info->kind != PropertyKind::object) {
+            refused_.push_back(name);
             problems_.add(script_.manifest.problem(
                 name, fmt::format("the property '{}' has no fields that a script could read", name),
                 "a property with described fields"));
@@ -95,6 +100,7 @@ private:
     Script& script_;
     Vocabulary const& vocabulary_;
     Problems& problems_;
+    std::vector<std::string> refused_; // names of properties that a message was made for
 };
 
 std::unique_ptr<ComponentInfo> infoOf(Script const& script) {

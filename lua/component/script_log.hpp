@@ -1,4 +1,4 @@
-// What scripts say to people, from whichever world and thread.
+// Messages of scripts for people, from any world and thread.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most = 1000; // if nobody takes them
+    static constexpr std::size_t most = 1000; // if no reader takes them
     std::mutex mutex_;
     std::vector<ScriptMessage> messages_;
 };

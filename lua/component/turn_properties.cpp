@@ -35,9 +35,9 @@ int Turns::Binding::objectFallback(lua_State* L) {
 
 void Turns::Binding::refuseProperty(lua_State* L, std::string const& name, std::string_view of) {
     auto const known = script_->readNames();
-    sandbox_.raise(L,
-                   fmt::format("the script does not declare that it reads '{}' of the {}{}; reads = {{ {} }}",
-                               name, of, didYouMean(name, known), listed(known)));
+    sandbox_.raise(L, fmt::format("the script does not declare that it reads '{}' of the {}{}; expected {}",
+                                  name, of, didYouMean(name, known),
+                                  known.empty() ? std::string("its name in reads") : listed(known)));
 }
 
 std::string Turns::Binding::indexed(std::string const& name) {

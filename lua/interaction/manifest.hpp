@@ -54,7 +54,7 @@ struct Manifest {
     std::vector<StoreField> objectStore;
     std::vector<StoreField> scriptStore;
     ScriptLimits limits;
-    Trust trust = Trust::untrusted; ///< how it is run; whoever registers it decides, the script cannot
+    Trust trust = Trust::untrusted; ///< how it is run; decided where it is registered, never by the script
 
     std::string file;   ///< for messages
     std::string source; ///< the text of the script

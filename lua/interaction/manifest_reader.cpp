@@ -33,7 +33,7 @@ public:
 
     void read(json const& all) {
         if (!all.is_object()) {
-            complain("", "the script states nothing",
+            complain("", "the script returns no interaction",
                      "return interaction { name = ..., apply = function ... }");
             return;
         }
@@ -42,14 +42,19 @@ public:
                   "store", "limits", "apply"});
         manifest_.name = text(all, "name", true, 80);
         if (!manifest_.name.empty() && manifest_.name.find(" <- ") == std::string::npos) {
-            complain("name", fmt::format("the name '{}' does not say what is connected", manifest_.name),
+            complain("name", fmt::format("the name '{}' does not state what is connected", manifest_.name),
                      "\"RESOLVER <- CAUSE\", for example \"Dynamics <- Wind\"");
         }
         manifest_.text = text(all, "text", false, 500);
         manifest_.calls = text(all, "calls", true, 80);
-        if (!manifest_.name.empty() && !manifest_.name.starts_with(manifest_.calls + " <- ")) {
-            complain("name", fmt::format("'{}' calls {}", manifest_.name, manifest_.calls),
-                     fmt::format("a name that begins with \"{} <- \"", manifest_.calls));
+        std::size_t const arrow = manifest_.name.find(" <- ");
+        if (arrow != std::string::npos && !manifest_.calls.empty() &&
+            manifest_.name.substr(0, arrow) != manifest_.calls) {
+            complain("name",
+                     fmt::format("the name '{}' and calls = \"{}\" differ in the resolver", manifest_.name,
+                                 manifest_.calls),
+                     fmt::format("a name that begins with \"{} <- \", or calls = \"{}\"", manifest_.calls,
+                                 manifest_.name.substr(0, arrow)));
         }
         manifest_.reads = names(all, "reads");
         manifest_.attached = flag(all, "attached");
@@ -69,7 +74,7 @@ private:
                            static_cast<int>(all.contains("once"));
         if (stated != 1) {
             complain(
-                "apply", "it is not stated what the script is applied to",
+                "apply", "the objects to which the script is applied are not stated",
                 "one of each = { properties }, pairs = { { properties }, { properties }, within = metres or "
                 "touching = true }, once = true");
             return;
@@ -85,7 +90,7 @@ private:
         if (all.contains("each")) {
             manifest_.first = names(all, "each");
             if (manifest_.first.empty() && !manifest_.attached) {
-                complain("each", "every object would be meant", "at least one property, or attached = true");
+                complain("each", "'each' selects every object", "at least one property, or attached = true");
             }
             return;
         }
@@ -94,7 +99,7 @@ private:
         json const& pairs = all["pairs"];
         onlyKeys(pairs, " in 'pairs'", {"first", "second", "within", "touching"});
         if (!pairs.is_object() || !pairs.contains("first") || !pairs.contains("second")) {
-            complain("pairs", "'pairs' does not say which objects",
+            complain("pairs", "'pairs' does not state both kinds of objects",
                      "pairs = { first = { properties }, second = { properties }, within = 3 }");
             return;
         }
@@ -108,11 +113,11 @@ private:
         }
         if (manifest_.touching == (manifest_.within > 0 || !manifest_.withinParameter.empty()) ||
             manifest_.within < 0 || !(manifest_.within <= 1e6)) {
-            complain("pairs", "'pairs' does not say how near the two are",
+            complain("pairs", "'pairs' does not state one condition of distance",
                      "either within = metres above 0, or the name of a parameter, or touching = true");
         }
         if (manifest_.second.empty()) {
-            complain("second", "every object would be meant", "at least one property");
+            complain("second", "'second' selects every object", "at least one property");
         }
     }
 

@@ -53,8 +53,8 @@ std::size_t mentions(std::string_view text, std::string_view name) {
     return count;
 }
 
-std::size_t isIn(std::vector<std::string> const& names, std::string const& name) {
-    return std::find(names.begin(), names.end(), name) == names.end() ? 0 : 1;
+bool contains(std::vector<std::string> const& names, std::string const& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 } // namespace
@@ -63,11 +63,12 @@ std::vector<Diagnostic> lint(Manifest const& manifest) {
     std::vector<Diagnostic> found;
     std::string const text = withoutComments(manifest.source);
     for (std::string const& read : manifest.reads) {
-        std::size_t const declared = 1 + isIn(manifest.first, read) + isIn(manifest.second, read);
-        if (mentions(text, read) <= declared) {
-            found.push_back(manifest.problem(
-                read, fmt::format("the script declares that it reads '{}' and never does", read),
-                "no property that it does not need: each change of one wakes it"));
+        // A property that selects objects is read in any case, whether 'reads' repeats it or not.
+        bool const selects = contains(manifest.first, read) || contains(manifest.second, read);
+        if (!selects && mentions(text, read) < 2) {
+            found.push_back(
+                manifest.problem(read, fmt::format("'{}' in 'reads' is never read", read),
+                                 "only properties that apply reads: each change of one wakes the script"));
         }
     }
     for (Parameter const& parameter : manifest.parameters) {
@@ -78,7 +79,8 @@ std::vector<Diagnostic> lint(Manifest const& manifest) {
         }
         if (parameter.text.empty()) {
             found.push_back(manifest.problem(
-                parameter.name, fmt::format("the parameter '{}' has no words for players", parameter.name),
+                parameter.name,
+                fmt::format("the parameter '{}' has no description for players", parameter.name),
                 "text = \"...\""));
         }
         if (std::holds_alternative<double>(parameter.initial) &&
@@ -100,8 +102,8 @@ std::vector<Diagnostic> lint(Manifest const& manifest) {
         }
     }
     if (manifest.text.empty()) {
-        found.push_back(manifest.problem("name", "it is not said what the interaction does",
-                                         "text = \"...\", for players"));
+        found.push_back(
+            manifest.problem("name", "the interaction has no description", "text = \"...\", for players"));
     }
     std::stable_sort(found.begin(), found.end(),
                      [](Diagnostic const& a, Diagnostic const& b) { return a.line < b.line; });

@@ -156,7 +156,7 @@ std::vector<fs::path> listMods(std::span<fs::path const> folders) {
 std::vector<Mod> findMods(std::span<std::string const> names, std::span<fs::path const> folders,
                           std::string const& by, Problems& problems) {
     std::map<std::string, Mod> found;
-    std::vector<std::pair<std::string, std::string>> wanted; // a mod, and who needs it
+    std::vector<std::pair<std::string, std::string>> wanted; // a mod, and the level or mod that needs it
     for (std::string const& name : names) {
         wanted.emplace_back(name, "the level");
     }
@@ -214,7 +214,7 @@ std::vector<std::string> modsNamedBy(fs::path const& level) {
             }
         }
     } catch (InputError const&) {
-        names.clear(); // whoever reads the level says what is wrong with it
+        names.clear(); // the reader of the level reports the error
     }
     return names;
 }

@@ -19,7 +19,9 @@ struct Mod {
     std::string text;               ///< what it is, for people
     std::vector<std::string> needs; ///< other mods
     std::filesystem::path folder;
-    bool bundled = false;               ///< it came with the program; whoever loads it says so
+    bool bundled = false; ///< it came with the program; set where it is loaded
+    /// It came with a level, so the player has not installed it: its name in the settings means another mod.
+    bool besideLevel = false;
     std::vector<Manifest> interactions; ///< in order of their files
 
     [[nodiscard]] std::filesystem::path partFolder() const { return folder / "parts"; }
@@ -50,7 +52,8 @@ struct Mod {
                                         std::span<std::filesystem::path const> folders, std::string const& by,
                                         Problems& problems);
 
-/// The names under "mods" in a level's file; none if it cannot be read, which whoever reads it says.
+/// The names under "mods" in a level's file; none if it cannot be read, which the reader of the level
+/// reports.
 [[nodiscard]] std::vector<std::string> modsNamedBy(std::filesystem::path const& level);
 
 /// Makes the folder of a new mod with an interaction that works, a level that needs it and a test. Throws

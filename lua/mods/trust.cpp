@@ -143,7 +143,8 @@ void trustForThisRun(std::vector<std::string> const& names) {
 void applyTrust(std::span<Mod> mods, ModSettings const& settings) {
     std::lock_guard const lock(forThisRun().mutex);
     for (Mod& mod : mods) {
-        if (mod.bundled || settings.trusted.contains(mod.name) || forThisRun().names.contains(mod.name)) {
+        bool const allowed = !mod.besideLevel && settings.trusted.contains(mod.name);
+        if (mod.bundled || allowed || forThisRun().names.contains(mod.name)) {
             for (Manifest& manifest : mod.interactions) {
                 manifest.trust = Trust::trusted;
             }

@@ -25,7 +25,7 @@ struct ModSettings {
 
 /// $XDG_CONFIG_HOME/trembler/mods.json, or that in ~/.config; empty if there is no home.
 [[nodiscard]] std::filesystem::path modSettingsFile();
-/// A file that is not there says nothing. Adds what is wrong with one to `problems`; what is right in it
+/// A missing file states nothing. Adds what is wrong with one to `problems`; what is right in it
 /// counts.
 [[nodiscard]] ModSettings readModSettings(std::filesystem::path const& file, Problems& problems);
 /// Lets a mod be trusted from the next level on, or takes it back, and leaves the rest of the file as it is.
@@ -35,7 +35,8 @@ void setTrusted(std::filesystem::path const& file, std::string const& mod, bool 
 /// Trusts mods of these names too, for as long as the program runs. Thread-safe.
 void trustForThisRun(std::vector<std::string> const& names);
 /// Makes scripts trusted whose mods came with the program, are in the settings or were named to
-/// trustForThisRun(). Nothing that they compute depends on it: see Trust.
+/// trustForThisRun(). A mod beside a level is not meant by the settings: another author may have given it the
+/// name of a trusted mod. Nothing that scripts compute depends on trust: see Trust.
 void applyTrust(std::span<Mod> mods, ModSettings const& settings);
 
 } // namespace trembler::lua

@@ -9,7 +9,7 @@
 
 namespace trembler::lua {
 
-/// A script's text with counters put in, and what its text tells about it.
+/// A script's text with counters put in, and the results of reading it.
 ///
 /// LuaJIT can count instructions by itself, by a hook; but compiled code checks no hook, and in interpreted
 /// code a hook costs as much as the instructions. So the text is counted: at the beginning of the body of
@@ -45,7 +45,7 @@ struct BlockFault {
 };
 
 /// Puts counters into a text that faultInSource() has found nothing wrong with. A fault if blocks are not
-/// closed or closed twice, or one of the names above is used: `fault` then says so and the result is not to
+/// closed or closed twice, or one of the names above is used: `fault` then states it and the result is not to
 /// be used. With `loopsOnly`, functions are not counted but by their loops: for the host's own text, whose
 /// functions do not call themselves.
 [[nodiscard]] CountedSource countSource(std::string_view text, std::optional<BlockFault>& fault,

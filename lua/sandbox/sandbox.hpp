@@ -29,7 +29,7 @@ struct CallBudget {
 };
 
 /// The memory, the instructions and the functions that a script gets. A script's text is run anew in each
-/// turn, and nothing of what it makes lasts to the next one, so it cannot keep a state that nobody hashes.
+/// turn, and nothing of what it makes lasts to the next one, so it cannot keep a state that is not hashed.
 /// Used by one thread at a time.
 ///
 /// What an untrusted script uses is the same in every run, to the byte. LuaJIT's collector would prevent
@@ -96,7 +96,7 @@ public:
     [[nodiscard]] std::size_t mostMemory() const;
     [[nodiscard]] CallBudget& calls() { return calls_; }
     [[nodiscard]] bool trusted() const { return trust_ == Trust::trusted; }
-    /// What the text of the script tells about it.
+    /// Results of reading the text of the script.
     [[nodiscard]] CountedSource const& source() const { return source_; }
     [[nodiscard]] lua_State* state() const { return state_; }
     /// The sandbox of a state.

@@ -18,7 +18,8 @@ std::optional<ScriptError> Sandbox::load(std::string_view text, std::string cons
     }
     std::optional<BlockFault> fault;
     source_ = countSource(withCountedJoins(text), fault);
-    // LuaJIT says it better: its message has what stands there. If it finds nothing wrong, the blocks are.
+    // LuaJIT's message is better: it quotes the text at the place. If LuaJIT finds no error, the blocks are
+    // wrong.
     auto failed = protect([&](lua_State* L) {
         if (fault) {
             if (luaL_loadbuffer(L, text.data(), text.size(), ("@" + name).c_str()) == 0) {

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 namespace trembler {
 namespace {
@@ -59,10 +60,14 @@ fs::path folderOf(ModArguments const& arguments) {
         }
     }
     throw std::invalid_argument(
-        fmt::format("there is no mod '{}'; `trembler mod list` shows those there are", arguments.name));
+        fmt::format("there is no mod '{}'; `trembler mod list` lists the installed mods", arguments.name));
 }
 
-/// Prints what is probably not meant; returns how much of it there is.
+std::string counted(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// Prints probable mistakes as warnings; returns their number.
 std::size_t printLint(lua::Mod const& mod, std::size_t levels) {
     std::size_t count = 0;
     auto const warn = [&](Diagnostic const& diagnostic) {
@@ -77,7 +82,7 @@ std::size_t printLint(lua::Mod const& mod, std::size_t levels) {
     if (levels == 0) {
         warn({.file = mod.folder.string(),
               .path = "",
-              .message = "nothing shows that the mod works",
+              .message = "no level shows that the mod works",
               .expected = "a level with a recorded solution in levels/ or tests/"});
     }
     return count;
@@ -112,9 +117,9 @@ int checkMod(ModArguments const& arguments) {
         }
         good = good && failures.empty();
     }
-    std::cout << visible(fmt::format("{}: {} interactions, {} levels and tests, {} warnings, {}", name,
-                                     mod->interactions.size(), levels.size(), warnings,
-                                     good ? "all good" : "not good"))
+    std::cout << visible(fmt::format("{}: {}, {} levels and tests, {}, {}", name,
+                                     counted(mod->interactions.size(), "interaction"), levels.size(),
+                                     counted(warnings, "warning"), good ? "all good" : "not good"))
               << "\n";
     return good ? exitSolved : exitNotSolved;
 }
@@ -148,8 +153,8 @@ void addModCommand(CLI::App& program, int& result) {
     made->callback([arguments, &result] { result = guarded([&] { return newMod(*arguments); }); });
     CLI::App* const check = command->add_subcommand(
         "check",
-        "Load a mod, warn of what is probably not meant, and verify its levels and its tests, which are "
-        "levels with recorded solutions. Exit status 1 if any fails, 2 if the mod cannot be loaded");
+        "Load a mod, warn of probable mistakes, and verify its levels and its tests, which are levels with "
+        "recorded solutions. Exit status 1 if any fails, 2 if the mod cannot be loaded");
     check->add_option("MOD", arguments->name, "Its folder, or the name of one that is installed")->required();
     check->add_option("--mod", arguments->folders, "A folder of mods to look in, too")
         ->allow_extra_args(false);

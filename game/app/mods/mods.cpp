@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <system_error>
 #include <utility>
 
 namespace trembler {
@@ -42,6 +43,14 @@ std::vector<lua::Mod> modsFor(std::filesystem::path const& level, std::vector<st
     std::vector<lua::Mod> mods =
         lua::findMods(names, lua::modFolders(folders, level, homeFolder()), level.string(), problems);
     problems.throwIfAny();
+    std::vector<std::filesystem::path> const installed = lua::modFolders(folders, {}, homeFolder());
+    for (lua::Mod& mod : mods) {
+        mod.besideLevel =
+            std::none_of(installed.begin(), installed.end(), [&](std::filesystem::path const& folder) {
+                std::error_code error;
+                return std::filesystem::equivalent(folder, mod.folder.parent_path(), error);
+            });
+    }
     lua::applyTrust(mods, settings);
     return mods;
 }

@@ -1,4 +1,4 @@
-// The mods' panel: each script with its box, its switch, its parameters, and what it says and uses.
+// The mods' panel: each script with its box, its switch, its parameters, its messages and its usage.
 #pragma once
 
 #include "game/mods/workshop.hpp"

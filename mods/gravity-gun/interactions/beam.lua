@@ -2,7 +2,7 @@
 -- replay and in a recorded solution alike.
 --
 -- Objects cannot be kept in the store, as they may be gone in the next frame; their names can.
-local near = 0.25   -- m from the grip's point: so near a thing is caught
+local near = 0.25   -- m, the distance from the grip's point at which a thing is caught
 local stiffness = 12 -- 1/s, of the springs that hold what is caught, and the gun's direction; critically damped
 local gyration = 0.05 -- m^2, moment of inertia over mass, about that of a gun
 
@@ -10,7 +10,7 @@ return interaction {
   name = "Dynamics <- Gravity gun",
   text = "While the player holds a gravity gun, it draws in what lies in the cone before its muzzle, keeps hold of the "
     .. "first thing that comes near, and keeps its own direction. When the player lets the gun go, it hurls that thing "
-    .. "away. What it does to things, they do to it.",
+    .. "away. Each force on a thing has its reaction on the gun.",
   calls = "Dynamics",
   reads = { "Name", "Position", "Rotation", "Velocity", "Angular Velocity", "Mass", "Fixed", "Gravity", "Hand" },
   attached = true,

@@ -1,4 +1,4 @@
--- The second reason, see humid.lua: what is different is only where the state comes from.
+-- The second reason, see humid.lua: only the source of the state differs.
 --
 -- Newton's law of cooling: C dT/dt = P - G (T - T0). Over a frame, in which the power P stands, its solution is an
 -- exponential, so the temperature is right for frames of any length.
@@ -13,7 +13,7 @@ return interaction {
   restless = true,
   params = {
     reach = { default = 0.6, min = 0, max = 100, unit = "m", text = "How far the tray's air reaches" },
-    heating = { default = 2.2, min = 0.01, max = 100, unit = "m", text = "How far away what heats it may be" },
+    heating = { default = 2.2, min = 0.01, max = 100, unit = "m", text = "The greatest distance of a device that heats it" },
     loss = { default = 1, min = 0.001, max = 1e6, unit = "W/K", text = "Heat that it loses for each degree" },
     capacity = { default = 2, min = 0.001, max = 1e6, unit = "J/K", text = "Heat that it takes for each degree" },
     conducts = { default = 300, min = 0, max = 1e5, unit = "K", text = "Above the surroundings, from which on it conducts" },

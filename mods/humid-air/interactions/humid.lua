@@ -1,7 +1,7 @@
 -- Section 5.7.2 of the thesis asks what happens if two objects can be connected for two independent reasons, "if the air
 -- between them is sufficiently humid" and "if the air between them is extremely hot". This is the first reason, hot.lua
--- the other one. They know nothing of each other: the electricity graph counts the connections of each interaction by
--- itself, so when the air dries, what the heat connects stays connected.
+-- the other one. They are independent: the electricity graph counts the connections of each interaction by
+-- itself, so when the air dries, the connections by heat remain.
 --
 -- How humid the air is depends on how long something wet has been there, so it is kept in the store. It approaches the
 -- humidity that belongs to what lies on the tray, by a share of what is missing in each second.

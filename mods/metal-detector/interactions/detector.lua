@@ -1,8 +1,7 @@
 -- A coil with an alternating current makes a field that falls with the third power of the distance. In metal it drives
 -- a current, which makes a field that falls in the same way until it is back at the coil: together, the sixth power.
 --
--- The detector cannot say "yes" or "no" to anybody: it becomes a source, and whatever is wired to it draws its own
--- conclusions.
+-- The detector switches nothing itself: it is a source, and the circuit that is wired to it decides from its voltage.
 return interaction {
   name = "Electricity <- Metal",
   text = "Gives a detector a voltage for every movable conductor nearby. It falls with the sixth power of the distance: at "
@@ -14,10 +13,10 @@ return interaction {
   params = {
     voltage = { default = 12, min = 0, max = 1e5, unit = "V", text = "For metal at the nominal distance, or nearer" },
     nominal = { default = 0.3, min = 0.01, max = 100, unit = "m", text = "The distance for which the voltage is stated" },
-    reach = { default = 2, min = 0, max = 100, unit = "m", text = "Beyond this it notices nothing" },
+    reach = { default = 2, min = 0, max = 100, unit = "m", text = "The greatest distance at which it detects metal" },
   },
   apply = function(detector, metal, params, out)
-    if metal.Fixed then return end -- what never moves has been balanced out
+    if metal.Fixed then return end -- fixed metal is part of the calibration
     local distance = (metal.Position.value - detector.Position.value):length()
     local share = params.nominal / math.max(distance, params.nominal)
     local cube = share * share * share

@@ -1,7 +1,7 @@
 -- Objects that do not exist when a level starts: this interaction calls the resolver of the population (7.1.3).
 --
--- How many drops are due follows from the time that the tap has run, as a whole number. Adding up "a drop now,
--- a drop then" from frame to frame would add up rounding errors, too.
+-- The number of drops that are due follows from the time that the tap has run. Adding up fractions of drops from frame
+-- to frame would add up rounding errors, too.
 local margin = 1e-9 -- of a drop: a sum of sixtieths of a second may be a little less than the whole second
 
 return interaction {
@@ -25,7 +25,7 @@ return interaction {
     local due = math.min(math.floor(store.object.time * params.rate + margin), params.most)
     local down = vec2(0, -1):turned(tap.Rotation.value)
     while store.object.made < due do
-      -- The maker and the number are the identity of a birth: a call that is made twice makes one object.
+      -- The maker and the number identify the new object: a call that is made twice makes one object.
       store.object.made = store.object.made + 1
       out.createObject {
         part = params.part,

@@ -1,9 +1,9 @@
 -- Quadratic drag of a body in a wind: F = 1/2 rho c A |w - v| (w - v).
 --
--- A force stands for a frame while the body that it depends on moves on. tellRate says how fast it varies, 1/s, so that
--- the engine takes steps that are short enough: here the rate at which the wind alone would bring the body to its speed.
+-- A force is constant for a frame while the body moves on. tellRate states how fast the force varies, 1/s, so that the
+-- engine takes steps that are short enough: here the rate at which the wind alone would bring the body to its speed.
 local airDensity = 1.2 -- kg/m^3
-local depth = 0.1      -- m: so deep is the world
+local depth = 0.1      -- m, of the world
 
 return interaction {
   name = "Dynamics <- Wind",

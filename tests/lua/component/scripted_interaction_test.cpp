@@ -150,7 +150,7 @@ TEST(ScriptedInteraction, HasOneHashOnAnyNumberOfThreadsAndInEveryRun) {
         "out.addForce(object, push * (1000 * math.sin(object.Position.value.x)))",
         "restless = true, each = { \"Mass\" }, store = { object = { sum = 0 } },");
     std::vector<std::uint64_t> hashes;
-    for (int const threads : {1, 2, 8, 1}) {
+    for (int const threads : {1, 2, 8, 32, 1}) {
         WorldOptions options;
         options.threads = threads;
         options.rowsWorthThreads = 0;
@@ -186,6 +186,56 @@ TEST(ScriptedInteraction, ReadsListsHandlesAndTheWorld) {
     std::string const said = run.game.messages();
     EXPECT_NE(said.find("1000 true false (0, -10)"), std::string::npos) << said;
     EXPECT_EQ(said.find("error"), std::string::npos) << said;
+}
+
+// A box that touches the floor is taken out of the world. The pair of the contact that ended holds its
+// handle.
+TEST(ScriptedInteraction, ReportsAStaleHandleAsAnError) {
+    std::string const destroying =
+        "return interaction { name = \"Population <- Test\", calls = \"Population\",\n"
+        "reads = { \"contacts\", \"Fixed\" }, once = true,\n"
+        "apply = function(world, params, out)\n"
+        "  for _, pair in ipairs(world.contacts.begun) do\n"
+        "    out.destroyObject(pair.a.Fixed and pair.b or pair.a)\n  end\nend }";
+    struct Case {
+        std::string use;
+        std::string message;
+    };
+    std::vector<Case> const cases{
+        {"local mass = gone.Mass", "the object whose 'Mass' is read is gone"},
+        {"out.addForce(gone, vec2(1, 0))", "argument 'object' of addForce is an object that is gone"},
+    };
+    for (Case const& one : cases) {
+        ScriptedGame const game(
+            {destroying, "return interaction { name = \"Dynamics <- Test\", calls = \"Dynamics\",\n"
+                         "reads = { \"contacts\", \"Mass\" }, once = true,\n"
+                         "apply = function(world, params, out)\n"
+                         "  for _, pair in ipairs(world.contacts.ended) do\n"
+                         "    local gone = alive(pair.a) and pair.b or pair.a\n    " +
+                             one.use + "\n  end\nend }"});
+        World world(game.registry);
+        Store& store = world.store();
+        store.column<GravityField>().set(store.create("world"), {{0, -10}});
+        ObjectId const box = addBox(store, "box", {0, 0.05});
+        store.column<Fixed>().set(addBox(store, "floor", {0, -1}), {});
+        world.start();
+        for (int i = 0; i < 60; ++i) {
+            world.step();
+        }
+        EXPECT_FALSE(store.alive(box));
+        std::string const said = game.messages();
+        EXPECT_NE(said.find(one.message), std::string::npos) << said;
+    }
+}
+
+TEST(ScriptedInteraction, HasATurnInEveryNthFrameIfItHasAPeriod) {
+    Play run(scriptOf("out.addForce(object, vec2(1000, 0))", "restless = true, each = { \"Mass\" },"));
+    addBox(run.world->store(), "box", {0, 0});
+    run.world->start();
+    run.world->setPeriod("Dynamics <- Test", 4);
+    run.steps(12);
+    EXPECT_EQ(run.game.messages(), "");
+    EXPECT_EQ(statusOf(*run.world, "Dynamics <- Test").updates, 3U);
 }
 
 TEST(ScriptedInteraction, IsACauseInTheTrace) {

@@ -98,7 +98,7 @@ TEST(TrustedDriver, HasTheHashOfTheInterpreterOnAnyNumberOfThreads) {
     for (TrustCase const& one : trustCases()) {
         TrustedRun const untrusted = runWith(one.source, Trust::untrusted, 1, 90);
         EXPECT_NE(untrusted.moved, 3.0 * 59) << one.name << ": nothing has happened";
-        for (int const threads : {1, 2, 8}) {
+        for (int const threads : {1, 2, 8, 32}) {
             TrustedRun const trusted = runWith(one.source, Trust::trusted, threads, 90);
             EXPECT_EQ(trusted.hash, untrusted.hash) << one.name << ", " << threads << " threads";
             EXPECT_EQ(trusted.said, untrusted.said) << one.name;

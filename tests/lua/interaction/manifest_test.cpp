@@ -79,19 +79,21 @@ TEST(Manifest, ComplainsWithFileAndLineAndASuggestion) {
     };
     expect(with("\"Position\"", "\"Positon\""),
            "wind.lua:5:1: there is no property 'Positon' (did you mean 'Position'?)");
-    expect(with("calls = \"Dynamics\"", "calls = \"Dynamic\""), "begins with \"Dynamic <- \"");
-    expect(with("Dynamics <- Wind", "Wind"), "wind.lua:2:1: the name 'Wind' does not say what is connected");
+    expect(with("calls = \"Dynamics\"", "calls = \"Dynamic\""),
+           "begins with \"Dynamic <- \", or calls = \"Dynamics\"");
+    expect(with("Dynamics <- Wind", "Wind"),
+           "wind.lua:2:1: the name 'Wind' does not state what is connected");
     expect(with("reads =", "raeds ="), "wind.lua:5:1: unknown key 'raeds' (did you mean 'reads'?)");
     expect(with("default = 8", "default = 80"),
            "the default of parameter 'speed' is not between min and max");
     expect(with("\"calm\", choices", "\"wild\", choices"), "'calm' or 'stormy'");
-    expect(with("each = { \"Mass\" },", ""), "it is not stated what the script is applied to");
-    expect(with("each = { \"Mass\" },", "each = {},"), "every object would be meant");
+    expect(with("each = { \"Mass\" },", ""), "the objects to which the script is applied are not stated");
+    expect(with("each = { \"Mass\" },", "each = {},"), "'each' selects every object");
     expect(with("apply = function(object, params, out) end,", ""), "'apply' is missing");
     expect(with("instructions = 50000", "instructions = 5e9"), "the limit 'instructions' is too large");
     expect(with("function(object", "function(object, 3"), "wind.lua:14:1:");
     expect("local x = nothing.at.all\n" + good, "wind.lua:1:1: there is no 'nothing'");
-    expect("return 3", "the script states nothing");
+    expect("return 3", "the script returns no interaction");
     expect("x = 1\n" + good, "'x' is not declared");
     expect("while true do end", "more than its");
     // A resolver property without described fields.

@@ -16,6 +16,7 @@ std::string lintOf(std::string const& text) {
     return all;
 }
 
+// 'Position' selects the objects, so it is needed although apply does not read it.
 TEST(Lint, FindsWhatIsDeclaredAndNeverMentionedAgain) {
     EXPECT_EQ(lintOf(R"(return interaction {
   name = "Dynamics <- Test", calls = "Dynamics",
@@ -29,11 +30,10 @@ TEST(Lint, FindsWhatIsDeclaredAndNeverMentionedAgain) {
     out.addForce(object, vec2(params.force * object.Mass.value, 0))
   end,
 })"),
-              "2: it is not said what the interaction does\n"
-              "3: the script declares that it reads 'Velocity' and never does\n"
-              "3: the script declares that it reads 'Position' and never does\n"
+              "2: the interaction has no description\n"
+              "3: 'Velocity' in 'reads' is never read\n"
               "6: the parameter 'strength' has no effect\n"
-              "6: the parameter 'strength' has no words for players\n"
+              "6: the parameter 'strength' has no description for players\n"
               "6: the parameter 'strength' has no range, so players get no slider\n"
               "7: 'unused' in 'store' is never used\n");
 }

@@ -82,6 +82,17 @@ TEST_F(TrustedMods, AreThoseOfTheProgramOfThePlayerAndOfTheCommandLine) {
     }
 }
 
+// Its author may have given it the name of a mod that the player trusts.
+TEST_F(TrustedMods, AreNoneThatCameWithALevel) {
+    std::vector<Mod> mods{modNamed("trusted-elsewhere"), modNamed("trusted-elsewhere")};
+    mods.front().besideLevel = true;
+    ModSettings settings;
+    settings.trusted = {"trusted-elsewhere"};
+    applyTrust(mods, settings);
+    EXPECT_EQ(mods.front().interactions.front().trust, Trust::untrusted);
+    EXPECT_EQ(mods.back().interactions.front().trust, Trust::trusted);
+}
+
 TEST_F(TrustedMods, CannotRaiseTheirLimitsThemselves) {
     std::string const script =
         "return interaction { name = \"Dynamics <- A\", calls = \"Dynamics\", reads = { \"Mass\" }, "

@@ -1,4 +1,5 @@
 // trembler mod reference and annotations, and the manual for modders, followed step by step.
+#include "lua/sandbox/limits.hpp"
 #include "tests/game/app/program.hpp"
 
 #include <nlohmann/json.hpp>
@@ -60,6 +61,7 @@ TEST_F(ModReference, TheManualLeadsToAModThatWorks) {
     write(at("my-fan/levels/2-updraft.json"), blockAfter(page, "`my-fan/levels/2-updraft.json`"));
     check = runProgram({"mod", "check", at("my-fan")});
     EXPECT_EQ(check.status, 0) << check.out << check.err;
+    EXPECT_NE(check.out.find(" 0 warnings,"), std::string::npos) << check.out;
     Ran const run = runProgram({"run", at("my-fan/levels/2-updraft.json"), "--solution", "above the fan"});
     EXPECT_EQ(run.status, 0) << run.out << run.err;
 
@@ -75,6 +77,24 @@ TEST_F(ModReference, TheManualLeadsToAModThatWorks) {
             "'Mass'?)"),
         std::string::npos)
         << check.out;
+}
+
+TEST_F(ModReference, TheManualStatesTheLimits) {
+    std::string const page = contentsOf(std::filesystem::path(TREMBLER_SOURCE_DIR) / "docs/modding.md");
+    lua::ScriptLimits const usual;
+    lua::ScriptLimits const most = lua::ScriptLimits::greatest();
+    auto const expectRow = [&](std::string const& key, std::size_t one, std::size_t other) {
+        std::string const row =
+            "| `" + key + "` | " + std::to_string(one) + " | " + std::to_string(other) + " |";
+        EXPECT_NE(page.find(row), std::string::npos) << row;
+    };
+    expectRow("instructions", usual.instructions, most.instructions);
+    expectRow("instructions_per_object", usual.instructionsPerObject, most.instructionsPerObject);
+    expectRow("memory", usual.memory, most.memory);
+    expectRow("calls", usual.calls, most.calls);
+    expectRow("calls_per_object", usual.callsPerObject, most.callsPerObject);
+    expectRow("creations", usual.creations, most.creations);
+    expectRow("log_lines", usual.logLines, most.logLines);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ TEST_F(Mods, ANewModIsGood) {
     makeMod("my-mod", folder.string());
     Ran const checked = run({"mod", "check", at("my-mod")});
     EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
-    EXPECT_TRUE(contains(checked.out, "my-mod: 1 interactions, 2 levels and tests, 0 warnings"))
+    EXPECT_TRUE(contains(checked.out, "my-mod: 1 interaction, 2 levels and tests, 0 warnings"))
         << checked.out;
     EXPECT_TRUE(contains(checked.out, "all good")) << checked.out;
     Ran const listed = run({"mod", "list", "--mod", folder.string()});

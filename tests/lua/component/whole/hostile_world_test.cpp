@@ -95,7 +95,7 @@ class HostileInWorld : public testing::TestWithParam<fs::path> {};
 TEST_P(HostileInWorld, RuinsItsOwnInteractionAndNothingElse) {
     std::string const text = contentOf(GetParam());
     std::string const expected = stated(text);
-    if (expected == "refused") { // as a whole script: it is told what is wrong, and never runs
+    if (expected == "refused") { // as a whole script: there is a message, and it never runs
         Problems problems;
         (void)readManifest(text, "hostile.lua", problems);
         EXPECT_GE(problems.count(), 1U);

@@ -85,7 +85,7 @@ TEST_P(BundledLevels, EndInTheSameStateOnAnyNumberOfThreads) {
         LevelFile const level = loadLevel(game->registry, file);
         Solution const& solution = level.solutions.front();
         RunReport const one = runSolution(*game, level, solution, 240, 1);
-        for (int const threads : {2, 8}) {
+        for (int const threads : {2, 8, 32}) {
             RunReport const several = runSolution(*game, level, solution, 240, threads);
             EXPECT_EQ(several.stateHash, one.stateHash) << file << ' ' << threads;
             ASSERT_EQ(several.hashes.size(), one.hashes.size());
