@@ -37,7 +37,8 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) 
     }
     memory_.beginTurn(trusted() ? static_cast<std::size_t>(-1)
                                 : limits_.allocation + limits_.allocationPerObject * objects);
-    memory_.setCap(memory_.used() + mostMemory()); // garbage of earlier turns takes nothing away from this one
+    memory_.setCap(memory_.used() +
+                   mostMemory()); // garbage of earlier turns takes nothing away from this one
     budget_ = static_cast<double>(limits_.instructions + limits_.instructionsPerObject * objects);
     calls_ = {.made = 0,
               .most =
