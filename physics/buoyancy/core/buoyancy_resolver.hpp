@@ -10,22 +10,24 @@
 namespace trembler {
 
 /// `Self` adds `text` and `prepare(access)`, which returns a Flotation::HullMaker. It reads the properties
-/// that 6.13.2 lists; Fixed, as fixed objects need no buoyancy; and `More`, the properties that its detail
-/// level needs.
+/// that 6.13.2 lists; Air and InAir, as air is a fluid, too; Fixed, as fixed objects need no buoyancy; and
+/// `More`, the properties that its detail level needs.
 ///
 /// It is independent of collisions and does not lag behind them: bodies displace liquid where they are in
 /// this frame (6.12.4). Gravity comes from the calls that it receives. The pressure in a liquid grows in the
 /// direction of gravity, whichever way its surface is tilted.
 template <class Self, ObjectProperty... More>
 class BuoyancyResolver
-    : public Resolver<Self, BuoyancyRole, Reads<Position, Rotation, Shape, Density, Liquid, Fixed, More...>,
-                      Writes<>, Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>> {
+    : public Resolver<Self, BuoyancyRole,
+                      Reads<Position, Rotation, Shape, Density, Liquid, Air, InAir, Fixed, More...>, Writes<>,
+                      Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>> {
     using Base =
-        Resolver<Self, BuoyancyRole, Reads<Position, Rotation, Shape, Density, Liquid, Fixed, More...>,
-                 Writes<>, Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>>;
+        Resolver<Self, BuoyancyRole,
+                 Reads<Position, Rotation, Shape, Density, Liquid, Air, InAir, Fixed, More...>, Writes<>,
+                 Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>>;
 
 public:
-    using Activation = NeedsAll<Liquid, Shape, Position>;
+    using Activation = NeedsAny<Liquid, Air, InAir>;
     static constexpr int longestPeriod = 12; // docs/buoyancy.md: no visible errors up to this period
     static constexpr Coverage memory = leftOut("hulls, computed from shapes, and which of them moved");
     using Access = typename Base::Access;
@@ -38,7 +40,8 @@ public:
         }
         FlotationColumns const columns{access.template read<Position>(), access.template read<Rotation>(),
                                        access.template read<Shape>(),    access.template read<Density>(),
-                                       access.template read<Liquid>(),   access.template read<Fixed>()};
+                                       access.template read<Liquid>(),   access.template read<Air>(),
+                                       access.template read<InAir>(),    access.template read<Fixed>()};
         Flotation::HullMaker const makeHull = static_cast<Self&>(*this).prepare(access, flotation_);
         bool const moved = flotation_.follow(
             columns, makeHull, [&](std::size_t count, auto const& f) { access.forRanges(count, f, hulls); });
@@ -58,16 +61,22 @@ private:
         return sum;
     }
     void publish(Access& access, FlotationColumns const& columns, Vec2 gravity) {
-        flotation_.gather(next_);
+        flotation_.gather(next_, gravity);
         Immersions& immersions = access.template provide<Immersions>();
         if (access.tracing()) {
             matchEvents(
                 immersions.entries, next_,
                 [&](Immersions::Entry const& entry) {
-                    return access.event("enters the liquid", {entry.object, entry.liquid}, {});
+                    return entry.liquid.valid()
+                               ? access.event("enters the liquid", {entry.object, entry.liquid}, {})
+                               : access.event("enters the air", {entry.object}, {});
                 },
                 [&](Immersions::Entry const& entry) {
-                    access.event("leaves the liquid", {entry.object, entry.liquid}, {entry.event});
+                    if (entry.liquid.valid()) {
+                        access.event("leaves the liquid", {entry.object, entry.liquid}, {entry.event});
+                    } else {
+                        access.event("leaves the air", {entry.object}, {entry.event});
+                    }
                 });
         }
         std::swap(immersions.entries, next_);

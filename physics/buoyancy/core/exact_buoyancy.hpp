@@ -13,7 +13,7 @@ public:
         .effect = "buoyancy",
         .level = "exact",
         .work = "Calculates the centre of buoyancy and F_B from area and centroid of the part of each object "
-                "that is in a liquid, and exports them as per-object properties.",
+                "that is in a liquid or in air, and exports them as per-object properties.",
         .rank = 1};
 
     Flotation::HullMaker prepare(Access&, Flotation&) const {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double leastArea = 1e-12; // m²: a square of a thousandth of a millimetre
 constexpr double margin = 1e-9;     // of a place, more than rounding moves it
+constexpr double leastDry = 1e-9;   // of a body's area, more than rounding leaves of one that is immersed
 
 double angleOf(FlotationColumns const& columns, ObjectId id) {
     Rotation const* const rotation = columns.rotation.find(id);
@@ -66,6 +67,8 @@ bool Flotation::followLiquids(FlotationColumns const& columns, bool all) {
 }
 
 void Flotation::followBodies(FlotationColumns const& columns, HullMaker const& makeHull) {
+    bool const everywhere = columns.air.size() > 0;
+    air_ = everywhere ? columns.air.values().front().density : Air{}.density;
     std::vector<Floater> earlier = std::exchange(floaters_, {});
     auto old = earlier.begin();
     forEach(
@@ -79,12 +82,14 @@ void Flotation::followBodies(FlotationColumns const& columns, HullMaker const& m
             }
             if (old != earlier.end() && old->object == id && old->shape == shape) {
                 floaters_.push_back(std::move(*old));
+                floaters_.back().inAir = everywhere || columns.inAir.has(id);
                 return;
             }
             Floater floater;
             floater.object = id;
             floater.shape = shape;
             floater.hull = makeHull(shape);
+            floater.inAir = everywhere || columns.inAir.has(id);
             floaters_.push_back(std::move(floater));
         },
         columns.shape, columns.position);
@@ -92,8 +97,8 @@ void Flotation::followBodies(FlotationColumns const& columns, HullMaker const& m
 
 bool Flotation::follow(FlotationColumns const& columns, HullMaker const& makeHull,
                        ForRanges const& forRanges) {
-    std::uint64_t const others =
-        columns.liquid.version() + columns.density.version() + columns.fixed.version();
+    std::uint64_t const others = columns.liquid.version() + columns.density.version() +
+                                 columns.fixed.version() + columns.air.version() + columns.inAir.version();
     std::uint64_t const places = columns.position.structureVersion() + columns.rotation.structureVersion();
     bool const all = !known_ || columns.shape.version() != shapes_ || others != others_ || places != places_;
     if (all) {
@@ -129,12 +134,14 @@ void Flotation::measure(Floater& floater) const {
     double const reach = floater.hull->radius() + margin * (1 + length(pose.at));
     std::vector<std::uint32_t> near;
     areas_.find({pose.at - Vec2{reach, reach}, pose.at + Vec2{reach, reach}}, near);
+    AreaMoments dry = floater.hull->whole();
     for (std::uint32_t const index : near) {
         LiquidBody const& liquid = liquids_[index];
         Displacement sum;
         for (LiquidPiece const& piece : liquid.pieces) {
             sum += displacedOf(*floater.hull, piece, pose, liquid.up);
         }
+        dry += -1.0 * sum.wet;
         if (sum.wet.area > leastArea) {
             floater.entries.push_back({.object = floater.object,
                                        .liquid = liquid.object,
@@ -145,12 +152,27 @@ void Flotation::measure(Floater& floater) const {
                                        .event = {}});
         }
     }
+    // The rest of the body displaces air.
+    if (floater.inAir && air_ > 0 && dry.area > std::max(leastArea, leastDry * floater.hull->whole().area)) {
+        floater.entries.push_back({.object = floater.object,
+                                   .liquid = {},
+                                   .density = air_,
+                                   .up = {}, // see gather()
+                                   .wet = dry,
+                                   .waterline = {},
+                                   .event = {}});
+    }
 }
 
-void Flotation::gather(std::vector<Immersions::Entry>& entries) const {
+void Flotation::gather(std::vector<Immersions::Entry>& entries, Vec2 gravity) const {
+    double const strength = length(gravity);
+    Vec2 const up = strength > 0 ? -gravity / strength : Vec2{0, 1};
     entries.clear();
     for (Floater const& floater : floaters_) {
         entries.insert(entries.end(), floater.entries.begin(), floater.entries.end());
+        if (!floater.entries.empty() && !floater.entries.back().liquid.valid()) {
+            entries.back().up = up;
+        }
     }
 }
 

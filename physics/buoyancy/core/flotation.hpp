@@ -4,6 +4,7 @@
 
 #include "physics/box_tree.hpp"
 #include "physics/buoyancy/hulls/hull.hpp"
+#include "physics/buoyancy/properties/air.hpp"
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/buoyancy/properties/results.hpp"
 #include "physics/dynamics/properties/body.hpp"
@@ -20,6 +21,8 @@ struct FlotationColumns {
     Column<Shape> const& shape;
     Column<Density> const& density;
     Column<Liquid> const& liquid;
+    Column<Air> const& air;
+    Column<InAir> const& inAir;
     Column<Fixed> const& fixed;
 };
 
@@ -38,8 +41,8 @@ public:
     }
     /// Reads the present bodies and liquids. Returns whether any result may have changed since the last call.
     bool follow(FlotationColumns const& columns, HullMaker const& makeHull, ForRanges const& forRanges);
-    /// The displaced areas, in order; without events.
-    void gather(std::vector<Immersions::Entry>& entries) const;
+    /// The displaced areas, in order; without events. `gravity` (m/s²) determines which way is up in the air.
+    void gather(std::vector<Immersions::Entry>& entries, Vec2 gravity) const;
 
 private:
     struct LiquidBody {
@@ -57,6 +60,7 @@ private:
         Vec2 position;
         double angle = 0;
         bool fresh = true; // has not been measured yet
+        bool inAir = false;
         std::vector<Immersions::Entry> entries;
     };
     bool followLiquids(FlotationColumns const& columns, bool all);
@@ -65,6 +69,7 @@ private:
 
     std::vector<LiquidBody> liquids_; // ascending
     BoxTree areas_;                   // of the liquids
+    double air_ = 0;                  // kg/m³
     std::vector<Floater> floaters_;   // ascending
     bool known_ = false;
     std::uint64_t shapes_ = 0;

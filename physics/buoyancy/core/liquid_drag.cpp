@@ -119,6 +119,9 @@ void LiquidDrag::update(Access& access) {
     auto const& spins = access.read<AngularVelocity>();
     auto const& masses = access.read<Mass>();
     auto const& settings = access.read<BuoyancySettings>();
+    auto const& airs = access.read<Air>();
+    Air const air = airs.empty() ? Air{} : airs.values().front();
+    Liquid const asLiquid{air.linearDrag, air.quadraticDrag, air.wind};
 
     Vec2 const gravity = access.read<LinearGravityVector>().gravity;
     bool const ahead = settings.empty() || settings.values().front().lookAhead;
@@ -133,7 +136,7 @@ void LiquidDrag::update(Access& access) {
     access.derive<LiquidResistance>().foreseen = ahead;
     for (Immersions::Entry const& immersion : immersions.entries) {
         ObjectId const id = immersion.object;
-        Liquid const* const liquid = liquids.find(immersion.liquid);
+        Liquid const* const liquid = immersion.liquid.valid() ? liquids.find(immersion.liquid) : &asLiquid;
         Shape const* const shape = shapes.find(id);
         Position const* const position = positions.find(id);
         Velocity const* const velocity = velocities.find(id);

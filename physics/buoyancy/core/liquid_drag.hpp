@@ -1,6 +1,7 @@
 // The resistance to motion in a liquid: drag, and the change of a body's buoyancy until it is computed again.
 #pragma once
 
+#include "physics/buoyancy/properties/air.hpp"
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/buoyancy/properties/liquid_resistance.hpp"
 #include "physics/buoyancy/properties/results.hpp"
@@ -15,7 +16,8 @@ namespace trembler {
 
 /// Drag acts at the centroid of the immersed part, against its velocity v in the liquid:
 /// F = -(c1 m + c2 ½ ρ w d |v|) v, with m the mass of the displaced liquid, w the width of the immersed part
-/// across v, d the world's depth, c1 and c2 the liquid's linear and quadratic drag; and against the turning
+/// across v, d the world's depth, c1 and c2 the linear and quadratic drag of the liquid or of the air; and
+/// against the turning
 /// likewise: T = -(c1 ρ d J + c2 ½ ρ d |ω| L⁴/32) ω, with J the polar moment of the immersed part about that
 /// centroid and L its length, as for a plate that turns about its middle. Widths are those of the rectangle
 /// with the same second moments.
@@ -28,19 +30,21 @@ namespace trembler {
 ///
 /// How fast F_B varies: ω² = k/m + k'/I, k = ρ g d per length of the waterline, as a float of mass m bobs,
 /// and k' its righting moment per angle, as it rolls.
-class LiquidDrag final : public Dps<LiquidDrag,
-                                    Reads<Immersions, LinearGravityVector, Liquid, Shape, Position, Rotation,
-                                          Velocity, AngularVelocity, Mass, ForceLag, BuoyancySettings>,
-                                    Derives<LiquidResistance>> {
+class LiquidDrag final
+    : public Dps<LiquidDrag,
+                 Reads<Immersions, LinearGravityVector, Liquid, Air, Shape, Position, Rotation, Velocity,
+                       AngularVelocity, Mass, ForceLag, BuoyancySettings>,
+                 Derives<LiquidResistance>> {
 public:
     static constexpr ComponentText text{
         .name = "Liquid Drag",
         .effect = "buoyancy",
         .level = "",
-        .work = "For each object in a liquid, calculates linear and quadratic drag from its velocity, and "
+        .work = "For each object in a liquid, or in air, calculates linear and quadratic drag from its "
+                "velocity, and "
                 "the damping that makes up for F_B being held until it is computed again.",
         .rank = 1};
-    using Activation = NeedsAll<Liquid, Shape, Velocity>;
+    using Activation = NeedsAny<Liquid, Air, InAir>;
     static constexpr int longestPeriod = 12;
     void update(Access& access);
 };

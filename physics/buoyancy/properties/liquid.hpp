@@ -40,7 +40,8 @@ struct Liquid {
                         .unit = "m/s",
                         .meaning = "velocity of the liquid, in the world",
                         .minimum = -1e3,
-                        .maximum = 1e3},
+                        .maximum = 1e3,
+                        .geometry = FieldGeometry::worldVector},
               self.current);
     }
     friend bool operator==(Liquid const&, Liquid const&) = default;

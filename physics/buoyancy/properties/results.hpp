@@ -92,7 +92,7 @@ struct Immersions {
     static constexpr std::string_view standing = "the immersed parts of objects";
     struct Entry {
         ObjectId object;
-        ObjectId liquid;
+        ObjectId liquid;     ///< invalid: the air
         double density = 0;  ///< kg/m³, of the liquid
         Vec2 up;             ///< unit, in the world, out of the liquid's surface
         AreaMoments wet;     ///< of the immersed part, in the object's frame
@@ -101,7 +101,8 @@ struct Immersions {
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "which is in the liquid"}, self.object);
-            visit(FieldInfo{.key = "liquid", .unit = "", .meaning = "the liquid"}, self.liquid);
+            visit(FieldInfo{.key = "liquid", .unit = "", .meaning = "the liquid; none: the air"},
+                  self.liquid);
             visit(FieldInfo{.key = "density", .unit = "kg/m³", .meaning = "of the liquid"}, self.density);
             visit(FieldInfo{.key = "up", .unit = "", .meaning = "out of the surface of the liquid"}, self.up);
             visit(FieldInfo{.key = "area", .unit = "m²", .meaning = "of the immersed part"}, self.wet.area);

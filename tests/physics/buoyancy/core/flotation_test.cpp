@@ -35,7 +35,7 @@ public:
     }
     bool follow() {
         return flotation.follow(
-            {position, rotation, shape, density, liquid, fixed},
+            {position, rotation, shape, density, liquid, air, inAir, fixed},
             [&](Shape const& of) {
                 ++hulls;
                 return std::make_unique<ExactHull>(of);
@@ -47,7 +47,7 @@ public:
     }
     std::vector<Immersions::Entry> entries() {
         std::vector<Immersions::Entry> all;
-        flotation.gather(all);
+        flotation.gather(all, gravity);
         return all;
     }
 
@@ -56,9 +56,12 @@ public:
     Column<Shape> shape;
     Column<Density> density;
     Column<Liquid> liquid;
+    Column<Air> air;
+    Column<InAir> inAir;
     Column<Fixed> fixed;
     Flotation flotation;
     int hulls = 0;
+    Vec2 gravity{0, -9.81};
 
 private:
     std::uint32_t count_ = 0;
