@@ -19,7 +19,8 @@ struct Position {
                         .unit = "m",
                         .meaning = "centre of the object",
                         .minimum = -1e6,
-                        .maximum = 1e6},
+                        .maximum = 1e6,
+                        .geometry = FieldGeometry::worldPoint},
               self.value);
     }
 };
@@ -36,7 +37,8 @@ struct Rotation {
                         .unit = "rad",
                         .meaning = "anticlockwise from the x axis",
                         .minimum = -1e6,
-                        .maximum = 1e6},
+                        .maximum = 1e6,
+                        .geometry = FieldGeometry::heading},
               self.angle);
     }
 };
@@ -53,7 +55,8 @@ struct Velocity {
                         .unit = "m/s",
                         .meaning = "of the centre of mass",
                         .minimum = -1e4,
-                        .maximum = 1e4},
+                        .maximum = 1e4,
+                        .geometry = FieldGeometry::worldVector},
               self.value);
     }
 };
@@ -66,10 +69,13 @@ struct AngularVelocity {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(
-            FieldInfo{
-                .key = "value", .unit = "rad/s", .meaning = "anticlockwise", .minimum = -1e4, .maximum = 1e4},
-            self.value);
+        visit(FieldInfo{.key = "value",
+                        .unit = "rad/s",
+                        .meaning = "anticlockwise",
+                        .minimum = -1e4,
+                        .maximum = 1e4,
+                        .geometry = FieldGeometry::turning},
+              self.value);
     }
 };
 

@@ -31,7 +31,8 @@ struct ScriptSetting {
                         .unit = "",
                         .meaning = "its value, if it is a vector",
                         .minimum = -1e300,
-                        .maximum = 1e300},
+                        .maximum = 1e300,
+                        .geometry = FieldGeometry::invariant},
               self.vector);
         visit(FieldInfo{.key = "on", .unit = "", .meaning = "its value, if it is true or false"}, self.on);
         visit(FieldInfo{.key = "text", .unit = "", .meaning = "its value, if it is a text"}, self.text);

@@ -142,6 +142,10 @@ private:
         if (number == PrototypeLibrary::unknown) {
             refuse(place, fmt::format("is '{}', and there is no such part", name), "the name of a part");
         }
+        if (store_.prototypes().find(number)->composite) {
+            refuse(place, fmt::format("is '{}', which consists of several objects", name),
+                   "a part that is one object: others can be placed only before the run");
+        }
         return number;
     }
     std::string textOf(FieldPlace const& place, int index) {

@@ -21,7 +21,8 @@ struct GravityField {
                         .unit = "m/s²",
                         .meaning = "[0, -9.81] on Earth",
                         .minimum = -1e4,
-                        .maximum = 1e4},
+                        .maximum = 1e4,
+                        .geometry = FieldGeometry::worldVector},
               self.acceleration);
     }
 };

@@ -62,13 +62,15 @@ struct MagneticPoles {
                         .unit = "m",
                         .meaning = "position of the north pole, in the object's frame",
                         .minimum = -1e3,
-                        .maximum = 1e3},
+                        .maximum = 1e3,
+                        .geometry = FieldGeometry::ownVector},
               self.north);
         visit(FieldInfo{.key = "south",
                         .unit = "m",
                         .meaning = "position of the south pole, in the object's frame",
                         .minimum = -1e3,
-                        .maximum = 1e3},
+                        .maximum = 1e3,
+                        .geometry = FieldGeometry::ownVector},
               self.south);
     }
 };

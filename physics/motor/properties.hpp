@@ -23,13 +23,15 @@ struct ElectricMotor {
                         .meaning = "torque at rest; above 0: anticlockwise",
                         .minimum = -1e9,
                         .maximum = 1e9,
-                        .required = true},
+                        .required = true,
+                        .geometry = FieldGeometry::turning},
               self.torque);
         visit(FieldInfo{.key = "idle_speed_deg",
                         .unit = "rad/s",
                         .meaning = "speed at which the torque has fallen to zero; 0: the torque is constant",
                         .minimum = 0,
-                        .maximum = 1e4},
+                        .maximum = 1e4,
+                        .geometry = FieldGeometry::invariant},
               self.idleSpeed);
         visit(FieldInfo{.key = "against",
                         .unit = "",
@@ -59,7 +61,8 @@ struct Generator {
                         .unit = "rad/s",
                         .meaning = "speed from which on it supplies electricity, in either direction",
                         .minimum = 1e-3,
-                        .maximum = 1e4},
+                        .maximum = 1e4,
+                        .geometry = FieldGeometry::invariant},
               self.speed);
         visit(FieldInfo{.key = "braking",
                         .unit = "N m",

@@ -3,6 +3,7 @@
 #include "lua/attach/register.hpp"
 #include "lua/mods/trust.hpp"
 #include "puzzle/data/effects.hpp"
+#include "runtime/level/build/check_composites.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -63,6 +64,7 @@ GameData::GameData(std::vector<lua::Mod> loaded)
             parts.add(*part);
         }
     }
+    checkComposites(parts); // a mod's parts may consist of others
 }
 
 std::vector<fs::path> GameData::levels() const {

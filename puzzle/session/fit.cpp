@@ -3,6 +3,7 @@
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/overlap.hpp"
+#include "runtime/level/build/placed_pieces.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/property/for_each.hpp"
 
@@ -17,19 +18,14 @@ CollisionGroups groupsOf(CollisionGroups const* stated) {
     return stated == nullptr ? CollisionGroups{} : *stated;
 }
 
-} // namespace
-
-std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts,
-                                           Placement const& placement, std::span<ObjectId const> ignored) {
-    PartDefinition const* const part = parts.find(placement.part);
-    Shape const* const shape = part == nullptr ? nullptr : part->properties.find<Shape>();
+/// Names the object that one shape would overlap.
+std::optional<std::string> overlapped(World const& world, PlacedShape const& candidate,
+                                      CollisionGroups const& groups, std::span<ObjectId const> ignored) {
     auto const* const shapes = world.store().findColumn<Shape>();
     auto const* const positions = world.store().findColumn<Position>();
-    if (shape == nullptr || shapes == nullptr || positions == nullptr) {
+    if (shapes == nullptr || positions == nullptr) {
         return {};
     }
-    CollisionGroups const groups = groupsOf(part->properties.find<CollisionGroups>());
-    PlacedShape const candidate{*shape, placement.at, placement.angle};
     auto const [lowest, highest] = extentOf(candidate);
     Vec2 const lower = lowest; // clang 14 lets no lambda use the names above
     Vec2 const upper = highest;
@@ -53,6 +49,26 @@ std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const
         },
         *shapes, *positions);
     return why;
+}
+
+} // namespace
+
+std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts,
+                                           Placement const& placement, std::span<ObjectId const> ignored) {
+    for (PlacedPiece const& piece : placedPieces(parts, placement)) {
+        Shape const* const shape = piece.properties.find<Shape>();
+        Position const* const position = piece.properties.find<Position>();
+        Rotation const* const rotation = piece.properties.find<Rotation>();
+        if (shape == nullptr || position == nullptr) {
+            continue;
+        }
+        PlacedShape const candidate{*shape, position->value, rotation == nullptr ? 0 : rotation->angle};
+        CollisionGroups const groups = groupsOf(piece.properties.find<CollisionGroups>());
+        if (auto why = overlapped(world, candidate, groups, ignored)) {
+            return why;
+        }
+    }
+    return {};
 }
 
 } // namespace trembler

@@ -18,6 +18,8 @@ struct LastingObject {
     /// Of any other object, for example one created during the run: its name, which follows from its maker's
     /// name. Otherwise empty.
     std::string name;
+    /// Of an object that is made from a composite part: Origin::piece.
+    std::uint32_t piece = 0;
 
     friend bool operator==(LastingObject const&, LastingObject const&) = default;
 };

@@ -40,7 +40,7 @@ std::vector<ToolboxSlot> Placements::toolbox() const {
 }
 
 Verdict Placements::check(Placement const& placement, World const& world, std::optional<int> moved,
-                          ObjectId ignored) const {
+                          std::span<ObjectId const> ignored) const {
     std::vector<Placement> others;
     for (PlacedPart const& part : now()) {
         if (part.number != moved) {
@@ -49,7 +49,7 @@ Verdict Placements::check(Placement const& placement, World const& world, std::o
     }
     std::optional<std::string> why = checkPlacement(level_, parts_, others, placement);
     if (!why) {
-        why = whyItDoesNotFit(world, parts_, placement, {&ignored, 1});
+        why = whyItDoesNotFit(world, parts_, placement, ignored);
     }
     return why ? Verdict{false, *why} : Verdict{};
 }
@@ -60,7 +60,8 @@ Placements::List Placements::with(Placement placement) {
     return next;
 }
 
-std::optional<Placements::List> Placements::moved(int number, Vec2 at, double angle) const {
+std::optional<Placements::List> Placements::moved(int number, Vec2 at, double angle,
+                                                  std::optional<bool> flipped) const {
     auto const index = indexOf(number);
     if (!index) {
         return std::nullopt;
@@ -68,6 +69,7 @@ std::optional<Placements::List> Placements::moved(int number, Vec2 at, double an
     List next = now();
     next[*index].placement.at = at;
     next[*index].placement.angle = angle;
+    next[*index].placement.flipped = flipped.value_or(next[*index].placement.flipped);
     return next;
 }
 

@@ -49,14 +49,16 @@ public:
 
     /// Whether a part may be placed there: the level must allow it, and it must not overlap anything in
     /// `world`, which was built from now(). If a placed part is being moved there, `moved` is its number and
-    /// `ignored` its object, which is not checked for overlap.
+    /// `ignored` are its objects, which are not checked for overlap.
     [[nodiscard]] Verdict check(Placement const& placement, World const& world, std::optional<int> moved = {},
-                                ObjectId ignored = {}) const;
+                                std::span<ObjectId const> ignored = {}) const;
 
     /// now() with one more part at the end, with a new number.
     [[nodiscard]] List with(Placement placement);
-    /// now() with that part at another place (m, rad); nothing if it is not placed.
-    [[nodiscard]] std::optional<List> moved(int number, Vec2 at, double angle) const;
+    /// now() with that part at another place (m, rad), mirrored or not, or as it was if that is not stated;
+    /// nothing if it is not placed.
+    [[nodiscard]] std::optional<List> moved(int number, Vec2 at, double angle,
+                                            std::optional<bool> flipped = {}) const;
     /// now() without that part; nothing if it is not placed.
     [[nodiscard]] std::optional<List> without(int number) const;
     /// The solution's placements only, with new numbers. Throws InputError, with their places in the file, if

@@ -33,6 +33,15 @@ std::optional<std::size_t> LevelRun::placementOf(ObjectId object) const {
     return origin.kind == Origin::Kind::placement ? std::optional<std::size_t>(origin.number) : std::nullopt;
 }
 
+std::vector<ObjectId> LevelRun::pieces(Origin::Kind kind, std::size_t index) const {
+    bool const placed = kind == Origin::Kind::placement;
+    auto const& composites = placed ? built_.placementPieces : built_.objectPieces;
+    if (auto const found = composites.find(index); found != composites.end()) {
+        return found->second;
+    }
+    return {(placed ? built_.placements : built_.objects)[index]};
+}
+
 void LevelRun::takeOver(WorldOptions const& options) {
     for (RecordedChange const& back : differences(registry_, world().options(), options)) {
         if (back.kind == RecordedChange::Kind::detail) {

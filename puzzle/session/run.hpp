@@ -25,12 +25,15 @@ public:
 
     [[nodiscard]] World const& world() const { return *built_.world; }
     [[nodiscard]] GoalJudge const& judge() const { return judge_; }
-    /// The object made from a placement, by the placement's index in the list given. It may have been
-    /// destroyed since.
+    /// The object made from a placement, by the placement's index in the list given; of a composite part, its
+    /// main piece. It may have been destroyed since.
     [[nodiscard]] ObjectId objectOf(std::size_t placement) const { return built_.placements[placement]; }
     /// The same for the level's "objects" and "joints", by index.
     [[nodiscard]] std::span<ObjectId const> objects() const { return built_.objects; }
     [[nodiscard]] std::span<ObjectId const> joints() const { return built_.joints; }
+    /// All objects of an entry of "objects" (Origin::Kind::object) or of a placement, by its index, in the
+    /// order of Origin::piece. They may have been destroyed since.
+    [[nodiscard]] std::vector<ObjectId> pieces(Origin::Kind kind, std::size_t index) const;
     /// The index of the placement that an object came from; nothing for any other object.
     [[nodiscard]] std::optional<std::size_t> placementOf(ObjectId object) const;
 

@@ -4,6 +4,9 @@
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/model/change_fault.hpp"
+#include "runtime/population/birth_name.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -29,6 +32,11 @@ ObjectId Session::objectOf(int number) const {
     return index ? run_->objectOf(*index) : ObjectId{};
 }
 
+std::vector<ObjectId> Session::objectsOf(int number) const {
+    auto const index = placements_.indexOf(number);
+    return index ? run_->pieces(Origin::Kind::placement, *index) : std::vector<ObjectId>();
+}
+
 std::optional<int> Session::numberOf(ObjectId object) const {
     auto const index = run_->placementOf(object);
     return index ? std::optional(placed()[*index].number) : std::nullopt;
@@ -38,10 +46,10 @@ LastingObject Session::lasting(ObjectId object) const {
     Origin const origin = world().store().originOf(object);
     switch (origin.kind) {
     case Origin::Kind::placement:
-        return {origin.kind, static_cast<std::uint64_t>(placed()[origin.number].number), {}};
+        return {origin.kind, static_cast<std::uint64_t>(placed()[origin.number].number), {}, origin.piece};
     case Origin::Kind::object:
     case Origin::Kind::joint:
-        return {origin.kind, origin.number, {}};
+        return {origin.kind, origin.number, {}, origin.piece};
     case Origin::Kind::program:
     case Origin::Kind::world:
     case Origin::Kind::birth:
@@ -55,10 +63,12 @@ ObjectId Session::find(LastingObject const& object) const {
     Store const& store = world().store();
     auto const living = [&](ObjectId id) { return store.alive(id) ? id : ObjectId{}; };
     switch (object.kind) {
-    case Origin::Kind::placement:
-        return living(objectOf(static_cast<int>(object.number)));
+    case Origin::Kind::placement: {
+        std::vector<ObjectId> const pieces = objectsOf(static_cast<int>(object.number));
+        return object.piece < pieces.size() ? living(pieces[object.piece]) : ObjectId{};
+    }
     case Origin::Kind::object:
-        return living(run_->objects()[object.number]);
+        return living(run_->pieces(object.kind, object.number)[object.piece]);
     case Origin::Kind::joint:
         return living(run_->joints()[object.number]);
     case Origin::Kind::program:
@@ -71,7 +81,8 @@ ObjectId Session::find(LastingObject const& object) const {
 }
 
 Verdict Session::check(Placement const& placement, std::optional<int> ignoring) const {
-    return placements_.check(placement, world(), ignoring, ignoring ? objectOf(*ignoring) : ObjectId{});
+    return placements_.check(placement, world(), ignoring,
+                             ignoring ? objectsOf(*ignoring) : std::vector<ObjectId>());
 }
 
 bool Session::keep(std::optional<Placements::List> next) {
@@ -99,9 +110,18 @@ std::optional<int> Session::place(Placement const& placement) {
     return keep(std::move(next)) ? std::optional(number) : std::nullopt;
 }
 
-bool Session::move(int number, Vec2 at, double angle) {
-    auto next = building() ? placements_.moved(number, at, angle) : std::nullopt;
+bool Session::move(int number, Vec2 at, double angle, std::optional<bool> flipped) {
+    auto next = building() ? placements_.moved(number, at, angle, flipped) : std::nullopt;
     return next && check((*next)[*placements_.indexOf(number)].placement, number).ok && keep(std::move(next));
+}
+
+bool Session::flip(int number) {
+    auto const index = placements_.indexOf(number);
+    if (!index) {
+        return false;
+    }
+    Placement const& placement = placed()[*index].placement;
+    return move(number, placement.at, placement.angle, !placement.flipped);
 }
 
 bool Session::putBack(int number) {
@@ -231,6 +251,18 @@ void Session::load(Solution const& solution) {
             addProblem(problems, [&] {
                 return level_.diagnostic(solution, change.path, fault->message, fault->expected);
             });
+        }
+    }
+    Store const& store = run->world().store();
+    for (RecordedInput const& input : solution.inputs) { // of pieces, only the world tells the names
+        for (std::string const* const name : {&input.object, &input.other}) {
+            if (!name->empty() && !store.find(*name).valid() && !isBirthName(*name)) {
+                addProblem(problems, [&] {
+                    return level_.diagnostic(solution, input.path,
+                                             fmt::format("there is no object '{}'", *name),
+                                             "an object of the level, or one that the solution places");
+                });
+            }
         }
     }
     problems.throwIfAny();

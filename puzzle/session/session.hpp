@@ -44,9 +44,11 @@ public:
     // Building. Unless mode() is building, these do nothing and report failure.
     [[nodiscard]] std::vector<PlacedPart> const& placed() const { return placements_.now(); }
     [[nodiscard]] std::vector<ToolboxSlot> toolbox() const { return placements_.toolbox(); }
-    /// The object in world() that a placed part became, or an invalid id.
+    /// All objects in world() that a placed part became, its joints included; empty if it is not placed.
+    [[nodiscard]] std::vector<ObjectId> objectsOf(int number) const;
+    /// The object in world() that a placed part became, or an invalid id; of a composite, its main piece.
     [[nodiscard]] ObjectId objectOf(int number) const;
-    /// The placed part that an object in world() came from.
+    /// The placed part that an object in world() came from, whichever of its pieces it is.
     [[nodiscard]] std::optional<int> numberOf(ObjectId object) const;
     /// Identifies an object of world() in all worlds of this session; default-constructed for an invalid id.
     [[nodiscard]] LastingObject lasting(ObjectId object) const;
@@ -57,8 +59,11 @@ public:
     [[nodiscard]] Verdict check(Placement const& placement, std::optional<int> ignoring = {}) const;
     /// Places a part from the toolbox; returns its number, or nothing if check() refuses it.
     std::optional<int> place(Placement const& placement);
-    /// Moves or turns a placed part. False if check() refuses it; the part then stays where it was.
-    bool move(int number, Vec2 at, double angle);
+    /// Moves or turns a placed part, and mirrors it or not, if `flipped` is stated. False if check() refuses
+    /// it; the part then stays where it was.
+    bool move(int number, Vec2 at, double angle, std::optional<bool> flipped = {});
+    /// Mirrors a placed part about its own vertical axis, before it is turned. False as move().
+    bool flip(int number);
     /// Puts a placed part back into the toolbox.
     bool putBack(int number);
     bool putAllBack();

@@ -26,12 +26,15 @@ struct Origin {
         birth,     ///< created by a call (CreateObject) while the world ran
     };
     Kind kind = Kind::program;
-    /// The number, in the store's PrototypeLibrary, of the part that it is made from; none: its entry states
-    /// all properties.
+    /// The number, in the store's PrototypeLibrary, of the part that its entry or its placement names; none:
+    /// its entry states all properties, or it is a piece, but not the main one, of a composite part.
     std::optional<std::uint32_t> prototype;
     /// Of an object, a joint or a placement: its index in the list that the world was built from, from 0. Of
     /// a birth: CreateObject::number. Otherwise 0.
     std::uint64_t number = 0;
+    /// Of an object or a placement that is made from a composite part: which of the objects it is that became
+    /// of it, from 0: its pieces by name, then its joints by name. Otherwise 0.
+    std::uint32_t piece = 0;
     /// Of a birth: CreateObject::maker, which may no longer exist. Otherwise invalid.
     ObjectId maker;
 

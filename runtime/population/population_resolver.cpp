@@ -68,7 +68,7 @@ void PopulationResolver::advance(Access& access) {
 ObjectId PopulationResolver::create(Birth const& birth) {
     CreateObject const& call = birth.call;
     Prototype const* const prototype = store_->prototypes().find(call.prototype);
-    if (prototype == nullptr || !isFinite(call.position) || !std::isfinite(call.angle) ||
+    if (prototype == nullptr || prototype->composite || !isFinite(call.position) || !std::isfinite(call.angle) ||
         !isFinite(call.velocity) || !std::isfinite(call.spin)) {
         return {};
     }

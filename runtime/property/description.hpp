@@ -53,6 +53,28 @@ struct AccuracyRange {
     }
 };
 
+/// What a field is in space, so that an object can be moved, turned and mirrored by the descriptions of its
+/// properties alone (runtime/level/property/move_property.hpp). To mirror an object exchanges left and right
+/// of its own frame.
+enum class FieldGeometry : std::uint8_t {
+    unstated,  ///< nothing in space; a vector, an angle and an angular speed must state what they are
+    invariant, ///< has a direction or a sense, but one that is the same for every place and for mirror images
+    ownVector, ///< a point or a direction in the object's frame
+    /// A list of points in the object's frame that runs anticlockwise, so that a mirror image reverses it.
+    ownOutline,
+    /// An angle, an angular speed or a torque, positive anticlockwise, in the object's frame or between two
+    /// objects; also a displacement along a worldAxis: a mirror image has the other sign.
+    turning,
+    turningLower, ///< the lower limit of a `turning`: a mirror image has the upper one with the other sign
+    turningUpper,
+    worldPoint,  ///< a point in the world, or in the frame of the part that the object is a piece of
+    worldVector, ///< a direction there
+    /// A direction there along which something is measured. A mirror image of it is reversed, so that what is
+    /// measured changes its sign, as angles do: a gear then joins both as before.
+    worldAxis,
+    heading, ///< the angle of the object itself, there
+};
+
 /// One field of a property. A field with key "value" is written bare in files: "mass": 2.
 struct FieldInfo {
     std::string_view key;
@@ -64,6 +86,7 @@ struct FieldInfo {
     bool required = false;    ///< files must state it; otherwise the member's initial value is the default
     AccuracyRange accuracy{}; ///< stated only for accuracy settings; everything else is physics
     bool adds = false;        ///< of an entry in a list: the values of several entries of one object add up
+    FieldGeometry geometry = FieldGeometry::unstated;
 };
 
 /// The names of an enumeration's values 0, 1, 2 ... as files spell them. Specialise for each

@@ -13,6 +13,7 @@ namespace trembler {
 struct Prototype {
     std::string name; ///< for example "steel bar"
     std::vector<std::unique_ptr<PropertyValue>> values;
+    bool composite = false; ///< its objects have several pieces, so that none can be made while a world runs
 };
 
 /// Prototypes by name and by number, so that a call that creates an object can name one in a few bytes.

@@ -23,6 +23,14 @@ ObjectId Store::create(std::string const& name, Origin const& origin) {
     return id;
 }
 
+bool Store::alias(std::string const& name, ObjectId id) {
+    if (name.empty() || !alive(id) || !byName_.try_emplace(name, id).second) {
+        return false;
+    }
+    aliases_.emplace(id, name);
+    return true;
+}
+
 void Store::destroy(std::vector<ObjectId> ids) {
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -32,6 +40,11 @@ void Store::destroy(std::vector<ObjectId> ids) {
     }
     for (ObjectId const id : ids) {
         byName_.erase(nameOf(id));
+        auto const [first, last] = aliases_.equal_range(id);
+        for (auto at = first; at != last; ++at) {
+            byName_.erase(at->second);
+        }
+        aliases_.erase(first, last);
     }
     for (auto& [key, column] : columns_) {
         column->removeAll(ids);
@@ -152,7 +165,8 @@ void Store::hash(StateHash& hash) const {
 
 void Store::hashColumns(StateHash& hash) const {
     for (auto const& [key, column] : columns_) {
-        if (!column->empty()) { // an empty column equals a column that was never created
+        bool const covered = column->info().coverage.kind != Coverage::Kind::leftOut;
+        if (covered && !column->empty()) { // an empty column equals a column that was never created
             hash.integer(key.size());
             hash.bytes(key.data(), key.size());
             column->hash(hash);

@@ -32,6 +32,9 @@ public:
     /// A new object with a unique name; throws std::invalid_argument if the name is taken or empty. `origin`
     /// does not change during the object's life.
     ObjectId create(std::string const& name, Origin const& origin = {});
+    /// Lets find() find an object by a second name as well. False, and nothing changes, if that name is taken
+    /// or the object does not exist. It ends with the object. No simulation depends on it.
+    bool alias(std::string const& name, ObjectId id);
     /// Removes objects with all their properties. Unknown and repeated ids are ignored.
     void destroy(std::vector<ObjectId> ids);
     [[nodiscard]] bool alive(ObjectId id) const { return objects_.alive(id); }
@@ -115,6 +118,7 @@ private:
     std::map<std::string_view, std::unique_ptr<SlotBase>> slots_;
     std::unordered_map<std::string, ObjectId> byName_; // looked up, never iterated over
     PrototypeLibrary prototypes_;
+    std::multimap<ObjectId, std::string> aliases_;
     std::vector<Completion> completions_;
     std::vector<Origin> origins_; // by index of the object
 };

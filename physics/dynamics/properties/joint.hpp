@@ -1,6 +1,7 @@
 // Joints connect bodies. A joint is a separate object with this property.
 #pragma once
 
+#include "physics/dynamics/properties/joint_look.hpp"
 #include "runtime/property/description.hpp"
 
 #include <array>
@@ -41,6 +42,7 @@ struct Joint {
     ObjectId jointB;          ///< gear: the hinge or slider joint of `b`
     bool collide = false;     ///< whether the connected objects can collide
     double breakForce = 0;    ///< N at which it breaks; 0: never
+    JointLook look;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -52,20 +54,23 @@ struct Joint {
                         .unit = "m",
                         .meaning = "pivot, or end at a, in the world at the start",
                         .minimum = -far,
-                        .maximum = far},
+                        .maximum = far,
+                        .geometry = FieldGeometry::worldPoint},
               self.at);
         visit(
             FieldInfo{.key = "at_b",
                       .unit = "m",
                       .meaning = "end at b, in the world at the start: of a distance, rope, spring or pulley",
                       .minimum = -far,
-                      .maximum = far},
+                      .maximum = far,
+                      .geometry = FieldGeometry::worldPoint},
             self.atB);
         visit(FieldInfo{.key = "axis",
                         .unit = "",
                         .meaning = "direction of a slider or wheel, in the world at the start",
                         .minimum = -far,
-                        .maximum = far},
+                        .maximum = far,
+                        .geometry = FieldGeometry::worldAxis},
               self.axis);
         visit(FieldInfo{.key = "limited",
                         .unit = "",
@@ -78,13 +83,15 @@ struct Joint {
                         .unit = turns ? "rad" : "m",
                         .meaning = "lower limit of the angle or displacement of a against b",
                         .minimum = -far,
-                        .maximum = far},
+                        .maximum = far,
+                        .geometry = FieldGeometry::turningLower},
               self.lower);
         visit(FieldInfo{.key = turns ? "upper_deg" : "upper",
                         .unit = turns ? "rad" : "m",
                         .meaning = "upper limit of the angle or displacement of a against b",
                         .minimum = -far,
-                        .maximum = far},
+                        .maximum = far,
+                        .geometry = FieldGeometry::turningUpper},
               self.upper);
         visit(FieldInfo{.key = "motor", .unit = "", .meaning = "whether a motor drives the joint"},
               self.motor);
@@ -92,7 +99,8 @@ struct Joint {
                         .unit = spins ? "rad/s" : "m/s",
                         .meaning = "target speed of the motor, of a against b",
                         .minimum = -far,
-                        .maximum = far},
+                        .maximum = far,
+                        .geometry = FieldGeometry::turning},
               self.motorSpeed);
         visit(FieldInfo{.key = "motor_strength",
                         .unit = spins ? "N m" : "N",
@@ -129,13 +137,15 @@ struct Joint {
                         .unit = "m",
                         .meaning = "point over which a pulley's rope to a runs, in the world",
                         .minimum = -far,
-                        .maximum = far},
+                        .maximum = far,
+                        .geometry = FieldGeometry::worldPoint},
               self.groundA);
         visit(FieldInfo{.key = "ground_b",
                         .unit = "m",
                         .meaning = "point over which a pulley's rope to b runs, in the world",
                         .minimum = -far,
-                        .maximum = far},
+                        .maximum = far,
+                        .geometry = FieldGeometry::worldPoint},
               self.groundB);
         visit(FieldInfo{.key = "joint_a", .unit = "", .meaning = "hinge or slider of a, for a gear"},
               self.jointA);
@@ -149,6 +159,10 @@ struct Joint {
                         .minimum = 0,
                         .maximum = 1e12},
               self.breakForce);
+        visit(FieldInfo{.key = "look",
+                        .unit = "",
+                        .meaning = "how the joint is drawn; own: by its form; it has no other consequences"},
+              self.look.drawn);
     }
     friend bool operator==(Joint const&, Joint const&) = default;
 };

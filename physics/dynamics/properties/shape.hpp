@@ -30,13 +30,15 @@ struct ShapePiece {
                         .unit = "m",
                         .meaning = "centre in the object's frame",
                         .minimum = -1e3,
-                        .maximum = 1e3},
+                        .maximum = 1e3,
+                        .geometry = FieldGeometry::ownVector},
               self.at);
         visit(FieldInfo{.key = "angle_deg",
                         .unit = "rad",
                         .meaning = "angle in the object's frame, anticlockwise",
                         .minimum = -1e3,
-                        .maximum = 1e3},
+                        .maximum = 1e3,
+                        .geometry = FieldGeometry::turning},
               self.angle);
         if (self.form == ShapeForm::circle || self.form == ShapeForm::capsule) {
             visit(FieldInfo{.key = "radius",
@@ -67,7 +69,8 @@ struct ShapePiece {
                             .unit = "m",
                             .meaning = "corners of a convex polygon, anticlockwise",
                             .minimum = -1e3,
-                            .maximum = 1e3},
+                            .maximum = 1e3,
+                            .geometry = FieldGeometry::ownOutline},
                   self.corners);
         }
     }

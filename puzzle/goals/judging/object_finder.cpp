@@ -25,6 +25,11 @@ std::vector<ObjectId> ObjectFinder::find(Selector const& selector, ObjectId it) 
     for (std::string const& name : selector.names) {
         if (ObjectId const id = store.find(name); id.valid()) {
             found.push_back(id);
+        } else {
+            addProblem(problems_, [&] {
+                return level_.diagnostic(selector.path, fmt::format("there is no object '{}'", name),
+                                         "the name of an object of this level, or of a piece of one");
+            });
         }
     }
     for (std::string const& part : selector.parts) {

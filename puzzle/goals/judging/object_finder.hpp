@@ -17,7 +17,8 @@ public:
     /// All arguments must outlive it.
     ObjectFinder(LevelFile const& level, World const& world, Problems& problems);
     /// All objects that the selector refers to, ascending: objects with its names, and objects that the level
-    /// or the player made from its parts (Origin). `it` is the object that "it" refers to.
+    /// or the player made from its parts (Origin); of a composite part, the main pieces. Complains about
+    /// names that no object has. `it` is the object that "it" refers to.
     [[nodiscard]] std::vector<ObjectId> find(Selector const& selector, ObjectId it) const;
     /// Complains if an object that the selector names does not have the property. `why` follows the object's
     /// name in the message, for example "is no conductor, so it is never on".

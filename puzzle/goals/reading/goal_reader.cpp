@@ -24,7 +24,7 @@ std::string listedKeys() {
 
 } // namespace
 
-GoalReader::GoalReader(LevelFile const& level) : keys_(listedKeys()) {
+GoalReader::GoalReader(LevelFile const& level) : keys_(listedKeys()), pieces_(level.objects) {
     for (LevelObject const& object : level.objects) {
         objects_.push_back(object.name);
         parts_.insert(object.part);
@@ -160,7 +160,7 @@ void GoalReader::readSingle(JsonNode const& node, Selector& selector) {
         }
         return;
     }
-    if (!known_.contains(*name)) {
+    if (!known_.contains(*name) && !pieces_.mayBe(*name)) { // ObjectFinder knows which pieces there are
         addProblem(node.problems(), [&] { // only if the problem is kept: the suggestion searches all names
             return node.diagnostic(
                 fmt::format("there is no object '{}'{}", *name, didYouMean(*name, objects_)),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"
+#include "runtime/level/build/piece_names.hpp"
 #include "runtime/level/json/json_node.hpp"
 
 #include <set>
@@ -38,7 +39,8 @@ private:
     std::string keys_;                      // of all kinds, for messages
     std::vector<std::string> objects_;      // names, in the order of the file
     std::unordered_set<std::string> known_; // the same names, for fast look-up
-    std::set<std::string> parts_;           // from which the level or the player makes objects
+    PieceNames pieces_;
+    std::set<std::string> parts_; // from which the level or the player makes objects
     std::set<std::string> ids_;
     std::size_t conditions_ = 0;
     bool insideCount_ = false;

@@ -1,37 +1,32 @@
 #include "runtime/level/build/build_world.hpp"
 
-#include "runtime/level/build/effective_properties.hpp"
 #include "runtime/level/build/joint_names.hpp"
 #include "runtime/level/build/lay_connections.hpp"
+#include "runtime/level/build/part_expander.hpp"
+#include "runtime/level/build/placed_pieces.hpp"
 #include "runtime/level/build/references.hpp"
 #include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/json/limits.hpp"
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/object/without.hpp"
-#include "runtime/placement.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
+#include <iterator>
 #include <map>
 #include <numeric>
 
 namespace trembler {
 namespace {
 
-/// An object that will be created, with the source of its properties.
+/// An object that will be created.
 struct Made {
-    std::string name;
-    PartDefinition const* part = nullptr;
-    PropertySet properties;           ///< effective
-    std::vector<std::string> without; ///< keys that it is stated not to have, ascending
-    PropertySet const* own = nullptr;
-    std::string path; ///< in the level's file
-    Origin::Kind kind = Origin::Kind::object;
-    std::size_t index = 0; ///< in the level's list of objects or joints, or among the placements
-    ObjectId id;
-
-    /// Its properties are members of its entry, not of "properties" in it.
-    [[nodiscard]] bool inEntry() const { return kind == Origin::Kind::world || kind == Origin::Kind::joint; }
+    MadeObject object;
+    std::string path; ///< of the entry that it comes from, in the level's file
+    Origin origin;    ///< without the prototype
+    ObjectId id{};
 };
 
 std::optional<std::string> faultOf(ObjectId id, std::span<ObjectFault const> ascending) {
@@ -53,42 +48,27 @@ std::vector<std::size_t> sortedIndices(std::size_t count, Less less) {
 class Builder {
 public:
     Builder(Registry const& registry, LevelFile const& level, PartLibrary const& library, Problems& problems)
-        : registry_(registry), level_(level), library_(library), problems_(problems) {}
+        : registry_(registry), level_(level), library_(library), problems_(problems),
+          expander_(library, [this](StatementScope const& scope, std::string path, std::string message,
+                                    std::string expected) {
+              addProblem(problems_, [&] {
+                  return diagnostic(scope, std::move(path), std::move(message), std::move(expected));
+              });
+          }) {
+        for (LevelConnection const& connection : level.connections) {
+            connections_.push_back({connection, nullptr});
+        }
+    }
 
-    void addWorld() {
-        Made made; // always created, so that ids do not depend on whether the level states it
-        made.name = "world";
-        made.properties = effectiveProperties({}, level_.world);
-        made.own = &level_.world;
-        made.path = "/world";
-        made.kind = Origin::Kind::world;
-        made_.push_back(std::move(made));
+    void addWorld() { // always created, so that ids do not depend on whether the level states it
+        addMembers("world", level_.world, "/world", Origin::Kind::world, 0);
     }
 
     void addObjects() {
         for (std::size_t const i : sortedIndices(level_.objects.size(), [&](std::size_t a, std::size_t b) {
                  return level_.objects[a].name < level_.objects[b].name;
              })) {
-            LevelObject const& object = level_.objects[i];
-            Made made;
-            made.name = object.name;
-            made.own = &object.properties;
-            made.path = object.path;
-            made.index = i;
-            if (!object.part.empty()) {
-                made.part = library_.find(object.part);
-                if (made.part == nullptr) {
-                    problem(object.path.empty() ? "" : object.path + "/part",
-                            fmt::format("there is no part '{}'{}", object.part,
-                                        didYouMean(object.part, library_.names())),
-                            listed(library_.names()));
-                    continue;
-                }
-            }
-            PropertySet const part = made.part == nullptr ? PropertySet() : made.part->properties;
-            made.properties = effectiveProperties(part, object.properties);
-            made.without = statedAbsent(part, object.properties);
-            made_.push_back(std::move(made));
+            add(expander_.expand(level_.objects[i], scope_), level_.objects[i].path, Origin::Kind::object, i);
         }
     }
 
@@ -96,14 +76,7 @@ public:
         std::vector<std::string> const names = jointNames(level_);
         for (std::size_t const i :
              sortedIndices(names.size(), [&](std::size_t a, std::size_t b) { return names[a] < names[b]; })) {
-            Made made;
-            made.name = names[i];
-            made.own = &level_.joints[i].properties;
-            made.properties = level_.joints[i].properties;
-            made.path = level_.joints[i].path;
-            made.kind = Origin::Kind::joint;
-            made.index = i;
-            made_.push_back(std::move(made));
+            addMembers(names[i], level_.joints[i].properties, level_.joints[i].path, Origin::Kind::joint, i);
         }
     }
 
@@ -118,17 +91,9 @@ public:
                 problem(placement.path, *refusal, "a placement that the level allows");
                 continue;
             }
-            Made made;
-            made.name = names[i];
-            made.part = library_.find(placement.part);
-            made.properties = effectiveProperties(made.part->properties, {});
-            made.without = statedAbsent(made.part->properties, {});
-            made.properties.set(Position{placement.at});
-            made.properties.set(Rotation{placement.angle});
-            made.path = placement.path;
-            made.kind = Origin::Kind::placement;
-            made.index = order[i];
-            made_.push_back(std::move(made));
+            placed_.push_back(entryOf(placement, names[i]));
+            add(expander_.expand(placed_.back(), scope_, StatedProperties::Form::placement), placement.path,
+                Origin::Kind::placement, order[i]);
         }
     }
 
@@ -148,11 +113,20 @@ public:
             numbers_.emplace(part, store.prototypes().add(part->prototype()));
         }
         for (Made& made : made_) {
-            if (store.find(made.name).valid()) {
-                problem(made.path, fmt::format("the name '{}' is taken", made.name), "a unique name");
-                continue;
+            std::string const& name = made.object.name;
+            if (store.find(name).valid()) {
+                problem(made.path, fmt::format("the name '{}' is taken", name), "a unique name");
+            } else if (name.size() > limits::name && made.object.stated.front().scope != &scope_) {
+                problem(made.path, fmt::format("the name '{}' of a piece is too long", name),
+                        fmt::format("at most {} bytes", limits::name));
+            } else {
+                made.id = store.create(name, originOf(made));
             }
-            made.id = store.create(made.name, originOf(made));
+        }
+        for (auto const& [name, piece] : aliases_) {
+            if (ObjectId const id = store.find(piece); id.valid() && !store.alias(name, id)) {
+                problem("", fmt::format("the name '{}' is taken", name), "a unique name");
+            }
         }
         for (Made& made : made_) {
             if (made.id.valid()) {
@@ -184,32 +158,83 @@ public:
                                                               : rules[i].check(store, made.id);
                 if (broken) {
                     addProblem(problems_, [&] {
-                        return propertyProblem(made, property, "", fmt::format("{}: {}", made.name, *broken),
-                                               "");
+                        return propertyProblem(made, property, "",
+                                               fmt::format("{}: {}", made.object.name, *broken), "");
                     });
                 }
             }
         }
     }
 
-    /// The objects of one kind that create() made, by index in their list of `count` entries.
-    [[nodiscard]] std::vector<ObjectId> created(Origin::Kind kind, std::size_t count) const {
+    [[nodiscard]] std::span<MadeConnection const> connections() const { return connections_; }
+
+    /// The objects of one kind that create() made, by index in their list of `count` entries, and those of
+    /// composites among them.
+    [[nodiscard]] std::vector<ObjectId> created(Origin::Kind kind, std::size_t count,
+                                                std::map<std::size_t, std::vector<ObjectId>>* pieces) const {
         std::vector<ObjectId> ids(count);
         for (Made const& made : made_) {
-            if (made.kind == kind) {
-                ids[made.index] = made.id;
+            if (made.origin.kind != kind) {
+                continue;
+            }
+            std::size_t const entry = made.origin.number;
+            auto const main = mains_.find({kind, entry});
+            if (main == mains_.end() || main->second == made.origin.piece) {
+                ids[entry] = made.id;
+            }
+            if (main != mains_.end() && pieces != nullptr) {
+                (*pieces)[entry].push_back(made.id);
             }
         }
         return ids;
     }
 
 private:
+    void add(ExpandedEntry expanded, std::string const& path, Origin::Kind kind, std::size_t index) {
+        if (made_.size() + expanded.objects.size() > limits::made) {
+            problem(path, "there are too many objects, the pieces of parts included",
+                    fmt::format("at most {}", limits::made));
+            return;
+        }
+        if (!expanded.aliases.empty()) {
+            mains_[{kind, index}] = static_cast<std::uint32_t>(expanded.main);
+        }
+        for (std::size_t i = 0; i < expanded.objects.size(); ++i) {
+            made_.push_back({std::move(expanded.objects[i]),
+                             path,
+                             {.kind = kind,
+                              .prototype = {},
+                              .number = index,
+                              .piece = static_cast<std::uint32_t>(i),
+                              .maker = {}}});
+        }
+        std::move(expanded.aliases.begin(), expanded.aliases.end(), std::back_inserter(aliases_));
+        std::move(expanded.connections.begin(), expanded.connections.end(), std::back_inserter(connections_));
+    }
+
+    void addMembers(std::string name, PropertySet const& properties, std::string const& path,
+                    Origin::Kind kind, std::size_t index) {
+        MadeObject object;
+        object.name = std::move(name);
+        object.stated.push_back({&properties, &scope_, path, StatedProperties::Form::members});
+        made_.push_back(
+            {std::move(object), path, {.kind = kind, .prototype = {}, .number = index, .maker = {}}});
+    }
+
     [[nodiscard]] Origin originOf(Made const& made) const {
-        Origin origin{.kind = made.kind, .prototype = {}, .number = made.index, .maker = {}};
-        if (made.part != nullptr) {
-            origin.prototype = numbers_.at(made.part);
+        Origin origin = made.origin;
+        if (made.object.part != nullptr) {
+            origin.prototype = numbers_.at(made.object.part);
         }
         return origin;
+    }
+
+    /// A problem at a path in the file of a scope.
+    [[nodiscard]] Diagnostic diagnostic(StatementScope const& scope, std::string path, std::string message,
+                                        std::string expected) const {
+        return scope.document != nullptr
+                   ? scope.document->diagnostic(std::move(path), std::move(message), std::move(expected))
+                   : level_.diagnostic(std::move(path), std::move(message), std::move(expected));
     }
 
     void problem(std::string path, std::string message, std::string expected) {
@@ -218,49 +243,60 @@ private:
         });
     }
 
-    /// A problem with an object's property, where that is stated: in the object's entry or in its part's
-    /// file.
+    /// A problem with an object's property, where that is stated.
     [[nodiscard]] Diagnostic propertyProblem(Made const& made, PropertyInfo const& info,
                                              std::string const& inside, std::string message,
                                              std::string expected) const {
+        using Form = StatedProperties::Form;
         std::string const key(info.text.key);
-        bool const own = made.own != nullptr && made.own->states(info);
-        if (!own && made.part != nullptr && made.part->document && made.part->properties.states(info)) {
-            JsonDocument const& document = *made.part->document;
-            bool const beside = document.root().contains(key);
-            return document.diagnostic(pointerTo(beside ? "" : "/properties", key) + inside,
-                                       std::move(message), std::move(expected));
+        StatedProperties const* place = made.object.determining(info);
+        bool const inPart = place != nullptr && place->form == Form::part;
+        if (inPart && place->scope->document != nullptr) {
+            bool const beside = place->scope->document->root().contains(key);
+            return diagnostic(*place->scope, pointerTo(beside ? "" : "/properties", key) + inside,
+                              std::move(message), std::move(expected));
         }
-        std::string path = made.path;
-        if (!path.empty() && made.kind != Origin::Kind::placement && key != "joint") {
-            bool const direct = made.inEntry() || info.text.place != PropertyPlace::properties;
-            path = pointerTo(direct ? path : path + "/properties", key);
+        if (place == nullptr || inPart) { // nowhere, or in a part without a file
+            auto const& all = made.object.stated;
+            auto const entry = std::find_if(all.rbegin(), all.rend(), [](StatedProperties const& stated) {
+                return stated.form != Form::part && stated.form != Form::overrides;
+            });
+            place = entry == all.rend() ? &all.front() : &*entry;
         }
-        return level_.diagnostic(path + inside, std::move(message), std::move(expected));
+        std::string path = place->path;
+        if (!path.empty() && place->form != Form::placement && key != "joint") {
+            bool const underProperties =
+                place->form == Form::entry && info.text.place == PropertyPlace::properties;
+            path = pointerTo(underProperties ? path + "/properties" : path, key);
+        }
+        return diagnostic(*place->scope, path + inside, std::move(message), std::move(expected));
     }
 
     void furnish(Store& store, Made& made) {
-        for (PropertySet::Entry const& entry : made.properties.entries()) {
-            auto const value = entry.value->clone();
-            for (DanglingReference const& dangling : resolveReferences(*value, level_.names, store)) {
+        PropertySet properties = made.object.properties();
+        for (PropertySet::Entry const& entry : properties.entries()) {
+            StatementScope const& scope = *made.object.determining(*entry.info)->scope;
+            for (DanglingReference const& dangling :
+                 resolveReferences(*entry.value, *scope.names, store, scope.prefix)) {
                 addProblem(problems_, [&] {
                     return propertyProblem(made, *entry.info, dangling.path,
                                            fmt::format("there is no object '{}'{}", dangling.name,
                                                        didYouMean(dangling.name, objectNames())),
-                                           "the name of an object of this level");
+                                           scope.document != nullptr ? "the name of a piece of this part"
+                                                                     : "the name of an object of this level");
                 });
             }
-            value->assignTo(store.column(*entry.info), made.id);
+            entry.value->assignTo(store.column(*entry.info), made.id);
         }
-        if (!made.without.empty()) {
-            store.column<Without>().set(made.id, {made.without});
+        if (std::vector<std::string> without = made.object.without(); !without.empty()) {
+            store.column<Without>().set(made.id, {std::move(without)});
         }
     }
 
     [[nodiscard]] std::vector<std::string> objectNames() const {
         std::vector<std::string> names;
         for (Made const& made : made_) {
-            names.push_back(made.name);
+            names.push_back(made.object.name);
         }
         return names;
     }
@@ -269,7 +305,14 @@ private:
     LevelFile const& level_;
     PartLibrary const& library_;
     Problems& problems_;
-    std::vector<Made> made_;                                 ///< in the order in which they are created
+    StatementScope const scope_{&level_.names, "", nullptr}; ///< of the level
+    PartExpander expander_;
+    std::deque<LevelObject> placed_; ///< entries of the placements
+    std::vector<Made> made_;         ///< in the order in which they are created
+    std::vector<std::pair<std::string, std::string>> aliases_;
+    std::vector<MadeConnection> connections_;
+    /// Of the entries and placements made from composites, which of their objects is the main piece.
+    std::map<std::pair<Origin::Kind, std::size_t>, std::uint32_t> mains_;
     std::map<PartDefinition const*, std::uint32_t> numbers_; ///< of prototypes; looked up, never walked
 };
 
@@ -293,12 +336,12 @@ BuiltLevel buildLevel(Registry const& registry, LevelFile const& level, PartLibr
     builder.create(store);
     problems.throwIfAny(); // rules may assume that references are valid
     builder.checkRules(store);
-    layConnections(registry, level, store, problems);
+    layConnections(registry, level, builder.connections(), store, problems);
     problems.throwIfAny(); // and completions may assume that all rules hold
     built.world->start();
-    built.objects = builder.created(Origin::Kind::object, level.objects.size());
-    built.joints = builder.created(Origin::Kind::joint, level.joints.size());
-    built.placements = builder.created(Origin::Kind::placement, placements.size());
+    built.objects = builder.created(Origin::Kind::object, level.objects.size(), &built.objectPieces);
+    built.joints = builder.created(Origin::Kind::joint, level.joints.size(), nullptr);
+    built.placements = builder.created(Origin::Kind::placement, placements.size(), &built.placementPieces);
     return built;
 }
 

@@ -6,6 +6,7 @@
 #include "runtime/level/model/part_library.hpp"
 #include "runtime/world/world.hpp"
 
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -14,10 +15,15 @@ namespace trembler {
 
 /// A world, and the objects made from each entry of the lists that it was built from.
 struct BuiltLevel {
-    std::unique_ptr<World> world;     ///< started, at frame 0
-    std::vector<ObjectId> objects;    ///< by index in LevelFile::objects
-    std::vector<ObjectId> joints;     ///< by index in LevelFile::joints
-    std::vector<ObjectId> placements; ///< by index in the placements that were given
+    std::unique_ptr<World> world;  ///< started, at frame 0
+    std::vector<ObjectId> objects; ///< by index in LevelFile::objects; of a composite, its main piece
+    std::vector<ObjectId> joints;  ///< by index in LevelFile::joints
+    std::vector<ObjectId>
+        placements; ///< by index in the placements that were given; of a composite, its main piece
+    /// All objects of an entry or a placement that is made from a composite part, by Origin::piece; by index
+    /// in LevelFile::objects and in the placements.
+    std::map<std::size_t, std::vector<ObjectId>> objectPieces;
+    std::map<std::size_t, std::vector<ObjectId>> placementPieces;
 };
 
 /// Builds and starts the world of a level with the player's placements. Throws InputError, with the places in
@@ -26,8 +32,9 @@ struct BuiltLevel {
 /// `registry` must outlive the world. Detail levels in the options override those that the level states.
 ///
 /// Objects are created in canonical order: "world", the level's objects by name, its joints by name, then the
-/// placements in their own canonical order. So neither the order of entries in the file nor the order of
-/// placing ever matters. Each object's Origin is the inverse of BuiltLevel.
+/// placements in their own canonical order; a composite becomes its pieces and joints, see PartExpander. The
+/// name of an object that is made from a composite refers to its main piece. So neither the order of entries
+/// in the file nor the order of placing ever matters. Each object's Origin is the inverse of BuiltLevel.
 [[nodiscard]] BuiltLevel buildLevel(Registry const& registry, LevelFile const& level,
                                     PartLibrary const& library, std::span<Placement const> placements = {},
                                     WorldOptions options = {});

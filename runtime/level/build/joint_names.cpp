@@ -10,8 +10,13 @@
 namespace trembler {
 
 std::vector<std::string> jointNames(LevelFile const& level) {
+    return jointNames(level.objects, level.joints, level.names);
+}
+
+std::vector<std::string> jointNames(std::span<LevelObject const> objects, std::span<LevelJoint const> joints,
+                                    NameTable const& references) {
     std::set<std::string> taken;
-    for (LevelObject const& object : level.objects) {
+    for (LevelObject const& object : objects) {
         taken.insert(object.name);
     }
     struct Nameless {
@@ -20,9 +25,9 @@ std::vector<std::string> jointNames(LevelFile const& level) {
     };
     std::vector<Nameless> nameless;
     std::vector<std::string> names;
-    for (LevelJoint const& joint : level.joints) {
+    for (LevelJoint const& joint : joints) {
         if (joint.name.empty()) {
-            auto const stated = writeProperties(joint.properties, PropertyPlace::properties, level.names);
+            auto const stated = writeProperties(joint.properties, PropertyPlace::properties, references);
             nameless.push_back({stated.dump(), names.size()});
         }
         taken.insert(joint.name);

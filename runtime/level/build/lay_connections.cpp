@@ -17,7 +17,9 @@ public:
         : connectors_(registry.connectors()), kinds_(registry.connectionKinds()), level_(level),
           store_(store), problems_(problems) {}
 
-    void lay(LevelConnection const& connection) {
+    void lay(MadeConnection const& made) {
+        LevelConnection const& connection = made.connection;
+        document_ = made.document;
         ObjectId const a = store_.find(connection.a);
         ObjectId const b = store_.find(connection.b);
         if (connectors_.empty()) {
@@ -83,6 +85,9 @@ private:
 
     void problem(std::string path, std::string message, std::string expected) {
         addProblem(problems_, [&] {
+            if (document_ != nullptr) {
+                return document_->diagnostic(std::move(path), std::move(message), std::move(expected));
+            }
             return level_.diagnostic(std::move(path), std::move(message), std::move(expected));
         });
     }
@@ -90,24 +95,28 @@ private:
     std::span<Connector const> connectors_;
     std::vector<std::string> kinds_;
     LevelFile const& level_;
+    JsonDocument const* document_ = nullptr; ///< of the connection at hand, if a part states it
     Store& store_;
     Problems& problems_;
 };
 
 } // namespace
 
-void layConnections(Registry const& registry, LevelFile const& level, Store& store, Problems& problems) {
-    std::vector<LevelConnection> sorted = level.connections;
-    for (LevelConnection& connection : sorted) {
+void layConnections(Registry const& registry, LevelFile const& level,
+                    std::span<MadeConnection const> connections, Store& store, Problems& problems) {
+    std::vector<MadeConnection> sorted(connections.begin(), connections.end());
+    for (auto& [connection, document] : sorted) {
         if (connection.b < connection.a) {
             std::swap(connection.a, connection.b);
         }
     }
-    std::sort(sorted.begin(), sorted.end(), [](LevelConnection const& x, LevelConnection const& y) {
+    std::sort(sorted.begin(), sorted.end(), [](MadeConnection const& made, MadeConnection const& other) {
+        LevelConnection const& x = made.connection;
+        LevelConnection const& y = other.connection;
         return std::tie(x.a, x.b, x.kind) < std::tie(y.a, y.b, y.kind);
     });
     Layer layer(registry, level, store, problems);
-    for (LevelConnection const& connection : sorted) {
+    for (MadeConnection const& connection : sorted) {
         layer.lay(connection);
     }
 }

@@ -68,7 +68,8 @@ std::vector<std::size_t> canonicalOrder(std::span<Placement const> placements) {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
         Placement const& a = placements[i];
         Placement const& b = placements[j];
-        return std::tie(a.part, a.at.x, a.at.y, a.angle) < std::tie(b.part, b.at.x, b.at.y, b.angle);
+        return std::tie(a.part, a.at.x, a.at.y, a.angle, a.flipped) <
+               std::tie(b.part, b.at.x, b.at.y, b.angle, b.flipped);
     });
     return order;
 }

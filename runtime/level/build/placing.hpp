@@ -36,9 +36,9 @@ private:
     std::map<std::string, std::size_t, std::less<>> used_; // by part
 };
 
-/// The canonical order: by part, then x, y and angle; equal placements keep their order. Ids and names follow
-/// this order, so that the order in which a player placed the parts never matters. Returns the indices of
-/// `placements` in that order.
+/// The canonical order: by part, then x, y, angle and flipped; equal placements keep their order. Ids and
+/// names follow this order, so that the order in which a player placed the parts never matters. Returns the
+/// indices of `placements` in that order.
 [[nodiscard]] std::vector<std::size_t> canonicalOrder(std::span<Placement const> placements);
 /// The placements themselves in that order, with 0 for -0.
 [[nodiscard]] std::vector<Placement> inCanonicalOrder(std::span<Placement const> placements);

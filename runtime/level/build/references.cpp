@@ -8,7 +8,8 @@ namespace {
 
 class ReferenceResolver final : public IdleVisitor {
 public:
-    ReferenceResolver(NameTable const& names, Store const& store) : names_(names), store_(store) {}
+    ReferenceResolver(NameTable const& names, Store const& store, std::string const& prefix)
+        : names_(names), store_(store), prefix_(prefix) {}
 
     std::vector<DanglingReference> dangling;
 
@@ -17,7 +18,7 @@ public:
             return;
         }
         std::string const name = names_.nameOf(id);
-        id = store_.find(name);
+        id = store_.find(prefix_ + name);
         if (!id.valid()) {
             dangling.push_back({pathOf(info), name});
         }
@@ -39,14 +40,15 @@ private:
 
     NameTable const& names_;
     Store const& store_;
+    std::string const& prefix_;
     std::string path_;
 };
 
 } // namespace
 
 std::vector<DanglingReference> resolveReferences(PropertyValue& value, NameTable const& names,
-                                                 Store const& store) {
-    ReferenceResolver resolver(names, store);
+                                                 Store const& store, std::string const& prefix) {
+    ReferenceResolver resolver(names, store, prefix);
     value.visit(resolver);
     return std::move(resolver.dangling);
 }

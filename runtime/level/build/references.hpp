@@ -16,8 +16,10 @@ struct DanglingReference {
     std::string name;
 };
 
-/// Replaces the names in the value by objects of `store`, and returns the references that were not found.
+/// Replaces the names in the value by objects of `store`, and returns the references that were not found. The
+/// objects' names begin with `prefix`, which is not part of the names in the value: those of a part's pieces.
 [[nodiscard]] std::vector<DanglingReference> resolveReferences(PropertyValue& value, NameTable const& names,
-                                                               Store const& store);
+                                                               Store const& store,
+                                                               std::string const& prefix = {});
 
 } // namespace trembler

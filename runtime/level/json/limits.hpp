@@ -15,6 +15,14 @@ inline constexpr std::size_t depth = 64;
 inline constexpr std::size_t values = 4'000'000;
 
 inline constexpr std::size_t objects = 200'000;
+/// Objects and joints of a world, those of composite parts included.
+inline constexpr std::size_t made = 1'000'000;
+/// Of one composite part, those of its pieces included.
+inline constexpr std::size_t pieces = 1000;
+/// Parts inside one another.
+inline constexpr std::size_t partDepth = 8;
+/// Bytes of a name.
+inline constexpr std::size_t name = 100;
 /// Of a list inside a property, such as the pieces of a shape.
 inline constexpr std::size_t listInProperty = 10'000;
 inline constexpr std::size_t joints = 200'000;

@@ -3,6 +3,7 @@
 
 #include "runtime/input/player_input.hpp"
 #include "runtime/level/json/json_document.hpp"
+#include "runtime/level/model/entries.hpp"
 #include "runtime/level/model/recorded_change.hpp"
 #include "runtime/level/property/name_table.hpp"
 #include "runtime/level/property/property_set.hpp"
@@ -39,35 +40,14 @@ struct Area {
     [[nodiscard]] bool contains(Vec2 point) const;
 };
 
-/// An entry of "objects".
-struct LevelObject {
-    std::string name;
-    std::string part;       ///< name of the part definition; empty: none
-    PropertySet properties; ///< under "properties", and those of its placement ("at", "angle_deg")
-    std::string path;       ///< in the file, for messages; empty if it is not from a file
-};
-
-/// An entry of "joints": an object whose property has the key "joint".
-struct LevelJoint {
-    std::string name; ///< as stated; empty: it gets one (jointNames())
-    PropertySet properties;
-    std::string path;
-};
-
-/// An entry of "connections".
-struct LevelConnection {
-    std::string a;
-    std::string b;
-    std::string path;
-    std::string kind{}; ///< as stated, for example "wire"; empty: it follows from the objects connected
-};
-
 /// A part and the place where a player put it.
 struct Placement {
     std::string part;
     Vec2 at;          ///< m
     double angle = 0; ///< rad
     std::string path; ///< in the file, for messages; empty if the player placed it
+    /// Mirrored about its own vertical axis, before it is turned.
+    bool flipped = false;
 };
 
 /// An entry of "toolbox".

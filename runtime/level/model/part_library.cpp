@@ -1,6 +1,7 @@
 #include "runtime/level/model/part_library.hpp"
 
 #include "runtime/level/property/property_reader.hpp"
+#include "runtime/level/read/read_pieces.hpp"
 #include "runtime/object/without.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ constexpr std::string_view lookKey = "look";
 Prototype PartDefinition::prototype() const {
     Prototype made;
     made.name = name;
+    made.composite = composite();
     Without without;
     for (PropertySet::Entry const& entry : properties.entries()) {
         if (entry.value) {
@@ -75,8 +77,9 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
     Problems problems;
     PartDefinition part;
     part.document = document;
-    MemberReader reader(JsonNode(*document, document->root(), "", problems),
-                        "a part: an object {\"name\", \"title\", \"text\", \"look\", \"properties\"}");
+    MemberReader reader(
+        JsonNode(*document, document->root(), "", problems),
+        "a part: an object {\"name\", \"title\", \"text\", \"look\", \"properties\", \"objects\"}");
     reader.know("$schema"); // for editors
     if (reader.valid()) {
         if (auto const name = reader.required("name", "a name that no other part has")) {
@@ -89,14 +92,17 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
         if (auto const text = reader.optional("text")) {
             part.text = text->text().value_or("");
         }
+        readPieces(reader, registry, part);
+        NameTable* const names =
+            part.composite() ? &part.names : nullptr; // one object has nobody to refer to
         PropertyInfo const* const look = registry.objectProperty(lookKey);
         if (look != nullptr) {
             if (auto const node = reader.optional(std::string(lookKey))) {
-                readPropertyInto(part.properties, *look, *node, nullptr);
+                readPropertyInto(part.properties, *look, *node, names);
             }
         }
         if (auto const properties = reader.optional("properties")) {
-            readProperties(part.properties, registry, PropertyPlace::properties, *properties, nullptr);
+            readProperties(part.properties, registry, PropertyPlace::properties, *properties, names);
             if (look != nullptr && reader.node().has(std::string(lookKey)) &&
                 properties->has(std::string(lookKey))) {
                 properties->complainAboutKey(std::string(lookKey), "is stated twice", "\"look\" once");

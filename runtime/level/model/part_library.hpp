@@ -2,6 +2,8 @@
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"
+#include "runtime/level/model/entries.hpp"
+#include "runtime/level/property/name_table.hpp"
 #include "runtime/level/property/property_set.hpp"
 #include "runtime/world/registry.hpp"
 
@@ -14,14 +16,26 @@
 
 namespace trembler {
 
+/// One object, or a composite of several, which may be composites themselves.
 struct PartDefinition {
     std::string name;  ///< by which levels refer to it, for example "steel bar"
     std::string title; ///< for players
     std::string text;  ///< for players: its function
+    /// Of a composite: of its main piece, in addition to those that the piece states.
     PropertySet properties;
     std::shared_ptr<JsonDocument const> document; ///< may be null
 
-    /// The prototype for making objects while the world runs.
+    std::string main{};                         ///< name of the main piece; empty: the first
+    std::vector<LevelObject> objects{};         ///< the pieces of a composite; none: it is one object
+    std::vector<LevelJoint> joints{};           ///< between pieces, or of a piece and the world
+    std::vector<LevelConnection> connections{}; ///< between pieces
+    NameTable names{};                          ///< of the pieces that properties refer to
+
+    [[nodiscard]] bool composite() const { return !objects.empty(); }
+    /// Of a composite only.
+    [[nodiscard]] std::string const& mainPiece() const { return main.empty() ? objects.front().name : main; }
+    /// The prototype for making objects while the world runs. Of a composite: of `properties` alone; see
+    /// pieceProperties() for all of them.
     [[nodiscard]] Prototype prototype() const;
 };
 
@@ -38,7 +52,8 @@ private:
     std::map<std::string, PartDefinition> parts_;
 };
 
-/// Reads one part definition. Throws InputError.
+/// Reads one part definition. Throws InputError. Whether the parts that its pieces are made from exist, only
+/// checkComposites() can tell.
 [[nodiscard]] PartDefinition readPart(Registry const& registry,
                                       std::shared_ptr<JsonDocument const> const& document);
 /// Reads every *.json file of a folder. Throws InputError with the problems of all files.

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -22,11 +23,17 @@ Pair inOrder(std::string const& a, std::string const& b) {
 /// The inputs of one solution, one after the other.
 class InputReader {
 public:
-    InputReader(std::set<std::string> const& names, std::set<Pair> const& wires, Solution const& solution,
-                JsonDocument const& document, Problems& problems)
-        : names_(names), wires_(wires), solution_(solution), document_(document), problems_(problems) {}
+    InputReader(std::set<std::string> const& names, std::set<Pair> const& wires, PieceNames pieces,
+                Solution const& solution, JsonDocument const& document, Problems& problems)
+        : names_(names), wires_(wires), pieces_(std::move(pieces)), solution_(solution), document_(document),
+          problems_(problems) {}
 
-    void placed(std::vector<std::string> const& names) { placed_.insert(names.begin(), names.end()); }
+    void placed(std::vector<std::string> const& names) {
+        placed_.insert(names.begin(), names.end());
+        for (std::string const& name : names) {
+            pieces_.add(name);
+        }
+    }
 
     void read(RecordedInput const& input) {
         readFrame(input.frame, input.path);
@@ -36,6 +43,9 @@ public:
         }
         Pair const wire = inOrder(input.object, input.other);
         auto const words = [&] { return fmt::format("between '{}' and '{}'", input.object, input.other); };
+        if (!wires_.contains(wire) && (isPiece(wire.first) || isPiece(wire.second))) {
+            return; // a wire inside a composite part, or one that names the same piece in another way
+        }
         if (!wires_.contains(wire)) {
             addProblem(problems_, [&] {
                 return document_.diagnostic(input.path, "there is no wire " + words(),
@@ -61,9 +71,14 @@ public:
     }
 
 private:
+    /// Whether it may be an object whose name only the parts can tell.
+    [[nodiscard]] bool isPiece(std::string const& name) const {
+        return !names_.contains(name) && pieces_.mayBe(name);
+    }
     bool isKnown(std::string const& name, std::string const& path) {
         // Of objects created during the run, only the form of their names is known.
-        if (name.empty() || names_.contains(name) || placed_.contains(name) || isBirthName(name)) {
+        if (name.empty() || names_.contains(name) || placed_.contains(name) || isBirthName(name) ||
+            pieces_.mayBe(name)) {
             return true;
         }
         addProblem(problems_, [&] {
@@ -78,6 +93,7 @@ private:
 
     std::set<std::string> const& names_;
     std::set<Pair> const& wires_;
+    PieceNames pieces_;
     Solution const& solution_;
     JsonDocument const& document_;
     Problems& problems_;
@@ -87,7 +103,7 @@ private:
 
 } // namespace
 
-InputCheck::InputCheck(LevelFile const& level) : level_(level) {
+InputCheck::InputCheck(LevelFile const& level) : level_(level), pieces_(level.objects) {
     for (LevelObject const& object : level.objects) {
         names_.insert(object.name);
     }
@@ -100,7 +116,7 @@ InputCheck::InputCheck(LevelFile const& level) : level_(level) {
 }
 
 void InputCheck::check(Solution const& solution, JsonDocument const& document, Problems& problems) const {
-    InputReader reader(names_, wires_, solution, document, problems);
+    InputReader reader(names_, wires_, pieces_, solution, document, problems);
     if (!solution.inputs.empty() && !solution.placements.empty()) {
         reader.placed(placementNames(level_, solution.placements));
     }

@@ -1,6 +1,7 @@
 // Checks whether the recorded inputs of a solution are possible in its level.
 #pragma once
 
+#include "runtime/level/build/piece_names.hpp"
 #include "runtime/level/model/level.hpp"
 
 #include <set>
@@ -15,7 +16,8 @@ public:
     explicit InputCheck(LevelFile const& level);
 
     /// Complains about the inputs of a solution that name an object which the level does not have, the
-    /// solution does not place and the run cannot create (isBirthName()); about inputs that cut a wire that
+    /// solution does not place, the run cannot create (isBirthName()) and no composite part can have (only a
+    /// world can tell, see Session::load()); about inputs that cut a wire that
     /// the level does not have, or cut a wire twice; and about inputs and changes after the solution's last
     /// frame. `document` is the solution's file.
     void check(Solution const& solution, JsonDocument const& document, Problems& problems) const;
@@ -23,6 +25,7 @@ public:
 private:
     LevelFile const& level_;
     std::set<std::string> names_;
+    PieceNames pieces_;
     std::set<std::pair<std::string, std::string>> wires_; ///< each in ascending order
 };
 

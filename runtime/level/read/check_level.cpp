@@ -1,5 +1,6 @@
 #include "runtime/level/read/check_level.hpp"
 
+#include "runtime/level/build/piece_names.hpp"
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/level/model/change_fault.hpp"
@@ -20,14 +21,14 @@ class LevelCheck {
 public:
     LevelCheck(Registry const& registry, LevelFile const& level,
                std::map<std::string, std::string> const& paths, Problems& problems)
-        : registry_(registry), level_(level), paths_(paths), problems_(problems) {}
+        : registry_(registry), level_(level), paths_(paths), pieces_(level.objects), problems_(problems) {}
 
     void checkConnections() {
         for (LevelConnection const& connection : level_.connections) {
             bool known = true;
             std::size_t end = 0;
             for (std::string const* name : {&connection.a, &connection.b}) {
-                if (!paths_.contains(*name)) {
+                if (!paths_.contains(*name) && !pieces_.mayBe(*name)) {
                     complainAboutName(
                         pointerTo(connection.path + (connection.kind.empty() ? "" : "/between"), end), *name);
                     known = false;
@@ -99,6 +100,7 @@ private:
     Registry const& registry_;
     LevelFile const& level_;
     std::map<std::string, std::string> const& paths_;
+    PieceNames pieces_; // checked when a world is built
     Problems& problems_;
 };
 

@@ -13,7 +13,8 @@ namespace trembler {
 /// Complains about connections to objects that the level does not have, of an object with itself, and stated
 /// twice; about inputs of solutions that cannot happen (InputCheck); and about changes that no world of the
 /// registry allows (faultIn()). To be called once all of the level has been read from its document. `paths`
-/// holds the place in the file of every name of an object or a joint.
+/// holds the place in the file of every name of an object or a joint. Names that may be those of pieces of
+/// composite parts are accepted: only the parts can tell.
 void checkLevel(Registry const& registry, LevelFile const& level,
                 std::map<std::string, std::string> const& paths, Problems& problems);
 

@@ -2,18 +2,16 @@
 
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/json/suggestion.hpp"
-#include "runtime/level/property/property_reader.hpp"
 #include "runtime/level/read/check_level.hpp"
 #include "runtime/level/read/migrations.hpp"
 #include "runtime/level/read/read_area.hpp"
+#include "runtime/level/read/read_entries.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_solutions.hpp"
 #include "runtime/level/read/read_world.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <map>
 #include <utility>
@@ -48,23 +46,15 @@ public:
         if (auto const world = reader.optional("world")) {
             readWorld(registry_, *world, level_);
         }
-        if (auto const objects = reader.optional("objects");
-            objects && objects->isList("a list of objects", limits::objects)) {
-            for (std::size_t i = 0; i < objects->size(); ++i) {
-                readObject(objects->element(i));
-            }
+        EntryReader entries(registry_, level_.names);
+        if (auto const objects = reader.optional("objects")) {
+            level_.objects = entries.objects(*objects);
         }
-        if (auto const joints = reader.optional("joints");
-            joints && joints->isList("a list of joints", limits::joints)) {
-            for (std::size_t i = 0; i < joints->size(); ++i) {
-                readJoint(joints->element(i));
-            }
+        if (auto const joints = reader.optional("joints")) {
+            level_.joints = entries.joints(*joints);
         }
-        if (auto const list = reader.optional("connections");
-            list && list->isList("a list of connections", limits::connections)) {
-            for (std::size_t i = 0; i < list->size(); ++i) {
-                readConnection(list->element(i));
-            }
+        if (auto const connections = reader.optional("connections")) {
+            level_.connections = entries.connections(*connections);
         }
         if (auto const placing = reader.optional("placing");
             placing && placing->isList("a list of areas", limits::areas)) {
@@ -94,120 +84,10 @@ public:
             level_.solutions = readSolutions(*solutions);
         }
         reader.finish();
-        checkLevel(registry_, level_, namePaths_, node.problems());
+        checkLevel(registry_, level_, entries.paths(), node.problems());
     }
 
 private:
-    /// Records a name; complains if it is taken.
-    void takeName(JsonNode const& node, std::string const& name) {
-        if (name == "world") {
-            node.complain("the name 'world' is taken", "another name: 'world' is the object under \"world\"");
-        } else if (auto const [at, isNew] = namePaths_.try_emplace(name, node.path()); !isNew) {
-            node.complain(fmt::format("the name '{}' is taken by {}", name, at->second), "a unique name");
-        }
-    }
-
-    void readObject(JsonNode const& node) {
-        if (!node.isObject("an object {\"name\", \"part\" or \"properties\", \"at\", ...}")) {
-            return;
-        }
-        LevelObject object;
-        object.path = node.path();
-        auto const placementKeys = keysOf(registry_, PropertyPlace::placement);
-        std::vector<std::string> known{"name", "part", "properties"};
-        for (std::string const& key : placementKeys) {
-            if (key != "name") {
-                known.push_back(key);
-            }
-        }
-        if (!node.has("name")) {
-            node.complain("'name' is missing", "a name that no other object has");
-        }
-        for (auto const& [key, value] : node.value().items()) {
-            JsonNode const member = node.member(key);
-            if (key == "name") {
-                if (auto const name = member.name("a name")) {
-                    takeName(member, *name);
-                    object.name = *name;
-                }
-            } else if (key == "part") {
-                object.part = member.name("the name of a part").value_or("");
-            } else if (key == "properties") {
-                readProperties(object.properties, registry_, PropertyPlace::properties, member,
-                               &level_.names);
-            } else if (std::find(placementKeys.begin(), placementKeys.end(), key) != placementKeys.end()) {
-                readPropertyInto(object.properties, *registry_.objectProperty(key), member, &level_.names);
-            } else {
-                bool const isProperty = registry_.objectProperty(key) != nullptr;
-                node.complainAboutKey(key, fmt::format("unknown key '{}'{}", key, didYouMean(key, known)),
-                                      isProperty ? "properties under \"properties\"" : listed(known));
-            }
-        }
-        if (!object.name.empty()) {
-            level_.objects.push_back(std::move(object));
-        }
-    }
-
-    void readJoint(JsonNode const& node) {
-        PropertyInfo const* const info = registry_.objectProperty("joint");
-        if (info == nullptr) {
-            node.complain("no effect of this program has joints", "no joints");
-            return;
-        }
-        LevelJoint joint;
-        joint.path = node.path();
-        if (node.has("name")) {
-            JsonNode const member = node.member("name");
-            if (auto const name = member.name("a name")) {
-                takeName(member, *name);
-                joint.name = *name;
-            }
-        }
-        std::array<std::string, 1> const others{"name"};
-        if (auto value = readPropertyBeside(*info, node, &level_.names, others)) {
-            joint.properties.set(std::move(value));
-            level_.joints.push_back(std::move(joint));
-        }
-    }
-
-    void readConnection(JsonNode const& node) {
-        if (!node.value().is_object()) {
-            readPair(node, {"", "", node.path()},
-                     "a pair [\"object\", \"object\"] of names, or {\"between\", \"kind\"}");
-            return;
-        }
-        MemberReader reader(node, "a connection {\"between\", \"kind\"}");
-        auto const between = reader.required("between", "the pair of objects that it connects");
-        auto const kind = reader.required("kind", listed(registry_.connectionKinds()));
-        reader.finish();
-        auto const name = kind ? kind->text(listed(registry_.connectionKinds())) : std::nullopt;
-        if (!between || !name) {
-            return;
-        }
-        if (std::vector<std::string> const kinds = registry_.connectionKinds();
-            std::find(kinds.begin(), kinds.end(), *name) == kinds.end()) {
-            kind->complain(
-                fmt::format("there is no kind of connection '{}'{}", *name, didYouMean(*name, kinds)),
-                listed(kinds));
-            return;
-        }
-        readPair(*between, {"", "", node.path(), *name}, "a pair [\"object\", \"object\"] of names");
-    }
-
-    void readPair(JsonNode const& node, LevelConnection connection, std::string const& expected) {
-        if (!node.value().is_array() || node.size() != 2) {
-            node.complainOfType(expected);
-            return;
-        }
-        auto const a = node.element(0).name("the name of an object");
-        auto const b = node.element(1).name("the name of an object");
-        if (a && b) {
-            connection.a = *a;
-            connection.b = *b;
-            level_.connections.push_back(std::move(connection));
-        }
-    }
-
     void readToolboxEntry(JsonNode const& node) {
         MemberReader reader(node, "an object {\"part\", \"count\"}");
         auto const part = reader.required("part", "the name of a part");
@@ -226,7 +106,6 @@ private:
 
     Registry const& registry_;
     LevelFile& level_;
-    std::map<std::string, std::string> namePaths_;
     std::map<std::string, std::string> toolPaths_; // by part
 };
 

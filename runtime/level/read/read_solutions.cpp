@@ -17,22 +17,25 @@ namespace {
 constexpr double mostDegrees = 1e6; // about 2800 turns
 
 std::optional<Placement> readPlacement(JsonNode const& node) {
-    MemberReader reader(node, "an object {\"part\", \"at\", \"angle_deg\"}");
+    MemberReader reader(node, "an object {\"part\", \"at\", \"angle_deg\", \"flipped\"}");
     Placement placement;
     placement.path = node.path();
     auto const part = reader.required("part", "the name of a part in the toolbox");
     auto const at = reader.required("at", "a list [x, y] of two numbers, in m");
     auto const angle = reader.optional("angle_deg");
+    auto const flipped = reader.optional("flipped");
     reader.finish();
     auto const partName = part ? part->name("the name of a part") : std::nullopt;
     auto const place = at ? at->vector(-farthestPlace, farthestPlace) : std::nullopt;
     auto const turned = angle ? angle->number(-mostDegrees, mostDegrees) : std::optional(0.0);
-    if (!partName || !place || !turned) {
+    auto const mirrored = flipped ? flipped->boolean() : std::optional(false);
+    if (!partName || !place || !turned || !mirrored) {
         return std::nullopt;
     }
     placement.part = *partName;
     placement.at = *place;
     placement.angle = radians(*turned);
+    placement.flipped = *mirrored;
     return placement;
 }
 

@@ -30,6 +30,11 @@ Json worldSchema(Registry const& registry) {
     return world;
 }
 
+Json flippedSchema() {
+    return Json{{"type", "boolean"},
+                {"description", "whether it is mirrored about its own vertical axis, before it is turned"}};
+}
+
 Json objectSchema(Registry const& registry) {
     Json members{
         {"name", json_schema::reference("name")},
@@ -39,7 +44,12 @@ Json objectSchema(Registry const& registry) {
     for (auto const& [key, schema] : placement["properties"].items()) {
         members[key] = schema;
     }
+    members["flipped"] = flippedSchema();
     members["properties"] = json_schema::reference("properties");
+    members["pieces"] = Json{{"type", "object"},
+                             {"additionalProperties", json_schema::reference("properties")},
+                             {"description", "properties of pieces of a composite part, by the piece's name; "
+                                             "\"properties\" are those of its main piece"}};
     return json_schema::strictObject(std::move(members), {"name"});
 }
 
@@ -122,9 +132,11 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     definitions["properties"]["description"] = "Properties of an object. Each replaces the whole property of "
                                                "the same name that its part has; false removes it.";
     definitions["object"] = objectSchema(registry);
-    definitions["placement"] = json_schema::strictObject(
-        {{"part", text}, {"at", json_schema::reference("point")}, {"angle_deg", {{"type", "number"}}}},
-        {"part", "at"});
+    definitions["placement"] = json_schema::strictObject({{"part", text},
+                                                          {"at", json_schema::reference("point")},
+                                                          {"angle_deg", {{"type", "number"}}},
+                                                          {"flipped", flippedSchema()}},
+                                                         {"part", "at"});
     definitions["input"] = inputSchema();
     definitions["change"] = changeSchema(registry);
     definitions["solution"] = json_schema::strictObject(
@@ -194,6 +206,16 @@ Json partSchema(Registry const& registry) {
         members["look"] = propertySchema(*look);
     }
     members["properties"] = json_schema::reference("properties");
+    members["objects"] = json_schema::listOf(json_schema::reference("object"), limits::pieces);
+    members["objects"]["description"] = "The pieces of a composite part.";
+    definitions["object"] = objectSchema(registry);
+    if (PropertyInfo const* const joint = registry.objectProperty("joint")) {
+        definitions["joint"] = jointSchema(*joint);
+        members["joints"] = json_schema::listOf(json_schema::reference("joint"), limits::pieces);
+    }
+    members["connections"] = json_schema::listOf(connectionSchema(registry), limits::connections);
+    members["main"] = json_schema::reference("name");
+    members["main"]["description"] = "The piece that the part's name refers to; left out: the first.";
     Json schema{{"$schema", draft}, {"title", "A part of Trembler"}};
     schema.update(json_schema::strictObject(std::move(members), {"name"}));
     schema["$defs"] = std::move(definitions);

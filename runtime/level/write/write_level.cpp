@@ -40,9 +40,15 @@ Json objectJson(LevelObject const& object, NameTable const& names) {
         entry["part"] = object.part;
     }
     addAll(entry, writeProperties(object.properties, PropertyPlace::placement, names));
+    if (object.flipped) {
+        entry["flipped"] = true;
+    }
     Json properties = writeProperties(object.properties, PropertyPlace::properties, names);
     if (!properties.empty()) {
         entry["properties"] = std::move(properties);
+    }
+    for (auto const& [piece, stated] : object.pieces) {
+        entry["pieces"][piece] = writeProperties(stated, PropertyPlace::properties, names);
     }
     return entry;
 }
@@ -131,6 +137,9 @@ Json writeSolution(Solution const& solution) {
         Json made{{"part", placement.part}, {"at", pointJson(placement.at)}};
         if (placement.angle != 0) {
             made["angle_deg"] = degrees(placement.angle);
+        }
+        if (placement.flipped) {
+            made["flipped"] = true;
         }
         return made;
     });

@@ -52,9 +52,19 @@ struct Topping {
               self.flavour);
         visit(FieldInfo{.key = "count", .unit = "", .meaning = "how many", .minimum = 0, .maximum = 10},
               self.count);
-        visit(FieldInfo{.key = "turn_deg", .unit = "rad", .meaning = "turned", .minimum = -10, .maximum = 10},
+        visit(FieldInfo{.key = "turn_deg",
+                        .unit = "rad",
+                        .meaning = "turned",
+                        .minimum = -10,
+                        .maximum = 10,
+                        .geometry = FieldGeometry::turning},
               self.turn);
-        visit(FieldInfo{.key = "spots", .unit = "m", .meaning = "where", .minimum = -5, .maximum = 5},
+        visit(FieldInfo{.key = "spots",
+                        .unit = "m",
+                        .meaning = "where",
+                        .minimum = -5,
+                        .maximum = 5,
+                        .geometry = FieldGeometry::ownOutline},
               self.spots);
     }
 };
@@ -75,7 +85,12 @@ struct Cake {
         visit(FieldInfo{.key = "flavour", .unit = "", .meaning = "its taste"}, self.flavour);
         visit(FieldInfo{.key = "burnt", .unit = "", .meaning = "too long in the oven"}, self.burnt);
         visit(FieldInfo{.key = "note", .unit = "", .meaning = "on its box"}, self.note);
-        visit(FieldInfo{.key = "middle", .unit = "m", .meaning = "its centre", .minimum = -10, .maximum = 10},
+        visit(FieldInfo{.key = "middle",
+                        .unit = "m",
+                        .meaning = "its centre",
+                        .minimum = -10,
+                        .maximum = 10,
+                        .geometry = FieldGeometry::ownVector},
               self.middle);
         bool const turns = self.flavour == Flavour::sour; // fields may depend on a choice
         visit(FieldInfo{.key = turns ? "tilt_deg" : "shift",
