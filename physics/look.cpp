@@ -1,5 +1,6 @@
 #include "physics/look.hpp"
 
+#include "physics/drawing.hpp"
 #include "physics/look_form.hpp"
 #include "runtime/world/registry.hpp"
 
@@ -37,6 +38,7 @@ std::optional<std::string> checkLook(Store const& store, ObjectId id) {
 void registerLook(Registry& registry) {
     registry.property<Look>();
     registry.property<DrawnAs>();
+    registerDrawing(registry);
     registry.rule({&propertyInfo<Look>(), checkLook});
 }
 

@@ -61,7 +61,7 @@ struct Look {
     friend bool operator==(Look const&, Look const&) = default;
 };
 
-/// Registers the property and DrawnAs, with the rule that a colour must be valid.
+/// Registers the property, DrawnAs and Drawing, with the rule that a colour must be valid.
 void registerLook(Registry& registry);
 
 } // namespace trembler

@@ -87,7 +87,7 @@ void Canvas::push(Instance const& shape) {
     shapes_.push_back(shape);
 }
 
-void Canvas::addShadow(Instance shape, float height, float alpha) {
+void Canvas::addShadow(Instance shape, float height, float alpha, bool onBody) {
     if (!options_.shadows || !(height > 0.F)) {
         return;
     }
@@ -100,7 +100,7 @@ void Canvas::addShadow(Instance shape, float height, float alpha) {
     shape.outline = narrow(1.3 * distance);
     shape.colour = packed(faded(palette::shadow, alpha));
     shape.flags = 0;
-    shadows_.push_back(shape);
+    (onBody ? shapes_ : shadows_).push_back(shape);
 }
 
 void Canvas::addGlow(Instance shape, Glow const& glow, float alpha) {
@@ -123,11 +123,17 @@ void Canvas::fill(Instance shape, Style const& style) {
     if (style.layer != Layer::Inside) {
         if (!style.ghost) {
             // Translucent shapes cast little shadow.
-            addShadow(shape, style.height, style.alpha * static_cast<float>(tint.alpha) / 255.F);
+            addShadow(shape, style.height, style.alpha * static_cast<float>(tint.alpha) / 255.F,
+                      style.onBody);
         }
         addGlow(shape, style.glow, style.alpha);
     }
-    if (!seen(shape, metres(12))) {
+    if (!seen(shape, metres(12)) || (style.layer == Layer::Shadow && !style.selected)) {
+        return;
+    }
+    if (style.layer == Layer::Shadow) {
+        shape.flags = flagSelected;
+        push(shape); // colourless but for the ring
         return;
     }
     Colour const opaque{tint.red, tint.green, tint.blue, 255};
@@ -136,6 +142,7 @@ void Canvas::fill(Instance shape, Style const& style) {
         faded(style.outlineColour.value_or(mix(palette::ink, opaque, tint.alpha < 128 ? 0.45F : 0.20F)),
               style.alpha));
     shape.outline = narrow(metres(static_cast<double>(style.outline)));
+    shape.effect = style.flat ? effectFlat : effectSolid;
     shape.pattern = static_cast<std::uint8_t>(style.pattern);
     shape.flags = flagsOf(style);
     shape.grain = style.grain > 0 ? narrow(style.grain) : std::min(shape.half[0], shape.half[1]);

@@ -79,10 +79,10 @@ private:
     [[nodiscard]] Corner relative(Point world) const;
     void fill(Instance shape, Style const& style);
     void strokeShape(Instance shape, Stroke const& stroke, double halfWidth);
-    void addShadow(Instance shape, float height, float alpha);
+    void addShadow(Instance shape, float height, float alpha, bool onBody);
     void addGlow(Instance shape, Glow const& glow, float alpha);
     void addSegments(std::span<Point const> points, double radius, Colour colour, Point shift);
-    void addChain(std::span<Point const> points, Instance look, double radius, double reach, bool shadow);
+    void addChain(std::span<Point const> points, Instance look, double radius, double reach, bool underSheet);
     [[nodiscard]] double halfWidth(Stroke const& stroke) const;
     void push(Instance const& shape);
 

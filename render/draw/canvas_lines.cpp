@@ -42,7 +42,7 @@ void Canvas::addSegments(std::span<Point const> points, double radius, Colour co
 }
 
 void Canvas::addChain(std::span<Point const> points, Instance look, double radius, double reach,
-                      bool shadow) {
+                      bool underSheet) {
     auto const first = corners_.size();
     for (Point const point : points) {
         corners_.push_back(relative(point));
@@ -78,7 +78,7 @@ void Canvas::addChain(std::span<Point const> points, Instance look, double radiu
         }
         shape.params = {static_cast<float>(first + from), static_cast<float>(first + to),
                         static_cast<float>(first + i), 0.F};
-        (shadow ? shadows_ : shapes_).push_back(shape);
+        (underSheet ? shadows_ : shapes_).push_back(shape);
     }
 }
 
@@ -98,7 +98,7 @@ void Canvas::polyline(std::span<Point const> points, Stroke const& stroke) {
         look.effect = effectShadow;
         look.outline = narrow(1.3 * distance);
         look.colour = packed(faded(palette::shadow, stroke.alpha));
-        addChain(moved, look, radius, 1.3 * distance, true);
+        addChain(moved, look, radius, 1.3 * distance, !stroke.onBody);
     }
     if (stroke.glow.reach > 0 && std::isfinite(stroke.glow.reach)) {
         Instance look;
@@ -142,7 +142,7 @@ void Canvas::strokeShape(Instance shape, Stroke const& stroke, double halfWidth)
     if (!seen(shape, std::max(stroke.glow.reach, metres(12)))) {
         return;
     }
-    addShadow(shape, stroke.height, stroke.alpha);
+    addShadow(shape, stroke.height, stroke.alpha, stroke.onBody);
     addGlow(shape, stroke.glow, stroke.alpha);
     shape.effect = stroke.round ? effectSolid : effectFlat;
     shape.outline = narrow(std::min(metres(static_cast<double>(stroke.outline)), 0.45 * halfWidth));

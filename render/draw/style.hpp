@@ -33,8 +33,8 @@ struct Glow {
 };
 
 /// Bodies made of several shapes look like one if all their rims are drawn first and all their insides after
-/// that.
-enum class Layer : std::uint8_t { Whole, Rim, Inside };
+/// that. What is drawn in another way needs only the shadow of its body, and the ring if it is selected.
+enum class Layer : std::uint8_t { Whole, Rim, Inside, Shadow };
 
 /// How a filled shape looks. Lengths in pixels are at UI scale 1.
 struct Style {
@@ -44,6 +44,8 @@ struct Style {
     std::optional<Colour> outlineColour{}; ///< else ink with a touch of the tint
     float alpha = 1.F;                     ///< 0..1, of everything
     float height = 1.F;     ///< how far it seems to stand above the paper: 0 casts no shadow, 1 is usual
+    bool flat = false;      ///< one even colour; no pattern
+    bool onBody = false;    ///< its shadow falls on earlier shapes of the sheet, as that of a part's detail
     double grain = 0;       ///< metres, size of the pattern; 0 picks it by the shape's size
     bool ghost = false;     ///< not there yet: half transparent, dashed
     bool forbidden = false; ///< may not be there: hatched in the warning colour
@@ -60,9 +62,10 @@ struct Stroke {
     float pixels = 0.F;  ///< pixels at UI scale 1: the same at any zoom
     float outline = 0.F; ///< pixels, dark rim inside the width
     Colour outlineColour = palette::ink;
-    float alpha = 1.F;  ///< 0..1
-    bool round = false; ///< shaded like a tube (wires) and not flat (overlays)
-    float height = 0.F; ///< as in Style
+    float alpha = 1.F;   ///< 0..1
+    bool round = false;  ///< shaded like a tube (wires) and not flat (overlays)
+    float height = 0.F;  ///< as in Style
+    bool onBody = false; ///< as in Style
     Glow glow{};
 };
 

@@ -31,7 +31,8 @@ std::vector<SceneLabel> sceneLabels(World const& world, Poses const& poses, doub
         LookForm const form = formOf(facts);
         bool const signedAlready = form == LookForm::plus || form == LookForm::minus ||
                                    form == LookForm::battery || form == LookForm::earth ||
-                                   facts.shape == nullptr;
+                                   facts.shape == nullptr ||
+                                   (facts.drawing != nullptr && signOf(facts).has_value());
         if (facts.look == nullptr || facts.look->label.empty() || signedAlready) {
             continue;
         }

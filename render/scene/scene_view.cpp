@@ -27,7 +27,7 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
     bool moving = false;
     for (Facts const& facts : reader.drawOrder()) {
         Pose const pose = place(facts);
-        if (!extentOf(facts, pose).widened(deviceGlow(facts).reach).overlaps(view)) {
+        if (!pictureExtentOf(facts, pose).widened(deviceGlow(facts).reach).overlaps(view)) {
             continue;
         }
         if (!moving && !(facts.fixed && facts.shape != nullptr)) {

@@ -39,6 +39,12 @@ std::vector<CoverageLine> stateCoverage(Registry const& registry) {
         {"every member of every object property, and which ids are free", "hashed", ""},
         {"every held call, and every call that waits for its resolver's next advance", "hashed", ""},
         {"which components are present, requested detail levels, periods and the next turns", "hashed", ""}};
+    for (PropertyInfo const* const info : registry.objectProperties()) {
+        if (info->coverage.kind == Coverage::Kind::leftOut) {
+            lines.push_back({std::string(info->text.name) + " of objects", nameOf(info->coverage.kind),
+                             std::string(info->coverage.reason)});
+        }
+    }
     addSlots(registry, ComponentKind::resolver, lines);
     addSlots(registry, ComponentKind::dps, lines);
     for (Registration const& component : registry.components()) {

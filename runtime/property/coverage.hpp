@@ -1,6 +1,7 @@
 // How the state hash covers data outside columns: stated beside the data, checked and printed.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <string_view>
 
@@ -26,5 +27,13 @@ inline constexpr Coverage hashed{};
 [[nodiscard]] constexpr Coverage leftOut(std::string_view reason) {
     return {Coverage::Kind::leftOut, reason};
 }
+
+/// A type that states `static constexpr Coverage coverage = leftOut("why")`: an object property, or a member
+/// of one, that is only shown and that no component reads.
+template <class T>
+concept LeftOutOfHash = requires {
+    { T::coverage } -> std::convertible_to<Coverage>;
+}
+&&T::coverage.kind == Coverage::Kind::leftOut;
 
 } // namespace trembler

@@ -29,11 +29,14 @@ struct PropertyInfo {
     std::vector<FieldPlace> (*fields)() = nullptr; ///< where its fields lie; nullptr: it describes none
 };
 
-/// How the state hash covers a property. Object properties are always hashed; derived properties follow from
-/// the properties that their derived property set reads (5.5); a resolver property states its coverage.
+/// How the state hash covers a property. Object properties are hashed, unless one that no component reads
+/// states why it is left out; derived properties follow from the properties that their derived property set
+/// reads (5.5); a resolver property states its coverage.
 template <Property P>
 [[nodiscard]] constexpr Coverage coverageOf() {
-    if constexpr (P::kind == PropertyKind::object) {
+    if constexpr (P::kind == PropertyKind::object && LeftOutOfHash<P>) {
+        return P::coverage;
+    } else if constexpr (P::kind == PropertyKind::object) {
         return hashed;
     } else if constexpr (P::kind == PropertyKind::derived) {
         return derivedFrom("a pure function of the properties that its derived property set reads (5.5)");

@@ -1,6 +1,7 @@
 // The hash by which two worlds are compared bit for bit.
 #pragma once
 
+#include "runtime/property/coverage.hpp"
 #include "runtime/property/description.hpp"
 #include "runtime/property/members.hpp"
 
@@ -58,13 +59,14 @@ public:
         }
     }
     /// Hashes every member of a plain struct, of the structs in it and of lists of structs, except ids of
-    /// trace events: the hash must not depend on whether a trace is recorded. The compiler finds the members,
+    /// trace events, as the hash must not depend on whether a trace is recorded, and except members that
+    /// state why they are left out (LeftOutOfHash). The compiler finds the members,
     /// so none can be forgotten. A struct whose members are all in its base class declares `using MembersOf =
     /// Base`.
     template <class T>
     void members(T const& v) {
         static_assert(!std::is_pointer_v<T>, "a pointer may not be hashed: addresses differ between runs");
-        if constexpr (std::is_same_v<T, EventId>) {
+        if constexpr (std::is_same_v<T, EventId> || LeftOutOfHash<T>) {
             return;
         } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, Vec2> ||
                              std::is_same_v<T, ObjectId>) {

@@ -125,9 +125,36 @@ public:
     }
 };
 
+TEST(StateHashCovers, NoFieldOfAPropertyThatIsDeclaredAsLeftOut) {
+    int leftOut = 0;
+    for (PropertyInfo const* info : gameData().registry.objectProperties()) {
+        if (info->coverage.kind != Coverage::Kind::leftOut) {
+            continue;
+        }
+        ++leftOut;
+        EXPECT_FALSE(info->coverage.reason.empty()) << info->text.name;
+        World world(gameData().registry);
+        ObjectId const id = world.store().create("thing");
+        std::uint64_t const without = world.stateHash();
+        world.store().column(*info).addDefault(id);
+        FillLists fill;
+        world.store().column(*info).visit(id, fill);
+        EXPECT_EQ(world.stateHash(), without) << info->text.name;
+    }
+    EXPECT_EQ(leftOut, 1) << "the drawing alone";
+}
+
+// How a joint is drawn is a member that is left out.
+bool leftOutOfHash(PropertyInfo const& info, std::string_view field) {
+    return info.text.key == "joint" && field == "look";
+}
+
 TEST(StateHashCovers, EveryFieldOfEveryObjectProperty) {
     int fields = 0;
     for (PropertyInfo const* info : gameData().registry.objectProperties()) {
+        if (info->coverage.kind == Coverage::Kind::leftOut) {
+            continue;
+        }
         World world(gameData().registry);
         ObjectId const id = world.store().create("thing");
         std::uint64_t const without = world.stateHash();
@@ -149,7 +176,8 @@ TEST(StateHashCovers, EveryFieldOfEveryObjectProperty) {
                 break;
             }
             ++fields;
-            EXPECT_TRUE(seen.insert(other.stateHash()).second) << info->text.name << "." << change.what();
+            EXPECT_NE(seen.insert(other.stateHash()).second, leftOutOfHash(*info, change.what()))
+                << info->text.name << "." << change.what();
         }
     }
     EXPECT_GT(fields, 100);

@@ -54,6 +54,7 @@ Facts gather(Find const& find) {
     facts.coil = find.template operator()<Electromagnet>();
     facts.madeOf = find.template operator()<MadeOf>();
     facts.look = find.template operator()<Look>();
+    facts.drawing = find.template operator()<Drawing>();
     if (DrawnAs const* const stated = find.template operator()<DrawnAs>()) {
         facts.form = stated->form;
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/drawing.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/dynamics/properties/shape.hpp"
@@ -37,6 +38,7 @@ struct Facts {
     Electromagnet const* coil = nullptr;
     MadeOf const* madeOf = nullptr;
     Look const* look = nullptr;
+    Drawing const* drawing = nullptr;
     LookForm form = LookForm::own;            ///< as stated
     Substance substance = Substance::plastic; ///< as stated, else guessed
 
@@ -45,7 +47,9 @@ struct Facts {
         return shape == nullptr && (source || earth || conductor || device);
     }
     /// There is something of it to be seen at a place.
-    [[nodiscard]] bool visible() const { return position != nullptr && (shape != nullptr || symbolOnly()); }
+    [[nodiscard]] bool visible() const {
+        return position != nullptr && (shape != nullptr || drawing != nullptr || symbolOnly());
+    }
     /// Share of a magnet's strength that acts, 0 to 1.
     [[nodiscard]] double magnetLevel() const {
         return magnet != nullptr ? magnet->level : (coil != nullptr ? 0.0 : 1.0);
@@ -75,7 +79,8 @@ private:
         std::tuple<Column<P> const*...> all;
     };
     ColumnsOf<Position, Rotation, Shape, Fixed, Liquid, Conductor, ElectricalSource, ElectricalReturn,
-              ElectricalDevice, MagneticPoles, Magnet, MagneticStrength, Electromagnet, MadeOf, Look, DrawnAs>
+              ElectricalDevice, MagneticPoles, Magnet, MagneticStrength, Electromagnet, MadeOf, Look, DrawnAs,
+              Drawing>
         columns_;
     ElectricalState const* state_;
 };

@@ -38,6 +38,9 @@ LookForm ownForm(Facts const& facts) {
 } // namespace
 
 LookForm formOf(Facts const& facts) {
+    if (facts.form == LookForm::own && facts.drawing != nullptr && !facts.drawing->marks) {
+        return LookForm::plain; // the drawing says what it is
+    }
     bool const possible = facts.form != LookForm::bulb || hasBody(facts);
     return facts.form != LookForm::own && possible ? facts.form : ownForm(facts);
 }

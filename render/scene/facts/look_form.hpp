@@ -9,7 +9,7 @@
 
 namespace trembler::render {
 
-/// Never LookForm::own. What the object states (DrawnAs), but for a bulb without a body, which cannot be
+/// Never LookForm::own. Plain if the object has a drawing without marks. What the object states (DrawnAs), but for a bulb without a body, which cannot be
 /// drawn. Else a bulb if the object uses electricity and is made of glass; else the sign of its part in
 /// electricity, see signOf(); else plain, as is a coil, whose winding says what it is.
 [[nodiscard]] LookForm formOf(Facts const& facts);

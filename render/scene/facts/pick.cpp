@@ -1,5 +1,7 @@
 #include "render/scene/facts/pick.hpp"
 
+#include "render/scene/facts/drawn_copies.hpp"
+
 #include <algorithm>
 
 namespace trembler::render {
@@ -35,6 +37,20 @@ Extent extentOf(Facts const& facts, Pose const& pose) {
     } else if (facts.symbolOnly()) {
         around.add(pose.at);
         around = around.widened(symbolRadius);
+    }
+    return around;
+}
+
+Extent pictureExtentOf(Facts const& facts, Pose const& pose) {
+    Extent around = extentOf(facts, pose);
+    if (facts.drawing != nullptr) {
+        for (DrawnShape const& shape : facts.drawing->shapes) {
+            for (std::int32_t copy = 0; copy < shape.repeat; ++copy) {
+                Extent own;
+                own.add(toWorld(pose, poseOfCopy(shape, copy).at));
+                around.add(own.widened(reachOf(shape) + shape.glow));
+            }
+        }
     }
     return around;
 }

@@ -15,10 +15,14 @@ namespace trembler::render {
 /// Distance in metres from a point of the world to the object as it is drawn; negative inside.
 [[nodiscard]] double distanceTo(Facts const& facts, Pose const& pose, Point at);
 
-/// The rectangle around an object as it is drawn, without glows; empty if there is nothing to see.
+/// The rectangle around an object's body, or the sign that stands for it; empty if it has neither.
 [[nodiscard]] Extent extentOf(Facts const& facts, Pose const& pose);
 /// The same for a part that lies at `pose`.
 [[nodiscard]] Extent extentOf(Prototype const& prototype, Pose const& pose);
+
+/// The rectangle around everything that is drawn of an object, its drawing and its lights included. Not
+/// exact: it may be larger than the picture.
+[[nodiscard]] Extent pictureExtentOf(Facts const& facts, Pose const& pose);
 
 /// The rectangle around all objects that are seen, for Camera::fit; empty for an empty world. Of fixed bodies
 /// much larger than the other objects (a floor without end) it includes only the part around these: the view

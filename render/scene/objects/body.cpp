@@ -7,6 +7,7 @@
 #include "render/scene/marks/hatch.hpp"
 #include "render/scene/objects/compound.hpp"
 #include "render/scene/objects/device.hpp"
+#include "render/scene/objects/drawing.hpp"
 
 #include <algorithm>
 
@@ -93,8 +94,10 @@ void drawShape(Canvas& canvas, Shape const& shape, Pose const& pose, Style style
         Point const half = extentOf(shape, {}).half();
         style.grain = std::clamp(std::min(half.x, half.y), 0.02, 0.22);
     }
-    if (shape.pieces.size() == 1) {
-        drawPiece(canvas, shape.pieces.front(), pose, true, style);
+    if (shape.pieces.size() == 1 || style.layer == Layer::Shadow) {
+        for (ShapePiece const& piece : shape.pieces) {
+            drawPiece(canvas, piece, pose, shape.pieces.size() == 1, style);
+        }
         return;
     }
     Colour const tint = style.tint.value_or(colourOf(style.pattern));
@@ -129,12 +132,10 @@ Style styleOf(Facts const& facts) {
     return style;
 }
 
-void drawObject(Canvas& canvas, Facts const& facts, Pose const& pose, Marks const& marks) {
-    Style style = styleOf(facts);
-    style.selected = marks.selected;
-    style.hovered = marks.hovered;
-    style.ghost = marks.ghost || marks.forbidden;
-    style.forbidden = marks.forbidden;
+namespace {
+
+// The body, and the marks that follow from the object's properties.
+void drawByProperties(Canvas& canvas, Facts const& facts, Pose const& pose, Style style) {
     if (facts.shape != nullptr) {
         style.glow = deviceGlow(facts);
         bool const bulb = formOf(facts) == LookForm::bulb;
@@ -151,6 +152,33 @@ void drawObject(Canvas& canvas, Facts const& facts, Pose const& pose, Marks cons
         }
     }
     drawDevice(canvas, facts, pose, style);
+}
+
+} // namespace
+
+void drawObject(Canvas& canvas, Facts const& facts, Pose const& pose, Marks const& marks) {
+    Style style = styleOf(facts);
+    style.selected = marks.selected;
+    style.hovered = marks.hovered;
+    style.ghost = marks.ghost || marks.forbidden;
+    style.forbidden = marks.forbidden;
+    if (facts.drawing == nullptr) {
+        drawByProperties(canvas, facts, pose, style);
+        return;
+    }
+    if (facts.drawing->marks) {
+        drawByProperties(canvas, facts, pose, style);
+    } else if (facts.shape != nullptr && !facts.shape->pieces.empty()) {
+        Style body = style;
+        body.glow = deviceGlow(facts);
+        if (!facts.drawing->body) {
+            body.layer = Layer::Shadow;
+            body.tint = palette::ink; // glass may be drawn as anything
+            body.glow = {};
+        }
+        drawShape(canvas, *facts.shape, pose, body);
+    }
+    drawShapes(canvas, facts, pose, style);
 }
 
 void drawGhost(Canvas& canvas, Prototype const& part, Pose const& pose, bool allowed) {

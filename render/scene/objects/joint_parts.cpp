@@ -2,6 +2,7 @@
 
 #include "render/draw/path.hpp"
 #include "render/scene/marks/dashes.hpp"
+#include "render/scene/objects/ties.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@
 namespace trembler::render {
 namespace {
 
-constexpr Colour ropeColour = rgb(0xB79B6C);
 constexpr double pulleyRadius = 0.12; // m
 
 Style metal(Colour tint, float height) {
@@ -54,23 +54,6 @@ void drawMotor(Canvas& canvas, Joint const& joint, Point at) {
     canvas.arrow(tip - 0.2 * radius * along, tip + 0.8 * radius * along, stroke);
 }
 
-Stroke rope() {
-    return {
-        .colour = ropeColour, .width = 0.035, .pixels = 2.2F, .outline = 1.1F, .round = true, .height = 0.7F};
-}
-
-void drawSpring(Canvas& canvas, JointPlaces const& places) {
-    double const rest = places.length > 0 ? places.length : length(places.b - places.a);
-    int const turns = std::clamp(static_cast<int>(std::lround(rest / 0.09)), 4, 24);
-    canvas.polyline(coil(places.a, places.b, std::clamp(0.12 * rest, 0.04, 0.11), turns),
-                    {.colour = palette::steel,
-                     .width = 0.022,
-                     .pixels = 2.F,
-                     .outline = 1.1F,
-                     .round = true,
-                     .height = 0.6F});
-}
-
 void drawRail(Canvas& canvas, Joint const& joint, JointPlaces const& places) {
     // The rail belongs to b: it starts where the joint was made, which is where b holds it.
     double const from = joint.limited ? joint.lower : -0.6;
@@ -94,7 +77,22 @@ void drawRail(Canvas& canvas, Joint const& joint, JointPlaces const& places) {
                metal(palette::steel, 0.5F));
 }
 
-void drawPulley(Canvas& canvas, Joint const& joint, JointPlaces const& places) {
+// What runs between the joint's two ends.
+JointDrawn tieOf(Joint const& joint) {
+    if (joint.look.drawn != JointDrawn::own) {
+        return joint.look.drawn;
+    }
+    switch (joint.form) {
+    case JointForm::distance:
+        return JointDrawn::rod;
+    case JointForm::spring:
+        return JointDrawn::spring;
+    default:
+        return JointDrawn::rope;
+    }
+}
+
+void drawPulley(Canvas& canvas, Joint const& joint, JointPlaces const& places, JointDrawn look) {
     Point const wheelA{joint.groundA.x, joint.groundA.y};
     Point const wheelB{joint.groundB.x, joint.groundB.y};
     // Each end hangs from the outer side of its wheel and runs over the top to the other.
@@ -113,7 +111,7 @@ void drawPulley(Canvas& canvas, Joint const& joint, JointPlaces const& places) {
         canvas.circle({wheel, 0}, 0.92 * pulleyRadius, metal(palette::steel, 0.8F));
         drawPin(canvas, wheel, 0, 0.3 * pulleyRadius);
     }
-    canvas.polyline(path, rope());
+    drawTie(canvas, look, path);
     drawPin(canvas, places.a, places.angleA, 0.7 * pinRadius);
     drawPin(canvas, places.b, places.angleB, 0.7 * pinRadius);
 }
@@ -121,6 +119,10 @@ void drawPulley(Canvas& canvas, Joint const& joint, JointPlaces const& places) {
 } // namespace
 
 void drawJoint(Canvas& canvas, Joint const& joint, JointPlaces const& places) {
+    if (joint.look.drawn == JointDrawn::none) {
+        return;
+    }
+    JointDrawn const look = tieOf(joint);
     auto const ends = [&](double size) {
         drawPin(canvas, places.a, places.angleA, size * pinRadius);
         drawPin(canvas, places.b, places.angleB, size * pinRadius);
@@ -144,25 +146,23 @@ void drawJoint(Canvas& canvas, Joint const& joint, JointPlaces const& places) {
         drawRail(canvas, joint, places);
         break;
     case JointForm::distance:
-        canvas.line(places.a, places.b,
-                    {.colour = mix(palette::steel, palette::ink, 0.15F),
-                     .width = 0.045,
-                     .pixels = 2.5F,
-                     .outline = 1.3F,
-                     .round = true,
-                     .height = 0.7F});
-        ends(0.8);
-        break;
     case JointForm::rope:
-        canvas.polyline(ropePath(places.a, places.b, places.length), rope());
+        drawTie(canvas, look,
+                look == JointDrawn::rod || look == JointDrawn::spring
+                    ? std::vector<Point>{places.a, places.b}
+                    : ropePath(places.a, places.b, joint.form == JointForm::rope ? places.length : 0));
         ends(0.7);
         break;
     case JointForm::spring:
-        drawSpring(canvas, places);
+        if (look == JointDrawn::spring) {
+            drawCoil(canvas, places.a, places.b, places.length);
+        } else {
+            drawTie(canvas, look, std::vector<Point>{places.a, places.b});
+        }
         ends(0.7);
         break;
     case JointForm::pulley:
-        drawPulley(canvas, joint, places);
+        drawPulley(canvas, joint, places, look);
         break;
     case JointForm::wheel:
         drawMotor(canvas, joint, places.a);

@@ -4,13 +4,44 @@
 #include "render/draw/path.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
 #include "render/scene/objects/joint_parts.hpp"
+#include "render/scene/objects/ties.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trembler::render {
 namespace {
 
 constexpr int ropePieces = 24;
+
+// The largest disc about the pin; without one, what the ratio and the distance leave for it.
+double wheelRadius(Facts const& wheel, double pitch) {
+    double radius = 0;
+    if (wheel.shape != nullptr) {
+        for (ShapePiece const& piece : wheel.shape->pieces) {
+            radius = std::max(radius, piece.form == ShapeForm::circle ? piece.radius : 0);
+        }
+    }
+    return radius > 0 ? radius : pitch;
+}
+
+void drawGear(Canvas& canvas, Joint const& joint, FactsReader const& reader, JointPlaces const& pinA,
+              JointPlaces const& pinB) {
+    JointDrawn const look = joint.look.drawn;
+    if (look == JointDrawn::none) {
+        return;
+    }
+    if (look != JointDrawn::belt && look != JointDrawn::chain) {
+        drawGearPitch(canvas, pinA.a, pinB.a, joint.ratio);
+        return;
+    }
+    double const share = std::abs(joint.ratio);
+    double const pitch = 0.6 * length(pinB.a - pinA.a) / (1 + share);
+    BeltWheel const wheelA{pinA.a, wheelRadius(reader.of(joint.a), pitch)};
+    BeltWheel const wheelB{pinB.a, wheelRadius(reader.of(joint.b), pitch * share)};
+    std::vector<Point> const path = beltPath(wheelA, wheelB, joint.ratio > 0);
+    drawTie(canvas, look, path, pinA.angleA * wheelA.radius);
+}
 
 } // namespace
 
@@ -82,7 +113,7 @@ void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, P
             auto const pinA = placesOf(world, reader, joint.jointA, poseOf);
             auto const pinB = placesOf(world, reader, joint.jointB, poseOf);
             if (pinA && pinB) {
-                drawGearPitch(canvas, pinA->a, pinB->a, joint.ratio);
+                drawGear(canvas, joint, reader, *pinA, *pinB);
             }
             continue;
         }

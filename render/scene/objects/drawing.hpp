@@ -1,0 +1,16 @@
+// An object as its drawing shows it (physics/drawing.hpp).
+#pragma once
+
+#include "render/draw/canvas.hpp"
+#include "render/scene/facts/facts.hpp"
+
+namespace trembler::render {
+
+/// Draws the shapes of the object's drawing, which it must have, in the order stated. `style` is that of the
+/// body: of it, how the object stands to the player is taken, and what a shape does not state itself.
+void drawShapes(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style);
+
+/// Whether a shape is drawn in the object's present state.
+[[nodiscard]] bool isShown(DrawnWhen when, Facts const& facts);
+
+} // namespace trembler::render
