@@ -26,15 +26,15 @@ TEST_F(MachineParts, AMotorTurnsWhileItHasCurrent) {
 }
 
 TEST_F(MachineParts, AGeneratorLightsALampWhileItsCrankIsTurned) {
-    put("generator", "generator", {0, 1.5});
+    put("generator", "generator", {0, 0.41});
     put("bulb", "bulb", {2, 0.3});
     wire("generator plus", "bulb left");
     wire("bulb right", "generator minus");
-    input(60, R"("grab": "generator crank", "at": [0, 1.2])");
+    input(60, R"("grab": "generator crank", "at": [0, 0.11])");
     for (int i = 1; i <= 60; ++i) {
         double const angle = 0.4 * i;
         input(60 + 6 * static_cast<std::uint64_t>(i),
-              fmt::format(R"("move": [{}, {}])", 0.3 * std::sin(angle), 1.5 - 0.3 * std::cos(angle)));
+              fmt::format(R"("move": [{}, {}])", 0.3 * std::sin(angle), 0.41 - 0.3 * std::cos(angle)));
     }
     input(430, R"("release": true)");
     start();
