@@ -20,6 +20,7 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <span>
 
 namespace trembler {
 namespace {
@@ -68,12 +69,19 @@ void noteInputs(Outputs& outputs, RunArguments const& arguments, GameData const&
         outputs.reads(arguments.solution);
     }
     std::vector<PropertySet const*> sets;
+    auto const addAll = [&](std::span<LevelObject const> objects) {
+        for (LevelObject const& object : objects) {
+            sets.push_back(&object.properties);
+            for (auto const& [piece, properties] : object.pieces) {
+                sets.push_back(&properties);
+            }
+        }
+    };
     for (PartDefinition const* part : gameData.parts.all()) {
         sets.push_back(&part->properties);
+        addAll(part->objects);
     }
-    for (LevelObject const& object : level.objects) {
-        sets.push_back(&object.properties);
-    }
+    addAll(level.objects);
     auto const folders = sampleFoldersOf(gameData, arguments.level);
     for (PropertySet const* const set : sets) {
         if (Sample const* const sample = set->find<Sample>()) {

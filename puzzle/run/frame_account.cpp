@@ -1,6 +1,7 @@
 #include "puzzle/run/frame_account.hpp"
 
 #include "runtime/file/visible_text.hpp"
+#include "runtime/level/build/placed_pieces.hpp"
 #include "runtime/level/model/part_library.hpp"
 #include "runtime/trace/tracer.hpp"
 
@@ -174,12 +175,20 @@ std::string objectTable(Session const& session) {
         text += fmt::format("| {} | {} | {} |\n", cell(name), properties,
                             at == connected.end() ? "-" : cell(listed(at->second)));
     };
+    auto const rows = [&](std::string const& name, std::string const& partName, PropertySet const& own) {
+        PartDefinition const* const part = session.parts().find(partName);
+        row(name, propertiesOf(own, part));
+        if (part != nullptr && part->composite()) {
+            for (PlacedPiece const& piece : placedPieces(session.parts(), {partName, {}, 0, ""})) {
+                row(fmt::format("{} {}", name, piece.name), propertiesOf(piece.properties, nullptr));
+            }
+        }
+    };
     for (LevelObject const& object : level.objects) {
-        row(object.name, propertiesOf(object.properties, session.parts().find(object.part)));
+        rows(object.name, object.part, object.properties);
     }
     for (PlacedPart const& placed : session.placed()) {
-        row("placed: " + placed.placement.part,
-            propertiesOf({}, session.parts().find(placed.placement.part)));
+        rows("placed: " + placed.placement.part, placed.placement.part, {});
     }
     return text;
 }

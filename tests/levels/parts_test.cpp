@@ -3,6 +3,8 @@
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/material.hpp"
+#include "runtime/level/build/check_composites.hpp"
+#include "runtime/level/build/placed_pieces.hpp"
 #include "runtime/placement.hpp"
 #include "tests/levels/level_kit.hpp"
 
@@ -19,9 +21,19 @@ TEST(Parts, HaveTextsForPlayersAndABody) {
     for (PartDefinition const* part : levelKit().parts.all()) {
         EXPECT_FALSE(part->text.empty()) << part->name;
         EXPECT_TRUE(titles.insert(part->title).second) << part->title;
-        EXPECT_NE(part->properties.find<Shape>(), nullptr) << part->name;
-        EXPECT_NE(part->properties.find<MadeOf>(), nullptr) << part->name;
+        std::vector<PlacedPiece> const pieces = placedPieces(levelKit().parts, {part->name, {}, 0, ""});
+        EXPECT_FALSE(pieces.empty()) << part->name;
+        for (PlacedPiece const& piece : pieces) {
+            if (piece.main || piece.properties.find<Shape>() != nullptr) {
+                EXPECT_NE(piece.properties.find<Shape>(), nullptr) << part->name;
+                EXPECT_NE(piece.properties.find<MadeOf>(), nullptr) << part->name << ", " << piece.name;
+            }
+        }
     }
+}
+
+TEST(Parts, ThatAreCompositesHaveAllTheirPieces) {
+    EXPECT_NO_THROW(checkComposites(levelKit().parts));
 }
 
 TEST(Parts, AreAllValidTogetherInOneWorld) {
@@ -48,6 +60,9 @@ TEST(Parts, AreAllValidTogetherInOneWorld) {
 
 TEST(Parts, ConductAndAttractAsTheirMaterialDoes) {
     for (PartDefinition const* part : levelKit().parts.all()) {
+        if (part->composite()) {
+            continue; // its pieces may differ
+        }
         Material const material = part->properties.find<MadeOf>()->material;
         bool const conducts = part->properties.find<Conductor>() != nullptr;
         bool const isMetal = material == Material::steel || material == Material::iron ||

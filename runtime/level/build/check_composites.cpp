@@ -8,16 +8,20 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace trembler {
 namespace {
 
-/// The problems of one part, those in the files of its pieces' parts left out: these are checked themselves.
+/// The places and messages of problems that have been reported: several parts may consist of a wrong one.
+using Told = std::set<std::tuple<std::string, std::string, std::string>>;
+
+/// The problems of one part.
 class CompositeCheck {
 public:
-    CompositeCheck(PartLibrary const& library, PartDefinition const& part, Problems& problems)
-        : library_(library), part_(part), problems_(problems) {}
+    CompositeCheck(PartLibrary const& library, PartDefinition const& part, Told& told, Problems& problems)
+        : library_(library), part_(part), told_(told), problems_(problems) {}
 
     void check() {
         PartExpander expander(library_, [this](StatementScope const& scope, std::string path,
@@ -73,7 +77,11 @@ private:
         }
     }
 
+    /// Only in the part's own file: the parts of its pieces are checked themselves.
     void complainAboutName(JsonDocument const* document, std::string path, std::string const& name) {
+        if (document != part_.document.get()) {
+            return;
+        }
         std::vector<std::string> names;
         for (LevelObject const& piece : part_.objects) {
             names.push_back(piece.name);
@@ -84,28 +92,26 @@ private:
 
     void complain(JsonDocument const* document, std::string path, std::string message, std::string expected) {
         found_ = true;
-        if (document == nullptr || document != part_.document.get()) {
-            return; // in another part's file, or a part without one
-        }
-        if (told_.emplace(path, message).second) {
+        if (document != nullptr && told_.emplace(document->file(), path, message).second) {
             problems_.add(document->diagnostic(std::move(path), std::move(message), std::move(expected)));
         }
     }
 
     PartLibrary const& library_;
     PartDefinition const& part_;
+    Told& told_;
     Problems& problems_;
     bool found_ = false;
-    std::set<std::pair<std::string, std::string>> told_;
 };
 
 } // namespace
 
 void checkComposites(PartLibrary const& library) {
     Problems problems;
+    Told told;
     for (PartDefinition const* const part : library.all()) {
         if (part->composite()) {
-            CompositeCheck(library, *part, problems).check();
+            CompositeCheck(library, *part, told, problems).check();
         }
     }
     problems.throwIfAny();
