@@ -42,6 +42,11 @@ std::vector<ObjectId> LevelRun::pieces(Origin::Kind kind, std::size_t index) con
     return {(placed ? built_.placements : built_.objects)[index]};
 }
 
+bool LevelRun::connectedAtStart(ObjectId a, ObjectId b) const {
+    return std::binary_search(built_.connections.begin(), built_.connections.end(),
+                              std::pair<ObjectId, ObjectId>(std::min(a, b), std::max(a, b)));
+}
+
 void LevelRun::takeOver(WorldOptions const& options) {
     for (RecordedChange const& back : differences(registry_, world().options(), options)) {
         if (back.kind == RecordedChange::Kind::detail) {

@@ -34,6 +34,8 @@ public:
     /// All objects of an entry of "objects" (Origin::Kind::object) or of a placement, by its index, in the
     /// order of Origin::piece. They may have been destroyed since.
     [[nodiscard]] std::vector<ObjectId> pieces(Origin::Kind kind, std::size_t index) const;
+    /// Whether the level, or a composite part, connects the two objects from the start.
+    [[nodiscard]] bool connectedAtStart(ObjectId a, ObjectId b) const;
     /// The index of the placement that an object came from; nothing for any other object.
     [[nodiscard]] std::optional<std::size_t> placementOf(ObjectId object) const;
 

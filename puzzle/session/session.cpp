@@ -1,12 +1,10 @@
 #include "puzzle/session/session.hpp"
 
+#include "puzzle/session/check_solution.hpp"
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/model/change_fault.hpp"
-#include "runtime/population/birth_name.hpp"
-
-#include <fmt/format.h>
 
 #include <utility>
 
@@ -246,25 +244,7 @@ void Session::load(Solution const& solution) {
     Placements::List next = placements_.those(solution);
     auto run = runOf(next);
     Problems problems;
-    for (RecordedChange const& change : solution.changes) { // checked in the world with all placements
-        if (auto const fault = faultIn(registry_, run->world(), change)) {
-            addProblem(problems, [&] {
-                return level_.diagnostic(solution, change.path, fault->message, fault->expected);
-            });
-        }
-    }
-    Store const& store = run->world().store();
-    for (RecordedInput const& input : solution.inputs) { // of pieces, only the world tells the names
-        for (std::string const* const name : {&input.object, &input.other}) {
-            if (!name->empty() && !store.find(*name).valid() && !isBirthName(*name)) {
-                addProblem(problems, [&] {
-                    return level_.diagnostic(solution, input.path,
-                                             fmt::format("there is no object '{}'", *name),
-                                             "an object of the level, or one that the solution places");
-                });
-            }
-        }
-    }
+    checkSolution(registry_, level_, *run, solution, problems); // in the world with all placements
     problems.throwIfAny();
     placements_.keep(std::move(next));
     solution_ = Playback(solution.inputs, solution.changes);

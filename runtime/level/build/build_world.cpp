@@ -247,29 +247,8 @@ private:
     [[nodiscard]] Diagnostic propertyProblem(Made const& made, PropertyInfo const& info,
                                              std::string const& inside, std::string message,
                                              std::string expected) const {
-        using Form = StatedProperties::Form;
-        std::string const key(info.text.key);
-        StatedProperties const* place = made.object.determining(info);
-        bool const inPart = place != nullptr && place->form == Form::part;
-        if (inPart && place->scope->document != nullptr) {
-            bool const beside = place->scope->document->root().contains(key);
-            return diagnostic(*place->scope, pointerTo(beside ? "" : "/properties", key) + inside,
-                              std::move(message), std::move(expected));
-        }
-        if (place == nullptr || inPart) { // nowhere, or in a part without a file
-            auto const& all = made.object.stated;
-            auto const entry = std::find_if(all.rbegin(), all.rend(), [](StatedProperties const& stated) {
-                return stated.form != Form::part && stated.form != Form::overrides;
-            });
-            place = entry == all.rend() ? &all.front() : &*entry;
-        }
-        std::string path = place->path;
-        if (!path.empty() && place->form != Form::placement && key != "joint") {
-            bool const underProperties =
-                place->form == Form::entry && info.text.place == PropertyPlace::properties;
-            path = pointerTo(underProperties ? path + "/properties" : path, key);
-        }
-        return diagnostic(*place->scope, path + inside, std::move(message), std::move(expected));
+        auto const [scope, path] = made.object.placeOf(info);
+        return diagnostic(*scope, path + inside, std::move(message), std::move(expected));
     }
 
     void furnish(Store& store, Made& made) {
@@ -337,6 +316,10 @@ BuiltLevel buildLevel(Registry const& registry, LevelFile const& level, PartLibr
     problems.throwIfAny(); // rules may assume that references are valid
     builder.checkRules(store);
     layConnections(registry, level, builder.connections(), store, problems);
+    for (auto const& [connection, document] : builder.connections()) {
+        built.connections.push_back(std::minmax(store.find(connection.a), store.find(connection.b)));
+    }
+    std::sort(built.connections.begin(), built.connections.end());
     problems.throwIfAny(); // and completions may assume that all rules hold
     built.world->start();
     built.objects = builder.created(Origin::Kind::object, level.objects.size(), &built.objectPieces);

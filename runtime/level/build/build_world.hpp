@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -24,6 +25,8 @@ struct BuiltLevel {
     /// in LevelFile::objects and in the placements.
     std::map<std::size_t, std::vector<ObjectId>> objectPieces;
     std::map<std::size_t, std::vector<ObjectId>> placementPieces;
+    /// The objects that are connected from the start, the lower id first; ascending.
+    std::vector<std::pair<ObjectId, ObjectId>> connections;
 };
 
 /// Builds and starts the world of a level with the player's placements. Throws InputError, with the places in

@@ -23,6 +23,10 @@ std::map<std::string_view, Determined> determinedOf(MadeObject const& made) {
             }
         }
     }
+    std::erase_if(all, [&](auto const& property) {
+        auto const basis = all.find(property.second.entry->info->text.madeFor);
+        return basis != all.end() && basis->second.place > property.second.place;
+    });
     return all;
 }
 
@@ -32,6 +36,28 @@ StatedProperties const* MadeObject::determining(PropertyInfo const& info) const 
     auto const found = std::find_if(stated.rbegin(), stated.rend(),
                                     [&](StatedProperties const& place) { return place.states(info); });
     return found == stated.rend() ? nullptr : &*found;
+}
+
+std::pair<StatementScope const*, std::string> MadeObject::placeOf(PropertyInfo const& info) const {
+    using Form = StatedProperties::Form;
+    std::string const key(info.text.key);
+    StatedProperties const* place = determining(info);
+    bool const inPart = place != nullptr && place->form == Form::part;
+    if (inPart && place->scope->document != nullptr) {
+        bool const beside = place->scope->document->root().contains(key); // its look
+        return {place->scope, pointerTo(beside ? "" : "/properties", key)};
+    }
+    if (place == nullptr || inPart) { // nowhere, or in a part without a file
+        auto const entry = std::find_if(stated.rbegin(), stated.rend(), [](StatedProperties const& other) {
+            return other.form != Form::part && other.form != Form::overrides;
+        });
+        place = entry == stated.rend() ? &stated.front() : &*entry;
+    }
+    if (place->path.empty() || place->form == Form::placement || key == "joint") {
+        return {place->scope, place->path};
+    }
+    bool const under = place->form == Form::entry && info.text.place == PropertyPlace::properties;
+    return {place->scope, pointerTo(under ? place->path + "/properties" : place->path, key)};
 }
 
 PropertySet MadeObject::properties() const {

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -52,6 +53,8 @@ struct MadeObject {
 
     /// The place that determines a property; null: none states it.
     [[nodiscard]] StatedProperties const* determining(PropertyInfo const& info) const;
+    /// Where that is in its file, or where it could be stated if no place states it.
+    [[nodiscard]] std::pair<StatementScope const*, std::string> placeOf(PropertyInfo const& info) const;
     /// The properties in the world's frame; references still refer to the table of their scope.
     [[nodiscard]] PropertySet properties() const;
     /// The keys of the properties that it is stated not to have, ascending.

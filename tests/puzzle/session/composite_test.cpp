@@ -137,6 +137,29 @@ TEST_F(CompositeParts, SolutionsAreRecordedAndRepeated) {
     EXPECT_THROW(static_cast<void>(fromFile()), InputError) << "that cannot be a piece";
 }
 
+TEST_F(CompositeParts, TheirWiresCanBeCut) {
+    parts.add(part(R"({"name": "lead", "objects": [{"name": "a", "part": "copper contact"},
+        {"name": "b", "part": "copper contact", "at": [1, 0]},
+        {"name": "c", "part": "copper contact", "at": [2, 0]}], "connections": [["a", "b"]]})"));
+    auto const problem = [&](std::string const& cuts) -> std::string {
+        try {
+            auto const session = open(level(R"({"name": "left", "part": "lead", "at": [0, 2]})",
+                                            R"(, "solutions": [{"name": "s", "inputs": [)" + cuts + "]}]"));
+            session->load(session->level().solutions[0]);
+            return "";
+        } catch (InputError const& error) {
+            return error.what();
+        }
+    };
+    EXPECT_EQ(problem(R"({"frame": 1, "cut": ["left b", "left a"]})"), "");
+    EXPECT_EQ(problem(R"({"frame": 1, "cut": ["left", "left b"]})"), "") << "its main piece";
+    EXPECT_NE(problem(R"({"frame": 1, "cut": ["left b", "left c"]})").find("there is no wire between"),
+              std::string::npos);
+    EXPECT_NE(problem(R"({"frame": 1, "cut": ["left", "left b"]}, {"frame": 2, "cut": ["left a", "left b"]})")
+                  .find("/solutions/0/inputs/1: the wire between 'left a' and 'left b' has been cut before"),
+              std::string::npos);
+}
+
 TEST_F(CompositeParts, GoalsMeanTheirMainPieces) {
     std::string const objects = R"({"name": "left", "part": "swing", "at": [-2, 1]})";
     auto const goals = [&](std::string const& condition) {
