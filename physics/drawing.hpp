@@ -13,7 +13,9 @@ struct Drawing {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
         "Drawing", "drawing",
-        "A picture of the object, made of simple shapes. It has no other consequences."};
+        "A picture of the object, made of simple shapes. It has no other consequences. An object that states "
+        "another shape than its part does not take its part's drawing.",
+        PropertyPlace::properties, "shape"};
     static constexpr Coverage coverage = leftOut("no component reads it; parts may get new drawings");
 
     bool body = true;   ///< whether the plain body lies under the shapes; if not, only its shadow

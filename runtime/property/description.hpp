@@ -38,6 +38,9 @@ struct PropertyText {
     std::string_view key;
     std::string_view meaning;
     PropertyPlace place = PropertyPlace::properties;
+    /// The key of a property that it is made for: an object that states that one, and not this one, does not
+    /// take this one from its part.
+    std::string_view madeFor{};
 };
 
 /// The values of a number that a recorded solution, the components panel and a time budget may set: with all

@@ -110,6 +110,26 @@ TEST(Drawing, HasAtMostTwoHundredShapesAndAThousandCopies) {
     EXPECT_NE(complaintOfShapes(many(11, 100)).find("1100"), std::string::npos);
 }
 
+TEST(Drawing, OfAPartIsNotTakenByAnObjectOfAnotherShape) {
+    PartLibrary parts;
+    parts.add(readPart(drawingRegistry(), JsonDocument::parse(R"({"name": "box", "properties": {
+        "shape": [{"form": "box", "width": 1, "height": 1}], "drawing": {"shapes": [{"form": "circle"}]}}})",
+                                                              "box.json")));
+    LevelFile const level =
+        readLevel(drawingRegistry(), JsonDocument::parse(R"({"version": 2, "title": "t", "objects": [
+        {"name": "same", "part": "box", "at": [0, 0], "properties": {"friction": 0.1}},
+        {"name": "other", "part": "box", "at": [3, 0], "properties": {"shape": [{"form": "circle", "radius": 1}]}},
+        {"name": "own", "part": "box", "at": [6, 0], "properties": {
+            "shape": [{"form": "circle", "radius": 1}], "drawing": {"shapes": [{"form": "ring"}]}}}]})",
+                                                         "level.json"));
+    auto const world = buildWorld(drawingRegistry(), level, parts);
+    auto const drawingOf = [&](char const* name) { return world->find<Drawing>(world->store().find(name)); };
+    EXPECT_NE(drawingOf("same"), nullptr);
+    EXPECT_EQ(drawingOf("other"), nullptr);
+    ASSERT_NE(drawingOf("own"), nullptr);
+    EXPECT_EQ(drawingOf("own")->shapes[0].form, DrawnForm::ring);
+}
+
 TEST(DrawingPalette, HasNamesThatAreUniqueAndReadBack) {
     std::set<std::string_view> names;
     for (NamedColour const& colour : drawingPalette) {
