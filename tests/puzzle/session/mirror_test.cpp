@@ -44,7 +44,7 @@ protected:
 };
 
 TEST_F(Mirror, MovesAsTheImage) {
-    rc::check([&] {
+    EXPECT_TRUE(rc::check("random scenes", [&] {
         auto const number = [](int most) { return *rc::gen::inRange(-1000, 1001) * most / 1000.0; };
         Scene const scene{number(1),
                           number(40),
@@ -67,7 +67,7 @@ TEST_F(Mirror, MovesAsTheImage) {
             direct->step();
             image->step();
         }
-    });
+    }));
 }
 
 TEST_F(Mirror, FlippedPartsFlippedAgainAreTheSameBits) {

@@ -118,7 +118,7 @@ TEST(MoveProperty, TheSignOfZeroStays) {
 }
 
 TEST(MoveProperty, MirroredTwiceItIsTheSameToTheLastBit) {
-    rc::check([] {
+    EXPECT_TRUE(rc::check("random numbers", [] {
         auto const number = [] { return *rc::gen::inRange(-1000000, 1000001) / 977.0; };
         Everything any;
         any.own = {number(), number()};
@@ -134,7 +134,7 @@ TEST(MoveProperty, MirroredTwiceItIsTheSameToTheLastBit) {
         any.place = {number(), number()};
         RC_ASSERT(sameBits(moved({}, true, moved({}, true, any)), any));
         RC_ASSERT(sameBits(moved(mirror, false, moved(mirror, false, any)), any));
-    });
+    }));
 }
 
 TEST(MoveProperty, ListsOfStructsAreMoved) {
@@ -150,7 +150,7 @@ TEST(MoveProperty, ListsOfStructsAreMoved) {
 }
 
 TEST(PieceFrame, OfAFrameInsideAnother) {
-    rc::check([] {
+    EXPECT_TRUE(rc::check("random numbers", [] {
         auto const number = [] { return *rc::gen::inRange(-1000, 1001) / 97.0; };
         auto const any = [&] {
             return PieceFrame{{number(), number()}, number(), *rc::gen::arbitrary<bool>()};
@@ -162,7 +162,7 @@ TEST(PieceFrame, OfAFrameInsideAnother) {
         Vec2 const inSteps = outer.point(inner.point(point));
         RC_ASSERT(length(direct - inSteps) < 1e-9);
         RC_ASSERT(std::abs(outer.of(inner).heading(0.5) - outer.heading(inner.heading(0.5))) < 1e-9);
-    });
+    }));
 }
 
 } // namespace

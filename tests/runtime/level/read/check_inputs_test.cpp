@@ -42,6 +42,25 @@ TEST_F(CheckInputs, AcceptsNamesOfObjectsThatAreCreatedWhileALevelRuns) {
     EXPECT_SAYS(sample::only(grabbing("king of hearts")), "there is no object 'king of hearts'");
 }
 
+TEST_F(CheckInputs, AcceptsWhatMayBeAPieceOfAPart) {
+    auto const problems = [&](std::string const& input) {
+        return sample::problemsOf(registry, R"({"version": 2, "title": "t",
+            "objects": [{"name": "front bell", "part": "bell"}, {"name": "box"}],
+            "toolbox": [{"part": "lamp"}],
+            "solutions": [{"name": "s", "placements": [{"part": "lamp", "at": [0, 0]}],
+                           "inputs": [{"frame": 1, )" +
+                                                input + "}]}]}");
+    };
+    EXPECT_TRUE(problems(R"("remove": "front bell coil")").empty())
+        << "only the part tells whether it has one";
+    EXPECT_TRUE(problems(R"("remove": "lamp 1 thin wire")").empty());
+    EXPECT_TRUE(problems(R"("cut": ["front bell", "front bell coil"])").empty());
+    EXPECT_SAYS(sample::only(problems(R"("remove": "front bel coil")")),
+                "there is no object 'front bel coil'");
+    EXPECT_SAYS(sample::only(problems(R"("remove": "box coil")")), "there is no object 'box coil'");
+    EXPECT_SAYS(sample::only(problems(R"("remove": "lamp 2 wire")")), "there is no object 'lamp 2 wire'");
+}
+
 TEST_F(CheckInputs, RefusesInputsAfterTheLastFrame) {
     std::string const inputs =
         R"("inputs": [{"frame": 10, "grab": "a", "at": [0, 0]}, {"frame": 11, "release": true}])";

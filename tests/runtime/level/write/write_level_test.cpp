@@ -63,6 +63,7 @@ Solution randomSolution() {
         placement.part = word();
         placement.at = point();
         placement.angle = heads() ? 0 : radians((below(5761) - 2880) / 8.0);
+        placement.flipped = heads();
         solution.placements.push_back(placement);
     }
     std::uint64_t frame = 1;
@@ -122,6 +123,7 @@ TEST(WriteSolution, IsReadAsItWasWritten) {
             RC_ASSERT(again->placements[i].part == solution.placements[i].part);
             RC_ASSERT(again->placements[i].at == solution.placements[i].at);
             RC_ASSERT(again->placements[i].angle == solution.placements[i].angle);
+            RC_ASSERT(again->placements[i].flipped == solution.placements[i].flipped);
         }
         RC_ASSERT(again->inputs.size() == solution.inputs.size());
         for (std::size_t i = 0; i < solution.inputs.size(); ++i) {
@@ -182,6 +184,10 @@ LevelFile randomLevel() {
         if (heads()) {
             object.properties.set(sample::Weight{(1 + below(1000)) / 16.0});
         }
+        object.flipped = heads();
+        if (heads()) {
+            object.pieces[word()].set(sample::Weight{(1 + below(1000)) / 16.0});
+        }
         level.objects.push_back(object);
     }
     if (heads()) {
@@ -234,6 +240,13 @@ TEST(WriteLevel, IsReadAsItWasWrittenSectionBySection) {
             sample::Weight const* const found = again.objects[i].properties.find<sample::Weight>();
             RC_ASSERT((stated == nullptr) == (found == nullptr));
             RC_ASSERT((stated == nullptr || found->value == stated->value));
+            RC_ASSERT(again.objects[i].flipped == level.objects[i].flipped);
+            RC_ASSERT(again.objects[i].pieces.size() == level.objects[i].pieces.size());
+            for (auto const& [piece, properties] : level.objects[i].pieces) {
+                sample::Weight const* const weight = again.objects[i].pieces.at(piece).find<sample::Weight>();
+                RC_ASSERT(weight != nullptr);
+                RC_ASSERT(weight->value == properties.find<sample::Weight>()->value);
+            }
         }
         RC_ASSERT(again.connections.size() == level.connections.size());
         for (std::size_t i = 0; i < level.connections.size(); ++i) {
