@@ -18,8 +18,9 @@ struct Drawing {
         PropertyPlace::properties, "shape"};
     static constexpr Coverage coverage = leftOut("no component reads it; parts may get new drawings");
 
-    bool body = true;   ///< whether the plain body lies under the shapes; if not, only its shadow
-    bool marks = false; ///< whether the marks that follow from other properties are drawn, too
+    bool body = true;       ///< whether the plain body lies under the shapes; if not, only its shadow
+    bool marks = false;     ///< whether the marks that follow from other properties are drawn, too
+    std::int32_t layer = 0; ///< objects of higher layers lie on those of lower ones
     std::vector<DrawnShape> shapes;
 
     static constexpr std::size_t mostShapes = 200;
@@ -39,6 +40,16 @@ struct Drawing {
                             "whether windings, poles, signs and the like, which follow from the object's "
                             "other properties, are drawn under the shapes"},
               self.marks);
+        visit(
+            FieldInfo{
+                .key = "layer",
+                .unit = "",
+                .meaning =
+                    "objects of higher layers are drawn over those of lower ones; that of objects without a "
+                    "drawing is 0. Within one, moving objects are drawn over fixed ones",
+                .minimum = -10,
+                .maximum = 10},
+            self.layer);
         visit(FieldInfo{.key = "shapes",
                         .unit = "",
                         .meaning = "what is drawn, from bottom to top; at most 200 shapes",

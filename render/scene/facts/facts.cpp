@@ -28,11 +28,13 @@ void guessSubstance(Facts& facts) {
     }
 }
 
-int level(Facts const& facts) {
+// In ascending order from bottom to top.
+std::pair<int, int> level(Facts const& facts) {
+    int const layer = facts.drawing != nullptr ? facts.drawing->layer : 0;
     if (facts.shape == nullptr) {
-        return 3;
+        return {layer, 3};
     }
-    return facts.liquid ? 0 : (facts.fixed ? 1 : 2);
+    return {layer, facts.liquid ? 0 : (facts.fixed ? 1 : 2)};
 }
 
 /// `find.operator()<P>()` returns the object's property P, or nullptr.

@@ -62,8 +62,8 @@ class FactsReader {
 public:
     explicit FactsReader(World const& world);
     [[nodiscard]] Facts of(ObjectId id) const;
-    /// Every visible object, from bottom to top: liquids, then fixed objects, then moving ones, then symbols;
-    /// in the order of ids within each.
+    /// Every visible object, from bottom to top: by the layers of drawings (0 without one); within a layer
+    /// liquids, then fixed objects, then moving ones, then symbols; in the order of ids within each.
     [[nodiscard]] std::vector<Facts> drawOrder() const;
 
 private:
