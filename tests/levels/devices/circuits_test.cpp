@@ -34,11 +34,24 @@ TEST_F(CircuitParts, ABatteryDrivesACurrentThroughWhatTouchesItsEnds) {
     start();
     runTo(60);
     EXPECT_TRUE(on("bulb"));
-    put("battery", "battery", {0, 0.125});
-    put("bulb", "bulb", {0, 0.55}); // its feet stand on the casing, which insulates
+}
+
+TEST_F(CircuitParts, ABulbShinesWhenItStandsOnABattery) {
+    for (SlightlyOff const& off : slightlyOff()) {
+        put("battery", "battery", {0, 0.13});
+        put("bulb", "bulb", {off.x, 0.55}, off.angleDeg);
+        start();
+        runTo(200);
+        EXPECT_TRUE(on("bulb")) << off.x << " " << off.angleDeg;
+    }
+}
+
+TEST_F(CircuitParts, AFuseAcrossABatteryBlows) {
+    put("battery", "battery", {0, 0.13});
+    put("fuse", "fuse", {0, 0.4});
     start();
-    runTo(120);
-    EXPECT_FALSE(on("bulb"));
+    runTo(100);
+    EXPECT_TRUE(world().find<Fuse>(id("fuse"))->blown);
 }
 
 TEST_F(CircuitParts, ABulbStandsOnTwoContacts) {
