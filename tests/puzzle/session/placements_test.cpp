@@ -92,7 +92,7 @@ TEST_F(PlacementsTest, APartMayBePlacedAtAllowedFreePlaces) {
     BuiltLevel const built =
         buildLevel(gameData().registry, level, gameData().parts, placementsOf(placements.now()));
     auto const why = [&](Placement const& placement, std::optional<int> moved = {}, ObjectId ignored = {}) {
-        Verdict const verdict = placements.check(placement, *built.world, moved, ignored);
+        Verdict const verdict = placements.check(placement, *built.world, moved, {&ignored, 1});
         EXPECT_EQ(verdict.ok, verdict.why.empty());
         return verdict.why;
     };
