@@ -48,7 +48,8 @@ struct Air {
                         .unit = "m/s",
                         .meaning = "velocity of the air, the same everywhere",
                         .minimum = -1e3,
-                        .maximum = 1e3},
+                        .maximum = 1e3,
+                        .geometry = FieldGeometry::worldVector},
               self.wind);
     }
     friend bool operator==(Air const&, Air const&) = default;
