@@ -12,7 +12,7 @@ namespace {
 
 constexpr Colour ropeTint = rgb(0xB79B6C);
 constexpr Colour beltTint = rgb(0x45434A);
-constexpr double linkPitch = 0.06; // m, from one link of a chain to the next
+constexpr double linkPitch = 0.075; // m, from one link of a chain to the next
 constexpr double beltPitch = 0.12; // m, between a belt's marks
 constexpr double mostLinks = 600;
 constexpr int piecesAround = 24; // of a belt around a wheel
@@ -57,7 +57,7 @@ void drawStrands(Canvas& canvas, std::span<Point const> path) {
     if (pitch < canvas.metres(5)) {
         return;
     }
-    Stroke const strand{.colour = mix(ropeTint, palette::ink, 0.5F), .width = 0.006, .alpha = 0.8F};
+    Stroke const strand{.colour = mix(ropeTint, palette::ink, 0.5F), .width = 0.006, .alpha = 0.55F};
     for (double at = 0.5 * pitch; at < total; at += pitch) {
         Point const from = pointAlong(path, at - 0.013);
         Point const along = pointAlong(path, at + 0.013) - from;
