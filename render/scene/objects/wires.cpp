@@ -1,5 +1,6 @@
 #include "render/scene/objects/wires.hpp"
 
+#include "physics/dynamics/properties/joint.hpp"
 #include "render/draw/path.hpp"
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace trembler::render {
 namespace {
@@ -61,6 +63,20 @@ double potential(std::vector<std::uint32_t> const& fromSource, std::vector<std::
     return at(fromReturn) / std::max(at(fromSource) + at(fromReturn), 1.0);
 }
 
+// The pairs that a joint with the look "none" connects, ascending.
+std::vector<std::pair<ObjectId, ObjectId>> hiddenTies(World const& world) {
+    std::vector<std::pair<ObjectId, ObjectId>> pairs;
+    if (auto const* const joints = world.store().findColumn<Joint>()) {
+        for (Joint const& joint : joints->values()) {
+            if (joint.look.drawn == JointDrawn::none) {
+                pairs.emplace_back(std::min(joint.a, joint.b), std::max(joint.a, joint.b));
+            }
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
 // A rectangle that the whole cable between two objects lies in.
 Extent cableReach(Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB) {
     Extent around = extentOf(a, poseA);
@@ -95,6 +111,7 @@ std::vector<Link> linksOf(World const& world) {
         fromSource = hopsFrom(reader, *graph, *state, true);
         fromReturn = hopsFrom(reader, *graph, *state, false);
     }
+    auto const hidden = hiddenTies(world);
     for (std::size_t row = 0; row < graph->size(); ++row) {
         ObjectId const a = graph->owners()[row];
         for (auto const& connection : graph->values()[row].connections) {
@@ -103,6 +120,7 @@ std::vector<Link> linksOf(World const& world) {
                 link.live = state != nullptr && state->isOn(link.a) && state->isOn(link.b);
                 link.forward =
                     potential(fromSource, fromReturn, link.a) >= potential(fromSource, fromReturn, link.b);
+                link.inside = std::binary_search(hidden.begin(), hidden.end(), std::pair{link.a, link.b});
                 links.push_back(link);
             }
         }
@@ -129,7 +147,7 @@ void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> cons
     for (Link const& link : links) {
         Facts const a = reader.of(link.a);
         Facts const b = reader.of(link.b);
-        if (link.counts.of(CallerId::level()) <= 0 || !a.visible() || !b.visible()) {
+        if (link.inside || link.counts.of(CallerId::level()) <= 0 || !a.visible() || !b.visible()) {
             continue;
         }
         Pose const poseA = poseOf(a);
@@ -174,7 +192,7 @@ Link pickWire(World const& world, Point at, double tolerance) {
     for (Link const& link : linksOf(world)) {
         Facts const a = reader.of(link.a);
         Facts const b = reader.of(link.b);
-        if (link.counts.of(CallerId::level()) <= 0 || !a.visible() || !b.visible()) {
+        if (link.inside || link.counts.of(CallerId::level()) <= 0 || !a.visible() || !b.visible()) {
             continue;
         }
         Pose const poseA = poseOf(a);

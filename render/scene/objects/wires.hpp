@@ -18,6 +18,7 @@ struct Link {
     CallerCounts counts; ///< for each caller that connects them
     bool live = false;   ///< current flows through it
     bool forward = true; ///< the way it flows: from a to b
+    bool inside = false; ///< runs within a joint that is not drawn (look "none"), as in the links of a chain
 };
 
 /// All connections of a world's electricity graph, ascending by pair. Empty where there is no electricity.
@@ -30,13 +31,14 @@ using PoseOf = std::function<Pose(Facts const&)>;
 [[nodiscard]] std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b,
                                            Pose const& poseB);
 
-/// Draws every wire that the level has laid; connections that interactions make are not drawn. `time` in s
+/// Draws every wire that the level has laid, unless it is inside a joint; connections that interactions make
+/// are not drawn. `time` in s
 /// moves the beads of current.
 void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                PoseOf const& poseOf, double time);
 
-/// The wire, laid by the level, whose cable runs within `tolerance` metres of a point; both ids are invalid
-/// if there is none.
+/// The wire that drawWires() draws whose cable runs within `tolerance` metres of a point; both ids are
+/// invalid if there is none.
 [[nodiscard]] Link pickWire(World const& world, Point at, double tolerance);
 
 } // namespace trembler::render

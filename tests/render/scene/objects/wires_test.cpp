@@ -46,6 +46,23 @@ TEST(SceneWires, AreDeadUntilTheCircuitIsClosed) {
     }
 }
 
+TEST(SceneWires, AreInsideAJointThatIsNotDrawn) {
+    for (JointDrawn const drawn : {JointDrawn::none, JointDrawn::own}) {
+        ExperimentStage stage;
+        ObjectId const first = stage.id["object 3"];
+        ObjectId const second = stage.id["electromagnet"];
+        ObjectId const made = stage.world.store().create("joint");
+        stage.world.store().column<Joint>().set(
+            made, Joint{.form = JointForm::weld, .a = second, .b = first, .look = {.drawn = drawn}});
+        std::vector<Link> const links = linksOf(stage.world);
+        ASSERT_NE(find(links, first, second), nullptr);
+        for (Link const& link : links) {
+            bool const joined = &link == find(links, first, second);
+            EXPECT_EQ(link.inside, joined && drawn == JointDrawn::none);
+        }
+    }
+}
+
 TEST(SceneWires, CurrentRunsFromTheSourceToTheReturn) {
     ExperimentStage stage;
     stage.closeSwitch();
