@@ -68,18 +68,39 @@ TEST_F(CircuitParts, ABulbStandsOnTwoContacts) {
 }
 
 TEST_F(CircuitParts, AWireJoinsWhatItsEndsLieOn) {
-    for (SlightlyOff const& off : slightlyOff()) {
-        put("left", "copper contact", {-0.6, 1});
-        put("right", "copper contact", {0.6, 1});
-        put("wire", "wire", {off.x, 1.2}, off.angleDeg);
-        wire("plus", "left");
-        lampAfter("lamp", "right");
-        start();
-        runTo(5);
-        EXPECT_FALSE(on("lamp"));
-        runTo(300);
-        EXPECT_TRUE(on("lamp")) << off.x << " " << off.angleDeg;
+    for (auto const& [cable, reach] : {std::pair{"wire", 0.6}, {"short wire", 0.3}}) {
+        for (SlightlyOff const& off : slightlyOff()) {
+            put("left", "copper contact", {-reach, 1});
+            put("right", "copper contact", {reach, 1});
+            put("wire", cable, {off.x, 1.2}, off.angleDeg);
+            wire("plus", "left");
+            lampAfter("lamp", "right");
+            start();
+            runTo(5);
+            EXPECT_FALSE(on("lamp"));
+            runTo(300);
+            EXPECT_TRUE(on("lamp")) << cable << " " << off.x << " " << off.angleDeg;
+        }
     }
+}
+
+TEST_F(CircuitParts, AnEndOfAWireCanBeLaidElsewhere) {
+    put("left", "copper contact", {-0.6, 1});
+    put("right", "copper contact", {0.6, 1});
+    put("far", "copper contact", {1.2, 1});
+    put("wire", "wire", {0, 1.2});
+    wire("plus", "left");
+    lampAfter("lamp", "far");
+    input(60, R"("grab": "wire right end", "at": [0.6, 1.12])");
+    input(70, R"("move": [0.7, 1.6])");
+    input(100, R"("move": [1.15, 1.6])");
+    input(150, R"("move": [1.15, 1.14])");
+    input(180, R"("release": true)");
+    start();
+    runTo(60);
+    EXPECT_FALSE(on("lamp"));
+    runTo(400);
+    EXPECT_TRUE(on("lamp"));
 }
 
 TEST_F(CircuitParts, APlugFindsItsSocket) {
