@@ -177,7 +177,7 @@ TEST_F(Composite, ProblemsNameTheFileAndThePlace) {
     library = sample::parts(
         registry, {R"({"name": "box", "objects": [{"name": "lid", "properties": {"weight": 13}}]})"});
     EXPECT_SAYS(problemsOf(level(R"({"name": "t", "part": "box"})")),
-                "part.json:1:72: /objects/0/properties/weight: t lid: the weight is 13");
+                "part.json:1:70: /objects/0/properties/weight: t lid: the weight is 13");
 }
 
 TEST_F(Composite, ALibraryIsCheckedAsAWhole) {
