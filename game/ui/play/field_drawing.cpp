@@ -3,7 +3,7 @@
 #include "game/ui/shared/scene_words.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/world_label.hpp"
-#include "render/scene/objects/body.hpp"
+#include "render/scene/objects/part.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -38,11 +38,9 @@ void drawCarried(PlayParts& parts) {
     if (!carried || parts.pointer.overToolbox) {
         return;
     }
-    if (Prototype const* const part = parts.catalog().prototype(carried->landing.part)) {
-        parts.context.canvas.newSheet();
-        drawGhost(parts.context.canvas, *part, {toPoint(carried->landing.at), carried->landing.angle},
-                  carried->verdict.ok);
-    }
+    parts.context.canvas.newSheet();
+    drawPart(parts.context.canvas, parts.session.parts(), carried->landing,
+             {.ghost = true, .forbidden = !carried->verdict.ok});
 }
 
 /// Marks the wire that a click of the scissors would cut.

@@ -1,7 +1,7 @@
 #include "game/ui/shared/part_catalog.hpp"
 
 #include "render/panels/toolbox_tile.hpp"
-#include "render/scene/objects/body.hpp"
+#include "render/scene/objects/part.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -42,25 +42,24 @@ unsigned PartCatalog::picture(std::string const& part, int pixels) {
         made.target->bind();
         render::clearBound(render::tileGround());
         // Long parts are drawn diagonally, which fills the square best.
-        render::Extent const flat = render::extentOf(*known, {});
+        render::Extent const flat = render::extentOfPart(parts_, {part, {}, 0, ""});
         bool const slim = !flat.empty() && std::max(flat.half().x, flat.half().y) >
                                                2.2 * std::min(flat.half().x, flat.half().y);
-        render::Pose const pose{{}, slim ? 0.52 : 0.0};
-        render::Extent const extent = render::extentOf(*known, pose);
+        Placement const lying{part, {}, slim ? 0.52 : 0.0, ""};
+        render::Extent const extent = render::extentOfPart(parts_, lying);
         render::Camera camera{{}, 100, {pixels, pixels}};
         if (!extent.empty()) {
             camera.fit(extent.lower, extent.upper, 0.10 * pixels);
         }
         canvas_.begin(camera, {.uiScale = static_cast<float>(pixels) / 80.F});
-        render::drawObject(canvas_, render::factsOf(*known), pose);
+        render::drawPart(canvas_, parts_, lying);
         canvas_.end();
     }
     return made.target->texture();
 }
 
 double PartCatalog::radius(std::string const& part) {
-    Prototype const* const known = prototype(part);
-    render::Extent const extent = known == nullptr ? render::Extent{} : render::extentOf(*known, {});
+    render::Extent const extent = render::extentOfPart(parts_, {part, {}, 0, ""});
     return extent.empty() ? 0.0 : std::max(length(extent.lower), length(extent.upper));
 }
 

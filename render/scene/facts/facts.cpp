@@ -88,9 +88,17 @@ std::vector<Facts> FactsReader::drawOrder() const {
             all.push_back(facts);
         }
     }
+    putInDrawOrder(all);
+    return all;
+}
+
+void putInDrawOrder(std::vector<Facts>& all) {
     std::stable_sort(all.begin(), all.end(),
                      [](Facts const& a, Facts const& b) { return level(a) < level(b); });
-    return all;
+}
+
+Facts factsOf(PropertySet const& properties) {
+    return gather([&]<class P>() { return properties.find<P>(); });
 }
 
 Facts factsOf(Prototype const& prototype) {

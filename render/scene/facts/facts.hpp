@@ -11,6 +11,7 @@
 #include "physics/look_form.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "render/scene/facts/appearance.hpp"
+#include "runtime/level/property/property_set.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
 
@@ -87,5 +88,8 @@ private:
 
 /// The same of a part that is not in any world; it lies at the origin unless its values say otherwise.
 [[nodiscard]] Facts factsOf(Prototype const& prototype);
+[[nodiscard]] Facts factsOf(PropertySet const& properties);
+/// In the order of FactsReader::drawOrder(), stable.
+void putInDrawOrder(std::vector<Facts>& all);
 
 } // namespace trembler::render

@@ -62,4 +62,21 @@ std::optional<Sign> signOf(Facts const& facts) {
     return std::nullopt;
 }
 
+bool isShown(DrawnWhen when, Facts const& facts) {
+    bool const on = facts.coil != nullptr ? facts.magnetLevel() > 0 : facts.on;
+    switch (when) {
+    case DrawnWhen::always:
+        return true;
+    case DrawnWhen::on:
+        return on;
+    case DrawnWhen::off:
+        return !on;
+    case DrawnWhen::conducts:
+        return facts.conductor;
+    case DrawnWhen::insulates:
+        return !facts.conductor;
+    }
+    return true;
+}
+
 } // namespace trembler::render

@@ -18,4 +18,7 @@ namespace trembler::render {
 /// the object states another form, or calls itself the negative pole by its label.
 [[nodiscard]] std::optional<Sign> signOf(Facts const& facts);
 
+/// Whether a shape of the object's drawing is drawn in its present state.
+[[nodiscard]] bool isShown(DrawnWhen when, Facts const& facts);
+
 } // namespace trembler::render

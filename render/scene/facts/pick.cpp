@@ -1,6 +1,7 @@
 #include "render/scene/facts/pick.hpp"
 
 #include "render/scene/facts/drawn_copies.hpp"
+#include "render/scene/facts/look_form.hpp"
 
 #include <algorithm>
 
@@ -45,7 +46,7 @@ Extent pictureExtentOf(Facts const& facts, Pose const& pose) {
     Extent around = extentOf(facts, pose);
     if (facts.drawing != nullptr) {
         for (DrawnShape const& shape : facts.drawing->shapes) {
-            for (std::int32_t copy = 0; copy < shape.repeat; ++copy) {
+            for (std::int32_t copy = 0; copy < shape.repeat && isShown(shape.when, facts); ++copy) {
                 Extent own;
                 own.add(toWorld(pose, poseOfCopy(shape, copy).at));
                 around.add(own.widened(reachOf(shape) + shape.glow));

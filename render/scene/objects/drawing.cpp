@@ -2,6 +2,7 @@
 
 #include "physics/drawing_palette.hpp"
 #include "render/scene/facts/drawn_copies.hpp"
+#include "render/scene/facts/look_form.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -172,23 +173,6 @@ private:
 };
 
 } // namespace
-
-bool isShown(DrawnWhen when, Facts const& facts) {
-    bool const on = facts.coil != nullptr ? facts.magnetLevel() > 0 : facts.on;
-    switch (when) {
-    case DrawnWhen::always:
-        return true;
-    case DrawnWhen::on:
-        return on;
-    case DrawnWhen::off:
-        return !on;
-    case DrawnWhen::conducts:
-        return facts.conductor;
-    case DrawnWhen::insulates:
-        return !facts.conductor;
-    }
-    return true;
-}
 
 void drawShapes(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style) {
     ShapePainter const painter(canvas, facts, pose, style);

@@ -10,7 +10,4 @@ namespace trembler::render {
 /// body: of it, how the object stands to the player is taken, and what a shape does not state itself.
 void drawShapes(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style);
 
-/// Whether a shape is drawn in the object's present state.
-[[nodiscard]] bool isShown(DrawnWhen when, Facts const& facts);
-
 } // namespace trembler::render

@@ -25,24 +25,6 @@ double wheelRadius(Facts const& wheel, double pitch) {
     return radius > 0 ? radius : pitch;
 }
 
-void drawGear(Canvas& canvas, Joint const& joint, FactsReader const& reader, JointPlaces const& pinA,
-              JointPlaces const& pinB) {
-    JointDrawn const look = joint.look.drawn;
-    if (look == JointDrawn::none) {
-        return;
-    }
-    if (look != JointDrawn::belt && look != JointDrawn::chain) {
-        drawGearPitch(canvas, pinA.a, pinB.a, joint.ratio);
-        return;
-    }
-    double const share = std::abs(joint.ratio);
-    double const pitch = 0.6 * length(pinB.a - pinA.a) / (1 + share);
-    BeltWheel const wheelA{pinA.a, wheelRadius(reader.of(joint.a), pitch)};
-    BeltWheel const wheelB{pinB.a, wheelRadius(reader.of(joint.b), pitch * share)};
-    std::vector<Point> const path = beltPath(wheelA, wheelB, joint.ratio > 0);
-    drawTie(canvas, look, path, pinA.angleA * wheelA.radius);
-}
-
 } // namespace
 
 std::optional<JointPlaces> placesOf(World const& world, FactsReader const& reader, ObjectId joint,
@@ -72,15 +54,43 @@ std::optional<JointPlaces> placesOf(World const& world, FactsReader const& reade
         places.length = anchors->length;
         return places;
     }
-    // Before the first frame the places are still where the level states them.
-    bool const twoEnds = stated->form == JointForm::distance || stated->form == JointForm::rope ||
-                         stated->form == JointForm::spring || stated->form == JointForm::pulley;
-    places.a = toPoint(stated->at);
-    places.b = toPoint(twoEnds ? stated->atB : stated->at);
-    double const size = length(stated->axis);
-    places.axis = size > 0 ? toPoint(stated->axis / size) : Point{1, 0};
-    places.length = stated->length;
+    JointPlaces const atStart = statedPlaces(*stated);
+    places.a = atStart.a;
+    places.b = atStart.b;
+    places.axis = atStart.axis;
+    places.length = atStart.length;
     return places;
+}
+
+JointPlaces statedPlaces(Joint const& joint) {
+    JointPlaces places;
+    places.toWorld = !joint.b.valid();
+    bool const twoEnds = joint.form == JointForm::distance || joint.form == JointForm::rope ||
+                         joint.form == JointForm::spring || joint.form == JointForm::pulley;
+    places.a = toPoint(joint.at);
+    places.b = toPoint(twoEnds ? joint.atB : joint.at);
+    double const size = length(joint.axis);
+    places.axis = size > 0 ? toPoint(joint.axis / size) : Point{1, 0};
+    places.length = joint.length;
+    return places;
+}
+
+void drawGear(Canvas& canvas, Joint const& joint, Facts const& a, Facts const& b, JointPlaces const& pinA,
+              JointPlaces const& pinB) {
+    JointDrawn const look = joint.look.drawn;
+    if (look == JointDrawn::none) {
+        return;
+    }
+    if (look != JointDrawn::belt && look != JointDrawn::chain) {
+        drawGearPitch(canvas, pinA.a, pinB.a, joint.ratio);
+        return;
+    }
+    double const share = std::abs(joint.ratio);
+    double const pitch = 0.6 * length(pinB.a - pinA.a) / (1 + share);
+    BeltWheel const wheelA{pinA.a, wheelRadius(a, pitch)};
+    BeltWheel const wheelB{pinB.a, wheelRadius(b, pitch * share)};
+    std::vector<Point> const path = beltPath(wheelA, wheelB, joint.ratio > 0);
+    drawTie(canvas, look, path, pinA.angleA * wheelA.radius);
 }
 
 std::vector<Point> ropePath(Point from, Point to, double length) {
@@ -113,7 +123,7 @@ void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, P
             auto const pinA = placesOf(world, reader, joint.jointA, poseOf);
             auto const pinB = placesOf(world, reader, joint.jointB, poseOf);
             if (pinA && pinB) {
-                drawGear(canvas, joint, reader, *pinA, *pinB);
+                drawGear(canvas, joint, reader.of(joint.a), reader.of(joint.b), *pinA, *pinB);
             }
             continue;
         }

@@ -24,8 +24,15 @@ struct JointPlaces {
 [[nodiscard]] std::optional<JointPlaces> placesOf(World const& world, FactsReader const& reader,
                                                   ObjectId joint, PoseOf const& poseOf);
 
+/// Where the joint is stated to hold them, which is right until the first frame.
+[[nodiscard]] JointPlaces statedPlaces(Joint const& joint);
+
 /// A rope of a length between two points: straight if taut, else sagging as a parabola of that length.
 [[nodiscard]] std::vector<Point> ropePath(Point from, Point to, double length);
+
+/// A gear joint of two wheels about their pins: a belt or a chain around both, or their pitch circles.
+void drawGear(Canvas& canvas, Joint const& joint, Facts const& wheelA, Facts const& wheelB,
+              JointPlaces const& pinA, JointPlaces const& pinB);
 
 /// Draws all joints of the world.
 void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf);

@@ -4,6 +4,7 @@
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/objects/body.hpp"
 #include "render/scene/objects/drawing.hpp"
+#include "render/scene/objects/part.hpp"
 #include "runtime/level/property/move_property.hpp"
 #include "tests/render/scene/scene_stage.hpp"
 
@@ -227,6 +228,35 @@ TEST(DrawnObject, IsSeenByItsDrawingEvenWithoutABody) {
     EXPECT_TRUE(part.facts.visible());
     expectColour(at(part.picture(), 0.9, 0), red, "the disc");
     EXPECT_TRUE(pictureExtentOf(part.facts, {}).contains({0.99, 0}));
+}
+
+TEST(DrawnPart, ShowsAllPiecesAndJointsBeforeItIsInAWorld) {
+    PartLibrary parts;
+    parts.add(readPart(everything(), JsonDocument::parse(R"({"name": "pair", "main": "left", "objects": [
+        {"name": "left", "at": [-0.6, 0.3], "properties": {"shape": [{"form": "circle", "radius": 0.1}],
+         "drawing": {"shapes": [{"form": "circle", "radius": 0.1, "colour": "#ff0000", "shading": "flat", "outline": 0}]}}},
+        {"name": "right", "at": [0.6, -0.3], "properties": {"shape": [{"form": "circle", "radius": 0.1}],
+         "drawing": {"shapes": [{"form": "circle", "radius": 0.1, "colour": "#0000ff", "shading": "flat", "outline": 0}]}}}],
+        "joints": [{"name": "tie", "form": "distance", "a": "left", "b": "right", "at": [-0.6, 0.3],
+                    "at_b": [0.6, -0.3]}]})",
+                                                         "pair.json")));
+    auto const pictureOf = [&](Placement const& placement) {
+        return picture(sheet, palette::paper, [&](Canvas& canvas) { drawPart(canvas, parts, placement); },
+                       {.shadows = false});
+    };
+    Image const image = pictureOf({"pair", {}, 0, ""});
+    expectColour(at(image, -0.6, 0.36), red, "the left one");
+    expectColour(at(image, 0.6, -0.36), blue, "the right one");
+    EXPECT_NE(at(image, 0, 0), at(image, 0, 0.5)) << "the rod between them";
+    Placement const flipped{"pair", {0, 0.1}, 0, "", true};
+    Image const mirrored = pictureOf(flipped);
+    expectColour(at(mirrored, 0.6, 0.46), red, "the left one");
+    expectColour(at(mirrored, -0.6, -0.26), blue, "the right one");
+    EXPECT_NE(at(mirrored, 0, 0.1), at(mirrored, 0, 0.6)) << "the rod between them";
+    Extent const extent = extentOfPart(parts, flipped);
+    EXPECT_NEAR(extent.lower.x, -0.7, 1e-9);
+    EXPECT_NEAR(extent.upper.y, 0.5, 1e-9);
+    EXPECT_TRUE(extentOfPart(parts, {"nothing", {}, 0, ""}).empty());
 }
 
 TEST(DrawnCopies, OfACurveRunThroughTheStatedPoints) {

@@ -1,0 +1,112 @@
+#include "render/scene/objects/part.hpp"
+
+#include "render/scene/facts/pick.hpp"
+#include "render/scene/objects/joint_parts.hpp"
+#include "runtime/level/build/part_expander.hpp"
+#include "runtime/level/build/placed_pieces.hpp"
+
+#include <map>
+
+namespace trembler::render {
+namespace {
+
+// What a placement becomes, with the names of pieces and joints.
+class ExpandedPart {
+public:
+    ExpandedPart(PartLibrary const& library, Placement const& placement)
+        : expander_(library, [this](auto const&...) { whole_ = false; }),
+          entry_(entryOf(placement, placement.part)),
+          expanded_(expander_.expand(entry_, nowhere_, StatedProperties::Form::placement)) {
+        for (std::size_t i = 0; whole_ && i < expanded_.objects.size(); ++i) {
+            MadeObject const& made = expanded_.objects[i];
+            byName_[made.name] = i;
+            properties_.push_back(made.properties());
+        }
+        for (auto const& [alias, name] : expanded_.aliases) {
+            if (auto const found = byName_.find(name); found != byName_.end()) {
+                byName_.try_emplace(alias, found->second);
+            }
+        }
+    }
+    ExpandedPart(ExpandedPart const&) = delete;
+    ExpandedPart& operator=(ExpandedPart const&) = delete;
+
+    /// Pointers into this.
+    [[nodiscard]] std::vector<Facts> pieces() const {
+        std::vector<Facts> all;
+        for (PropertySet const& properties : properties_) {
+            Facts const facts = factsOf(properties);
+            if (facts.visible()) {
+                all.push_back(facts);
+            }
+        }
+        putInDrawOrder(all);
+        return all;
+    }
+    void drawJoints(Canvas& canvas) const {
+        for (std::size_t i = 0; i < properties_.size(); ++i) {
+            Joint const* const joint = properties_[i].find<Joint>();
+            if (joint == nullptr) {
+                continue;
+            }
+            if (joint->form != JointForm::gear) {
+                drawJoint(canvas, *joint, statedPlaces(*joint));
+                continue;
+            }
+            PropertySet const* const a = named(i, joint->a);
+            PropertySet const* const b = named(i, joint->b);
+            PropertySet const* const pinA = named(i, joint->jointA);
+            PropertySet const* const pinB = named(i, joint->jointB);
+            if (a != nullptr && b != nullptr && pinA != nullptr && pinB != nullptr &&
+                pinA->find<Joint>() != nullptr && pinB->find<Joint>() != nullptr) {
+                drawGear(canvas, *joint, factsOf(*a), factsOf(*b), statedPlaces(*pinA->find<Joint>()),
+                         statedPlaces(*pinB->find<Joint>()));
+            }
+        }
+    }
+
+private:
+    /// What a reference of a joint refers to; nullptr if it is not among the part's objects.
+    [[nodiscard]] PropertySet const* named(std::size_t joint, ObjectId reference) const {
+        StatementScope const* const scope = expanded_.objects[joint].stated.front().scope;
+        if (scope == nullptr || scope->names == nullptr || !reference.valid()) {
+            return nullptr;
+        }
+        auto const found = byName_.find(scope->prefix + scope->names->nameOf(reference));
+        return found == byName_.end() ? nullptr : &properties_[found->second];
+    }
+
+    bool whole_ = true;
+    StatementScope nowhere_;
+    PartExpander expander_;
+    LevelObject entry_;
+    ExpandedEntry expanded_;
+    std::vector<PropertySet> properties_; // by index in expanded_.objects
+    std::map<std::string, std::size_t> byName_;
+};
+
+} // namespace
+
+void drawPart(Canvas& canvas, PartLibrary const& library, Placement const& placement, Marks const& marks) {
+    if (library.find(placement.part) == nullptr) {
+        return;
+    }
+    ExpandedPart const part(library, placement);
+    for (Facts const& facts : part.pieces()) {
+        drawObject(canvas, facts, poseOf(facts), marks);
+    }
+    part.drawJoints(canvas);
+}
+
+Extent extentOfPart(PartLibrary const& library, Placement const& placement) {
+    Extent around;
+    if (library.find(placement.part) != nullptr) {
+        ExpandedPart const part(library, placement);
+        for (Facts const& facts : part.pieces()) {
+            around.add(pictureExtentOf(facts, poseOf(facts)));
+        }
+    }
+    return around;
+}
+
+} // namespace trembler::render
