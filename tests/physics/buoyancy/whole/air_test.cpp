@@ -10,6 +10,7 @@
 namespace trembler::test {
 namespace {
 
+constexpr double rounding = 2e-5; // m/s: Box2D computes in single precision
 constexpr double earth = 9.81;
 constexpr double moon = 1.62;
 constexpr double radius = 0.25;
@@ -30,7 +31,7 @@ TEST(Air, AcceleratesALightBodyAsArchimedesSays) {
         stateAir(pool, {.density = 1.2, .linearDrag = 0, .quadraticDrag = 0});
         ObjectId const balloon = balloonIn(pool);
         pool.run(31); // forces act from the second frame on
-        EXPECT_NEAR(pool.velocity(balloon).y, gravity * (1.2 / skin - 1) * 0.5, 1e-9);
+        EXPECT_NEAR(pool.velocity(balloon).y, gravity * (1.2 / skin - 1) * 0.5, rounding);
         EXPECT_NEAR(pool.velocity(balloon).x, 0, 1e-12);
     }
 }
@@ -53,7 +54,7 @@ TEST(Air, LiftsWithoutGravityAndWithoutAirNothing) {
     stateAir(empty, {.density = 0});
     ObjectId const other = balloonIn(empty);
     empty.run(31);
-    EXPECT_NEAR(empty.velocity(other).y, -earth / 2, 1e-9);
+    EXPECT_NEAR(empty.velocity(other).y, -earth / 2, rounding);
 }
 
 TEST(Air, DragEndsTheAcceleration) {
@@ -65,7 +66,7 @@ TEST(Air, DragEndsTheAcceleration) {
     double const quadratic = 1.2 / 2 * std::sqrt(3) * radius * worldDepth;
     double const lift = (1.2 - skin) * earth * displaced;
     double const speed = (std::sqrt(linear * linear + 4 * quadratic * lift) - linear) / (2 * quadratic);
-    EXPECT_NEAR(pool.velocity(balloon).y, speed, 1e-6);
+    EXPECT_NEAR(pool.velocity(balloon).y, speed, rounding);
     EXPECT_LT(speed, 5);
 }
 
@@ -104,23 +105,27 @@ TEST(Air, ActsOnHeavyBodiesOnlyIfTheWorldStatesIt) {
         return pool.velocity(stone).y;
     };
     EXPECT_EQ(fall(true, false), fall(false, false));
-    EXPECT_NEAR(fall(false, false), -earth / 2, 1e-9);
-    EXPECT_NEAR(fall(false, true), -earth / 2 * (1 - 65.0 / 2600), 1e-9);
+    EXPECT_NEAR(fall(false, false), -earth / 2, rounding);
+    EXPECT_NEAR(fall(false, true), -earth / 2 * (1 - 65.0 / 2600), rounding);
 }
 
 TEST(Air, ActsOnTheDryPartOfAFloatingBody) {
-    for (char const* level : {"exact", "particles"}) {
-        Pool pool({.detail = level});
+    struct Level {
+        char const* name;
+        double error; // of the immersed share of the box
+    };
+    for (Level const level : {Level{"exact", 1e-6}, Level{"particles", 0.03}}) {
+        Pool pool({.detail = level.name});
         stateAir(pool, {.density = 65});
         pool.water();
         ObjectId const box = pool.body("box", boxPiece(0.4, 0.2), {0, 0.05}, 300); // a quarter is immersed
         ObjectId const sunk = pool.body("sunk", boxPiece(0.4, 0.2), {3, -3}, 300);
         pool.run(1);
         double const volume = 0.4 * 0.2 * worldDepth;
-        EXPECT_NEAR(pool.force(box).y, earth * volume * (0.25 * 1000 + 0.75 * 65),
-                    0.02 * earth * volume * 250)
-            << level;
-        EXPECT_NEAR(pool.force(sunk).y, earth * volume * 1000, 1e-6) << level;
+        double const water = earth * volume * 1000; // N
+        EXPECT_NEAR(pool.force(box).y, 0.25 * water + 0.75 * earth * volume * 65, level.error * water)
+            << level.name;
+        EXPECT_NEAR(pool.force(sunk).y, water, 1e-6 * water) << level.name;
     }
 }
 
