@@ -32,11 +32,11 @@ struct Origin {
     /// Of an object, a joint or a placement: its index in the list that the world was built from, from 0. Of
     /// a birth: CreateObject::number. Otherwise 0.
     std::uint64_t number = 0;
+    /// Of a birth: CreateObject::maker, which may no longer exist. Otherwise invalid.
+    ObjectId maker;
     /// Of an object or a placement that is made from a composite part: which of the objects it is that became
     /// of it, from 0: its pieces by name, then its joints by name. Otherwise 0.
     std::uint32_t piece = 0;
-    /// Of a birth: CreateObject::maker, which may no longer exist. Otherwise invalid.
-    ObjectId maker;
 
     friend bool operator==(Origin const&, Origin const&) = default;
 };

@@ -205,8 +205,8 @@ private:
                              {.kind = kind,
                               .prototype = {},
                               .number = index,
-                              .piece = static_cast<std::uint32_t>(i),
-                              .maker = {}}});
+                              .maker = {},
+                              .piece = static_cast<std::uint32_t>(i)}});
         }
         std::move(expanded.aliases.begin(), expanded.aliases.end(), std::back_inserter(aliases_));
         std::move(expanded.connections.begin(), expanded.connections.end(), std::back_inserter(connections_));

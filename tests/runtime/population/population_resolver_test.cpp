@@ -103,6 +103,19 @@ TEST(Population, MakesOneObjectForEqualKeysFromThePrototypeAndTheCall) {
     EXPECT_EQ(world.store().objects().size(), 2U);
 }
 
+TEST(Population, MakesNothingFromAPrototypeOfSeveralPieces) {
+    World world(rules());
+    Prototype cart;
+    cart.name = "cart";
+    cart.composite = true;
+    world.store().prototypes().add(std::move(cart));
+    order(world, world.store().create("gun"), {1});
+    world.start();
+    world.step();
+    world.step();
+    EXPECT_EQ(world.store().objects().size(), 1U);
+}
+
 TEST(Population, AnotherBirthOfTheSameNumberGetsADifferentName) {
     World world(rules());
     addBall(world);
