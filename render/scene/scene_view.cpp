@@ -27,7 +27,9 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
     bool moving = false;
     for (Facts const& facts : reader.drawOrder()) {
         Pose const pose = place(facts);
-        if (!pictureExtentOf(facts, pose).widened(deviceGlow(facts).reach).overlaps(view)) {
+        // The extent of a drawing takes longer, and only counts where the body is out of sight.
+        if (!extentOf(facts, pose).widened(deviceGlow(facts).reach).overlaps(view) &&
+            (facts.drawing == nullptr || !pictureExtentOf(facts, pose).overlaps(view))) {
             continue;
         }
         if (!moving && !(facts.fixed && facts.shape != nullptr)) {
