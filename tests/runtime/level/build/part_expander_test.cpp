@@ -12,7 +12,7 @@
 #include <set>
 
 namespace trembler {
-namespace composite_test {
+namespace part_expander_test {
 namespace {
 
 /// A tray with a cup, which is eaten by its spoon, and a knot and a string between both.
@@ -266,5 +266,5 @@ TEST_F(Composite, AliasesEndWithTheirObject) {
 }
 
 } // namespace
-} // namespace composite_test
+} // namespace part_expander_test
 } // namespace trembler

@@ -3,7 +3,7 @@
 #include "runtime/level/read/read_solutions.hpp"
 #include "runtime/level/write/write_level.hpp"
 #include "runtime/placement.hpp"
-#include "tests/puzzle/session/swing.hpp"
+#include "tests/puzzle/whole/swing.hpp"
 
 #include <algorithm>
 

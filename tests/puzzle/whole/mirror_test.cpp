@@ -1,6 +1,6 @@
 // The mirror image of a world moves as its mirror image.
 #include "runtime/placement.hpp"
-#include "tests/puzzle/session/swing.hpp"
+#include "tests/puzzle/whole/swing.hpp"
 
 #include <fmt/format.h>
 #include <rapidcheck.h>
