@@ -33,15 +33,16 @@ struct GoalCardLook {
 
 /// `buttons` is nullptr for a picture, which has no buttons.
 void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons);
-void drawTransport(CommandButtons& buttons, RunControl const& run, AskedTwice const& allBack);
+void drawTransport(CommandButtons& buttons, RunControl const& run);
 /// `mods`: the level has mods, and a button for them.
 void drawTools(CommandButtons& buttons, Session const& session, bool mods);
 void drawCorner(CommandButtons& buttons);
 /// Draws nothing while there is nothing to celebrate.
 void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration);
 /// Returns the part on whose tile the mouse button was pressed. `hint` is the text below the tiles while no
-/// part is carried.
-std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartCatalog& catalog,
-                                       PlacingTool const& placing, std::string const& hint);
+/// part is carried. `allBack`: whether all parts are to be put back.
+std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
+                                       PlacingTool const& placing, std::string const& hint,
+                                       AskedTwice const& allBack);
 
 } // namespace trembler::ui

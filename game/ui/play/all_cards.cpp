@@ -68,11 +68,12 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     if (parts.run.building() && !parts.inspector.open()) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
-        if (auto const part = drawToolbox(layout, session, parts.catalog(), parts.placing, hint)) {
+        if (auto const part =
+                drawToolbox(buttons, session, parts.catalog(), parts.placing, hint, parts.allBack)) {
             takeFromToolbox(parts, *part);
         }
     }
-    drawTransport(buttons, parts.run, parts.allBack);
+    drawTransport(buttons, parts.run);
     drawTools(buttons, session, parts.hasMods());
     drawSuccess(buttons, session, parts.celebration);
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();

@@ -5,6 +5,7 @@
 #include "game/ui/play/all_cards.hpp"
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/field_drawing.hpp"
+#include "game/ui/shared/words.hpp"
 
 namespace trembler::ui {
 
@@ -49,8 +50,18 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
         parts_.newWorld();
     }
     parts_.run.advance(seconds, parts_.film.recording());
+    tellOfSlowness();
     parts_.celebration.pass(seconds);
     return parts_.request;
+}
+
+void PlayScreen::tellOfSlowness() {
+    Speed const& speed = parts_.run.speed();
+    auto const reached = parts_.run.running() ? speed.onlyReached() : std::nullopt;
+    if (reached && toldOfSlownessAt_ != speed.now()) {
+        toldOfSlownessAt_ = speed.now();
+        parts_.context.toasts.add(words::tooSlow(speed.now(), *reached), render::ToastKind::News, 5);
+    }
 }
 
 void PlayScreen::updateBehindMenu(double) {

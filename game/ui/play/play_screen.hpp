@@ -49,10 +49,13 @@ public:
 
 private:
     void setView();
+    /// Once for each speed that the computer cannot keep.
+    void tellOfSlowness();
 
     PlayParts parts_;
     CommandsOf<PlayParts> commands_;
     PointerReader reader_;
+    double toldOfSlownessAt_ = 0; // the last such speed
 };
 
 } // namespace trembler::ui

@@ -28,6 +28,10 @@ inline constexpr char const* allBackAgain =
     "Once more, and all parts go back into the toolbox. Undo brings them back.";
 inline constexpr char const* allBackDone = "All parts are back in the toolbox";
 
+/// Of a speed: "2×", "½×"
+[[nodiscard]] std::string timesReal(double speed);
+[[nodiscard]] std::string tooSlow(double asked, double reached);
+
 // Tools.
 inline constexpr char const* mySolution = "my solution";
 inline constexpr char const* runBeforeSaving =
