@@ -62,6 +62,14 @@ public:
     /// Puts a placed part back into the toolbox.
     bool putBack(int number);
     bool putAllBack();
+    // Several parts, in one step of undo: all of them or, if one is refused, none.
+    /// Whether placed parts may be at these other places. They are checked against everything else; as to one
+    /// another they must lie as they do now. A part with a number that is not placed is a new one.
+    [[nodiscard]] Verdict checkAll(std::span<PlacedPart const> moved) const;
+    bool moveAll(std::span<PlacedPart const> moved);
+    bool putBackAll(std::span<int const> numbers);
+    /// Places new parts, which must lie as to one another as placed ones do; returns their numbers.
+    std::vector<int> placeAll(std::span<Placement const> added);
     bool undo();
     bool redo();
     [[nodiscard]] bool canUndo() const { return building() && placements_.canUndo(); }

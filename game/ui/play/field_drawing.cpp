@@ -45,6 +45,27 @@ void drawCarried(PlayParts& parts) {
     }
 }
 
+/// The parts that are dragged together, and the box in which parts are being chosen.
+void drawGroup(PlayParts& parts) {
+    Canvas& canvas = parts.context.canvas;
+    if (!parts.group.landings().empty() && !parts.pointer.overToolbox) {
+        canvas.newSheet();
+    }
+    for (PlacedPart const& part : parts.group.landings()) {
+        Prototype const* const prototype = parts.catalog().prototype(part.placement.part);
+        if (prototype != nullptr && !parts.pointer.overToolbox) {
+            drawGhost(canvas, *prototype, {toPoint(part.placement.at), part.placement.angle},
+                      parts.group.verdict().ok);
+        }
+    }
+    if (auto const box = parts.group.box()) {
+        Point const a = toPoint(box->first);
+        Point const b = toPoint(box->second);
+        Point const corners[] = {a, {b.x, a.y}, b, {a.x, b.y}, a};
+        canvas.polyline(corners, {.colour = palette::accent, .pixels = 2, .alpha = 0.8F});
+    }
+}
+
 /// Marks the wire that a click of the scissors would cut.
 void drawBlades(PlayParts const& parts) {
     auto const& wire = parts.hand.wireUnderBlades();
@@ -71,6 +92,9 @@ void drawWords(PlayParts const& parts) {
     auto const& carried = parts.placing.carried();
     if (carried && !carried->verdict.ok && !parts.pointer.overCard) {
         chip(carried->landing.at, carried->verdict.why, palette::warning, 40);
+    }
+    if (parts.group.dragging() && !parts.group.verdict().ok && !parts.pointer.overCard) {
+        chip(parts.pointer.world, parts.group.verdict().why, palette::warning, 40);
     }
     if (carried && carried->turning) {
         auto const degrees = static_cast<int>(std::lround(carried->landing.angle * 180 / pi));
@@ -102,6 +126,14 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
     return options;
 }
 
+std::vector<ObjectId> chosenObjects(PlayParts const& parts) {
+    std::vector<ObjectId> objects;
+    for (int const number : parts.group.chosen()) {
+        objects.push_back(parts.session.objectOf(number));
+    }
+    return objects;
+}
+
 } // namespace
 
 void drawField(PlayParts& parts) {
@@ -115,11 +147,14 @@ void drawField(PlayParts& parts) {
     std::vector<render::Ripple> const ripples = parts.sounds.ripples();
     render::SceneOptions options = sceneOptions(parts, time);
     options.ripples = ripples;
+    std::vector<ObjectId> const chosen = chosenObjects(parts);
+    (parts.group.dragging() ? options.alsoHidden : options.alsoSelected) = chosen;
     parts.scene.draw(canvas, world, options);
     canvas.newSheet();
     drawBlades(parts);
     drawHandle(parts);
     drawCarried(parts);
+    drawGroup(parts);
     canvas.end();
     drawWords(parts);
 }

@@ -14,10 +14,10 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
       session(data ? data->registry : context.registry, data ? data->parts : context.parts,
               loadLevel(data ? data->registry : context.registry, file), options),
-      placing(session, context.toasts), hand(session), budget(data ? data->registry : context.registry),
-      goals(session.level()), audio(context.loudspeaker),
+      placing(session, context.toasts), group(session, placing, context.toasts), hand(session),
+      budget(data ? data->registry : context.registry), goals(session.level()), audio(context.loudspeaker),
       run(session, placing, hand, budget, audio, view, runEvents()), film(context.recorder, context.toasts),
-      picking(session, inspector), mouse(session, placing, hand, view, picking),
+      picking(session, inspector), mouse(session, placing, group, hand, view, picking),
       workshop(data ? std::make_unique<Workshop>(*data, session) : nullptr) {
     inspector.setScripts(data ? data->scripts.get() : nullptr);
     shown.names = context.profile.settings().names;
@@ -26,7 +26,13 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
 }
 
 RunEvents PlayParts::runEvents() {
-    return {.newWorld = [this] { newWorld(); },
+    return {.newWorld =
+                [this] {
+                    if (!run.building()) {
+                        group.reset();
+                    }
+                    newWorld();
+                },
             .beforeStep =
                 [this] {
                     scene.remember(session.world());
@@ -83,6 +89,7 @@ void PlayParts::newWorld() {
 void PlayParts::restart() {
     run.stop();
     placing.reset();
+    group.reset();
     inspector.close();
     session.putAllBack();
     hintsShown = 0;

@@ -17,6 +17,7 @@
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
+#include "game/ui/tools/group_tool.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -40,6 +41,7 @@ struct PlayParts {
     std::optional<PartCatalog> modParts;        ///< the parts of `data`
     Session session;
     PlacingTool placing;
+    GroupTool group;
     HandTool hand;
     budget::BudgetMode budget;
     Inspector inspector;

@@ -32,7 +32,8 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     parts_.run.beginPicture(isHeld(context.input, context.keys, "fast"));
     setView();
     parts_.pointer =
-        reader_.read(context, parts_.camera(), parts_.placing.carried().has_value() || parts_.hand.busy());
+        reader_.read(context, parts_.camera(),
+                     parts_.placing.carried().has_value() || parts_.group.dragging() || parts_.hand.busy());
     parts_.allBack.pass(seconds);
     if (!parts_.run.building()) {
         parts_.allBack.forget();

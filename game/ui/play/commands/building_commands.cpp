@@ -8,14 +8,23 @@ using render::Icon;
 
 /// Whether a part is in the hand or selected, so that keys can turn it, move it and put it back.
 bool partAtHand(PlayParts const& parts) {
-    return parts.run.building() && (parts.placing.carried() || parts.placing.selected());
+    return parts.run.building() && (parts.placing.carried() || parts.placing.selected() || parts.group.any());
+}
+/// Whether commands act on the chosen parts together.
+bool actsOnGroup(PlayParts const& parts) {
+    return parts.group.any() && !parts.placing.carried();
 }
 
-/// Calls doing(tool) with the placing tool, which may give the session another world.
+/// Calls doing(tool) with the tool of several parts, or with that of one, which may give the session another
+/// world.
 template <class Doing>
 void place(PlayParts& parts, Doing&& doing) {
     World const* const world = &parts.session.world();
-    doing(parts.placing);
+    if (actsOnGroup(parts)) {
+        doing(parts.group);
+    } else {
+        doing(parts.placing);
+    }
     if (world != &parts.session.world()) {
         parts.newWorld();
     }
@@ -23,16 +32,17 @@ void place(PlayParts& parts, Doing&& doing) {
 
 template <int steps>
 void turn(PlayParts& parts) {
-    place(parts, [&](PlacingTool& placing) { placing.turn(steps, parts.context.shiftHeld()); });
+    place(parts, [&](auto& tool) { tool.turn(steps, parts.context.shiftHeld()); });
 }
 
 template <int x, int y>
 void nudge(PlayParts& parts) {
-    place(parts, [&](PlacingTool& placing) { placing.nudge({x, y}, parts.context.shiftHeld()); });
+    place(parts, [&](auto& tool) { tool.nudge({x, y}, parts.context.shiftHeld()); });
 }
 
 void undo(PlayParts& parts) {
     parts.placing.cancel();
+    parts.group.cancel();
     if (parts.session.undo()) {
         parts.newWorld();
     }
@@ -40,6 +50,7 @@ void undo(PlayParts& parts) {
 
 void redo(PlayParts& parts) {
     parts.placing.cancel();
+    parts.group.cancel();
     if (parts.session.redo()) {
         parts.newWorld();
     }
@@ -51,9 +62,18 @@ void allBack(PlayParts& parts) {
         return;
     }
     parts.placing.reset();
+    parts.group.reset();
     parts.session.putAllBack();
     parts.newWorld();
     parts.context.toasts.add(words::allBackDone);
+}
+
+void duplicate(PlayParts& parts) {
+    World const* const world = &parts.session.world();
+    parts.group.duplicate();
+    if (world != &parts.session.world()) {
+        parts.newWorld();
+    }
 }
 
 constexpr Command<PlayParts> buildingTable[] = {
@@ -120,8 +140,25 @@ constexpr Command<PlayParts> buildingTable[] = {
               .name = "Put back",
               .tip = "Put the part in hand back into the toolbox",
               .help = "put the part back"},
-     .run = [](PlayParts& parts) { place(parts, [](PlacingTool& placing) { placing.putBack(); }); },
+     .run = [](PlayParts& parts) { place(parts, [](auto& tool) { tool.putBack(); }); },
      .available = partAtHand},
+    {.info = {.id = "choose-all",
+              .keys = {{withCtrl(SDLK_a)}},
+              .group = CommandGroup::building,
+              .name = "Choose all",
+              .tip = "Choose all placed parts, to move, turn or put them back together",
+              .help = "choose all parts"},
+     .run = [](PlayParts& parts) { parts.group.chooseAll(); },
+     .available =
+         [](PlayParts const& parts) { return parts.run.building() && !parts.session.placed().empty(); }},
+    {.info = {.id = "duplicate",
+              .keys = {{withCtrl(SDLK_d)}},
+              .group = CommandGroup::building,
+              .name = "Duplicate",
+              .tip = "Place another one of each chosen part, as far as the toolbox has them",
+              .help = "place the same parts again"},
+     .run = duplicate,
+     .available = [](PlayParts const& parts) { return partAtHand(parts) && !parts.placing.carried(); }},
     {.info = {.id = "undo",
               .keys = {{withCtrl(SDLK_z)}},
               .use = KeyUse::repeats,

@@ -13,12 +13,12 @@ void openMenu(PlayParts& parts) {
     parts.request = request::OpenMenu{page};
 }
 
-/// Ends one thing: the use of the scissors, the carrying of a part, the inspector. If none of these goes on,
-/// opens the menu.
+/// Ends one thing: the use of the scissors, the carrying or choice of parts, the inspector. If none of these
+/// goes on, opens the menu.
 void back(PlayParts& parts) {
     if (parts.hand.cutting()) {
         parts.hand.setCutting(false);
-    } else if (parts.placing.cancel()) {
+    } else if (parts.placing.cancel() || parts.group.cancel()) {
         return;
     } else if (parts.inspector.open()) {
         parts.inspector.close();

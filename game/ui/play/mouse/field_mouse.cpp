@@ -32,7 +32,10 @@ bool FieldMouse::usePlacing(Pointer const& pointer, std::optional<Vec2> const& h
     bool const wasCarrying = placing_.carried().has_value();
     auto const before = session_.placed().size();
     World const* const world = &session_.world();
-    if (!tookPart_) {
+    bool const ofGroup = !tookPart_ && !onHandle && group_.update(pointer, number);
+    if (tookPart_) {
+        group_.reset();
+    } else if (!ofGroup) {
         placing_.update(pointer, number, onHandle);
     }
     if (world != &session_.world() || before != session_.placed().size()) {
@@ -41,7 +44,7 @@ bool FieldMouse::usePlacing(Pointer const& pointer, std::optional<Vec2> const& h
     if (number && pointer.twice && !pointer.overCard) {
         picking_.inspect(hovered);
     }
-    bool const paper = !wasCarrying && !number && !onHandle;
+    bool const paper = !wasCarrying && !number && !onHandle && !ofGroup;
     if (pointer.pressed) {
         leftOnPaper_ = paper && !pointer.overCard;
     }
@@ -72,7 +75,7 @@ void FieldMouse::useHand(Pointer const& pointer, bool watching, double seconds) 
 }
 
 void FieldMouse::lookAround(Pointer const& pointer) {
-    bool const carrying = placing_.carried().has_value();
+    bool const carrying = placing_.carried().has_value() || group_.dragging();
     if (pointer.wheel != 0 && !pointer.overCard && !carrying) {
         view_.zoom(pointer.screen, pointer.wheel);
     }

@@ -4,6 +4,7 @@
 
 #include "game/ui/play/mouse/picking.hpp"
 #include "game/ui/tools/camera_control.hpp"
+#include "game/ui/tools/group_tool.hpp"
 #include "game/ui/tools/hand_tool.hpp"
 #include "game/ui/tools/placing_tool.hpp"
 
@@ -18,8 +19,9 @@ inline constexpr double handleReach = 13;
 class FieldMouse {
 public:
     /// All must outlive this.
-    FieldMouse(Session& session, PlacingTool& placing, HandTool& hand, CameraControl& view, Picking& picking)
-        : session_(session), placing_(placing), hand_(hand), view_(view), picking_(picking) {}
+    FieldMouse(Session& session, PlacingTool& placing, GroupTool& group, HandTool& hand, CameraControl& view,
+               Picking& picking)
+        : session_(session), placing_(placing), group_(group), hand_(hand), view_(view), picking_(picking) {}
 
     /// What FieldMouse needs to know of the rest of the screen.
     struct Surroundings {
@@ -39,6 +41,7 @@ private:
 
     Session& session_;
     PlacingTool& placing_;
+    GroupTool& group_;
     HandTool& hand_;
     CameraControl& view_;
     Picking& picking_;

@@ -84,6 +84,8 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"move-up", "Up"},
                                                    {"move-down", "Down"},
                                                    {"put-back", "Delete"},
+                                                   {"choose-all", "Ctrl+A"},
+                                                   {"duplicate", "Ctrl+D"},
                                                    {"undo", "Ctrl+Z"},
                                                    {"redo", "Ctrl+Shift+Z Ctrl+Y"},
                                                    {"all-back", "Backspace"},

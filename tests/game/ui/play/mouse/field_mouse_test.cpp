@@ -54,7 +54,8 @@ protected:
     CameraControl view;
     Inspector inspector;
     Picking picking{session, inspector};
-    FieldMouse mouse{session, placing, hand, view, picking};
+    GroupTool group{session, placing, toasts};
+    FieldMouse mouse{session, placing, group, hand, view, picking};
 };
 
 TEST_F(MouseOnTheField, PointsAtObjectsThatNoCardCovers) {
