@@ -1,6 +1,6 @@
 #include "game/ui/app/help_page.hpp"
 
-#include "game/ui/shared/words.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
@@ -46,7 +46,7 @@ void drawHelpLines(std::vector<HelpLine> const& lines) {
 HelpChoice drawHelp(UiContext& context, Screen& behind) {
     Layout& layout = context.layout;
     HelpChoice choice = HelpChoice::stay;
-    layout.beginCard("help", words::keys, {.anchor = Anchor::Middle, .width = 640});
+    layout.beginCard("help", text("keys.title"), {.anchor = Anchor::Middle, .width = 640});
     // With large letters on a small window the rows scroll.
     float const screen = ImGui::GetIO().DisplaySize.y / theme().scale;
     bool const scrolls = screen < roomForAll;
@@ -61,11 +61,11 @@ HelpChoice drawHelp(UiContext& context, Screen& behind) {
     }
     ImGui::Dummy({0, scaled(4)});
     float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
-    bool change = bigButton(words::changeKeys, {.icon = Icon::Settings, .width = half});
+    bool change = bigButton(text("keys.change"), {.icon = Icon::Settings, .width = half});
     layout.item("change keys");
     change = context.focus.item() || change;
     ImGui::SameLine(0, scaled(8));
-    bool back = bigButton(words::back, {.icon = Icon::Back, .width = half});
+    bool back = bigButton(text("menu.back"), {.icon = Icon::Back, .width = half});
     layout.item("close help");
     back = context.focus.item() || back;
     layout.endCard();

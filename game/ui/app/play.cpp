@@ -147,6 +147,10 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     bool seen = true;
     while (app.frame(passed, seen)) {
         seen = (SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
+        if (app.resting()) {
+            // Nothing new would be shown: until something happens time passes in few, undrawn pictures.
+            seen = SDL_WaitEventTimeout(nullptr, 250) != 0 && seen;
+        }
         // Vertical sync does not limit the frame rate of a hidden window.
         if (!seen) {
             std::this_thread::sleep_for(std::chrono::milliseconds(15));

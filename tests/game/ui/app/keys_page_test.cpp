@@ -23,7 +23,7 @@ protected:
     void openByMouse() {
         player->clickItem("menu");
         player->frames(3);
-        player->clickItem("Settings");
+        player->clickItem("menu.settings");
         player->frames(3);
         player->clickItem("Change the keys");
         player->frames(3);

@@ -104,13 +104,13 @@ TEST_P(Screens, Menus) {
     player.frames(3);
     expectTidy(player, "menu");
     player.look(named("menu"));
-    player.clickItem("Settings");
+    player.clickItem("menu.settings");
     player.frames(3);
     expectTidy(player, "settings");
     player.look(named("settings"));
     player.key(SDLK_ESCAPE);
     player.frames(2);
-    player.clickItem("Levels");
+    player.clickItem("menu.levels");
     player.frames(3);
     expectTidy(player, "level list");
     player.look(named("levels"));
