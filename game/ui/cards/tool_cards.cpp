@@ -62,7 +62,7 @@ void drawTools(CommandButtons& buttons, Session const& session, bool mods) {
         next();
         buttons.icon("mods");
     }
-    if (session.mode() != SessionMode::building) {
+    if (session.mode() != SessionMode::building || session.level().wires > 0) {
         next();
         buttons.icon("cut");
     }

@@ -54,7 +54,8 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     bool const carrying = carried && !carried->turning;
     std::optional<std::string> taken;
     auto const slots = session.toolbox();
-    if (slots.empty()) {
+    int const wires = session.level().wires;
+    if (slots.empty() && wires == 0) {
         return taken;
     }
     layout.beginCard("toolbox", words::toolbox,
@@ -64,7 +65,7 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     float const tile = scaled(tileSide + 24);
     auto const rows = static_cast<float>((slots.size() + 1) / 2);
     float const wanted = rows * (tile + gap);
-    float const room = screen - scaled(cornerRow + bottomRow + 200);
+    float const room = screen - scaled(cornerRow + bottomRow + 200 + (wires > 0 ? 56 : 0));
     bool const scrolls = wanted > room;
     if (scrolls) {
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
@@ -102,6 +103,10 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     if (scrolls) {
         ImGui::EndChild();
         ImGui::PopStyleColor();
+    }
+    if (wires > 0) {
+        std::string const label = words::wiresLeft(session.wiresLeft());
+        buttons.big("wire", {.label = label.c_str(), .width = -1});
     }
     ImGui::PushFont(theme().fonts.small);
     caption(carrying ? words::dropHere : hint.c_str());

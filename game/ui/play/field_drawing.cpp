@@ -66,10 +66,28 @@ void drawGroup(PlayParts& parts) {
     }
 }
 
+/// The wire that is being laid.
+void drawNewWire(PlayParts const& parts) {
+    ObjectId const from = parts.wires.from();
+    if (!from.valid()) {
+        return;
+    }
+    World const& world = parts.session.world();
+    FactsReader const reader(world);
+    ObjectId const to = parts.wires.to();
+    Facts const end = to.valid() ? reader.of(to) : Facts{};
+    Pose const there = to.valid() ? parts.scene.poseOf(world, to) : Pose{toPoint(parts.pointer.world), 0};
+    auto const path = cablePath(reader.of(from), parts.scene.poseOf(world, from), end, there);
+    parts.context.canvas.polyline(path,
+                                  {.colour = parts.wires.why().empty() ? palette::accent : palette::warning,
+                                   .pixels = 4,
+                                   .alpha = 0.8F});
+}
+
 /// Marks the wire that a click of the scissors would cut.
 void drawBlades(PlayParts const& parts) {
-    auto const& wire = parts.hand.wireUnderBlades();
-    if (!parts.hand.cutting() || !wire.a.valid()) {
+    auto const& wire = parts.run.building() ? parts.wires.wireUnderBlades() : parts.hand.wireUnderBlades();
+    if (!(parts.hand.cutting() || parts.wires.cutting()) || !wire.a.valid()) {
         return;
     }
     World const& world = parts.session.world();
@@ -99,6 +117,18 @@ void drawWords(PlayParts const& parts) {
     if (carried && carried->turning) {
         auto const degrees = static_cast<int>(std::lround(carried->landing.angle * 180 / pi));
         chip(carried->landing.at, std::to_string(degrees) + "°", palette::accent, 40);
+    }
+    if (parts.wires.laying() && !parts.pointer.overCard) {
+        if (!parts.wires.why().empty()) {
+            chip(parts.pointer.world, parts.wires.why(), palette::warning, 28);
+        } else if (parts.wires.from().valid() && !parts.wires.to().valid()) {
+            chip(parts.pointer.world, words::wireFromHere, palette::accent, 28);
+        }
+    }
+    if (auto const& wire = parts.wires.wireUnderBlades(); parts.wires.cutting() && wire.a.valid()) {
+        chip(parts.pointer.world,
+             words::putThisBack(world.store().nameOf(wire.a), world.store().nameOf(wire.b)), palette::warning,
+             28);
     }
     if (auto const& wire = parts.hand.wireUnderBlades(); parts.hand.cutting() && wire.a.valid()) {
         chip(parts.pointer.world, words::cutThis(world.store().nameOf(wire.a), world.store().nameOf(wire.b)),
@@ -151,6 +181,7 @@ void drawField(PlayParts& parts) {
     (parts.group.dragging() ? options.alsoHidden : options.alsoSelected) = chosen;
     parts.scene.draw(canvas, world, options);
     canvas.newSheet();
+    drawNewWire(parts);
     drawBlades(parts);
     drawHandle(parts);
     drawCarried(parts);

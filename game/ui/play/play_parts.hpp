@@ -18,6 +18,8 @@
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 #include "game/ui/tools/group_tool.hpp"
+#include "game/ui/tools/wire_tool.hpp"
+#include "puzzle/campaign/kept_builds.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -42,7 +44,9 @@ struct PlayParts {
     Session session;
     PlacingTool placing;
     GroupTool group;
+    WireTool wires;
     HandTool hand;
+    HandTool secondHand;
     budget::BudgetMode budget;
     Inspector inspector;
     ComponentsPanel components;
@@ -53,6 +57,7 @@ struct PlayParts {
     LevelAudio audio;
     RunControl run;
     Celebration celebration;
+    BuildKeeper keeper; ///< what the player has placed, for the next time
     Film film;
     Picking picking;
     FieldMouse mouse;
@@ -66,6 +71,8 @@ struct PlayParts {
 
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
     [[nodiscard]] bool hasMods() const { return workshop != nullptr; }
+    /// Writes what was placed, if it is due; tells the player if it cannot be written.
+    void keepBuild(double seconds);
     [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }
     /// Looks at what scripts say and whether their files were saved, and tells the player; `seconds` have
     /// passed. Between frames.
@@ -80,6 +87,7 @@ struct PlayParts {
 private:
     [[nodiscard]] RunEvents runEvents();
     void stepped();
+    void solvedLevel(std::string const& id);
     bool reportedAltered_ = false; // whether the player knows that the reached goals of this run do not count
     [[nodiscard]] render::Extent subject() const;
 };

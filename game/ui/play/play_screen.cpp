@@ -31,9 +31,9 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     parts_.passMods(seconds);
     parts_.run.beginPicture(isHeld(context.input, context.keys, "fast"));
     setView();
-    parts_.pointer =
-        reader_.read(context, parts_.camera(),
-                     parts_.placing.carried().has_value() || parts_.group.dragging() || parts_.hand.busy());
+    parts_.pointer = reader_.read(context, parts_.camera(),
+                                  parts_.placing.carried().has_value() || parts_.group.dragging() ||
+                                      parts_.hand.busy() || parts_.secondHand.busy());
     parts_.allBack.pass(seconds);
     if (!parts_.run.building()) {
         parts_.allBack.forget();
@@ -46,13 +46,15 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     }
     auto const handle = parts_.handle();
     FieldMouse::Surroundings const around{handle ? std::optional(handle->at) : std::nullopt,
-                                          parts_.run.watching()};
+                                          parts_.run.watching(),
+                                          isHeld(context.input, context.keys, "second-hand")};
     if (parts_.mouse.update(parts_.pointer, around, seconds)) {
         parts_.newWorld();
     }
     parts_.run.advance(seconds, parts_.film.recording());
     tellOfSlowness();
     parts_.celebration.pass(seconds);
+    parts_.keepBuild(seconds);
     return parts_.request;
 }
 
@@ -65,7 +67,8 @@ void PlayScreen::tellOfSlowness() {
     }
 }
 
-void PlayScreen::updateBehindMenu(double) {
+void PlayScreen::updateBehindMenu(double seconds) {
+    parts_.keepBuild(seconds);
     setView();
     parts_.run.beginPicture(false);
     parts_.placing.cancel();
@@ -84,6 +87,7 @@ void PlayScreen::pictureComplete() {
 }
 
 void PlayScreen::leave() {
+    parts_.keepBuild(BuildKeeper::delay);
     parts_.audio.leave();
     parts_.film.end();
 }

@@ -36,9 +36,11 @@ public:
     [[nodiscard]] Shown const& shown() const { return parts_.shown; }
     [[nodiscard]] std::size_t hintsShown() const { return parts_.hintsShown; }
     [[nodiscard]] PlacingTool const& placing() const { return parts_.placing; }
+    [[nodiscard]] WireTool const& wires() const { return parts_.wires; }
     [[nodiscard]] GroupTool const& group() const { return parts_.group; }
     [[nodiscard]] Speed const& speed() const { return parts_.run.speed(); }
     [[nodiscard]] HandTool const& hand() const { return parts_.hand; }
+    [[nodiscard]] HandTool const& secondHand() const { return parts_.secondHand; }
     [[nodiscard]] Inspector const& inspector() const { return parts_.inspector; }
     [[nodiscard]] ComponentsPanel const& components() const { return parts_.components; }
     [[nodiscard]] ModsPanel const& mods() const { return parts_.modsPanel; }

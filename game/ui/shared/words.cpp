@@ -22,6 +22,15 @@ std::string toolboxHint(std::string const& turnLeft, std::string const& turnRigh
                 ? "The wheel turns it."
                 : "Wheel or " + keys + (turnLeft.empty() || turnRight.empty() ? " turns it." : " turn it."));
 }
+std::string wiresLeft(int count) {
+    return fmt::format("Wire ({} left)", count);
+}
+std::string conductsNot(std::string const& object) {
+    return fmt::format("No current flows through the {}", object);
+}
+std::string putThisBack(std::string const& a, std::string const& b) {
+    return fmt::format("Take the wire from {} to {} back", a, b);
+}
 std::string timesReal(double speed) {
     if (speed == 0.25) {
         return "¼×";

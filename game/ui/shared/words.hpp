@@ -42,6 +42,12 @@ inline constexpr char const* closeTip = "Close";
 inline constexpr char const* toolbox = "Toolbox";
 inline constexpr char const* dropHere = "Let go here to put it back";
 
+[[nodiscard]] std::string wiresLeft(int count);
+inline constexpr char const* wireOfLevel = "This wire belongs to the level.";
+inline constexpr char const* wireFromHere = "Drag the wire to another conductor, or click it";
+[[nodiscard]] std::string conductsNot(std::string const& object);
+[[nodiscard]] std::string putThisBack(std::string const& a, std::string const& b);
+
 // Goal, hints, success.
 inline constexpr char const* goal = "Goal";
 inline constexpr char const* noGoal = "There is nothing to reach here. Try things out.";

@@ -276,7 +276,8 @@ private:
 } // namespace
 
 BuiltLevel buildLevel(Registry const& registry, LevelFile const& level, PartLibrary const& library,
-                      std::span<Placement const> placements, WorldOptions options) {
+                      std::span<Placement const> placements, WorldOptions options,
+                      std::span<LevelConnection const> wires) {
     Problems problems;
     Builder builder(registry, level, library, problems);
     builder.addWorld();
@@ -293,7 +294,7 @@ BuiltLevel buildLevel(Registry const& registry, LevelFile const& level, PartLibr
     builder.create(store);
     problems.throwIfAny(); // rules may assume that references are valid
     builder.checkRules(store);
-    layConnections(registry, level, store, problems);
+    layConnections(registry, level, wires, store, problems);
     problems.throwIfAny(); // and completions may assume that all rules hold
     built.world->start();
     built.objects = builder.created(Origin::Kind::object, level.objects.size());

@@ -96,8 +96,10 @@ private:
 
 } // namespace
 
-void layConnections(Registry const& registry, LevelFile const& level, Store& store, Problems& problems) {
+void layConnections(Registry const& registry, LevelFile const& level, std::span<LevelConnection const> wires,
+                    Store& store, Problems& problems) {
     std::vector<LevelConnection> sorted = level.connections;
+    sorted.insert(sorted.end(), wires.begin(), wires.end());
     for (LevelConnection& connection : sorted) {
         if (connection.b < connection.a) {
             std::swap(connection.a, connection.b);

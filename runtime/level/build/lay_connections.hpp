@@ -5,12 +5,16 @@
 #include "runtime/level/model/level.hpp"
 #include "runtime/world/registry.hpp"
 
+#include <span>
+
 namespace trembler {
 
 /// Makes every connection of a level between the named objects, before the first frame: by the effect whose
 /// kind it states, or else by the only effect that can connect the two (Connector). If there is no such
 /// effect, or more than one, adds a problem at the connection's place in the file. The order of the level's
 /// list does not matter.
-void layConnections(Registry const& registry, LevelFile const& level, Store& store, Problems& problems);
+/// `wires` are connections that the player has laid, in addition to those of the level.
+void layConnections(Registry const& registry, LevelFile const& level, std::span<LevelConnection const> wires,
+                    Store& store, Problems& problems);
 
 } // namespace trembler

@@ -62,6 +62,9 @@ struct LevelConnection {
     std::string kind{}; ///< as stated, for example "wire"; empty: it follows from the objects connected
 };
 
+/// The kind of the connections that a player may lay.
+inline constexpr std::string_view playersWire = "wire";
+
 /// A part and the place where a player put it.
 struct Placement {
     std::string part;
@@ -85,12 +88,14 @@ struct RecordedInput {
     std::string other; ///< cut: the wire's other end
     Vec2 at;           ///< m, in the world: grab, move
     std::string path;
+    int hand = 0; ///< 0 or 1: grab, move, release
 };
 
 /// A recorded run: its placements, inputs and changes, and whether it is expected to solve the level.
 struct Solution {
     std::string name;
     std::vector<Placement> placements;
+    std::vector<LevelConnection> wires;  ///< that the player laid; also between placed parts
     std::vector<RecordedInput> inputs;   ///< ascending by frame
     std::vector<RecordedChange> changes; ///< ascending by frame
     bool solves = true;                  ///< "expect": "solved" or "unsolved"
@@ -113,6 +118,7 @@ struct LevelFile {
     std::vector<LevelConnection> connections;
     std::optional<std::vector<Area>> placing; ///< none: anywhere within the bounds
     std::vector<ToolboxEntry> toolbox;
+    int wires = 0;        ///< that the player may lay: the entry {"wire": n} of "toolbox"
     nlohmann::json goals; ///< null if there are none; puzzle/goals reads them
     std::vector<std::string> hints;
     std::vector<Solution> solutions;

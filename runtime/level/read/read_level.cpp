@@ -209,7 +209,15 @@ private:
     }
 
     void readToolboxEntry(JsonNode const& node) {
-        MemberReader reader(node, "an object {\"part\", \"count\"}");
+        MemberReader reader(node, "an object {\"part\", \"count\"} or {\"wire\"}");
+        if (auto const wire = reader.optional("wire")) {
+            reader.finish();
+            if (level_.wires > 0) {
+                node.complain("states wires again", "one entry for all wires");
+            }
+            level_.wires = static_cast<int>(wire->integer(1, limits::toolboxCount).value_or(0));
+            return;
+        }
         auto const part = reader.required("part", "the name of a part");
         auto const count = reader.optional("count");
         reader.finish();

@@ -79,6 +79,9 @@ Json inputJson(RecordedInput const& input) {
         entry[key] = input.object;
         break;
     }
+    if (input.hand != 0) {
+        entry["hand"] = input.hand;
+    }
     return entry;
 }
 
@@ -134,6 +137,9 @@ Json writeSolution(Solution const& solution) {
         }
         return made;
     });
+    addList(entry, "wires", solution.wires, [](LevelConnection const& wire) {
+        return Json::array({wire.a, wire.b});
+    });
     addList(entry, "inputs", solution.inputs, inputJson);
     addList(entry, "changes", solution.changes, changeJson);
     if (!solution.solves) {
@@ -175,6 +181,9 @@ Json writeLevel(LevelFile const& level) {
     addList(out, "toolbox", level.toolbox, [](ToolboxEntry const& entry) {
         return Json{{"part", entry.part}, {"count", entry.count}};
     });
+    if (level.wires > 0) {
+        out["toolbox"].push_back(Json{{"wire", level.wires}});
+    }
     if (!level.goals.is_null()) {
         out["goals"] = level.goals;
     }

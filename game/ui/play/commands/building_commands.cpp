@@ -1,5 +1,6 @@
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/shared/words.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -43,6 +44,7 @@ void nudge(PlayParts& parts) {
 void undo(PlayParts& parts) {
     parts.placing.cancel();
     parts.group.cancel();
+    parts.wires.cancel();
     if (parts.session.undo()) {
         parts.newWorld();
     }
@@ -51,6 +53,7 @@ void undo(PlayParts& parts) {
 void redo(PlayParts& parts) {
     parts.placing.cancel();
     parts.group.cancel();
+    parts.wires.cancel();
     if (parts.session.redo()) {
         parts.newWorld();
     }
@@ -161,6 +164,7 @@ constexpr Command<PlayParts> buildingTable[] = {
      .available = [](PlayParts const& parts) { return partAtHand(parts) && !parts.placing.carried(); }},
     {.info = {.id = "undo",
               .keys = {{withCtrl(SDLK_z)}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER)},
               .use = KeyUse::repeats,
               .icon = Icon::Undo,
               .group = CommandGroup::building,
@@ -171,6 +175,7 @@ constexpr Command<PlayParts> buildingTable[] = {
      .available = [](PlayParts const& parts) { return parts.session.canUndo() || parts.placing.carried(); }},
     {.info = {.id = "redo",
               .keys = {{withCtrlShift(SDLK_z), withCtrl(SDLK_y)}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)},
               .use = KeyUse::repeats,
               .icon = Icon::Redo,
               .group = CommandGroup::building,
@@ -188,7 +193,10 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "put all parts back"},
      .run = allBack,
      .available =
-         [](PlayParts const& parts) { return parts.run.building() && !parts.session.placed().empty(); }},
+         [](PlayParts const& parts) {
+             return parts.run.building() &&
+                    !(parts.session.placed().empty() && parts.session.wires().empty());
+         }},
 };
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "game/ui/play/commands/command_sections.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -8,6 +9,7 @@ using render::Icon;
 constexpr Command<PlayParts> runTable[] = {
     {.info = {.id = "run",
               .keys = {{{SDLK_SPACE}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_X)},
               .icon = Icon::Play,
               .group = CommandGroup::running,
               .name = "Run",
@@ -18,6 +20,7 @@ constexpr Command<PlayParts> runTable[] = {
      .on = inARun},
     {.info = {.id = "pause",
               .keys = {{{SDLK_p}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_Y)},
               .icon = Icon::Pause,
               .group = CommandGroup::running,
               .name = "Pause",

@@ -51,11 +51,13 @@ protected:
     render::Toasts toasts;
     PlacingTool placing{session, toasts};
     HandTool hand{session};
+    HandTool second{session, 1};
     CameraControl view;
     Inspector inspector;
     Picking picking{session, inspector};
     GroupTool group{session, placing, toasts};
-    FieldMouse mouse{session, placing, group, hand, view, picking};
+    WireTool wires{session, toasts};
+    FieldMouse mouse{session, placing, group, wires, hand, second, view, picking};
 };
 
 TEST_F(MouseOnTheField, PointsAtObjectsThatNoCardCovers) {
