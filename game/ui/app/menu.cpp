@@ -7,6 +7,7 @@
 #include "render/panels/theme.hpp"
 #include "render/window/gamepad.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 
@@ -139,6 +140,15 @@ std::optional<ScreenRequest> Menu::draw(UiContext& context, Screen& behind) {
     if (padBack || (context.input.keyPressed(SDLK_ESCAPE) && !keys_.cancel())) {
         back();
         return {};
+    }
+    auto const wanted = [&](SDL_Event const& event) {
+        auto const chords = context.keys.keysOf("fullscreen");
+        return event.type == SDL_KEYDOWN && event.key.repeat == 0 &&
+               std::find(chords.begin(), chords.end(), chordOf(event.key.keysym)) != chords.end();
+    };
+    auto const pressed = context.input.events();
+    if (!keys_.waiting() && std::any_of(pressed.begin(), pressed.end(), wanted)) {
+        return request::SwitchFullscreen{}; // the one command that a menu has, too
     }
     drawVeil();
     auto const events = keys_.waiting() ? std::span<SDL_Event const>() : context.input.events();

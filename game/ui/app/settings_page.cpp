@@ -78,8 +78,8 @@ bool drawSizes(UiContext& context, Settings& settings) {
     ImGui::TextUnformatted(text("settings.size"));
     for (std::size_t i = 0; i < steps.size(); ++i) {
         bool const on = std::abs(settings.uiScale - steps[i]) < 0.01F;
-        std::string const label = std::to_string(static_cast<int>(std::lround(steps[i] * 100))) + "%";
-        if (choiceButton(context, label.c_str(), label.c_str(), on, i == 0)) {
+        std::string const percent = std::to_string(static_cast<int>(std::lround(steps[i] * 100)));
+        if (choiceButton(context, (percent + " %").c_str(), (percent + "%").c_str(), on, i == 0)) {
             settings.uiScale = steps[i];
             touched = true;
         }
