@@ -1,6 +1,7 @@
 #include "puzzle/campaign/chapter.hpp"
 
 #include "runtime/level/json/json_node.hpp"
+#include "runtime/level/read/read_texts.hpp"
 
 #include <array>
 #include <cctype>
@@ -59,6 +60,9 @@ Chapter readChapter(std::shared_ptr<JsonDocument const> const& document) {
         if (auto const kind = reader.optional("kind")) {
             chapter.kind = static_cast<ChapterKind>(kind->choice(chapterKinds).value_or(0));
         }
+        if (auto const texts = reader.optional("texts")) {
+            chapter.texts = readTexts(*texts, TextsOf::part);
+        }
         reader.finish();
     }
     problems.throwIfAny();
@@ -101,7 +105,8 @@ nlohmann::ordered_json chapterSchema() {
            {{"enum", std::move(kinds)},
             {"description",
              "puzzles (left out: these) are solved in order; a gallery's levels are demonstrations, kept "
-             "apart from them"}}}}}};
+             "apart from them"}}},
+          {"texts", textsSchema(TextsOf::part)}}}};
 }
 
 } // namespace trembler

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"
+#include "runtime/level/model/translation.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -23,6 +24,7 @@ struct Chapter {
     std::string text;    ///< a sentence below the title; may be empty
     double order = 1000; ///< chapters are sorted by it, equal ones by the names of their folders
     ChapterKind kind = ChapterKind::puzzles;
+    Translations texts{}; ///< in further languages
 };
 
 /// The file in a folder of levels that describes it.

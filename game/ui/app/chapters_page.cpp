@@ -48,9 +48,11 @@ void ChaptersPage::open(UiContext const& context, std::filesystem::path const& c
 
 void ChaptersPage::drawTabs(UiContext& context) {
     auto const& chapters = context.levels.groups();
+    std::string const language(languageInUse());
     float const right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; i < chapters.size(); ++i) {
-        std::string const label = chapters[i].title + "  " + countOf(context, chapters[i]);
+        std::string const label =
+            titleIn(chapters[i].texts, language, chapters[i].title) + "  " + countOf(context, chapters[i]);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(scaled(11), scaled(7)));
         float const width = ImGui::CalcTextSize(label.c_str()).x + scaled(22);
         if (i > 0 && ImGui::GetItemRectMax().x + scaled(8) + width <= right) {
@@ -106,8 +108,9 @@ ChaptersPage::Choice ChaptersPage::draw(UiContext& context, std::filesystem::pat
         chapter_ = std::min(chapter_, chapters.size() - 1);
         drawTabs(context);
         CatalogGroup const& chapter = chapters[chapter_];
-        if (!chapter.text.empty()) {
-            caption(chapter.text.c_str());
+        if (std::string const about = textIn(chapter.texts, std::string(languageInUse()), chapter.text);
+            !about.empty()) {
+            caption(about.c_str());
         }
         CatalogEntry const* const here = current.empty() ? nullptr : context.levels.find(current);
         // The button below, with the gaps around it and the card's padding.

@@ -94,11 +94,11 @@ void drawPicture(UiContext& context, CatalogEntry const& entry, ImVec2 low, ImVe
     }
 }
 
-void showTip(CatalogEntry const& entry, bool cut) {
+void showTip(CatalogEntry const& entry, std::string const& title, bool cut) {
     if (!entry.trouble.empty()) {
         ImGui::SetTooltip("%s\n%s", text("levels.cannot_play"), words::wrapped(entry.trouble, 70).c_str());
     } else if (cut) {
-        ImGui::SetTooltip("%s", words::wrapped(entry.title, 70).c_str());
+        ImGui::SetTooltip("%s", words::wrapped(title, 70).c_str());
     }
 }
 
@@ -125,7 +125,8 @@ bool drawLevelCard(UiContext& context, CatalogEntry const& entry, LevelCardOptio
                  scaled(9), 0, scaled(marked ? 2.6F : 1.4F));
     clicked = context.focus.item() || clicked;
     ImGui::PushFont(theme().fonts.small);
-    std::vector<std::string> const lines = inTwoLines(entry.title, high.x - low.x - scaled(20));
+    std::string const title = titleIn(entry.texts, std::string(languageInUse()), entry.title);
+    std::vector<std::string> const lines = inTwoLines(title, high.x - low.x - scaled(20));
     float y = low.y + scaled(pictureHeight + 12);
     for (std::string const& line : lines) {
         list.AddText({low.x + scaled(10), y}, imColour(trouble ? palette::inkSoft : palette::ink),
@@ -141,7 +142,7 @@ bool drawLevelCard(UiContext& context, CatalogEntry const& entry, LevelCardOptio
         drawStars(context, entry, low, high);
     }
     if (hovered) {
-        showTip(entry, !lines.empty() && lines.back().ends_with("…"));
+        showTip(entry, title, !lines.empty() && lines.back().ends_with("…"));
     }
     return clicked && !trouble;
 }

@@ -74,7 +74,7 @@ void TitleScreen::drawButtons() {
             ask(request::OpenLevel{next->file});
         }
         ImGui::PushFont(theme().fonts.small);
-        caption(next->title.c_str());
+        caption(titleIn(next->texts, std::string(languageInUse()), next->title).c_str());
         ImGui::PopFont();
     }
     float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;

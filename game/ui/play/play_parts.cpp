@@ -2,6 +2,7 @@
 
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
+#include "puzzle/campaign/as_played.hpp"
 #include "render/scene/areas.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -25,8 +26,10 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
                      std::shared_ptr<GameData const> levelData, WorldOptions const& options)
     : context(uiContext), file(std::move(levelFile)), data(std::move(levelData)),
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
-      session(data ? data->registry : context.registry, data ? data->parts : context.parts,
-              loadLevel(data ? data->registry : context.registry, file), options),
+      session(
+          data ? data->registry : context.registry, data ? data->parts : context.parts,
+          asPlayed(loadLevel(data ? data->registry : context.registry, file), std::string(languageInUse())),
+          options),
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session), secondHand(session, 1),
       budget(data ? data->registry : context.registry), goals(session.level()), audio(context.loudspeaker),

@@ -47,6 +47,7 @@ CatalogEntry entryFor(DataOfLevels& data, fs::path const& file, std::string id) 
     try {
         LevelFile const level = loadLevel(data.registryOf(file), file);
         entry.demonstration = level.demonstration;
+        entry.texts = level.texts;
         if (!level.title.empty()) {
             entry.title = level.title;
         }
@@ -155,6 +156,7 @@ LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, Cat
         for (fs::path const& file : *one.files) {
             group.levels.push_back(entryFor(data, file, file.lexically_relative(folder).generic_string()));
         }
+        group.texts = one.chapter.texts;
         groups_.push_back(std::move(group));
     }
     for (fs::path const& mod : mods.mods) {

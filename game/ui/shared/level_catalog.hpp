@@ -21,6 +21,7 @@ struct CatalogEntry {
     std::string title;          ///< from the file; the file's name if it cannot be read
     std::string trouble;        ///< why it cannot be played, as a sentence for the player; empty if it can
     bool demonstration = false; ///< reaches its goals by itself
+    Translations texts{};       ///< its title in further languages
 };
 
 /// One folder of levels.
@@ -29,6 +30,7 @@ struct CatalogGroup {
     std::string text;  ///< a sentence below it, or the reason why its chapter.json cannot be read
     bool gallery = false;
     std::vector<CatalogEntry> levels;
+    Translations texts{}; ///< title and text in further languages
 };
 
 /// Levels that name mods, and levels of mods.

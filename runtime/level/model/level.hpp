@@ -4,6 +4,7 @@
 #include "runtime/input/player_input.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/model/recorded_change.hpp"
+#include "runtime/level/model/translation.hpp"
 #include "runtime/level/property/name_table.hpp"
 #include "runtime/level/property/property_set.hpp"
 
@@ -120,7 +121,9 @@ struct LevelFile {
     std::vector<ToolboxEntry> toolbox;
     int wires = 0;        ///< that the player may lay: the entry {"wire": n} of "toolbox"
     nlohmann::json goals; ///< null if there are none; puzzle/goals reads them
+    nlohmann::json task;  ///< of a demonstration: what the player shall do with it; null if there is none
     std::vector<std::string> hints;
+    Translations texts; ///< in further languages
     std::vector<Solution> solutions;
 
     NameTable names; ///< of the objects that properties refer to

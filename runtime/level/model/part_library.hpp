@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"
+#include "runtime/level/model/translation.hpp"
 #include "runtime/level/property/property_set.hpp"
 #include "runtime/world/registry.hpp"
 
@@ -20,6 +21,7 @@ struct PartDefinition {
     std::string text;  ///< for players: its function
     PropertySet properties;
     std::shared_ptr<JsonDocument const> document; ///< may be null
+    Translations texts{};                         ///< in further languages
 
     /// The prototype for making objects while the world runs.
     [[nodiscard]] Prototype prototype() const;

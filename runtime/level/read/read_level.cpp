@@ -8,6 +8,7 @@
 #include "runtime/level/read/read_area.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/read_texts.hpp"
 #include "runtime/level/read/read_world.hpp"
 
 #include <fmt/format.h>
@@ -83,6 +84,16 @@ public:
         }
         if (auto const goals = reader.optional("goals"); goals && goals->isObject("a condition")) {
             level_.goals = goals->value();
+        }
+        if (auto const task = reader.optional("task"); task && task->isObject("a condition")) {
+            level_.task = task->value();
+            if (!level_.demonstration) {
+                task->complain("only a demonstration has a task",
+                               "\"demonstration\": true, or the condition under \"goals\"");
+            }
+        }
+        if (auto const texts = reader.optional("texts")) {
+            level_.texts = readTexts(*texts, TextsOf::level);
         }
         if (auto const hints = reader.optional("hints");
             hints && hints->isList("a list of texts", limits::hints)) {

@@ -4,6 +4,7 @@
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/read/read_extensions.hpp"
+#include "runtime/level/read/read_texts.hpp"
 #include "runtime/level/write/change_schema.hpp"
 #include "runtime/level/write/property_schema.hpp"
 #include "runtime/level/write/schema_pieces.hpp"
@@ -176,7 +177,9 @@ Json levelSchema(Registry const& registry, Json const& goals) {
                                         {"wire"})})}},
         limits::toolboxEntries);
     members["goals"] = goals.is_null() ? Json{{"type", "object"}} : json_schema::reference("condition");
+    members["task"] = members["goals"];
     members["hints"] = json_schema::listOf(text, limits::hints);
+    members["texts"] = textsSchema(TextsOf::level);
     members["solutions"] = json_schema::listOf(json_schema::reference("solution"), limits::solutions);
     members["$schema"] = text;
     if (goals.is_object() && goals.contains("$defs")) {
@@ -205,7 +208,8 @@ Json partSchema(Registry const& registry) {
     Json members{{"$schema", text},
                  {"name", json_schema::reference("name")},
                  {"title", json_schema::reference("name")},
-                 {"text", text}};
+                 {"text", text},
+                 {"texts", textsSchema(TextsOf::part)}};
     if (PropertyInfo const* const look = registry.objectProperty("look")) {
         members["look"] = propertySchema(*look);
     }

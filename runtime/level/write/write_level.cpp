@@ -2,6 +2,7 @@
 
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_writer.hpp"
+#include "runtime/level/read/read_texts.hpp"
 
 namespace trembler {
 namespace {
@@ -187,7 +188,13 @@ Json writeLevel(LevelFile const& level) {
     if (!level.goals.is_null()) {
         out["goals"] = level.goals;
     }
+    if (!level.task.is_null()) {
+        out["task"] = level.task;
+    }
     addList(out, "hints", level.hints, [](std::string const& hint) { return Json(hint); });
+    if (!level.texts.empty()) {
+        out["texts"] = writeTexts(level.texts);
+    }
     addList(out, "solutions", level.solutions, writeSolution);
     return out;
 }
