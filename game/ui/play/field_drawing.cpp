@@ -66,6 +66,21 @@ void drawGroup(PlayParts& parts) {
     }
 }
 
+/// The pointer that keys move.
+void drawKeyPointer(PlayParts const& parts) {
+    if (!parts.keyPointer.active()) {
+        return;
+    }
+    Canvas& canvas = parts.context.canvas;
+    Point const at = toPoint(parts.keyPointer.at());
+    double const arm = canvas.metres(15);
+    double const gap = canvas.metres(4);
+    for (Point const way : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}}) {
+        canvas.line(at + gap * way, at + arm * way,
+                    {.colour = palette::accent, .pixels = 3, .outline = 1, .round = true});
+    }
+}
+
 /// The wire that is being laid.
 void drawNewWire(PlayParts const& parts) {
     ObjectId const from = parts.wires.from();
@@ -186,6 +201,7 @@ void drawField(PlayParts& parts) {
     drawHandle(parts);
     drawCarried(parts);
     drawGroup(parts);
+    drawKeyPointer(parts);
     canvas.end();
     drawWords(parts);
 }

@@ -8,6 +8,7 @@
 #include "game/ui/panels/mods_panel.hpp"
 #include "game/ui/play/keeping/film.hpp"
 #include "game/ui/play/mouse/field_mouse.hpp"
+#include "game/ui/play/mouse/key_pointer.hpp"
 #include "game/ui/play/mouse/turn_handle.hpp"
 #include "game/ui/play/run/celebration.hpp"
 #include "game/ui/play/run/level_audio.hpp"
@@ -59,6 +60,7 @@ struct PlayParts {
     Celebration celebration;
     BuildKeeper keeper; ///< what the player has placed, for the next time
     Film film;
+    KeyPointer keyPointer;
     Picking picking;
     FieldMouse mouse;
     std::unique_ptr<Workshop> workshop; ///< nullptr: the level names no mods

@@ -6,8 +6,21 @@
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/field_drawing.hpp"
 #include "game/ui/shared/words.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
+namespace {
+
+/// The direction that is held on a gamepad, in steps.
+Vec2 padDirection(render::InputEvents const& input) {
+    auto const held = [&](SDL_GameControllerButton button) {
+        return input.keyHeld(render::padKey(button)) ? 1.0 : 0.0;
+    };
+    return {held(SDL_CONTROLLER_BUTTON_DPAD_RIGHT) - held(SDL_CONTROLLER_BUTTON_DPAD_LEFT),
+            held(SDL_CONTROLLER_BUTTON_DPAD_UP) - held(SDL_CONTROLLER_BUTTON_DPAD_DOWN)};
+}
+
+} // namespace
 
 PlayScreen::PlayScreen(UiContext& context, std::filesystem::path file, std::shared_ptr<GameData const> data,
                        WorldOptions const& options)
@@ -19,7 +32,8 @@ std::span<Gesture const> PlayScreen::gestures() const {
 
 void PlayScreen::setView() {
     auto const scale = static_cast<double>(parts_.context.window.uiScale());
-    bool const boxed = !parts_.session.level().toolbox.empty();
+    LevelFile const& level = parts_.session.level();
+    bool const boxed = !level.toolbox.empty() || level.wires > 0;
     Margins const margins{scale * (goalCardWidth + 2 * cardGap), scale * cardGap,
                           scale * (boxed ? toolboxWidth + 2 * cardGap : cardGap), scale * (bottomRow + 6)};
     parts_.view.setView(parts_.context.window.size(), margins);
@@ -31,9 +45,13 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     parts_.passMods(seconds);
     parts_.run.beginPicture(isHeld(context.input, context.keys, "fast"));
     setView();
-    parts_.pointer = reader_.read(context, parts_.camera(),
-                                  parts_.placing.carried().has_value() || parts_.group.dragging() ||
-                                      parts_.hand.busy() || parts_.secondHand.busy());
+    Pointer const mouse = reader_.read(context, parts_.camera(),
+                                       parts_.placing.carried().has_value() || parts_.group.dragging() ||
+                                           parts_.hand.busy() || parts_.secondHand.busy());
+    parts_.keyPointer.holdDirection(padDirection(context.input), seconds, context.shiftHeld(), mouse,
+                                    parts_.camera());
+    parts_.pointer =
+        parts_.keyPointer.instead(mouse, parts_.camera(), isHeld(context.input, context.keys, "act"));
     parts_.allBack.pass(seconds);
     if (!parts_.run.building()) {
         parts_.allBack.forget();

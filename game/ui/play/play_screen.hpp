@@ -40,6 +40,7 @@ public:
     [[nodiscard]] GroupTool const& group() const { return parts_.group; }
     [[nodiscard]] Speed const& speed() const { return parts_.run.speed(); }
     [[nodiscard]] HandTool const& hand() const { return parts_.hand; }
+    [[nodiscard]] KeyPointer const& keyPointer() const { return parts_.keyPointer; }
     [[nodiscard]] HandTool const& secondHand() const { return parts_.secondHand; }
     [[nodiscard]] Inspector const& inspector() const { return parts_.inspector; }
     [[nodiscard]] ComponentsPanel const& components() const { return parts_.components; }

@@ -11,6 +11,9 @@ using render::Icon;
 bool partAtHand(PlayParts const& parts) {
     return parts.run.building() && (parts.placing.carried() || parts.placing.selected() || parts.group.any());
 }
+bool isBuilding(PlayParts const& parts) {
+    return parts.run.building();
+}
 /// Whether commands act on the chosen parts together.
 bool actsOnGroup(PlayParts const& parts) {
     return parts.group.any() && !parts.placing.carried();
@@ -36,8 +39,15 @@ void turn(PlayParts& parts) {
     place(parts, [&](auto& tool) { tool.turn(steps, parts.context.shiftHeld()); });
 }
 
+/// Moves the selected parts; if there are none, or one is in the hand, the pointer.
 template <int x, int y>
 void nudge(PlayParts& parts) {
+    bool const selected =
+        parts.run.building() && !parts.placing.carried() && (parts.placing.selected() || parts.group.any());
+    if (!selected || parts.keyPointer.active()) {
+        parts.keyPointer.move({x, y}, parts.context.shiftHeld(), parts.pointer, parts.camera());
+        return;
+    }
     place(parts, [&](auto& tool) { tool.nudge({x, y}, parts.context.shiftHeld()); });
 }
 
@@ -71,6 +81,33 @@ void allBack(PlayParts& parts) {
     parts.context.toasts.add(words::allBackDone);
 }
 
+/// Takes the next part out of the toolbox, after the one in the hand, `by` entries on; after the last one the
+/// hand is empty.
+template <int by>
+void takeNext(PlayParts& parts) {
+    auto const slots = parts.session.toolbox();
+    int const count = static_cast<int>(slots.size());
+    auto const& carried = parts.placing.carried();
+    int now = by > 0 ? -1 : count;
+    for (int i = 0; carried && !carried->number && i < count; ++i) {
+        now = slots[static_cast<std::size_t>(i)].part == carried->landing.part ? i : now;
+    }
+    parts.placing.cancel();
+    parts.group.reset();
+    parts.wires.reset();
+    for (int next = now + by; next >= 0 && next < count; next += by) {
+        ToolboxSlot const& slot = slots[static_cast<std::size_t>(next)];
+        if (slot.left > 0) {
+            parts.keyPointer.show(parts.pointer, parts.camera());
+            Pointer pointer = parts.pointer;
+            pointer.world = parts.keyPointer.at();
+            parts.placing.take(slot.part, pointer);
+            parts.placing.keepInHand();
+            return;
+        }
+    }
+}
+
 void duplicate(PlayParts& parts) {
     World const* const world = &parts.session.world();
     parts.group.duplicate();
@@ -102,40 +139,40 @@ constexpr Command<PlayParts> buildingTable[] = {
      .available = partAtHand},
     {.info = {.id = "move-left",
               .keys = {{{SDLK_LEFT}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT)},
               .use = KeyUse::repeats,
               .group = CommandGroup::building,
               .name = "Move left",
-              .tip = "Move the selected part to the left, with Shift by less",
-              .help = "move the selected part (Shift: finer)"},
-     .run = nudge<-1, 0>,
-     .available = partAtHand},
+              .tip = "Move the selected part, or else the pointer, to the left; with Shift by less",
+              .help = "move the selected part or the pointer (Shift: finer)"},
+     .run = nudge<-1, 0>},
     {.info = {.id = "move-right",
               .keys = {{{SDLK_RIGHT}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_RIGHT)},
               .use = KeyUse::repeats,
               .group = CommandGroup::building,
               .name = "Move right",
-              .tip = "Move the selected part to the right, with Shift by less",
-              .help = "move the selected part (Shift: finer)"},
-     .run = nudge<1, 0>,
-     .available = partAtHand},
+              .tip = "Move the selected part, or else the pointer, to the right; with Shift by less",
+              .help = "move the selected part or the pointer (Shift: finer)"},
+     .run = nudge<1, 0>},
     {.info = {.id = "move-up",
               .keys = {{{SDLK_UP}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_UP)},
               .use = KeyUse::repeats,
               .group = CommandGroup::building,
               .name = "Move up",
-              .tip = "Move the selected part up, with Shift by less",
-              .help = "move the selected part (Shift: finer)"},
-     .run = nudge<0, 1>,
-     .available = partAtHand},
+              .tip = "Move the selected part, or else the pointer, up; with Shift by less",
+              .help = "move the selected part or the pointer (Shift: finer)"},
+     .run = nudge<0, 1>},
     {.info = {.id = "move-down",
               .keys = {{{SDLK_DOWN}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN)},
               .use = KeyUse::repeats,
               .group = CommandGroup::building,
               .name = "Move down",
-              .tip = "Move the selected part down, with Shift by less",
-              .help = "move the selected part (Shift: finer)"},
-     .run = nudge<0, -1>,
-     .available = partAtHand},
+              .tip = "Move the selected part, or else the pointer, down; with Shift by less",
+              .help = "move the selected part or the pointer (Shift: finer)"},
+     .run = nudge<0, -1>},
     {.info = {.id = "put-back",
               .keys = {{{SDLK_DELETE}}},
               .icon = Icon::Remove,
@@ -145,6 +182,33 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "put the part back"},
      .run = [](PlayParts& parts) { place(parts, [](auto& tool) { tool.putBack(); }); },
      .available = partAtHand},
+    {.info = {.id = "next-part",
+              .keys = {{{SDLK_t}}},
+              .pad = {render::padRightTrigger},
+              .group = CommandGroup::building,
+              .name = "Next part",
+              .tip = "Take the next part out of the toolbox",
+              .help = "take the next, the previous part"},
+     .run = takeNext<1>,
+     .available = isBuilding},
+    {.info = {.id = "previous-part",
+              .keys = {{{.key = SDLK_t, .shift = true}}},
+              .pad = {render::padLeftTrigger},
+              .group = CommandGroup::building,
+              .name = "Previous part",
+              .tip = "Take the previous part out of the toolbox",
+              .help = "take the next, the previous part"},
+     .run = takeNext<-1>,
+     .available = isBuilding},
+    {.info = {.id = "act",
+              .keys = {{{SDLK_RETURN}, {SDLK_KP_ENTER}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_A)},
+              .use = KeyUse::held,
+              .group = CommandGroup::building,
+              .name = "Mouse button",
+              .tip = "Acts as the mouse's button where the pointer is that keys move",
+              .help = "place, take hold where the pointer is"},
+     .run = [](PlayParts&) {}},
     {.info = {.id = "choose-all",
               .keys = {{withCtrl(SDLK_a)}},
               .group = CommandGroup::building,
