@@ -17,8 +17,8 @@ namespace trembler {
 struct SolutionKind {
     std::set<std::string> parts;   ///< names of the part definitions that were placed
     std::set<std::string> actions; ///< of the player in the run: "grab", "cut", "remove"
-    /// Titles of the components among the direct and indirect causes of the goals, see
-    /// GoalJudge::causes() and Tracer::chain(): "(Electricity <- Dynamics) Interaction".
+    /// Names of the components among the direct and indirect causes of the goals, see
+    /// GoalJudge::causes() and Tracer::chain(): "Electricity <- Dynamics".
     std::set<std::string> causes;
 
     bool operator==(SolutionKind const&) const = default;

@@ -24,7 +24,7 @@ TEST(SolutionKind, IsThatOfTheRun) {
     EXPECT_TRUE(bar.solves);
     EXPECT_EQ(bar.kind.parts, std::set<std::string>{"steel bar"});
     EXPECT_TRUE(bar.kind.actions.empty());
-    EXPECT_TRUE(bar.kind.causes.contains("(Electricity <- Dynamics) Interaction"))
+    EXPECT_TRUE(bar.kind.causes.contains("Electricity <- Dynamics"))
         << "the contacts of the bar close the circuit";
     EXPECT_EQ(kindOfNamed("the steel bar").kind, bar.kind) << "a pure function";
     KindOfRun const spanner = kindOfNamed("the spanner");

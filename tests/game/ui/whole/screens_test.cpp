@@ -176,6 +176,7 @@ public:
         : device_(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
                                             SDL_CONTROLLER_BUTTON_MAX, 0)) {
         joystick_ = device_ < 0 ? nullptr : SDL_JoystickOpen(device_);
+        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1"); // no window has the focus here
     }
     ~VirtualPad() {
         SDL_JoystickClose(joystick_);
