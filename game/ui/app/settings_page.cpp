@@ -107,9 +107,6 @@ bool drawRows(UiContext& context, Settings& settings) {
     bool touched = drawSizes(context, settings);
     touched = drawLanguages(context, settings) || touched;
     touched = drawVolume(context, text("settings.volume"), "volume", settings.volume) || touched;
-    touched = drawVolume(context, text("settings.interface_volume"), "interface volume",
-                         settings.interfaceVolume) ||
-              touched;
     touched = check(context, text("settings.hrtf"), "hrtf", settings.hrtf) || touched;
     smallCaption(text("settings.hrtf_tip"));
     // Without a graphics card shadows are off until the player switches them on.

@@ -16,8 +16,7 @@ struct Settings {
     bool shadowsChosen = false; ///< by the player: otherwise the graphics driver decides
     bool fullscreen = false;
     bool names = false;         ///< names of objects in the world
-    int volume = 80;            ///< percent, of the world; 0: silence
-    int interfaceVolume = 60;   ///< percent, of buttons and of the celebration; 0: silence
+    int volume = 80;            ///< percent; 0: silence
     bool hrtf = false;          ///< binaural sound for headphones
     bool reducedMotion = false; ///< nothing moves for decoration alone
     std::string language;       ///< "en", "de"; empty: that of the desktop
