@@ -80,7 +80,7 @@ bool Session::keep(std::optional<Placements::List> next, std::vector<LaidWire> w
     if (!next) {
         return false;
     }
-    wires = trembler::lasting(std::move(wires), level_, *next);
+    wires = stillLaid(std::move(wires), level_, *next);
     std::unique_ptr<LevelRun> run;
     try {
         run = runOf(*next, wires);

@@ -53,8 +53,8 @@ std::optional<LastingObject> objectNamed(std::string const& name, LevelFile cons
     return std::nullopt;
 }
 
-std::vector<LaidWire> lasting(std::vector<LaidWire> wires, LevelFile const& level,
-                              Placements::List const& placed) {
+std::vector<LaidWire> stillLaid(std::vector<LaidWire> wires, LevelFile const& level,
+                                Placements::List const& placed) {
     std::erase_if(wires, [&](LaidWire const& wire) {
         return !nameOf(wire.a, level, placed) || !nameOf(wire.b, level, placed);
     });

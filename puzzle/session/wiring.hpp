@@ -28,8 +28,8 @@ struct LaidWire {
 [[nodiscard]] std::optional<LastingObject> objectNamed(std::string const& name, LevelFile const& level,
                                                        Placements::List const& placed);
 /// The wires between objects that exist with these placements.
-[[nodiscard]] std::vector<LaidWire> lasting(std::vector<LaidWire> wires, LevelFile const& level,
-                                            Placements::List const& placed);
+[[nodiscard]] std::vector<LaidWire> stillLaid(std::vector<LaidWire> wires, LevelFile const& level,
+                                              Placements::List const& placed);
 /// The wires by the names of their ends, in canonical order, as buildLevel() and solutions state them.
 [[nodiscard]] std::vector<LevelConnection>
 connectionsOf(std::vector<LaidWire> const& wires, LevelFile const& level, Placements::List const& placed);

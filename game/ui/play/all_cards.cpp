@@ -75,7 +75,11 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     }
     drawTransport(buttons, parts.run);
     drawTools(buttons, session, parts.hasMods());
-    drawSuccess(buttons, session, parts.celebration);
+    bool const boxed = !session.level().toolbox.empty() || session.level().wires > 0;
+    bool const done = !session.placed().empty() || !session.wires().empty() || !session.inputs().empty();
+    drawSuccess(buttons, session, parts.celebration,
+                {.narrow = boxed && !parts.inspector.open(),
+                 .confetti = done && !context.profile.settings().reducedMotion});
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
     parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
     drawPanels(parts, screen);

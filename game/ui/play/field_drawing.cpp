@@ -196,6 +196,7 @@ void drawField(PlayParts& parts) {
     (parts.group.dragging() ? options.alsoHidden : options.alsoSelected) = chosen;
     parts.scene.draw(canvas, world, options);
     canvas.newSheet();
+    drawSparks(canvas, parts.sparks.sparks());
     drawNewWire(parts);
     drawBlades(parts);
     drawHandle(parts);

@@ -64,11 +64,15 @@ RunEvents PlayParts::runEvents() {
             .afterStep =
                 [this] {
                     sounds.afterStep(session.world());
+                    if (!context.profile.settings().reducedMotion) {
+                        sparks.afterStep(session.world());
+                    }
                     stepped();
                 },
             .stopped =
                 [this] {
                     secondHand.reset();
+                    sparks.reset();
                     celebration.reset();
                     reportedAltered_ = false;
                     film.end();

@@ -16,6 +16,7 @@
 #include "game/ui/play/view/goal_areas.hpp"
 #include "game/ui/play/view/shown.hpp"
 #include "game/ui/play/view/sound_view.hpp"
+#include "game/ui/play/view/spark_view.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 #include "game/ui/tools/group_tool.hpp"
@@ -54,6 +55,7 @@ struct PlayParts {
     CameraControl view;
     render::SceneView scene;
     SoundView sounds;
+    SparkView sparks;
     GoalAreas goals;
     LevelAudio audio;
     RunControl run;

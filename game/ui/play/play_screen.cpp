@@ -72,6 +72,8 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     parts_.run.advance(seconds, parts_.film.recording());
     tellOfSlowness();
     parts_.celebration.pass(seconds);
+    parts_.sparks.pass(seconds);
+    sinceStep_ = parts_.run.running() || parts_.run.stepped() ? 0 : sinceStep_ + seconds;
     parts_.keepBuild(seconds);
     return parts_.request;
 }
@@ -90,6 +92,14 @@ void PlayScreen::updateBehindMenu(double seconds) {
     setView();
     parts_.run.beginPicture(false);
     parts_.placing.cancel();
+}
+
+bool PlayScreen::still() const {
+    constexpr double ringsOut = 3; // s, in which the last sounds die away
+    bool const celebrates = parts_.celebration.showing() && parts_.celebration.age() < 5;
+    bool const moves = lengthSquared(padDirection(parts_.context.input)) > 0;
+    return sinceStep_ > ringsOut && !celebrates && !moves && parts_.sparks.sparks().empty() &&
+           !parts_.allBack.waiting() && !parts_.hasMods() && !parts_.budget.budget();
 }
 
 bool PlayScreen::keepsPicture() const {

@@ -21,6 +21,7 @@ public:
     std::optional<ScreenRequest> update(double seconds) override;
     /// The world stands still.
     void updateBehindMenu(double seconds) override;
+    [[nodiscard]] bool still() const override;
     [[nodiscard]] bool keepsPicture() const override;
     void draw() override;
     /// Adds the picture to the film, or keeps it by itself, if the player has asked for that.
@@ -60,6 +61,7 @@ private:
     PlayParts parts_;
     CommandsOf<PlayParts> commands_;
     PointerReader reader_;
+    double sinceStep_ = 0;        // s, of the world
     double toldOfSlownessAt_ = 0; // the last such speed
 };
 

@@ -8,7 +8,7 @@
 namespace trembler::ui {
 namespace {
 
-constexpr double seconds = 2.5; // that a reason is shown
+constexpr double groupReasonTime = 2.5; // that a reason is shown
 
 Vec2 centreOf(std::span<PlacedPart const> parts) {
     Vec2 sum;
@@ -157,7 +157,7 @@ void GroupTool::drop(Pointer const& pointer) {
 void GroupTool::place(std::vector<PlacedPart> const& wanted) {
     Verdict const verdict = session_.checkAll(wanted);
     if (!verdict.ok) {
-        toasts_.add(verdict.why, render::ToastKind::Trouble, seconds);
+        toasts_.add(verdict.why, render::ToastKind::Trouble, groupReasonTime);
     } else {
         session_.moveAll(wanted);
     }
@@ -292,7 +292,7 @@ void GroupTool::duplicate() {
             return;
         }
     }
-    toasts_.add(first.why, render::ToastKind::Trouble, seconds);
+    toasts_.add(first.why, render::ToastKind::Trouble, groupReasonTime);
 }
 
 } // namespace trembler::ui
