@@ -45,7 +45,8 @@ std::string buildOf(Session const& session) {
     build.inputs.clear();
     build.changes.clear();
     build.frames.reset();
-    return build.placements.empty() ? std::string() : writeSolution(build).dump(2) + "\n";
+    bool const nothing = build.placements.empty() && build.wires.empty();
+    return nothing ? std::string() : writeSolution(build).dump(2) + "\n";
 }
 
 void KeptBuilds::keep(std::string const& levelId, std::string const& build) const {

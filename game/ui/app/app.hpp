@@ -41,6 +41,7 @@ public:
     /// Opens a level. Throws InputError if it cannot be read or built; the current screen then stays.
     void open(std::filesystem::path const& level);
     void showTitle();
+    void openMenu(MenuPage page) { menu_.open(page); }
     /// Replaces the current screen after calling its leave(). Not nullptr.
     void show(std::unique_ptr<Screen> screen);
 
