@@ -32,8 +32,9 @@ public:
         if (solution_.wires.size() > most) {
             addProblem(problems_, [&] {
                 return document_.diagnostic(solution_.wires[most].path,
-                                            most == 0 ? "The toolbox of this level has no wire."
-                                                      : fmt::format("The toolbox has only {} wires.", most),
+                                            most == 0   ? "The toolbox of this level has no wire."
+                                            : most == 1 ? "The toolbox has only one wire."
+                                                        : fmt::format("The toolbox has only {} wires.", most),
                                             "wires that the level allows");
             });
         }

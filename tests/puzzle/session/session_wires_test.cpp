@@ -114,7 +114,7 @@ TEST_F(Wires, OfASolutionAreChecked) {
     EXPECT_NE(refused(R"({"name": "a", "wires": [["plus", "lamb"]]})").find("lamb"), std::string::npos);
     EXPECT_NE(refused(R"({"name": "a", "wires": [["plus", "plus"]]})").find("itself"), std::string::npos);
     EXPECT_NE(refused(R"({"name": "a", "wires": ["plus"]})").find("two objects"), std::string::npos);
-    EXPECT_NE(refused(R"({"name": "a", "wires": [["plus", "lamp"], ["lamp", "plus"]]})").find("only 1"),
+    EXPECT_NE(refused(R"({"name": "a", "wires": [["plus", "lamp"], ["lamp", "plus"]]})").find("only one"),
               std::string::npos);
 }
 

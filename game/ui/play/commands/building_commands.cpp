@@ -53,8 +53,9 @@ void nudge(PlayParts& parts) {
 
 void undo(PlayParts& parts) {
     parts.placing.cancel();
-    parts.group.cancel();
-    parts.wires.cancel();
+    if (parts.group.dragging()) {
+        parts.group.cancel();
+    }
     if (parts.session.undo()) {
         parts.newWorld();
     }
@@ -62,8 +63,9 @@ void undo(PlayParts& parts) {
 
 void redo(PlayParts& parts) {
     parts.placing.cancel();
-    parts.group.cancel();
-    parts.wires.cancel();
+    if (parts.group.dragging()) {
+        parts.group.cancel();
+    }
     if (parts.session.redo()) {
         parts.newWorld();
     }

@@ -43,7 +43,7 @@ bool FieldMouse::usePlacing(Pointer const& pointer, std::optional<Vec2> const& h
     if (world != &session_.world() || before != session_.placed().size()) {
         return true;
     }
-    if (number && pointer.twice && !pointer.overCard) {
+    if (number && pointer.twice && !pointer.overCard && !ofWire) {
         picking_.inspect(hovered);
     }
     bool const paper = !wasCarrying && !number && !onHandle && !ofGroup;

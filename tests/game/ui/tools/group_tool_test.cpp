@@ -49,7 +49,7 @@ TEST_F(Several, ShiftClicksChooseAndADragMovesAllInOneStep) {
     shiftClick(b);
     player.frames(2);
     EXPECT_EQ(chosen(), 0U);
-    EXPECT_EQ(player.play().placing().selected(), placed()[1].number);
+    EXPECT_EQ(player.play().placing().selected(), placed()[0].number);
 }
 
 TEST_F(Several, ABoxChoosesAndKeysTurnMoveAndPutBack) {
