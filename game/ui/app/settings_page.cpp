@@ -18,7 +18,11 @@ using namespace render;
 
 /// Returns whether it was changed.
 bool check(UiContext& context, char const* label, char const* item, bool& value) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, scaled(1.5F)); // an empty box is seen, too
+    ImGui::PushStyleColor(ImGuiCol_Border, imColour4(mix(palette::paperShade, palette::ink, 0.45F)));
     bool touched = ImGui::Checkbox(label, &value);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
     context.layout.item(item);
     if (context.focus.item()) {
         value = !value;

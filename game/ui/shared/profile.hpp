@@ -19,7 +19,7 @@ struct Settings {
     int volume = 80;            ///< percent; 0: silence
     bool hrtf = false;          ///< binaural sound for headphones
     bool reducedMotion = false; ///< nothing moves for decoration alone
-    std::string language;       ///< "en", "de"; empty: that of the desktop
+    std::string language{};     ///< "en", "de"; empty: that of the desktop
 };
 
 /// Saved at once whenever it changes. A file that cannot be read or written is not an error: the profile is

@@ -113,7 +113,7 @@ TEST(Program, SettingsAndProgressAreKept) {
         player.key(SDLK_ESCAPE);
         player.frames(2);
         player.clickItem("menu.settings");
-        player.frames(2);
+        player.frames(4);
         float const before = window().uiScale();
         player.clickItem("115%");
         EXPECT_NEAR(window().uiScale() / before, 1.15F, 0.001F);

@@ -152,7 +152,7 @@ TEST(KeyboardAlone, SettingsAreChanged) {
     player.key(SDLK_RETURN);
     player.frames(2);
     ASSERT_EQ(player.app().menu().page(), MenuPage::settings);
-    player.key(SDLK_DOWN); // the ring appears at the first size
+    // The ring is at the first size.
     for (int i = 0; i < 2; ++i) {
         player.key(SDLK_DOWN); // languages, volume: rows, not buttons
     }
@@ -189,7 +189,7 @@ public:
         return joystick_ != nullptr && SDL_IsGameController(device_) == SDL_TRUE;
     }
     void press(Player& player, SDL_GameControllerButton button) const {
-        for (Uint8 const state : {SDL_PRESSED, SDL_RELEASED}) {
+        for (Uint8 const state : {Uint8{SDL_PRESSED}, Uint8{SDL_RELEASED}}) {
             SDL_JoystickSetVirtualButton(joystick_, button, state);
             SDL_JoystickUpdate();
             player.frames(2);
