@@ -46,9 +46,10 @@ void drawCorner(CommandButtons& buttons);
 void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration,
                  SuccessLook const& look);
 /// Returns the part on whose tile the mouse button was pressed. `hint` is the text below the tiles while no
-/// part is carried. `allBack`: whether all parts are to be put back.
+/// part is carried. `allBack`: whether all parts are to be put back;
+/// `laying`: wires are being laid.
 std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
                                        PlacingTool const& placing, std::string const& hint,
-                                       AskedTwice const& allBack);
+                                       AskedTwice const& allBack, bool laying);
 
 } // namespace trembler::ui

@@ -48,7 +48,7 @@ void drawAllBack(CommandButtons& buttons, AskedTwice const& allBack) {
 
 std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
                                        PlacingTool const& placing, std::string const& hint,
-                                       AskedTwice const& allBack) {
+                                       AskedTwice const& allBack, bool laying) {
     Layout& layout = buttons.layout();
     auto const& carried = placing.carried();
     bool const carrying = carried && !carried->turning;
@@ -106,7 +106,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     }
     if (wires > 0) {
         std::string const label = words::wiresLeft(session.wiresLeft());
-        buttons.big("wire", {.label = label.c_str(), .width = -1});
+        buttons.big(
+            "wire",
+            {.label = label.c_str(), .look = laying ? ButtonLook::Primary : ButtonLook::Quiet, .width = -1});
     }
     ImGui::PushFont(theme().fonts.small);
     caption(carrying ? words::dropHere : hint.c_str());

@@ -68,8 +68,8 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     if (parts.run.building() && !parts.inspector.open()) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
-        if (auto const part =
-                drawToolbox(buttons, session, parts.catalog(), parts.placing, hint, parts.allBack)) {
+        if (auto const part = drawToolbox(buttons, session, parts.catalog(), parts.placing, hint,
+                                          parts.allBack, parts.wires.laying())) {
             takeFromToolbox(parts, *part);
         }
     }
