@@ -152,13 +152,18 @@ SettingsPage::Choice SettingsPage::draw(UiContext& context) {
     layout.beginCard("settings", text("settings.title"), {.anchor = Anchor::Middle, .width = 460});
     // With large letters on a small window the rows scroll.
     float const room = ImGui::GetIO().DisplaySize.y - scaled(160);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-    ImGui::BeginChild("rows", {0, std::min(rows_, room)});
+    bool const scrolls = rows_ > room;
+    if (scrolls) {
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
+        ImGui::BeginChild("rows", {0, room});
+    }
     float const top = ImGui::GetCursorPosY();
     bool const touched = drawRows(context, changed);
-    rows_ = ImGui::GetCursorPosY() - top + scaled(6);
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
+    rows_ = ImGui::GetCursorPosY() - top;
+    if (scrolls) {
+        ImGui::EndChild();
+        ImGui::PopStyleColor();
+    }
     ImGui::Dummy({0, scaled(2)});
     float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
     bool const keys = bigButton(text("keys.change"), {.icon = Icon::Why, .width = half});

@@ -15,7 +15,7 @@ public:
     Choice draw(UiContext& context);
 
 private:
-    float rows_ = 400; // height of all rows in the last picture, pixels
+    float rows_ = 0; // height of all rows in the last picture, pixels
 };
 
 /// Applies the profile's settings to the window, the loudspeaker and the texts.

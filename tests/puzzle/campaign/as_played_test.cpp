@@ -47,10 +47,12 @@ TEST(AsPlayed, WrongTextsAreRefused) {
 }
 
 TEST(AsPlayed, ATaskTakesThePlaceOfWhatTheDemonstrationDoes) {
-    LevelFile const level =
+    LevelFile level =
         loadLevel(asPlayedData().registry, std::filesystem::path(TREMBLER_SOURCE_DIR) /
                                                "levels/experiments/1-switched-electromagnet.json");
-    ASSERT_FALSE(level.task.is_null());
+    level.task = nlohmann::json::parse(R"({"sequence": [
+        {"touching": ["metal object", "electromagnet"], "id": "lifted"},
+        {"not": {"touching": ["metal object", "electromagnet"]}, "for": 1, "id": "dropped"}]})");
     LevelFile const played = asPlayed(level, "en");
     EXPECT_FALSE(played.demonstration);
     auto const solves = [&](char const* solution) {

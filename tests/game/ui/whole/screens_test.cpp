@@ -259,6 +259,7 @@ TEST(AtRest, NoPictureIsDrawnThatShowsNothingNew) {
 TEST(Kept, WhatWasBuiltIsThereWhenTheLevelIsOpenedAgain) {
     auto const folder = testFolder() / "kept";
     std::filesystem::remove_all(folder);
+    std::filesystem::remove_all(testFolder() / "crashed"); // of an earlier run
     auto const level = levelsFolder() / "first/1-first-contact.json";
     {
         Player player({1280, 720}, folder / "profile.json");
