@@ -4,13 +4,15 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/window/gamepad.hpp"
+#include "render/window/input_events.hpp"
 
 namespace trembler::ui {
 namespace {
 
 using namespace render;
 
-constexpr float roomForAll = 640; // height at which no row needs scrolling, in pixels at UI scale 1
+constexpr float roomForAll = 720; // height at which no row needs scrolling, in pixels at UI scale 1
 
 void drawHelpLine(HelpLine const& line) {
     ImGui::TableNextColumn();
@@ -41,6 +43,19 @@ void drawHelpLines(std::vector<HelpLine> const& lines) {
     ImGui::PopFont();
 }
 
+/// The rows are no buttons, so the focus never visits them: without a mouse arrows scroll them.
+void scrollByKeys(InputEvents const& input) {
+    auto const pressed = [&](SDL_Keycode key, SDL_GameControllerButton button) {
+        return input.keyPressed(key, true) || input.keyPressed(padKey(button));
+    };
+    float const step = scaled(60);
+    if (pressed(SDLK_DOWN, SDL_CONTROLLER_BUTTON_DPAD_DOWN)) {
+        ImGui::SetScrollY(ImGui::GetScrollY() + step);
+    } else if (pressed(SDLK_UP, SDL_CONTROLLER_BUTTON_DPAD_UP)) {
+        ImGui::SetScrollY(ImGui::GetScrollY() - step);
+    }
+}
+
 } // namespace
 
 HelpChoice drawHelp(UiContext& context, Screen& behind) {
@@ -56,6 +71,7 @@ HelpChoice drawHelp(UiContext& context, Screen& behind) {
     }
     drawHelpLines(helpLines(behind.commands(), behind.gestures(), context.keys));
     if (scrolls) {
+        scrollByKeys(context.input);
         ImGui::EndChild();
         ImGui::PopStyleColor();
     }
