@@ -9,6 +9,8 @@
 #include "render/scene/overlays/overlay_hand.hpp"
 #include "render/scene/overlays/overlay_magnetism.hpp"
 
+#include <algorithm>
+
 namespace trembler::render {
 namespace {
 
@@ -19,6 +21,10 @@ void drawGround(Canvas& canvas, SceneOptions const& options) {
     for (GoalRegion const& goal : options.goals) {
         drawGoalRegion(canvas, goal);
     }
+}
+
+bool isOneOf(std::span<ObjectId const> all, ObjectId id) {
+    return std::find(all.begin(), all.end(), id) != all.end();
 }
 
 void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
@@ -36,11 +42,12 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
             canvas.newSheet(); // moving objects throw their shadows on fixed ones
             moving = true;
         }
-        if (facts.id == options.hidden && options.hidden.valid()) {
+        if ((facts.id == options.hidden && options.hidden.valid()) || isOneOf(options.alsoHidden, facts.id)) {
             continue;
         }
         drawObject(canvas, facts, pose,
-                   {.selected = facts.id == options.selected, .hovered = facts.id == options.hovered});
+                   {.selected = facts.id == options.selected || isOneOf(options.alsoSelected, facts.id),
+                    .hovered = facts.id == options.hovered});
     }
 }
 

@@ -17,6 +17,12 @@ void InputEvents::poll() {
     while (SDL_PollEvent(&event) != 0) {
         events_.push_back(event);
         take(event);
+        if (pads_ != nullptr) {
+            for (SDL_Event const& key : pads_->take(event)) {
+                events_.push_back(key);
+                take(key);
+            }
+        }
     }
 }
 

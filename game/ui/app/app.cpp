@@ -3,10 +3,27 @@
 #include "game/ui/app/command_lists.hpp"
 #include "game/ui/app/title_screen.hpp"
 #include "game/ui/play/play_screen.hpp"
+#include "game/ui/shared/texts.hpp"
+#include "puzzle/campaign/free_play.hpp"
 #include "render/draw/palette.hpp"
+#include "runtime/file/output_file.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
+#include <exception>
+#include <system_error>
+#include <utility>
+
 namespace trembler::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file or folder beside the profile; empty if nothing is kept.
+fs::path besideProfile(fs::path const& profile, char const* name) {
+    return profile.empty() ? fs::path() : profile.parent_path() / name;
+}
+
+} // namespace
 
 GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary const& parts,
                  GameOptions const& options)
@@ -14,7 +31,8 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                   .registry = registry,
                                   .parts = parts,
                                   .gui = render::Gui(window, {.steady = options.steady}),
-                                  .input = render::InputEvents(window),
+                                  .pads = {},
+                                  .input = render::InputEvents(window, context_.pads),
                                   .canvas = {},
                                   .toasts = {},
                                   .layout = {},
@@ -22,7 +40,11 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                   .catalog = PartCatalog(parts, context_.canvas),
                                   .levels = LevelCatalog(registry, options.levels,
                                                          {.data = options.levelData, .mods = options.mods}),
+                                  .pictures =
+                                      LevelPictures(registry, parts, context_.canvas, options.levelData),
                                   .profile = Profile(options.profile),
+                                  .builds = KeptBuilds(besideProfile(options.profile, "builds")),
+                                  .kinds = {},
                                   .keys = KeyBindings(commandLists()),
                                   .recorder = Recorder(options.pictures),
                                   .loudspeaker = options.loudspeaker},
@@ -64,13 +86,35 @@ void GameApp::tryOpen(std::filesystem::path const& level) {
     }
 }
 
+void GameApp::openFreePlay() {
+    // A file like that of any level, made anew each time, as there may be more parts than at the last time.
+    fs::path file = besideProfile(options_.profile, "free-play.json");
+    if (file.empty()) {
+        file = options_.pictures / "free-play.json";
+    }
+    try {
+        fs::create_directories(file.parent_path());
+        writeFile(file, freePlayLevel(context_.parts, text("free.title"), text("free.text")));
+    } catch (std::exception const& error) {
+        context_.toasts.add(error.what(), render::ToastKind::Trouble, 10);
+        return;
+    }
+    tryOpen(file);
+}
+
+void GameApp::takeKinds() {
+    if (auto found = context_.kinds.take()) {
+        bool const first = context_.profile.progress().of(found->levelId).kinds.empty();
+        if (context_.profile.addKind(found->levelId, std::move(found->kind)) && !first) {
+            context_.toasts.add(text("levels.other_kind"), render::ToastKind::Success, 6);
+        }
+    }
+}
+
 void GameApp::toggleFullscreen() {
     Settings settings = context_.profile.settings();
     settings.fullscreen = !settings.fullscreen;
-    bool const shadows = context_.shadows;
-    context_.profile.setSettings(settings);
-    applySettings(context_);
-    context_.shadows = shadows;
+    changeSettings(context_, settings);
 }
 
 void GameApp::follow(ScreenRequest const& asked) {
@@ -78,6 +122,10 @@ void GameApp::follow(ScreenRequest const& asked) {
         GameApp& app;
         void operator()(request::OpenMenu const& menu) const { app.menu_.open(menu.page); }
         void operator()(request::OpenLevel const& wanted) const { app.tryOpen(wanted.level); }
+        void operator()(request::OpenFreePlay const&) const {
+            app.menu_.close();
+            app.openFreePlay();
+        }
         void operator()(request::ShowTitle const&) const { app.showTitle(); }
         void operator()(request::SwitchFullscreen const&) const { app.toggleFullscreen(); }
         void operator()(request::Quit const&) const { app.going_ = false; }
@@ -98,8 +146,16 @@ void GameApp::update(double seconds) {
     }
 }
 
+bool GameApp::lively() const {
+    bool const moves = menu_.isOpen() ? context_.pictures.waiting() : !screen_->still();
+    return moves || !context_.input.events().empty() || context_.toasts.count() > 0 ||
+           context_.kinds.busy() || screen_->keepsPicture();
+}
+
 bool GameApp::frame(double seconds, bool seen) {
     context_.input.poll();
+    context_.pictures.beginFrame();
+    takeKinds();
     context_.gui.beginFrame(context_.input, seconds);
     context_.layout.beginFrame();
     context_.focus.beginFrame();
@@ -117,6 +173,7 @@ bool GameApp::frame(double seconds, bool seen) {
     } else {
         context_.gui.dropFrame();
     }
+    sinceNews_ = lively() ? 0 : sinceNews_ + seconds;
     return going_ && !context_.input.quit();
 }
 

@@ -23,7 +23,7 @@ struct PlayOptions {
 };
 
 /// Opens the window and plays until the player leaves; returns 0. Throws render::WindowError of kind
-/// NoDisplay or NoOpenGl if no window can be opened, and InputError if the level cannot be played.
+/// NoDisplay or NoOpenGl if no window can be opened. If the level cannot be played the title screen says why.
 int playInWindow(GameData const& gameData, PlayOptions const& options);
 
 /// Runs the level's first recorded solution (without a level: of the first level that has one), prints the

@@ -33,6 +33,7 @@ struct CommandInfo {
     /// The name in profiles; lower-case letters and hyphens. Never changes once published.
     std::string_view id;
     std::array<Chord, 2> keys{}; ///< defaults that the player may replace; tips show the first
+    Chord pad{};                 ///< the same for the button of a gamepad
     KeyUse use = KeyUse::once;
     bool fixed = false; ///< the player cannot change its keys; modifiers are ignored
     render::Icon icon = render::Icon::None;

@@ -21,6 +21,7 @@ public:
     std::optional<ScreenRequest> update(double seconds) override;
     /// The world stands still.
     void updateBehindMenu(double seconds) override;
+    [[nodiscard]] bool still() const override;
     [[nodiscard]] bool keepsPicture() const override;
     void draw() override;
     /// Adds the picture to the film, or keeps it by itself, if the player has asked for that.
@@ -36,7 +37,12 @@ public:
     [[nodiscard]] Shown const& shown() const { return parts_.shown; }
     [[nodiscard]] std::size_t hintsShown() const { return parts_.hintsShown; }
     [[nodiscard]] PlacingTool const& placing() const { return parts_.placing; }
+    [[nodiscard]] WireTool const& wires() const { return parts_.wires; }
+    [[nodiscard]] GroupTool const& group() const { return parts_.group; }
+    [[nodiscard]] Speed const& speed() const { return parts_.run.speed(); }
     [[nodiscard]] HandTool const& hand() const { return parts_.hand; }
+    [[nodiscard]] KeyPointer const& keyPointer() const { return parts_.keyPointer; }
+    [[nodiscard]] HandTool const& secondHand() const { return parts_.secondHand; }
     [[nodiscard]] Inspector const& inspector() const { return parts_.inspector; }
     [[nodiscard]] ComponentsPanel const& components() const { return parts_.components; }
     [[nodiscard]] ModsPanel const& mods() const { return parts_.modsPanel; }
@@ -49,10 +55,14 @@ public:
 
 private:
     void setView();
+    /// Once for each speed that the computer cannot keep.
+    void tellOfSlowness();
 
     PlayParts parts_;
     CommandsOf<PlayParts> commands_;
     PointerReader reader_;
+    double sinceStep_ = 0;        // s, of the world
+    double toldOfSlownessAt_ = 0; // the last such speed
 };
 
 } // namespace trembler::ui

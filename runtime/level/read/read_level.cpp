@@ -8,6 +8,7 @@
 #include "runtime/level/read/read_entries.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/read_texts.hpp"
 #include "runtime/level/read/read_world.hpp"
 
 #include <fmt/format.h>
@@ -74,6 +75,16 @@ public:
         if (auto const goals = reader.optional("goals"); goals && goals->isObject("a condition")) {
             level_.goals = goals->value();
         }
+        if (auto const task = reader.optional("task"); task && task->isObject("a condition")) {
+            level_.task = task->value();
+            if (!level_.demonstration) {
+                task->complain("only a demonstration has a task",
+                               "\"demonstration\": true, or the condition under \"goals\"");
+            }
+        }
+        if (auto const texts = reader.optional("texts")) {
+            level_.texts = readTexts(*texts, TextsOf::level);
+        }
         if (auto const hints = reader.optional("hints");
             hints && hints->isList("a list of texts", limits::hints)) {
             for (std::size_t i = 0; i < hints->size(); ++i) {
@@ -89,7 +100,15 @@ public:
 
 private:
     void readToolboxEntry(JsonNode const& node) {
-        MemberReader reader(node, "an object {\"part\", \"count\"}");
+        MemberReader reader(node, "an object {\"part\", \"count\"} or {\"wire\"}");
+        if (auto const wire = reader.optional("wire")) {
+            reader.finish();
+            if (level_.wires > 0) {
+                node.complain("states wires again", "one entry for all wires");
+            }
+            level_.wires = static_cast<int>(wire->integer(1, limits::toolboxCount).value_or(0));
+            return;
+        }
         auto const part = reader.required("part", "the name of a part");
         auto const count = reader.optional("count");
         reader.finish();

@@ -213,7 +213,8 @@ void drawLevel(std::filesystem::path const& file) {
 TEST(SceneGallery, EveryLevel) {
     for (auto const& entry : std::filesystem::recursive_directory_iterator(root / "levels")) {
         if (entry.path().extension() == ".json" &&
-            entry.path().filename().string().find("schema") == std::string::npos) {
+            entry.path().filename().string().find("schema") == std::string::npos &&
+            entry.path().filename() != "chapter.json") {
             SCOPED_TRACE(entry.path().string());
             EXPECT_NO_THROW(drawLevel(entry.path()));
         }
