@@ -1,6 +1,7 @@
 // Copying between levels, as text.
 #pragma once
 
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/edit/document/command.hpp"
 #include "runtime/math/vec2.hpp"
 
@@ -20,7 +21,8 @@ namespace trembler::edit {
 /// among the objects follow. The middle of the objects' centres comes to `at`; without it, they come where
 /// they were copied from, or 0.2 m to the right and below if an object already lies there. Throws
 /// CommandError for text that was not copied from a level.
-[[nodiscard]] Command pasteText(Json const& level, std::string const& text, std::optional<Vec2> at = {});
+[[nodiscard]] Command pasteText(GameData const& data, Json const& level, std::string const& text,
+                                std::optional<Vec2> at = {});
 /// Removes the objects, under the name "Cut ...". The caller has put copiedText() onto the clipboard.
 [[nodiscard]] Command cutObjects(Json const& level, std::vector<std::string> const& names);
 

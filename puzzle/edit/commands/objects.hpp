@@ -1,6 +1,7 @@
 // Commands that add, remove, duplicate and rename objects.
 #pragma once
 
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/edit/document/command.hpp"
 #include "runtime/math/vec2.hpp"
 
@@ -36,12 +37,15 @@ struct NewObject {
 [[nodiscard]] Command removeObjects(Json const& level, std::vector<std::string> const& names);
 /// Adds copies, `offset` away (m), with the joints and connections among the objects. The copies of a group
 /// are a group.
-[[nodiscard]] Command duplicateObjects(Json const& level, std::vector<std::string> const& names, Vec2 offset);
+[[nodiscard]] Command duplicateObjects(GameData const& data, Json const& level,
+                                       std::vector<std::string> const& names, Vec2 offset);
 /// Renames an object, and every reference to it: in joints, connections, properties, goals, the inputs of
 /// recorded solutions, and groups. Throws CommandError if the name is no valid one, or is taken.
-[[nodiscard]] Command renameObject(Json const& level, std::string const& name, std::string const& to);
+[[nodiscard]] Command renameObject(GameData const& data, Json const& level, std::string const& name,
+                                   std::string const& to);
 /// The same for the joint with that index in "joints", which may have had no name.
-[[nodiscard]] Command renameJoint(Json const& level, std::size_t joint, std::string const& to);
+[[nodiscard]] Command renameJoint(GameData const& data, Json const& level, std::size_t joint,
+                                  std::string const& to);
 /// Makes objects from another part, or from none (empty). What they state themselves stays.
 [[nodiscard]] Command setPart(Json const& level, std::vector<std::string> const& names,
                               std::string const& part);

@@ -10,8 +10,8 @@
 
 namespace trembler::edit {
 
-/// The folder for recovery files: recovery/ beside the settings, $XDG_STATE_HOME/trembler/recovery or
-/// ~/.local/state/trembler/recovery. Empty if neither is known: then nothing is kept.
+/// The folder for recovery files, beside the profile with the settings: $XDG_DATA_HOME/trembler/recovery or
+/// ~/.local/share/trembler/recovery. Empty if neither is known: then nothing is kept.
 [[nodiscard]] std::filesystem::path recoveryFolder();
 
 /// Writes one document's unsaved text to a recovery file of its own, completely or not at all. The file is
