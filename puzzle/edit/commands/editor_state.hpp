@@ -30,4 +30,7 @@ namespace trembler::edit {
 /// A hidden object is not drawn while editing.
 [[nodiscard]] Command hideObjects(Json const& level, std::vector<std::string> const& names, bool hide);
 
+/// Drops names that no object has. For commands that remove objects.
+void tidyEditorState(Json& level);
+
 } // namespace trembler::edit

@@ -136,7 +136,7 @@ private:
     LevelDocument(GameData const& data, std::string text, std::filesystem::path path);
 
     void parse(std::string const& file);
-    void convert(std::string const& file);
+    void convert();
     void changed();
     [[nodiscard]] std::uint64_t state() const { return done_ == 0 ? 0 : steps_[done_ - 1].state; }
     [[nodiscard]] SaveResult write(std::filesystem::path const& path, Overwrite overwrite);

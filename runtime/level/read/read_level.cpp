@@ -6,6 +6,7 @@
 #include "runtime/level/read/check_level.hpp"
 #include "runtime/level/read/migrations.hpp"
 #include "runtime/level/read/read_area.hpp"
+#include "runtime/level/read/read_editor.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_solutions.hpp"
 #include "runtime/level/read/read_world.hpp"
@@ -92,6 +93,9 @@ public:
         }
         if (auto const solutions = reader.optional("solutions")) {
             level_.solutions = readSolutions(*solutions);
+        }
+        if (auto const editor = reader.optional("editor")) {
+            level_.editor = readEditor(*editor);
         }
         reader.finish();
         checkLevel(registry_, level_, namePaths_, node.problems());

@@ -180,6 +180,9 @@ Json writeLevel(LevelFile const& level) {
     }
     addList(out, "hints", level.hints, [](std::string const& hint) { return Json(hint); });
     addList(out, "solutions", level.solutions, writeSolution);
+    if (!level.editor.is_null()) {
+        out["editor"] = level.editor;
+    }
     return out;
 }
 
