@@ -1,5 +1,6 @@
 #include "puzzle/solutions/verify.hpp"
 
+#include "puzzle/checks/level_checks.hpp"
 #include "puzzle/run/runner.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -52,7 +53,15 @@ std::vector<std::string> verifyLevel(GameData const& gameData, std::filesystem::
     std::vector<std::string> failures;
     std::string const name = gameData.shortName(path);
     try {
-        LevelFile level = loadLevel(gameData.registry, path);
+        auto const document = JsonDocument::load(path);
+        LevelCheckup const checkup = checkWholeLevel(gameData, document, detail);
+        for (Diagnostic const& problem : checkup.problems) {
+            failures.push_back(problem.print());
+        }
+        if (!checkup.playable) {
+            return failures;
+        }
+        LevelFile level = readLevel(gameData.registry, document);
         for (auto const& [effect, name] : detail) {
             level.detail[effect] = name;
         }

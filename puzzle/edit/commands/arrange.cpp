@@ -1,6 +1,7 @@
 #include "puzzle/edit/commands/arrange.hpp"
 
 #include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shape_rules.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/motion.hpp"
 #include "puzzle/edit/commands/object_values.hpp"
@@ -45,7 +46,7 @@ void mustBeFinite(Vec2 value) {
 std::pair<Vec2, Vec2> extentOfEntry(GameData const& data, Json const& entry) {
     Vec2 const at = placeOf(entry);
     auto const shape = shapeOf(data, entry);
-    if (!shape || shape->pieces.empty()) {
+    if (!shape || faultIn(*shape)) {
         return {at, at};
     }
     return extentOf(PlacedShape{*shape, at, radians(angleOf(entry))});

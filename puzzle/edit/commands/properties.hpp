@@ -56,4 +56,7 @@ namespace trembler::edit {
 [[nodiscard]] Command resetJointField(GameData const& data, Json const& level, std::size_t joint,
                                       std::string const& field);
 
+/// Throws CommandError, in the reader's words, for an entry of "joints" that no file may have.
+void mustBeJoint(GameData const& data, Json const& joint);
+
 } // namespace trembler::edit

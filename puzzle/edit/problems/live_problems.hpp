@@ -62,6 +62,7 @@ public:
 private:
     std::optional<std::uint64_t> revision_;
     std::vector<Problem> problems_;
+    bool readOnly_ = false;
     bool playable_ = false;
     double lastSeconds_ = 0;
 };
