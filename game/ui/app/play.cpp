@@ -139,7 +139,9 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     if (options.fullscreen) {
         window.setFullscreen(true);
     }
-    if (!options.level.empty()) {
+    if (options.edits) {
+        app.edit(options.level);
+    } else if (!options.level.empty()) {
         app.open(options.level);
     }
     auto before = Clock::now();

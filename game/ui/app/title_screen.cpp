@@ -46,6 +46,12 @@ void TitleScreen::drawTitle() {
 void TitleScreen::drawButtons() {
     Layout& layout = context_.layout;
     layout.beginCard("title buttons", "", {.anchor = Anchor::BottomLeft, .offset = {64, 48}, .bare = true});
+    bool const editor = bigButton(words::openEditor, {.icon = Icon::Plus});
+    layout.item("editor");
+    if (context_.focus.item() || editor) {
+        ask(request::OpenEditor{});
+    }
+    ImGui::SameLine(0, scaled(10));
     bool const settings = bigButton(words::settings, {.icon = Icon::Settings});
     layout.item("settings");
     if (context_.focus.item() || settings) {

@@ -9,11 +9,13 @@
 namespace trembler::ui {
 
 PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
-                     std::shared_ptr<GameData const> levelData, WorldOptions const& options)
+                     std::shared_ptr<GameData const> levelData, WorldOptions const& options,
+                     LevelFile const* stated)
     : context(uiContext), file(std::move(levelFile)), data(std::move(levelData)),
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
       session(data ? data->registry : context.registry, data ? data->parts : context.parts,
-              loadLevel(data ? data->registry : context.registry, file), options),
+              stated != nullptr ? *stated : loadLevel(data ? data->registry : context.registry, file),
+              options),
       placing(session, context.toasts), hand(session), budget(data ? data->registry : context.registry),
       goals(session.level()), audio(context.loudspeaker),
       run(session, placing, hand, budget, audio, view, runEvents()), film(context.recorder, context.toasts),

@@ -9,8 +9,8 @@
 namespace trembler::ui {
 
 PlayScreen::PlayScreen(UiContext& context, std::filesystem::path file, std::shared_ptr<GameData const> data,
-                       WorldOptions const& options)
-    : parts_(context, std::move(file), std::move(data), options), commands_(playCommands(), parts_) {}
+                       WorldOptions const& options, LevelFile const* stated)
+    : parts_(context, std::move(file), std::move(data), options, stated), commands_(playCommands(), parts_) {}
 
 std::span<Gesture const> PlayScreen::gestures() const {
     return playGestures();

@@ -25,14 +25,18 @@ struct OpenMenu {
 struct OpenLevel {
     std::filesystem::path level;
 };
+/// Opens the editor; an empty path: with a new level.
+struct OpenEditor {
+    std::filesystem::path level;
+};
 struct ShowTitle {};
 struct SwitchFullscreen {};
 struct Quit {};
 
 } // namespace request
 
-using ScreenRequest = std::variant<request::OpenMenu, request::OpenLevel, request::ShowTitle,
-                                   request::SwitchFullscreen, request::Quit>;
+using ScreenRequest = std::variant<request::OpenMenu, request::OpenLevel, request::OpenEditor,
+                                   request::ShowTitle, request::SwitchFullscreen, request::Quit>;
 
 /// Window thread only. In each picture: update or updateBehindMenu; then, if the picture is shown, draw and
 /// pictureComplete. draw() may change only state that drawing alone uses.
@@ -54,6 +58,9 @@ public:
     virtual void draw() = 0;
     /// Called when the picture is complete: between Gui::endFrame and Window::present.
     virtual void pictureComplete() {}
+    /// Asked before a request is followed that would end this screen, by whomever it was made. False: the
+    /// screen asks the player first, and later makes the request itself.
+    [[nodiscard]] virtual bool mayLeaveFor(ScreenRequest const&) { return true; }
     /// Called once when another screen replaces it or the program ends; no other call follows.
     virtual void leave() {}
 

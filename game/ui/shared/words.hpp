@@ -17,6 +17,7 @@ inline constexpr char const* firstSteps = "First steps";
 inline constexpr char const* looseLevels = "Levels";
 inline constexpr char const* noLevels = "There are no levels in this folder:";
 inline constexpr char const* quit = "Quit";
+inline constexpr char const* openEditor = "Make a level";
 inline constexpr char const* levels = "Levels";
 inline constexpr char const* settings = "Settings";
 inline constexpr char const* back = "Back";
@@ -76,6 +77,7 @@ inline constexpr char const* groupBuilding = "Building";
 inline constexpr char const* groupRunning = "Running";
 inline constexpr char const* groupLooking = "Looking";
 inline constexpr char const* groupProgram = "The program";
+inline constexpr char const* groupEditing = "Editing levels";
 
 // Inspector.
 inline constexpr char const* rightNow = "Right now";

@@ -161,8 +161,7 @@ std::optional<fs::path> FileBrowser::draw(UiContext& context) {
         return {};
     }
     bool const typing = context.gui.wantsKeyboard();
-    context.focus.begin("file browser",
-                        typing ? std::span<SDL_Event const>() : context.input.events(),
+    context.focus.begin("file browser", typing ? std::span<SDL_Event const>() : context.input.events(),
                         context.input.mouseMoved() != Point{});
     std::optional<fs::path> chosen;
     bool const saving = purpose_ == Purpose::saveAs;

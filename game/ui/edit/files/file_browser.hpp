@@ -40,8 +40,8 @@ private:
     Purpose purpose_ = Purpose::open;
     std::filesystem::path folder_;
     std::vector<Entry> entries_;
-    std::string name_;    // in the field
-    std::string trouble_; // shown below the list
+    std::string name_;     // in the field
+    std::string trouble_;  // shown below the list
     bool replace_ = false; // the designer was told that the file exists
     bool fresh_ = false;   // the field gets the keyboard
 };

@@ -16,7 +16,7 @@ struct Snapping {
     static constexpr double largestAngle = 90;
 
     bool on = true;
-    double grid = 0.05;        ///< m
+    double grid = 0.05; ///< m
     double angleDegrees = 15;
 
     /// The nearest place of the grid; the place itself if snapping is off.

@@ -6,9 +6,6 @@
 #include "runtime/level/model/part_library.hpp"
 
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace trembler::ui {
 
@@ -21,18 +18,11 @@ public:
 
     /// nullptr until something was built.
     [[nodiscard]] World const* world() const { return world_.get(); }
-    /// The object of an entry of "objects" or "joints"; an invalid id if it was left out.
-    [[nodiscard]] ObjectId objectOf(std::size_t entry) const;
-    [[nodiscard]] ObjectId jointOf(std::size_t entry) const;
-    /// The entry of "objects" that an object was made from.
-    [[nodiscard]] std::optional<std::size_t> entryOf(ObjectId object) const;
     /// How many entries could not be built.
     [[nodiscard]] std::size_t leftOut() const { return leftOut_; }
 
 private:
     std::unique_ptr<World> world_;
-    std::vector<ObjectId> objects_;
-    std::vector<ObjectId> joints_;
     std::size_t leftOut_ = 0;
 };
 
