@@ -53,7 +53,7 @@ EditScreen::EditScreen(UiContext& context, std::filesystem::path const& file, Ed
 void EditScreen::setView() {
     auto const scale = static_cast<double>(parts_.context.window.uiScale());
     parts_.view.setView(parts_.context.window.size(),
-                        {scale * toolColumn, scale * topBar, scale * (panelWidth + 24), scale * statusRow});
+                        {scale * toolColumn, scale * topBar, scale * (sidePanelWidth + 24), scale * statusRow});
 }
 
 CommandSet& EditScreen::commands() {

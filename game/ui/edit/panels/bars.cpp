@@ -101,7 +101,7 @@ void drawLevelName(EditParts& parts) {
     layout.beginCard("level name", "",
                      {.anchor = Anchor::TopRight,
                       .offset = {editGap, editGap},
-                      .width = std::min(room, panelWidth),
+                      .width = std::min(room, sidePanelWidth),
                       .bare = true});
     std::string name = parts.document.name();
     std::size_t const slash = name.rfind('/');

@@ -11,7 +11,7 @@ namespace trembler::ui {
 inline constexpr float topBar = 62;
 inline constexpr float toolColumn = 60;
 inline constexpr float statusRow = 58;
-inline constexpr float panelWidth = 300;
+inline constexpr float sidePanelWidth = 300;
 inline constexpr float editGap = 10;
 
 /// Draws them; returns the command that was asked for. Between Gui::beginFrame and endFrame.

@@ -80,7 +80,7 @@ PanelUse drawSidePanel(EditParts& parts, CommandSet const& commands) {
     Layout& layout = parts.context.layout;
     float const screen = ImGui::GetIO().DisplaySize.y;
     layout.beginCard("panel", "",
-                     {.anchor = Anchor::TopRight, .offset = {editGap, topBar + 4}, .width = panelWidth});
+                     {.anchor = Anchor::TopRight, .offset = {editGap, topBar + 4}, .width = sidePanelWidth});
     drawTabs(parts, commands);
     ImGui::PushFont(theme().fonts.heading);
     for (TabRow const& row : tabRows) {

@@ -10,10 +10,10 @@
 namespace trembler::ui {
 namespace {
 
-constexpr double handleReach = 12; // pixels at UI scale 1
+constexpr double knobReach = 12; // pixels at UI scale 1
 
 bool nearTo(EditParts const& parts, Vec2 place) {
-    return length(parts.pointer.world - place) < handleReach * parts.pointer.pixel;
+    return length(parts.pointer.world - place) < knobReach * parts.pointer.pixel;
 }
 
 } // namespace

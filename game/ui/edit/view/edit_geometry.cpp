@@ -14,7 +14,7 @@ namespace {
 
 using namespace render;
 
-constexpr double pickReach = 6; // pixels at UI scale 1
+constexpr double sceneReach = 6; // pixels at UI scale 1
 constexpr double turnGap = 30;  // pixels at UI scale 1, between the selection and its knob
 
 double distanceToSegment(Vec2 p, Vec2 a, Vec2 b) {
@@ -50,7 +50,7 @@ std::string pickObject(EditParts const& parts, Vec2 at) {
     if (world == nullptr) {
         return {};
     }
-    double const reach = pickReach * parts.pointer.pixel;
+    double const reach = sceneReach * parts.pointer.pixel;
     std::string nearest;
     double best = reach;
     auto const order = FactsReader(*world).drawOrder();
@@ -177,7 +177,7 @@ Area movedArea(Area const& area, Vec2 by) {
 }
 
 SceneArea pickArea(EditParts const& parts, Vec2 at) {
-    double const reach = pickReach * parts.pointer.pixel;
+    double const reach = sceneReach * parts.pointer.pixel;
     for (SceneArea const& area : sceneAreas(parts)) {
         std::vector<Vec2> const corners = areaCorners(area.area);
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -202,7 +202,7 @@ std::vector<JointPoint> jointPoints(EditParts const& parts) {
 
 std::optional<std::size_t> pickJoint(EditParts const& parts, Vec2 at) {
     for (JointPoint const& point : jointPoints(parts)) {
-        if (trembler::length(point.at - at) < 1.6 * pickReach * parts.pointer.pixel) {
+        if (trembler::length(point.at - at) < 1.6 * sceneReach * parts.pointer.pixel) {
             return point.joint;
         }
     }
@@ -229,7 +229,7 @@ std::optional<std::size_t> pickConnection(EditParts const& parts, Vec2 at) {
         std::vector<Point> const path = pathOf(parts, connection.a, connection.b);
         for (std::size_t i = 0; i + 1 < path.size(); ++i) {
             if (distanceToSegment(at, {path[i].x, path[i].y}, {path[i + 1].x, path[i + 1].y}) <
-                pickReach * parts.pointer.pixel) {
+                sceneReach * parts.pointer.pixel) {
                 return connection.index;
             }
         }
