@@ -34,7 +34,7 @@ std::string listText(Tree const& list, std::size_t indent) {
     for (std::size_t i = 0; i < list.size(); ++i) {
         std::string const text = layOut(list[i], indent + 2, indent + 2);
         out += i == 0 ? "" : ",";
-        if (fills && width + text.size() + 2 <= widestLine) {
+        if (fills && width + text.size() + 3 <= widestLine) {
             out += " " + text;
             width += text.size() + 2;
         } else {
