@@ -3,11 +3,11 @@
 #include "physics/dynamics/properties/overlap.hpp"
 #include "physics/dynamics/properties/shape_rules.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
-#include "puzzle/edit/commands/motion.hpp"
-#include "puzzle/edit/commands/object_values.hpp"
 #include "puzzle/edit/commands/objects.hpp"
-#include "puzzle/edit/commands/shape_change.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/motion.hpp"
+#include "puzzle/edit/tree/object_values.hpp"
+#include "puzzle/edit/tree/shape_change.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/property/field_outline.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include "puzzle/edit/commands/clipboard.hpp"
 
 #include "puzzle/edit/commands/objects.hpp"
-#include "puzzle/edit/commands/subset.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
 #include "puzzle/edit/text/lay_out.hpp"
+#include "puzzle/edit/tree/subset.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/model/level.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 
 #include "puzzle/edit/commands/objects.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 
 #include <fmt/format.h>
 

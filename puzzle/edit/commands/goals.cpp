@@ -1,7 +1,7 @@
 #include "puzzle/edit/commands/goals.hpp"
 
 #include "puzzle/edit/commands/contents.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 
 #include <fmt/format.h>
 

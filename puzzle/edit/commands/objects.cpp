@@ -1,9 +1,9 @@
 #include "puzzle/edit/commands/objects.hpp"
 
 #include "puzzle/edit/commands/editor_state.hpp"
-#include "puzzle/edit/commands/references.hpp"
-#include "puzzle/edit/commands/subset.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/references.hpp"
+#include "puzzle/edit/tree/subset.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 
 #include <fmt/format.h>
 

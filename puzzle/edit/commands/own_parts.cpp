@@ -1,11 +1,11 @@
 #include "puzzle/edit/commands/own_parts.hpp"
 
-#include "puzzle/edit/commands/object_values.hpp"
 #include "puzzle/edit/commands/objects.hpp"
-#include "puzzle/edit/commands/references.hpp"
-#include "puzzle/edit/commands/subset.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
 #include "puzzle/edit/text/lay_out.hpp"
+#include "puzzle/edit/tree/object_values.hpp"
+#include "puzzle/edit/tree/references.hpp"
+#include "puzzle/edit/tree/subset.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "puzzle/edit/commands/properties.hpp"
 
-#include "puzzle/edit/commands/object_values.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/object_values.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/model/detail_levels.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_reader.hpp"

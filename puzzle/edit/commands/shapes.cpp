@@ -2,8 +2,8 @@
 
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/dynamics/properties/shape_rules.hpp"
-#include "puzzle/edit/commands/convex_pieces.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/convex_pieces.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/property/property_writer.hpp"
 
 #include <fmt/format.h>

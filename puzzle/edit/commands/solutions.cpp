@@ -1,6 +1,6 @@
 #include "puzzle/edit/commands/solutions.hpp"
 
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>

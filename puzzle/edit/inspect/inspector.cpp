@@ -1,9 +1,9 @@
 #include "puzzle/edit/inspect/inspector.hpp"
 
-#include "puzzle/edit/commands/object_values.hpp"
 #include "puzzle/edit/commands/objects.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
 #include "puzzle/edit/inspect/field_list.hpp"
+#include "puzzle/edit/tree/object_values.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/property/property_writer.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "puzzle/edit/problems/live_problems.hpp"
 
 #include "puzzle/checks/level_checks.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 
 #include <fmt/format.h>
 

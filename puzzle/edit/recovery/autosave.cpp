@@ -1,6 +1,6 @@
 #include "puzzle/edit/recovery/autosave.hpp"
 
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <fmt/format.h>

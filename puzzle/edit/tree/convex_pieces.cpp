@@ -1,4 +1,4 @@
-#include "puzzle/edit/commands/convex_pieces.hpp"
+#include "puzzle/edit/tree/convex_pieces.hpp"
 
 #include "physics/dynamics/properties/shape_rules.hpp"
 #include "puzzle/edit/document/command.hpp"

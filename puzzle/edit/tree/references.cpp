@@ -1,6 +1,6 @@
-#include "puzzle/edit/commands/references.hpp"
+#include "puzzle/edit/tree/references.hpp"
 
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/property/field_outline.hpp"
 

@@ -1,4 +1,4 @@
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 
 #include <fmt/format.h>
 

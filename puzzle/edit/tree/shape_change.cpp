@@ -1,8 +1,8 @@
-#include "puzzle/edit/commands/shape_change.hpp"
+#include "puzzle/edit/tree/shape_change.hpp"
 
 #include "physics/dynamics/properties/shape_rules.hpp"
-#include "puzzle/edit/commands/object_values.hpp"
-#include "puzzle/edit/commands/tree_access.hpp"
+#include "puzzle/edit/tree/object_values.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_writer.hpp"
 
