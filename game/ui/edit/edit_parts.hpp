@@ -64,10 +64,10 @@ struct EditParts {
     bool electricity = false;
 
     Tab tab = Tab::parts;
-    bool panelKeys = false;    ///< the panel has the keyboard
-    bool panelHadKeys = false; ///< and had it in the last picture
-    std::string searched;      ///< in the catalogue of parts
-    std::string goalPlace;     ///< of the chosen condition
+    bool panelKeys = false;          ///< the panel has the keyboard
+    std::optional<Tab> panelHadKeys; ///< the page that had it in the last picture
+    std::string searched;            ///< in the catalogue of parts
+    std::string goalPlace;           ///< of the chosen condition
     bool goalChosen = false;
 
     edit::Gesture widget;  ///< of the widget that is being used: all its values are one step of undo

@@ -11,6 +11,8 @@
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -52,8 +54,10 @@ EditScreen::EditScreen(UiContext& context, std::filesystem::path const& file, Ed
 
 void EditScreen::setView() {
     auto const scale = static_cast<double>(parts_.context.window.uiScale());
-    parts_.view.setView(parts_.context.window.size(),
-                        {scale * toolColumn, scale * topBar, scale * (sidePanelWidth + 24), scale * statusRow});
+    parts_.view.setView(parts_.context.window.size(), {scale * toolColumn, scale * topBar,
+                                                       scale * (sidePanelWidth + 24), scale * statusRow});
+    // The view is the designer's: it does not follow what is dragged.
+    parts_.view.stay();
 }
 
 CommandSet& EditScreen::commands() {
@@ -75,7 +79,8 @@ void EditScreen::drawTestCard() {
     bool const back = bigButton(words::testBack, {.icon = Icon::Back, .look = ButtonLook::Primary});
     context.layout.item("back to editor");
     context.layout.endCard();
-    if (record) {
+    bool const byKey = context.input.keyPressed(SDLK_r) && context.controlHeld();
+    if (record || byKey) {
         actions::recordSolution(parts_);
     }
     if (back) {
@@ -122,6 +127,14 @@ void EditScreen::drawDialogs() {
 void EditScreen::handleKeys() {
     UiContext& context = parts_.context;
     bool const escape = context.input.keyPressed(SDLK_ESCAPE);
+    bool const popup = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+    if (escape && popup) { // a menu or a drop-down
+        ImGui::ClosePopupToLevel(0, true);
+    }
+    if (escape && (popup || std::exchange(popupWasOpen_, popup))) {
+        return;
+    }
+    popupWasOpen_ = popup;
     if (escape && mouse_.cancel(parts_)) {
         return;
     }

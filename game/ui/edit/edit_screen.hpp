@@ -41,7 +41,8 @@ private:
     CommandsOf<EditParts> commands_;
     PointerReader reader_;
     EditMouse mouse_;
-    bool leaveAgreed_ = false; // the designer gave the changes up
+    bool popupWasOpen_ = false; // in the last picture
+    bool leaveAgreed_ = false;  // the designer gave the changes up
 };
 
 } // namespace trembler::ui

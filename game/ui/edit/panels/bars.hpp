@@ -10,7 +10,8 @@ namespace trembler::ui {
 // Room that they take, pixels at UI scale 1.
 inline constexpr float topBar = 62;
 inline constexpr float toolColumn = 60;
-inline constexpr float statusRow = 58;
+inline constexpr float statusRow = 62;
+inline constexpr float statusWidth = 500; ///< at most
 inline constexpr float sidePanelWidth = 300;
 inline constexpr float editGap = 10;
 

@@ -3,6 +3,7 @@
 #include "game/ui/edit/panels/property_rows.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
+#include "physics/dynamics/properties/joint.hpp"
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/objects.hpp"
@@ -155,6 +156,25 @@ void drawPlacing(EditParts& parts) {
     }
 }
 
+/// What the line at the bottom has, too: here it is reached by the keyboard.
+void drawToolSettings(EditParts& parts) {
+    pageHeading(words::toolSettings);
+    fieldName(words::gridStep, words::snapTip);
+    static_cast<void>(numberField(parts, "grid field", parts.snapping.grid, Snapping::smallestGrid,
+                                  Snapping::largestGrid, "m"));
+    fieldName(words::angleStep, words::snapTip);
+    static_cast<void>(numberField(parts, "angle field", parts.snapping.angleDegrees, Snapping::smallestAngle,
+                                  Snapping::largestAngle, "°"));
+    fieldName(words::radius, "");
+    static_cast<void>(numberField(parts, "radius field", parts.capsuleRadius, 0.005, 10, "m"));
+    std::vector<std::string> forms;
+    for (std::string_view const form : choiceNames<JointForm>) {
+        forms.emplace_back(form);
+    }
+    fieldName(words::jointField, "");
+    static_cast<void>(choiceField(parts, "joint form field", parts.jointForm, forms));
+}
+
 } // namespace
 
 void drawPropertiesPage(EditParts& parts) {
@@ -170,6 +190,7 @@ void drawPropertiesPage(EditParts& parts) {
         return drawPlacing(parts);
     default:
         caption(words::nothingSelected);
+        drawToolSettings(parts);
     }
 }
 

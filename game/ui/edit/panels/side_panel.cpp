@@ -90,12 +90,15 @@ PanelUse drawSidePanel(EditParts& parts, CommandSet const& commands) {
     }
     ImGui::PopFont();
     float const used = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
-    float const room = std::max(screen - scaled(topBar + 4 + editGap) - used, scaled(80));
+    // In a narrow window the line with the grid reaches below the panel.
+    bool const narrow = ImGui::GetIO().DisplaySize.x < scaled(statusWidth + sidePanelWidth + 3 * editGap);
+    float const below = narrow ? statusRow + 2 * editGap : editGap;
+    float const room = std::max(screen - scaled(topBar + 4 + below) - used, scaled(80));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-    if (parts.panelKeys && !parts.panelHadKeys) {
+    if (parts.panelKeys && parts.panelHadKeys != parts.tab) { // also another page takes the ring
         ImGui::SetNextWindowFocus();
     }
-    parts.panelHadKeys = parts.panelKeys;
+    parts.panelHadKeys = parts.panelKeys ? std::optional(parts.tab) : std::nullopt;
     ImGui::PushID(static_cast<int>(parts.tab));
     ImGui::BeginChild("page", {0, room});
     switch (parts.tab) {

@@ -31,7 +31,7 @@ double factorOf(double from, double to, double fixed) {
 }
 
 Scaling scalingTo(SelectionHandles const& handles, std::size_t handle, Vec2 to) {
-    Vec2 const from = handles.scaling[handle];
+    Vec2 const from = handles.edges[handle];
     Vec2 const middle = handles.middle();
     Vec2 const fixed = 2 * middle - from; // the handle on the other side
     Scaling scaling{{1, 1}, fixed};
@@ -79,7 +79,8 @@ void EditMouse::drag(EditParts& parts) {
         });
     }
     case Doing::scaling: {
-        Scaling const scaling = scalingTo(*handles_, handle_, snapped(parts, pointer.world));
+        Vec2 const gap = handles_->scaling[handle_] - handles_->edges[handle_];
+        Scaling const scaling = scalingTo(*handles_, handle_, snapped(parts, pointer.world - gap));
         return change(parts, [&](Json const& level) {
             return edit::scaleObjects(*parts.data, level, parts.selected(), scaling.factors, scaling.centre);
         });

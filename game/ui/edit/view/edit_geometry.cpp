@@ -15,7 +15,8 @@ namespace {
 using namespace render;
 
 constexpr double sceneReach = 6; // pixels at UI scale 1
-constexpr double turnGap = 30;  // pixels at UI scale 1, between the selection and its knob
+constexpr double knobGap = 10;   // pixels at UI scale 1, between the selection and the others
+constexpr double turnGap = 34;   // pixels at UI scale 1, between the selection and its knob
 
 double distanceToSegment(Vec2 p, Vec2 a, Vec2 b) {
     Vec2 const along = b - a;
@@ -100,18 +101,24 @@ std::optional<SelectionHandles> handlesOf(EditParts const& parts) {
     if (!box) {
         return {};
     }
-    SelectionHandles handles{*box, {}, {}};
+    SelectionHandles handles{*box, {}, {}, {}};
     Vec2 const low = box->corner;
     Vec2 const high = box->corner + box->size;
-    handles.turn = {0.5 * (low.x + high.x), high.y + turnGap * parts.pointer.pixel};
+    Vec2 const middle = handles.middle();
+    handles.turn = {middle.x, high.y + turnGap * parts.pointer.pixel};
     if (edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1.1})) {
-        handles.scaling = {low, {high.x, low.y}, high, {low.x, high.y}};
+        handles.edges = {low, {high.x, low.y}, high, {low.x, high.y}};
         if (edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1})) {
-            Vec2 const middle = handles.middle();
-            handles.scaling.insert(
-                handles.scaling.end(),
+            handles.edges.insert(
+                handles.edges.end(),
                 {{low.x, middle.y}, {high.x, middle.y}, {middle.x, low.y}, {middle.x, high.y}});
         }
+    }
+    // Outside of the box, so that a small object can still be dragged by its middle.
+    auto const sign = [](double x) { return x > 1e-12 ? 1.0 : x < -1e-12 ? -1.0 : 0.0; };
+    for (Vec2 const edge : handles.edges) {
+        Vec2 const outwards{sign(edge.x - middle.x), sign(edge.y - middle.y)};
+        handles.scaling.push_back(edge + knobGap * parts.pointer.pixel * outwards);
     }
     return handles;
 }

@@ -20,6 +20,8 @@ struct SelectionHandles {
     Vec2 turn;
     /// Corners and, from index 4 on, middles of sides: left, right, bottom, top. Empty: nothing scales.
     std::vector<Vec2> scaling;
+    /// For each of these, the point of the box that it stands for, a little further inside.
+    std::vector<Vec2> edges;
     [[nodiscard]] Vec2 middle() const { return box.corner + 0.5 * box.size; }
 };
 [[nodiscard]] std::optional<SelectionHandles> handlesOf(EditParts const& parts);

@@ -111,6 +111,9 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"keep-playing", ""}};
     std::map<std::string, std::string> now;
     for (CommandInfo const* command : bindings.commands()) {
+        if (command->id.starts_with("edit-")) {
+            continue; // the editor's own
+        }
         std::string& keys = now[std::string(command->id)];
         for (Chord const& chord : bindings.keysOf(command->id)) {
             keys += (keys.empty() ? "" : " ") + nameOf(chord);
