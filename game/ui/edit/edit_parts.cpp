@@ -59,7 +59,7 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
     selection.clear();
     partInHand.clear();
     goalChosen = false;
-    lastGoals.clear();
+    goals.forget();
     tool = Tool::select;
     readRevision_.reset();
     read();

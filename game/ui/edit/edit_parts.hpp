@@ -8,6 +8,7 @@
 #include "game/ui/edit/tools/snapping.hpp"
 #include "game/ui/edit/tools/tool.hpp"
 #include "game/ui/edit/view/edited_world.hpp"
+#include "game/ui/edit/view/live_goals.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
@@ -79,7 +80,7 @@ struct EditParts {
     Dialogs dialogs;
     std::unique_ptr<PlayScreen> test;     ///< while the level is test-played
     std::string recordsOver;              ///< the solution that the next recording replaces; empty: none
-    std::vector<GoalStatus> lastGoals;    ///< of the last test play
+    LiveGoals goals;                      ///< of the present or the last test play
     Pointer pointer;                      ///< of this picture
     std::optional<ScreenRequest> request; ///< what this picture asks of the program
     std::optional<ScreenRequest> leaving; ///< asked for once the changes are saved or given up

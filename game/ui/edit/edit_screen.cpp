@@ -1,5 +1,6 @@
 #include "game/ui/edit/edit_screen.hpp"
 
+#include "game/ui/cards/play_cards.hpp"
 #include "game/ui/commands/carry_out_keys.hpp"
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/commands/edit_commands.hpp"
@@ -89,7 +90,9 @@ void EditScreen::drawTestCard() {
 }
 
 void EditScreen::updateTest(double seconds) {
+    parts_.goals.follow(parts_.test->session());
     auto asked = parts_.test->update(seconds);
+    parts_.goals.follow(parts_.test->session());
     parts_.autosave->tick(parts_.document, seconds);
     if (asked && std::holds_alternative<request::OpenMenu>(*asked) &&
         std::get<request::OpenMenu>(*asked).page == MenuPage::main) {
@@ -97,6 +100,10 @@ void EditScreen::updateTest(double seconds) {
         return actions::endTest(parts_);
     }
     parts_.request = asked;
+    bool const running = parts_.test->session().mode() != SessionMode::building;
+    if (running && !parts_.test->inspector().open()) {
+        drawLiveGoals(parts_, cornerRow);
+    }
     drawTestCard();
 }
 

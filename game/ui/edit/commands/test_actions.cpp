@@ -1,5 +1,6 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 
 namespace trembler::ui::actions {
@@ -16,9 +17,16 @@ std::unique_ptr<PlayScreen> playScreenFor(EditParts& parts) {
         std::filesystem::path const name =
             "test of " + (parts.document.path().empty() ? std::string("a new level.json")
                                                         : parts.document.path().filename().string());
+        std::vector<std::string> places;
+        for (edit::GoalLine const& line : edit::goalLines(parts.tree())) {
+            places.push_back(line.place);
+        }
+        parts.goals.begin(level, std::move(places));
         bool const mods = parts.data != parts.options.data;
-        return std::make_unique<PlayScreen>(parts.context, name, mods ? parts.data : nullptr,
-                                            parts.options.world, &level);
+        auto screen = std::make_unique<PlayScreen>(parts.context, name, mods ? parts.data : nullptr,
+                                                   parts.options.world, &level);
+        screen->updateBehindMenu(0); // it is drawn before its first update
+        return screen;
     } catch (InputError const& error) {
         std::vector<Diagnostic> const& all = error.diagnostics();
         parts.tell(words::cannotTest(all.empty() ? error.what() : all.front().message), ToastKind::Trouble);
@@ -62,7 +70,7 @@ void playSolution(EditParts& parts, std::string const& name, bool again) {
 
 void endTest(EditParts& parts) {
     if (parts.test != nullptr) {
-        parts.lastGoals = parts.test->session().judge().status();
+        parts.goals.end();
         parts.test->leave();
         parts.test.reset();
         parts.recordsOver.clear();

@@ -50,17 +50,19 @@ std::string summaryOf(edit::GoalLine const& line) {
     return text;
 }
 
-/// The goal of the last test play that a line is: a child of the outermost list, or the whole.
-GoalStatus const* statusOf(EditParts const& parts, std::string const& place) {
-    if (parts.lastGoals.empty()) {
-        return nullptr;
+/// A tick or a cross at the end of the last line, as the condition stands in the test play.
+void drawGoalState(EditParts const& parts, std::string const& place) {
+    auto const state = parts.goals.states().find(place);
+    if (state == parts.goals.states().end()) {
+        return;
     }
-    if (place.empty()) {
-        return parts.lastGoals.size() == 1 ? &parts.lastGoals.front() : nullptr;
-    }
-    bool const child = std::count(place.begin(), place.end(), '/') == 2;
-    std::size_t const index = indexOfPath(place);
-    return child && index < parts.lastGoals.size() ? &parts.lastGoals[index] : nullptr;
+    ImVec2 const at{ImGui::GetItemRectMax().x - scaled(10),
+                    0.5F * (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y)};
+    bool const met = state->second.met || state->second.once;
+    drawIcon(*ImGui::GetWindowDrawList(), met ? Icon::Tick : Icon::Cross, at, scaled(12),
+             imColour(state->second.met ? palette::goal
+                      : met             ? palette::accent
+                                        : palette::warning));
 }
 
 /// Widgets for a value inside a condition; true when it was changed.
@@ -218,6 +220,34 @@ void drawAdd(EditParts& parts, std::vector<edit::GoalLine> const& lines) {
 
 } // namespace
 
+void drawLiveGoals(EditParts& parts, float top) {
+    auto const lines = edit::goalLines(parts.tree());
+    if (lines.empty() || parts.goals.states().empty()) {
+        return;
+    }
+    parts.context.layout.beginCard("live goals", words::tabGoals,
+                                   {.anchor = Anchor::TopRight, .offset = {16, top}, .width = 270});
+    for (edit::GoalLine const& line : lines) {
+        ImGui::Indent(scaled(14) * static_cast<float>(line.depth) + 0.01F);
+        float const room = ImGui::GetContentRegionAvail().x;
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room - scaled(22));
+        ImGui::TextUnformatted(summaryOf(line).c_str());
+        ImGui::PopTextWrapPos();
+        // The state stands at the end of the line, not of the words.
+        ImVec2 const low = ImGui::GetItemRectMin();
+        ImVec2 const high = ImGui::GetItemRectMax();
+        auto const state = parts.goals.states().find(line.place);
+        if (state != parts.goals.states().end()) {
+            bool const met = state->second.met;
+            drawIcon(*ImGui::GetWindowDrawList(), met ? Icon::Tick : Icon::Cross,
+                     {low.x + room - scaled(10), 0.5F * (low.y + high.y)}, scaled(13),
+                     imColour(met ? palette::goal : palette::warning));
+        }
+        ImGui::Unindent(scaled(14) * static_cast<float>(line.depth) + 0.01F);
+    }
+    parts.context.layout.endCard();
+}
+
 void drawGoalsPage(EditParts& parts) {
     auto const lines = edit::goalLines(parts.tree());
     if (lines.empty()) {
@@ -226,7 +256,6 @@ void drawGoalsPage(EditParts& parts) {
     edit::GoalLine const* chosen = nullptr;
     for (edit::GoalLine const& line : lines) {
         ImGui::Indent(scaled(14) * static_cast<float>(line.depth) + 0.01F);
-        GoalStatus const* const status = statusOf(parts, line.place);
         std::string const label = summaryOf(line) + "##" + line.place;
         bool const on = parts.goalChosen && parts.goalPlace == line.place;
         if (ImGui::Selectable(label.c_str(), on)) {
@@ -237,12 +266,7 @@ void drawGoalsPage(EditParts& parts) {
             }
         }
         parts.context.layout.item("goal " + line.place);
-        if (status != nullptr) {
-            ImVec2 const at{ImGui::GetItemRectMax().x - scaled(10),
-                            0.5F * (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y)};
-            drawIcon(*ImGui::GetWindowDrawList(), status->met ? Icon::Tick : Icon::Cross, at, scaled(12),
-                     imColour(status->met ? palette::goal : palette::warning));
-        }
+        drawGoalState(parts, line.place);
         ImGui::Unindent(scaled(14) * static_cast<float>(line.depth) + 0.01F);
         if (on) {
             chosen = &line;

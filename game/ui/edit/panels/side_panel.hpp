@@ -19,6 +19,9 @@ struct PanelUse {
 void drawOutlinePage(EditParts& parts);
 void drawPropertiesPage(EditParts& parts);
 void drawGoalsPage(EditParts& parts);
+/// A card with the tree of goals and their states, while the level is test-played; `top` in pixels at UI
+/// scale 1.
+void drawLiveGoals(EditParts& parts, float top);
 void drawLevelPage(EditParts& parts);
 void drawSolutionsPage(EditParts& parts);
 void drawProblemsPage(EditParts& parts);
