@@ -57,6 +57,7 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
     }
     problems = {};
     selection.clear();
+    dialogs.propose({});
     partInHand.clear();
     goalChosen = false;
     goals.forget();
@@ -79,18 +80,22 @@ void EditParts::openFile(std::filesystem::path const& path) {
         return;
     }
     try {
-        std::shared_ptr<GameData const> own = options.data;
-        try {
-            if (auto const withMods = options.levelData ? options.levelData(path) : nullptr) {
-                own = withMods;
-            }
-        } catch (std::exception const& error) { // a mod is missing or wrong: the level can still be edited
-            tell(error.what(), render::ToastKind::Trouble);
-        }
+        auto const own = dataFor(path);
         use(edit::LevelDocument::open(*own, path), own);
     } catch (InputError const& error) {
         tell(error.what(), render::ToastKind::Trouble);
     }
+}
+
+std::shared_ptr<GameData const> EditParts::dataFor(std::filesystem::path const& path) {
+    try {
+        if (auto const withMods = options.levelData && !path.empty() ? options.levelData(path) : nullptr) {
+            return withMods;
+        }
+    } catch (std::exception const& error) { // a mod is missing or wrong: the level can still be edited
+        tell(error.what(), render::ToastKind::Trouble);
+    }
+    return options.data;
 }
 
 void EditParts::newLevel() {

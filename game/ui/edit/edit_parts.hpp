@@ -100,6 +100,8 @@ struct EditParts {
     void use(edit::LevelDocument next, std::shared_ptr<GameData const> nextData);
     /// Opens a file, or tells why it cannot. A path that does not exist is a new level with that name.
     void openFile(std::filesystem::path const& path);
+    /// What a level file is edited with; tells if its mods cannot be had.
+    [[nodiscard]] std::shared_ptr<GameData const> dataFor(std::filesystem::path const& path);
     void newLevel();
     /// To be called once per picture: follows the document's changes and keeps unsaved work.
     void follow(double seconds);

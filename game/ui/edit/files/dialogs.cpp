@@ -96,7 +96,8 @@ void Dialogs::drawRecovery(EditParts& parts) {
         edit::Recovery const chosen = recovery;
         close();
         try {
-            parts.use(edit::recover(*parts.options.data, chosen), parts.options.data);
+            auto const own = parts.dataFor(chosen.level);
+            parts.use(edit::recover(*own, chosen), own);
             parts.autosave->flush(parts.document);
             edit::discard(chosen);
         } catch (InputError const& error) {
