@@ -104,6 +104,9 @@ LevelDocument LevelDocument::fromText(GameData const& data, std::string const& t
     LevelDocument made(data, text, std::move(path));
     made.parse(made.name());
     made.faults_.clear();
+    if (made.readOnly_ && made.mayBeEdited()) {
+        made.convert();
+    }
     made.readOnly_ = false;
     made.onDisk_ = std::move(onDisk);
     made.savedState_ = made.onDisk_ && *made.onDisk_ == text ? 0 : unsavedState;
@@ -122,7 +125,7 @@ void LevelDocument::parse(std::string const& file) {
         faults_ = error.diagnostics();
         readOnly_ = true;
     }
-    if (mayBeEdited()) {
+    if (!readOnly_) {
         convert();
     }
 }
@@ -134,7 +137,7 @@ void LevelDocument::convert() {
         return;
     }
     convertedFrom_ = version->get<int>();
-    nlohmann::json current = json_->root();
+    nlohmann::json current = json()->root();
     migrate(current, *convertedFrom_);
     tree_ = orderedLike(tree_, current);
     tree_["version"] = levelVersion;
@@ -179,6 +182,8 @@ void LevelDocument::editNevertheless() {
             "this file cannot be edited: it is no level, or was made by a newer version of the program");
     }
     readOnly_ = false;
+    convert();
+    ++revision_;
 }
 
 void LevelDocument::run(Command const& command, std::optional<Gesture> gesture) {
