@@ -172,15 +172,13 @@ std::optional<ScreenRequest> EditScreen::update(double seconds) {
         parts_.pointer.overCard = true;
         parts_.pointer.pressed = false;
     }
-    PanelUse const use = drawSidePanel(parts_, commands_);
-    if (use.tookPart) {
-        mouse_.tookPart();
-    }
-    std::optional<std::size_t> const asked = drawBars(parts_, commands_);
-    if (dialog) {
+    if (dialog) { // alone, as the menu is: nothing behind it can be pressed
         drawDialogs();
     } else {
-        if (asked) {
+        if (drawSidePanel(parts_, commands_).tookPart) {
+            mouse_.tookPart();
+        }
+        if (auto const asked = drawBars(parts_, commands_)) {
             commands_.run(*asked);
         }
         handleKeys();

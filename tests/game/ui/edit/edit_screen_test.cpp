@@ -78,7 +78,7 @@ TEST(Editor, SelectsWithABoxAndDeletesAndPastes) {
     Designer designer;
     designer.edit(firstContact);
     std::size_t const before = designer.count("objects");
-    designer.drag(designer.on({-2.5, 1.15}), designer.on({-1.1, -0.1}));
+    designer.drag(designer.on({-2.65, 1.25}), designer.on({-1.0, -0.1}));
     EXPECT_EQ(designer.parts().selected().size(), 4U);
     designer.ctrl(SDLK_c);
     designer.key(SDLK_DELETE);
@@ -138,7 +138,7 @@ TEST(Editor, RecordsASolutionByPlaying) {
     designer.drag(designer.item("part steel bar"), to);
     ASSERT_EQ(play.session().placed().size(), 1U);
     designer.key(SDLK_SPACE);
-    designer.simulate(300);
+    designer.simulate(600);
     EXPECT_TRUE(play.session().solved());
     designer.look("edit-record");
     designer.clickItem("record solution");
