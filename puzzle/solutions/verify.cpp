@@ -1,6 +1,7 @@
 #include "puzzle/solutions/verify.hpp"
 
 #include "puzzle/campaign/as_played.hpp"
+#include "puzzle/checks/level_checks.hpp"
 #include "puzzle/run/runner.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -71,7 +72,15 @@ std::vector<std::string> verifyLevel(GameData const& gameData, std::filesystem::
     std::vector<std::string> failures;
     std::string const name = gameData.shortName(path);
     try {
-        LevelFile level = loadLevel(gameData.registry, path);
+        auto const document = JsonDocument::load(path);
+        LevelCheckup const checkup = checkWholeLevel(gameData, document, detail);
+        for (Diagnostic const& problem : checkup.problems) {
+            failures.push_back(problem.print());
+        }
+        if (!checkup.playable) {
+            return failures;
+        }
+        LevelFile level = readLevel(gameData.registry, document);
         for (auto const& [effect, name] : detail) {
             level.detail[effect] = name;
         }

@@ -53,6 +53,8 @@ public:
 
     /// The player closed the window or the desktop asks the program to end; stays true.
     [[nodiscard]] bool quit() const { return quit_; }
+    /// The same, in this frame only.
+    [[nodiscard]] bool quitAsked() const { return quitAsked_; }
 
 private:
     struct Button {
@@ -79,6 +81,7 @@ private:
     unsigned modifiers_ = 0;
     bool inside_ = false;
     bool quit_ = false;
+    bool quitAsked_ = false;
 };
 
 } // namespace trembler::render

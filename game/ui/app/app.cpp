@@ -2,6 +2,7 @@
 
 #include "game/ui/app/command_lists.hpp"
 #include "game/ui/app/title_screen.hpp"
+#include "game/ui/edit/edit_screen.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/campaign/free_play.hpp"
@@ -74,6 +75,21 @@ void GameApp::open(std::filesystem::path const& level) {
     menu_.close();
 }
 
+void GameApp::edit(std::filesystem::path const& level) {
+    if (plain_ == nullptr) {
+        plain_ = std::make_shared<GameData const>();
+    }
+    // Without a profile nothing is kept, recoveries included.
+    show(std::make_unique<EditScreen>(context_, level,
+                                      EditOptions{.data = plain_,
+                                                  .levelData = options_.levelData,
+                                                  .world = options_.world,
+                                                  .recovery = options_.profile.empty()
+                                                                  ? std::filesystem::path()
+                                                                  : edit::recoveryFolder()}));
+    menu_.close();
+}
+
 void GameApp::showTitle() {
     show(std::make_unique<TitleScreen>(context_));
 }
@@ -126,10 +142,17 @@ void GameApp::follow(ScreenRequest const& asked) {
             app.menu_.close();
             app.openFreePlay();
         }
+        void operator()(request::OpenEditor const& wanted) const { app.edit(wanted.level); }
         void operator()(request::ShowTitle const&) const { app.showTitle(); }
         void operator()(request::SwitchFullscreen const&) const { app.toggleFullscreen(); }
         void operator()(request::Quit const&) const { app.going_ = false; }
     };
+    bool const stays = std::holds_alternative<request::OpenMenu>(asked) ||
+                       std::holds_alternative<request::SwitchFullscreen>(asked);
+    if (!stays && !screen_->mayLeaveFor(asked)) {
+        menu_.close();
+        return;
+    }
     std::visit(Follower{*this}, asked);
 }
 
@@ -174,7 +197,11 @@ bool GameApp::frame(double seconds, bool seen) {
         context_.gui.dropFrame();
     }
     sinceNews_ = lively() ? 0 : sinceNews_ + seconds;
-    return going_ && !context_.input.quit();
+    // The screen may ask first, so only the event itself counts, not that there once was one.
+    if (context_.input.quitAsked()) {
+        follow(request::Quit{});
+    }
+    return going_;
 }
 
 } // namespace trembler::ui

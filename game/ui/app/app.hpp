@@ -40,6 +40,9 @@ public:
 
     /// Opens a level. Throws InputError if it cannot be read or built; the current screen then stays.
     void open(std::filesystem::path const& level);
+    /// Opens the editor with a level file; an empty path: with a new level. A file that cannot be edited is
+    /// shown read-only, with the list of what is wrong.
+    void edit(std::filesystem::path const& level);
     void showTitle();
     void openMenu(MenuPage page) { menu_.open(page); }
     /// Replaces the current screen after calling its leave(). Not nullptr.
@@ -72,7 +75,8 @@ private:
     GameOptions options_;
     UiContext context_;
     Menu menu_;
-    std::unique_ptr<Screen> screen_; // never nullptr
+    std::shared_ptr<GameData const> plain_; // for the editor; nullptr until it is opened
+    std::unique_ptr<Screen> screen_;        // never nullptr
     bool going_ = true;
     double sinceNews_ = 0; // s
 };

@@ -142,7 +142,9 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     if (options.fullscreen) {
         window.setFullscreen(true);
     }
-    if (!options.level.empty()) {
+    if (options.edits) {
+        app.edit(options.level);
+    } else if (!options.level.empty()) {
         try {
             app.open(options.level);
         } catch (InputError const& error) { // told where a player who has no terminal sees it, too

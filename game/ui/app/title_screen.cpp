@@ -97,6 +97,9 @@ void TitleScreen::drawButtons() {
     if (button(text("title.free_play"), "free play", Icon::Plus)) {
         ask(request::OpenFreePlay{});
     }
+    if (button(text("title.editor"), "editor", Icon::Plus)) {
+        ask(request::OpenEditor{});
+    }
     if (button(text("menu.settings"), "settings", Icon::Settings)) {
         ask(request::OpenMenu{MenuPage::settings});
     }

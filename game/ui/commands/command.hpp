@@ -18,7 +18,7 @@ enum class KeyUse : std::uint8_t {
 };
 
 /// The section of the page of keys in which a command is listed.
-enum class CommandGroup : std::uint8_t { building, running, looking, program };
+enum class CommandGroup : std::uint8_t { building, running, looking, program, editing };
 
 /// Name and look of a switch while it is on; nullptr or None: the same as while it is off.
 struct WhenOn {

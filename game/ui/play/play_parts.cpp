@@ -23,13 +23,15 @@ std::string buildId(LevelCatalog const& levels, std::filesystem::path const& fil
 } // namespace
 
 PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
-                     std::shared_ptr<GameData const> levelData, WorldOptions const& options)
+                     std::shared_ptr<GameData const> levelData, WorldOptions const& options,
+                     LevelFile const* stated)
     : context(uiContext), file(std::move(levelFile)), data(std::move(levelData)),
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
-      session(
-          data ? data->registry : context.registry, data ? data->parts : context.parts,
-          asPlayed(loadLevel(data ? data->registry : context.registry, file), std::string(languageInUse())),
-          options),
+      session(data ? data->registry : context.registry, data ? data->parts : context.parts,
+              stated != nullptr ? *stated
+                                : asPlayed(loadLevel(data ? data->registry : context.registry, file),
+                                           std::string(languageInUse())),
+              options),
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session), secondHand(session, 1),
       budget(data ? data->registry : context.registry), goals(session.level()), audio(context.loudspeaker),

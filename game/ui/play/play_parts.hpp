@@ -34,8 +34,10 @@ namespace trembler::ui {
 struct PlayParts {
     /// `levelData` is what the level is played with if it names mods, else nullptr: then that of the context.
     /// Throws InputError if the level cannot be read or built.
+    /// `stated` is the level if it was not read from the file; nullptr: it is read.
     PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
-              std::shared_ptr<GameData const> levelData, WorldOptions const& options);
+              std::shared_ptr<GameData const> levelData, WorldOptions const& options,
+              LevelFile const* stated = nullptr);
     PlayParts(PlayParts const&) = delete;
     PlayParts& operator=(PlayParts const&) = delete;
 

@@ -23,8 +23,8 @@ Vec2 padDirection(render::InputEvents const& input) {
 } // namespace
 
 PlayScreen::PlayScreen(UiContext& context, std::filesystem::path file, std::shared_ptr<GameData const> data,
-                       WorldOptions const& options)
-    : parts_(context, std::move(file), std::move(data), options), commands_(playCommands(), parts_) {}
+                       WorldOptions const& options, LevelFile const* stated)
+    : parts_(context, std::move(file), std::move(data), options, stated), commands_(playCommands(), parts_) {}
 
 std::span<Gesture const> PlayScreen::gestures() const {
     return playGestures();

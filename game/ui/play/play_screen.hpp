@@ -16,7 +16,7 @@ class PlayScreen final : public Screen {
 public:
     /// See PlayParts.
     PlayScreen(UiContext& context, std::filesystem::path file, std::shared_ptr<GameData const> data,
-               WorldOptions const& options);
+               WorldOptions const& options, LevelFile const* stated = nullptr);
 
     std::optional<ScreenRequest> update(double seconds) override;
     /// The world stands still.
@@ -33,6 +33,8 @@ public:
 
     [[nodiscard]] Session const& session() const { return parts_.session; }
     [[nodiscard]] Session& session() { return parts_.session; }
+    /// To be called after somebody else has given the session another world.
+    void worldChanged() { parts_.newWorld(); }
     [[nodiscard]] std::filesystem::path const& file() const { return parts_.file; }
     [[nodiscard]] Shown const& shown() const { return parts_.shown; }
     [[nodiscard]] std::size_t hintsShown() const { return parts_.hintsShown; }

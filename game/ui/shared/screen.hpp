@@ -25,6 +25,10 @@ struct OpenMenu {
 struct OpenLevel {
     std::filesystem::path level;
 };
+/// Opens the editor; an empty path: with a new level.
+struct OpenEditor {
+    std::filesystem::path level;
+};
 struct ShowTitle {};
 /// Opens the level with every part.
 struct OpenFreePlay {};
@@ -33,8 +37,9 @@ struct Quit {};
 
 } // namespace request
 
-using ScreenRequest = std::variant<request::OpenMenu, request::OpenLevel, request::OpenFreePlay,
-                                   request::ShowTitle, request::SwitchFullscreen, request::Quit>;
+using ScreenRequest =
+    std::variant<request::OpenMenu, request::OpenLevel, request::OpenFreePlay, request::OpenEditor,
+                 request::ShowTitle, request::SwitchFullscreen, request::Quit>;
 
 /// Window thread only. In each picture: update or updateBehindMenu; then, if the picture is shown, draw and
 /// pictureComplete. draw() may change only state that drawing alone uses.
@@ -59,6 +64,9 @@ public:
     virtual void draw() = 0;
     /// Called when the picture is complete: between Gui::endFrame and Window::present.
     virtual void pictureComplete() {}
+    /// Asked before a request is followed that would end this screen, by whomever it was made. False: the
+    /// screen asks the player first, and later makes the request itself.
+    [[nodiscard]] virtual bool mayLeaveFor(ScreenRequest const&) { return true; }
     /// Called once when another screen replaces it or the program ends; no other call follows.
     virtual void leave() {}
 

@@ -59,6 +59,7 @@ inline constexpr char const* groupBuilding = "Building";
 inline constexpr char const* groupRunning = "Running";
 inline constexpr char const* groupLooking = "Looking";
 inline constexpr char const* groupProgram = "The program";
+inline constexpr char const* groupEditing = "Editing levels";
 
 // Inspector.
 inline constexpr char const* rightNow = "Right now";

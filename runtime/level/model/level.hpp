@@ -105,6 +105,7 @@ struct LevelFile {
     std::vector<std::string> hints;
     Translations texts; ///< in further languages
     std::vector<Solution> solutions;
+    nlohmann::json editor; ///< what the level editor keeps, see read_editor.hpp; null if nothing
 
     NameTable names; ///< of the objects that properties refer to
     /// The file that it was read from, for the places of problems that are found later; may be null.

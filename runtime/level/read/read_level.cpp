@@ -5,6 +5,7 @@
 #include "runtime/level/read/check_level.hpp"
 #include "runtime/level/read/migrations.hpp"
 #include "runtime/level/read/read_area.hpp"
+#include "runtime/level/read/read_editor.hpp"
 #include "runtime/level/read/read_entries.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_solutions.hpp"
@@ -93,6 +94,9 @@ public:
         }
         if (auto const solutions = reader.optional("solutions")) {
             level_.solutions = readSolutions(*solutions);
+        }
+        if (auto const editor = reader.optional("editor")) {
+            level_.editor = readEditor(*editor);
         }
         reader.finish();
         checkLevel(registry_, level_, entries.paths(), node.problems());

@@ -126,6 +126,15 @@ Json connectionSchema(Registry const& registry) {
     return Json{{"anyOf", Json::array({std::move(pair), std::move(stated)})}};
 }
 
+Json editorSchema() {
+    Json const names = json_schema::listOf(json_schema::reference("name"), limits::objects);
+    Json editor = json_schema::strictObject(
+        {{"groups", json_schema::listOf(names, limits::objects)}, {"locked", names}, {"hidden", names}}, {});
+    editor["description"] = "What the level editor keeps about objects: groups, which are selected together; "
+                            "locked and hidden ones. No simulation reads it.";
+    return editor;
+}
+
 } // namespace
 
 Json levelSchema(Registry const& registry, Json const& goals) {
@@ -193,6 +202,7 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     members["hints"] = json_schema::listOf(text, limits::hints);
     members["texts"] = textsSchema(TextsOf::level);
     members["solutions"] = json_schema::listOf(json_schema::reference("solution"), limits::solutions);
+    members["editor"] = editorSchema();
     members["$schema"] = text;
     if (goals.is_object() && goals.contains("$defs")) {
         for (auto const& [name, definition] : goals["$defs"].items()) {

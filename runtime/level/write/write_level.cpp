@@ -205,6 +205,9 @@ Json writeLevel(LevelFile const& level) {
         out["texts"] = writeTexts(level.texts);
     }
     addList(out, "solutions", level.solutions, writeSolution);
+    if (!level.editor.is_null()) {
+        out["editor"] = level.editor;
+    }
     return out;
 }
 

@@ -121,6 +121,9 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"keep-playing", ""}};
     std::map<std::string, std::string> now;
     for (CommandInfo const* command : bindings.commands()) {
+        if (command->id.starts_with("edit-")) {
+            continue; // the editor's own
+        }
         std::string& keys = now[std::string(command->id)];
         for (Chord const& chord : bindings.keysOf(command->id)) {
             if (!render::isPadKey(chord.key)) {
