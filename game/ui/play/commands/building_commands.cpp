@@ -121,6 +121,7 @@ void duplicate(PlayParts& parts) {
 constexpr Command<PlayParts> buildingTable[] = {
     {.info = {.id = "turn-left",
               .keys = {{{SDLK_q}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_LEFTSTICK)},
               .use = KeyUse::repeats,
               .icon = Icon::TurnLeft,
               .group = CommandGroup::building,
@@ -131,6 +132,7 @@ constexpr Command<PlayParts> buildingTable[] = {
      .available = partAtHand},
     {.info = {.id = "turn-right",
               .keys = {{{SDLK_e}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSTICK)},
               .use = KeyUse::repeats,
               .icon = Icon::TurnRight,
               .group = CommandGroup::building,
@@ -177,6 +179,7 @@ constexpr Command<PlayParts> buildingTable[] = {
      .run = nudge<0, -1>},
     {.info = {.id = "put-back",
               .keys = {{{SDLK_DELETE}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_BACK)},
               .icon = Icon::Remove,
               .group = CommandGroup::building,
               .name = "Put back",
