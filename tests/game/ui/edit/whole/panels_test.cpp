@@ -4,7 +4,7 @@
 #include "tests/game/ui/edit/editor_kit.hpp"
 
 namespace trembler::ui::test {
-namespace edit_panels_test {
+namespace panels_test {
 namespace {
 
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
@@ -160,5 +160,5 @@ TEST(EditorPanels, TheBrowserOpensAndSaves) {
 }
 
 } // namespace
-} // namespace edit_panels_test
+} // namespace panels_test
 } // namespace trembler::ui::test
