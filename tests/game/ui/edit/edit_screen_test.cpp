@@ -11,7 +11,7 @@ Vec2 const ball{1.7, 0.15};
 TEST(Editor, OpensSelectsMovesUndoesSavesAndTests) {
     Designer designer;
     designer.drawEveryPicture();
-    auto const file = designer.edit(firstContact);
+    auto const file = designer.editCopyOf(firstContact);
     std::string const before = textOfFile(file);
     designer.select(ball);
     ASSERT_EQ(designer.parts().selected(), std::vector<std::string>{"iron ball"});
@@ -76,7 +76,7 @@ TEST(Editor, DrawsShapesAndTurnsThem) {
 
 TEST(Editor, SelectsWithABoxAndDeletesAndPastes) {
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     std::size_t const before = designer.count("objects");
     designer.drag(designer.on({-2.65, 1.25}), designer.on({-1.0, -0.1}));
     EXPECT_EQ(designer.parts().selected().size(), 4U);
@@ -93,7 +93,7 @@ TEST(Editor, SelectsWithABoxAndDeletesAndPastes) {
 
 TEST(Editor, JoinsAndConnectsByDragging) {
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     std::size_t const connections = designer.count("connections");
     designer.key(SDLK_7);
     designer.drag(designer.on({-2.3, 0.875}), designer.on({-1.3, 0.875}));
@@ -110,7 +110,7 @@ TEST(Editor, JoinsAndConnectsByDragging) {
 
 TEST(Editor, PlacesPartsOfTheCatalogueAndDrawsAreas) {
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     std::size_t const before = designer.count("objects");
     designer.key(SDLK_F2);
     designer.drag(designer.item("part bell"), designer.on({0, 2}));
@@ -128,7 +128,7 @@ TEST(Editor, PlacesPartsOfTheCatalogueAndDrawsAreas) {
 
 TEST(Editor, RecordsASolutionByPlaying) {
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     std::size_t const before = designer.count("solutions");
     designer.key(SDLK_SPACE);
     ASSERT_NE(designer.screen().test(), nullptr);
@@ -150,7 +150,7 @@ TEST(Editor, RecordsASolutionByPlaying) {
 
 TEST(Editor, AsksBeforeChangesAreLost) {
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     designer.select(ball);
     designer.key(SDLK_LEFT);
     designer.key(SDLK_ESCAPE); // deselects

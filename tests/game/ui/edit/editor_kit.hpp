@@ -21,7 +21,7 @@ public:
     explicit Designer(render::Size size = {1280, 720}) : Player(size) {}
 
     /// A copy of a level in the test's own folder, opened.
-    std::filesystem::path edit(std::filesystem::path const& level) {
+    std::filesystem::path editCopyOf(std::filesystem::path const& level) {
         auto const copy = testFolder() / level.filename();
         std::filesystem::copy_file(level, copy, std::filesystem::copy_options::overwrite_existing);
         app().edit(copy);

@@ -4,7 +4,7 @@
 #include "tests/game/ui/edit/editor_kit.hpp"
 
 namespace trembler::ui::test {
-namespace edit_panels_test {
+namespace panels_test {
 namespace {
 
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
@@ -23,7 +23,7 @@ TEST(EditorPanels, NothingOverlapsAtAnySize) {
     for (render::Size const size : {render::Size{800, 600}, render::Size{1280, 720}, render::Size{1024, 768},
                                     render::Size{2560, 1440}}) {
         Designer designer(size);
-        designer.edit(firstContact);
+        designer.editCopyOf(firstContact);
         for (SDL_Keycode const page : {SDLK_F2, SDLK_F3, SDLK_F4, SDLK_F5, SDLK_F6, SDLK_F7, SDLK_F8}) {
             designer.key(page);
             designer.frames(2);
@@ -36,7 +36,7 @@ TEST(EditorPanels, NothingOverlapsAtAnySize) {
 
 TEST(EditorPanels, PagesShowTheLevel) {
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     designer.key(SDLK_F2);
     designer.look("edit-page-parts");
     designer.key(SDLK_F3);
@@ -62,7 +62,7 @@ TEST(EditorPanels, PagesShowTheLevel) {
 
 TEST(EditorPanels, TheInspectorChangesAPropertyByDragging) {
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     designer.select({1.7, 0.15});
     designer.key(SDLK_F4);
     designer.frames(2);
@@ -76,7 +76,7 @@ TEST(EditorPanels, TheInspectorChangesAPropertyByDragging) {
 
 TEST(EditorPanels, ADeletedObjectIsAProblemWhoseClickLeadsToTheGoal) {
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     designer.select({1.7, 0.15});
     designer.key(SDLK_DELETE);
     designer.frames(40);
@@ -90,7 +90,7 @@ TEST(EditorPanels, ADeletedObjectIsAProblemWhoseClickLeadsToTheGoal) {
 
 TEST(EditorPanels, EveryCommandRunsByItsKeyAndUndoBringsTheFileBack) {
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     std::string const before = designer.parts().document.text();
     for (Command<EditParts> const& command : editCommands()) {
         if (command.info.keys[0].key == SDLK_UNKNOWN || command.info.fixed ||
@@ -100,8 +100,10 @@ TEST(EditorPanels, EveryCommandRunsByItsKeyAndUndoBringsTheFileBack) {
         SCOPED_TRACE(std::string(command.info.id));
         designer.parts().selection.set({"iron ball", "left post", "right post"});
         Chord const& chord = command.info.keys[0];
-        unsigned const modifiers =
-            (chord.ctrl ? KMOD_LCTRL : 0U) | (chord.shift ? KMOD_LSHIFT : 0U) | (chord.alt ? KMOD_LALT : 0U);
+        unsigned modifiers = KMOD_NONE;
+        modifiers |= chord.ctrl ? unsigned{KMOD_LCTRL} : 0U;
+        modifiers |= chord.shift ? unsigned{KMOD_LSHIFT} : 0U;
+        modifiers |= chord.alt ? unsigned{KMOD_LALT} : 0U;
         designer.key(chord.key, modifiers);
         designer.frames(2);
         for (int i = 0; i < 3 && (designer.parts().dialogOpen() || designer.parts().panelKeys ||
@@ -120,7 +122,7 @@ TEST(EditorPanels, ThePaletteFindsCommandsByWords) {
     EXPECT_TRUE(fitsSearch("Align left edges", "left ali"));
     EXPECT_FALSE(fitsSearch("Align left edges", "right"));
     Designer designer;
-    designer.edit(firstContact);
+    designer.editCopyOf(firstContact);
     designer.ctrl(SDLK_p);
     designer.frames(2);
     designer.typeText("solutions");
@@ -146,7 +148,7 @@ TEST(EditorPanels, AFileWithErrorsOpensReadOnlyWithTheListOfThem) {
 
 TEST(EditorPanels, TheBrowserOpensAndSaves) {
     Designer designer;
-    auto const file = designer.edit(firstContact);
+    auto const file = designer.editCopyOf(firstContact);
     designer.key(SDLK_s, KMOD_LCTRL | KMOD_LSHIFT);
     designer.frames(2);
     EXPECT_TRUE(designer.showsCard("file browser"));
@@ -158,5 +160,5 @@ TEST(EditorPanels, TheBrowserOpensAndSaves) {
 }
 
 } // namespace
-} // namespace edit_panels_test
+} // namespace panels_test
 } // namespace trembler::ui::test
