@@ -57,7 +57,7 @@ TEST(BundledMods, AntiGravityTakesItsShareOffTheWeight) {
 TEST(BundledMods, PressurePlateCountsWhatLandsOnIt) {
     auto const game = gameWith({"pressure-plate"});
     auto const world = worldOf(*game, R"(
-        {"name": "plate", "part": "pressure plate", "at": [0, 0]},
+        {"name": "plate", "part": "counting plate", "at": [0, 0]},
         {"name": "early", "at": [-0.2, 0.5], "properties": {"material": "wood", "restitution": 0,
           "shape": [{"form": "box", "width": 0.2, "height": 0.2}]}},
         {"name": "late", "at": [0.2, 6], "properties": {"material": "wood", "restitution": 0,
