@@ -10,21 +10,21 @@ namespace trembler {
 namespace {
 
 /// A mode that is struck once.
-struct Strike {
+struct TouchStrike {
     double frequency = 0; // Hz
     double decay = 0;     // 1/s
     double pressure = 0;  // Pa
     double at = 0;        // s
 };
 
-constexpr Strike pickUpStrikes[] = {{620, 70, 0.05, 0}, {1240, 110, 0.03, 0}};
-constexpr Strike placeStrikes[] = {{190, 45, 0.12, 0}, {520, 80, 0.05, 0}};
-constexpr Strike refuseStrikes[] = {{160, 40, 0.12, 0}, {140, 40, 0.12, 0.09}};
-constexpr Strike runStrikes[] = {{440, 30, 0.04, 0}, {660, 30, 0.04, 0.07}};
-constexpr Strike solvedStrikes[] = {
+constexpr TouchStrike pickUpStrikes[] = {{620, 70, 0.05, 0}, {1240, 110, 0.03, 0}};
+constexpr TouchStrike placeStrikes[] = {{190, 45, 0.12, 0}, {520, 80, 0.05, 0}};
+constexpr TouchStrike refuseStrikes[] = {{160, 40, 0.12, 0}, {140, 40, 0.12, 0.09}};
+constexpr TouchStrike runStrikes[] = {{440, 30, 0.04, 0}, {660, 30, 0.04, 0.07}};
+constexpr TouchStrike solvedStrikes[] = {
     {523.25, 7, 0.04, 0}, {659.26, 7, 0.04, 0.09}, {783.99, 7, 0.04, 0.18}, {1046.5, 6, 0.04, 0.27}};
 
-std::span<Strike const> strikesOf(InterfaceSound sound) {
+std::span<TouchStrike const> touchStrikesOf(InterfaceSound sound) {
     switch (sound) {
     case InterfaceSound::pickUp:
         return pickUpStrikes;
@@ -45,10 +45,10 @@ std::span<Strike const> strikesOf(InterfaceSound sound) {
 std::vector<float> samplesOf(InterfaceSound sound, int rate) {
     constexpr double quiet = 6; // decay times after which nothing is heard
     constexpr double longest = 1.2;
-    std::span<Strike const> const strikes = strikesOf(sound);
+    std::span<TouchStrike const> const strikes = touchStrikesOf(sound);
     std::vector<Sounds::Ring> rings;
     double length = 0; // s
-    for (Strike const& strike : strikes) {
+    for (TouchStrike const& strike : strikes) {
         rings.push_back({.frequency = strike.frequency, .decay = strike.decay});
         length = std::max(length, strike.at + quiet / strike.decay);
     }
