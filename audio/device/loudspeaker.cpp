@@ -71,6 +71,17 @@ void Loudspeaker::pause(Listener const& listener) {
     }
 }
 
+void Loudspeaker::touch(InterfaceSound sound) {
+    if (options_.output.touches <= 0) {
+        return;
+    }
+    std::vector<float>& samples = touches_[sound];
+    if (samples.empty()) {
+        samples = samplesOf(sound, options_.synthesiser.rate);
+    }
+    output_->playOnce(samples, options_.output.touches);
+}
+
 void Loudspeaker::set(OutputSettings const& settings) {
     options_.output = settings;
     output_->set(settings);

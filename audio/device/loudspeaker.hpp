@@ -3,9 +3,12 @@
 
 #include "audio/device/output.hpp"
 #include "audio/device/sample_files.hpp"
+#include "audio/synth/interface_sounds.hpp"
 #include "runtime/world/subscription.hpp"
 
 #include <functional>
+#include <map>
+#include <vector>
 
 namespace trembler {
 
@@ -42,6 +45,9 @@ public:
     /// decay.
     void pause(Listener const& listener);
 
+    /// Plays a sound of the interface at once, whether it listens to a world or not.
+    void touch(InterfaceSound sound);
+
     void set(OutputSettings const& settings);
     [[nodiscard]] OutputSettings const& settings() const { return options_.output; }
     [[nodiscard]] Output const& output() const { return *output_; }
@@ -55,7 +61,8 @@ private:
     std::unique_ptr<Output> output_;
     SampleFiles recordings_;
     Synthesiser synthesiser_;
-    Subscription sounds_;          // of the world that it listens to
+    std::map<InterfaceSound, std::vector<float>> touches_; // those that were heard already
+    Subscription sounds_;                                  // of the world that it listens to
     World const* world_ = nullptr; // the same: only compared, never dereferenced, as it may no longer exist
     std::optional<Vec2> roomAt_;   // where the room was last computed
     std::uint64_t roomFrame_ = 0;

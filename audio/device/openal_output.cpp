@@ -116,6 +116,11 @@ void OpenAlOutput::set(OutputSettings const& settings) {
     alListenerf(AL_GAIN, static_cast<float>(std::clamp(settings.volume, 0.0, 1.0)));
 }
 
+void OpenAlOutput::playOnce(std::span<float const> samples, double gain) {
+    alcMakeContextCurrent(context_);
+    streams_.once(samples, gain);
+}
+
 void OpenAlOutput::stop() {
     streams_.stop();
 }

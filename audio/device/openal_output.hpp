@@ -26,6 +26,7 @@ public:
     ~OpenAlOutput() override;
 
     void play(std::span<Voice const> voices, Listener const& listener) override;
+    void playOnce(std::span<float const> samples, double gain) override;
     void set(OutputSettings const& settings) override;
     void set(RoomAcoustics const& room) override;
     void stop() override;

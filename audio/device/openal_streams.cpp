@@ -129,6 +129,39 @@ void OpenAlStreams::retire() {
     }
 }
 
+void OpenAlStreams::once(std::span<float const> samples, double gain) {
+    constexpr std::size_t most = 8;
+    auto free = std::find_if(once_.begin(), once_.end(), [](Once const& one) {
+        ALint state = 0;
+        alGetSourcei(one.source, AL_SOURCE_STATE, &state);
+        return state != AL_PLAYING;
+    });
+    if (free == once_.end()) {
+        Once made;
+        alGetError();
+        alGenSources(1, &made.source);
+        if (once_.size() == most || alGetError() != AL_NO_ERROR) {
+            if (made.source != 0) {
+                alDeleteSources(1, &made.source);
+            }
+            return;
+        }
+        alGenBuffers(1, &made.buffer);
+        free = once_.insert(once_.end(), made);
+    }
+    std::vector<float> scaled(samples.size());
+    std::transform(samples.begin(), samples.end(), scaled.begin(),
+                   [this](float s) { return s * static_cast<float>(1 / fullScale_); });
+    alSourcei(free->source, AL_BUFFER, 0);
+    alBufferData(free->buffer, AL_FORMAT_MONO_FLOAT32, scaled.data(),
+                 static_cast<ALsizei>(scaled.size() * sizeof(float)), rate_);
+    alSourcei(free->source, AL_BUFFER, static_cast<ALint>(free->buffer));
+    alSourcei(free->source, AL_SOURCE_RELATIVE, AL_TRUE);
+    alSource3f(free->source, AL_POSITION, 0, 0, -1);
+    alSourcef(free->source, AL_GAIN, static_cast<float>(gain));
+    alSourcePlay(free->source);
+}
+
 void OpenAlStreams::stop() {
     for (auto& [stream, source] : sources_) {
         alSourceRewind(source.id);
@@ -141,6 +174,11 @@ void OpenAlStreams::stop() {
 
 void OpenAlStreams::destroy() {
     stop();
+    for (Once const& one : once_) {
+        alDeleteSources(1, &one.source);
+        alDeleteBuffers(1, &one.buffer);
+    }
+    once_.clear();
     alDeleteSources(static_cast<ALsizei>(allSources_.size()), allSources_.data());
     alDeleteBuffers(static_cast<ALsizei>(allBuffers_.size()), allBuffers_.data());
 }

@@ -41,7 +41,10 @@ public:
     /// How often the queue of a stream has run empty.
     [[nodiscard]] std::uint64_t slips() const { return slips_; }
 
-    /// Stops all sound at once.
+    /// Plays a whole sound without a place, beside the streams; left out if eight play already.
+    void once(std::span<float const> samples, double gain);
+
+    /// Stops all streams at once.
     void stop();
     /// Stops all sound and deletes all sources and buffers. To be called before the context is destroyed.
     void destroy();
@@ -50,6 +53,12 @@ private:
     struct Source {
         ALuint id = 0;
         bool used = false; // in this block
+    };
+
+    /// A sound that is played once; reused when it has ended.
+    struct Once {
+        ALuint source = 0;
+        ALuint buffer = 0;
     };
 
     [[nodiscard]] Source* sourceFor(std::uint64_t stream);
@@ -66,6 +75,7 @@ private:
     std::vector<ALuint> allSources_;
     std::vector<ALuint> idleBuffers_;
     std::vector<ALuint> allBuffers_;
+    std::vector<Once> once_;
     std::vector<float> scaled_;
     std::uint64_t slips_ = 0;
 };

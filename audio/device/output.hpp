@@ -10,8 +10,9 @@ namespace trembler {
 
 /// How streams are played.
 struct OutputSettings {
-    double volume = 0.8; ///< 0 to 1
-    bool hrtf = false;   ///< for headphones: directions by head-related transfer functions
+    double volume = 0.8;  ///< 0 to 1
+    double touches = 0.5; ///< 0 to 1, of the interface's sounds, in addition to `volume`
+    bool hrtf = false;    ///< for headphones: directions by head-related transfer functions
     bool reverb = true;
     friend bool operator==(OutputSettings const&, OutputSettings const&) = default;
 };
@@ -26,6 +27,12 @@ public:
 
     /// Plays the next block of every stream. A stream that is missing has ended.
     virtual void play(std::span<Voice const> voices, Listener const& listener) = 0;
+    /// Plays a sound (Pa at the listener) at once, beside the streams, and not ended by stop(). Does nothing
+    /// where that is not possible.
+    virtual void playOnce(std::span<float const> samples, double gain) {
+        (void)samples;
+        (void)gain;
+    }
     virtual void set(OutputSettings const& settings) = 0;
     virtual void set(RoomAcoustics const& room) = 0;
     /// Stops all sound at once, for another world.

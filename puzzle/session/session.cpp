@@ -17,7 +17,7 @@ Session::Session(Registry const& registry, PartLibrary const& parts, LevelFile l
 std::unique_ptr<LevelRun> Session::runOf(Placements::List const& placed,
                                          std::vector<LaidWire> const& wires) const {
     return std::make_unique<LevelRun>(registry_, parts_, level_, placementsOf(placed), options_,
-                                      connectionsOf(wires, level_, placed));
+                                      connectionsOf(wires, WireEnds(level_, parts_, placed)));
 }
 
 SessionMode Session::mode() const {
@@ -89,7 +89,7 @@ bool Session::keep(std::optional<Placements::List> next, std::vector<LaidWire> w
     if (!next) {
         return false;
     }
-    wires = stillLaid(std::move(wires), level_, *next);
+    wires = stillLaid(std::move(wires), WireEnds(level_, parts_, *next));
     std::unique_ptr<LevelRun> run;
     try {
         run = runOf(*next, wires);
@@ -240,7 +240,7 @@ Solution Session::record(std::string name) const {
     Solution solution = run_->record();
     solution.name = std::move(name);
     solution.placements = inCanonicalOrder(placementsOf(placed()));
-    solution.wires = connectionsOf(wires(), level_, placed());
+    solution.wires = connectionsOf(wires(), WireEnds(level_, parts_, placed()));
     return solution;
 }
 

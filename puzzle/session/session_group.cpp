@@ -14,7 +14,8 @@ Verdict Session::checkAll(std::span<PlacedPart const> moved) const {
         bool const moves = std::any_of(moved.begin(), moved.end(),
                                        [&](PlacedPart const& one) { return one.number == part.number; });
         if (moves) {
-            ignored.push_back(objectOf(part.number));
+            std::vector<ObjectId> const pieces = objectsOf(part.number);
+            ignored.insert(ignored.end(), pieces.begin(), pieces.end());
         } else {
             others.push_back(part.placement);
         }

@@ -11,7 +11,8 @@ namespace trembler {
 Verdict Session::checkWire(ObjectId a, ObjectId b) const {
     LastingObject const one = lasting(a);
     LastingObject const other = lasting(b);
-    if (!nameOf(one, level_, placed()) || !nameOf(other, level_, placed())) {
+    WireEnds const ends(level_, parts_, placed());
+    if (!ends.nameOf(one) || !ends.nameOf(other)) {
         return {false, "A wire goes from one object to another."};
     }
     if (one == other) {
@@ -22,11 +23,11 @@ Verdict Session::checkWire(ObjectId a, ObjectId b) const {
     }
     bool const laid = std::any_of(wires().begin(), wires().end(),
                                   [&](LaidWire const& wire) { return wire.connects(one, other); });
-    std::string const& nameA = world().store().nameOf(a);
-    std::string const& nameB = world().store().nameOf(b);
     bool const given =
         std::any_of(level_.connections.begin(), level_.connections.end(), [&](LevelConnection const& wire) {
-            return (wire.a == nameA && wire.b == nameB) || (wire.a == nameB && wire.b == nameA);
+            ObjectId const x = world().store().find(wire.a);
+            ObjectId const y = world().store().find(wire.b);
+            return (x == a && y == b) || (x == b && y == a);
         });
     if (laid || given) {
         return {false, "There is a wire between them already."};
@@ -59,14 +60,15 @@ bool Session::takeWire(ObjectId a, ObjectId b) {
 }
 
 std::vector<LaidWire> Session::wiresOf(Solution const& solution, Placements::List const& placements) const {
+    WireEnds const ends(level_, parts_, placements);
     std::vector<LaidWire> laid;
     Problems problems;
     auto const refuse = [&](LevelConnection const& wire, std::string const& why, char const* expected) {
         addProblem(problems, [&] { return level_.diagnostic(solution, wire.path, why, expected); });
     };
     for (LevelConnection const& wire : solution.wires) {
-        auto const a = objectNamed(wire.a, level_, placements);
-        auto const b = objectNamed(wire.b, level_, placements);
+        auto const a = ends.objectNamed(wire.a);
+        auto const b = ends.objectNamed(wire.b);
         if (!a || !b) {
             refuse(wire, fmt::format("there is no object '{}'", a ? wire.b : wire.a),
                    "an object of the level, or one that the solution places");

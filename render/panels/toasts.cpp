@@ -31,6 +31,7 @@ std::pair<Colour, Icon> lookOf(ToastKind kind) {
 } // namespace
 
 void Toasts::add(std::string text, ToastKind kind, double seconds) {
+    troubles_ += kind == ToastKind::Trouble ? 1 : 0;
     if (toasts_.size() == mostToasts) {
         toasts_.pop_front();
     }

@@ -20,6 +20,8 @@ public:
     void draw(double seconds);
 
     [[nodiscard]] std::size_t count() const { return toasts_.size(); }
+    /// How many of trouble there have been.
+    [[nodiscard]] std::uint64_t troubles() const { return troubles_; }
 
 private:
     struct Toast {
@@ -29,6 +31,7 @@ private:
         double age;
     };
     std::deque<Toast> toasts_;
+    std::uint64_t troubles_ = 0;
 };
 
 } // namespace trembler::render

@@ -47,7 +47,7 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
         }
         drawObject(canvas, facts, pose,
                    {.selected = facts.id == options.selected || isOneOf(options.alsoSelected, facts.id),
-                    .hovered = facts.id == options.hovered});
+                    .hovered = facts.id == options.hovered || isOneOf(options.alsoHovered, facts.id)});
     }
 }
 
@@ -78,12 +78,15 @@ Pose SceneView::poseOf(World const& world, ObjectId id, double alpha) const {
 void SceneView::draw(Canvas& canvas, World const& world, SceneOptions const& options) const {
     FactsReader const reader(world);
     PoseOf const place = [&](Facts const& facts) { return poses_.of(facts, options.alpha); };
-    std::vector<Link> const links = linksOf(world);
+    std::vector<Link> links = linksOf(world);
+    std::erase_if(links, [&](Link const& link) {
+        return isOneOf(options.alsoHidden, link.a) || isOneOf(options.alsoHidden, link.b);
+    });
     drawGround(canvas, options);
     canvas.newSheet();
     drawObjects(canvas, reader, place, options);
     canvas.newSheet();
-    drawJoints(canvas, world, reader, place);
+    drawJoints(canvas, world, reader, place, options.alsoHidden);
     drawWires(canvas, reader, links, place, options.time);
     canvas.newSheet();
     drawOverlays(canvas, world, reader, links, place, options.overlays);

@@ -27,6 +27,8 @@ struct SceneOptions {
     ObjectId hovered{};  ///< invalid: none
     ObjectId hidden{};   ///< its body is left out; invalid: none
     std::span<ObjectId const> alsoSelected{};
+    std::span<ObjectId const> alsoHovered{};
+    /// Joints among them and wires at their ends are left out, too.
     std::span<ObjectId const> alsoHidden{};
     Overlays overlays{};
     std::span<Area const> placing{};     ///< where parts may be placed

@@ -111,6 +111,7 @@ bool drawRows(UiContext& context, Settings& settings) {
     bool touched = drawSizes(context, settings);
     touched = drawLanguages(context, settings) || touched;
     touched = drawVolume(context, text("settings.volume"), "volume", settings.volume) || touched;
+    touched = drawVolume(context, text("settings.touches"), "interface volume", settings.touches) || touched;
     touched = check(context, text("settings.hrtf"), "hrtf", settings.hrtf) || touched;
     smallCaption(text("settings.hrtf_tip"));
     // Without a graphics card shadows are off until the player switches them on.
@@ -134,7 +135,8 @@ void applySettings(UiContext& context) {
     context.window.setUiScaleRequest(settings.uiScale);
     context.window.setFullscreen(settings.fullscreen);
     if (context.loudspeaker != nullptr) {
-        context.loudspeaker->set({.volume = settings.volume / 100.0, .hrtf = settings.hrtf});
+        context.loudspeaker->set(
+            {.volume = settings.volume / 100.0, .touches = settings.touches / 100.0, .hrtf = settings.hrtf});
     }
     context.shadows = settings.shadows && (settings.shadowsChosen || !context.window.software());
     useLanguage(settings.language);

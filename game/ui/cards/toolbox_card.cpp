@@ -14,6 +14,7 @@ namespace {
 using namespace render;
 
 constexpr float tileSide = 92;
+constexpr float handRowHeight = 52;
 
 /// Shows the part's description while the mouse rests on its tile.
 void tipFor(PartCatalog const& catalog, std::string const& part) {
@@ -33,6 +34,20 @@ void drawWhereToDrop() {
     auto& list = *ImGui::GetForegroundDrawList();
     ImVec2 const high{low.x + size.x, low.y + size.y};
     list.AddRect(low, high, imColour(palette::accent), scaled(12), 0, scaled(3));
+}
+
+/// What can be done with the part in hand, where there is room for it.
+void drawHandRow(CommandButtons& buttons) {
+    float const width = 4 * scaled(40) + 3 * scaled(7);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));
+    bool first = true;
+    for (char const* const id : {"turn-left", "turn-right", "flip", "put-back"}) {
+        if (!first) {
+            ImGui::SameLine(0, scaled(7));
+        }
+        first = false;
+        buttons.icon(id);
+    }
 }
 
 /// The button that puts all parts back; pressed once, it asks.
@@ -65,7 +80,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     float const tile = scaled(tileSide + 24);
     auto const rows = static_cast<float>((slots.size() + 1) / 2);
     float const wanted = rows * (tile + gap);
-    float const room = screen - scaled(cornerRow + bottomRow + 200 + (wires > 0 ? 56 : 0));
+    float const without = screen - scaled(cornerRow + bottomRow + 200 + (wires > 0 ? 56 : 0));
+    bool const handRow = !slots.empty() && without > tile + scaled(handRowHeight);
+    float const room = without - (handRow ? scaled(handRowHeight) : 0);
     bool const scrolls = wanted > room;
     if (scrolls) {
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
@@ -103,6 +120,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     if (scrolls) {
         ImGui::EndChild();
         ImGui::PopStyleColor();
+    }
+    if (handRow) {
+        drawHandRow(buttons);
     }
     if (wires > 0) {
         std::string const label = words::wiresLeft(session.wiresLeft());

@@ -50,10 +50,9 @@ void drawGroup(PlayParts& parts) {
         canvas.newSheet();
     }
     for (PlacedPart const& part : parts.group.landings()) {
-        Prototype const* const prototype = parts.catalog().prototype(part.placement.part);
-        if (prototype != nullptr && !parts.pointer.overToolbox) {
-            drawGhost(canvas, *prototype, {toPoint(part.placement.at), part.placement.angle},
-                      parts.group.verdict().ok);
+        if (!parts.pointer.overToolbox) {
+            drawPart(canvas, parts.session.parts(), part.placement,
+                     {.ghost = true, .forbidden = !parts.group.verdict().ok});
         }
     }
     if (auto const box = parts.group.box()) {
@@ -149,32 +148,53 @@ void drawWords(PlayParts const& parts) {
     }
 }
 
+/// Objects that are drawn in another way, beside the one that SceneOptions has room for.
+struct Marked {
+    std::vector<ObjectId> selected;
+    std::vector<ObjectId> hovered;
+    std::vector<ObjectId> hidden;
+
+    static void add(std::vector<ObjectId>& to, std::vector<ObjectId> const& more) {
+        to.insert(to.end(), more.begin(), more.end());
+    }
+};
+
+/// All pieces of the parts that are chosen, carried or dragged.
+Marked markedObjects(PlayParts const& parts) {
+    Marked marked;
+    auto const& carried = parts.placing.carried();
+    if (carried && carried->number) {
+        Marked::add(marked.hidden, parts.session.objectsOf(*carried->number));
+    } else if (parts.placing.selected() && !carried) {
+        Marked::add(marked.selected, parts.session.objectsOf(*parts.placing.selected()));
+    }
+    ObjectId const under = parts.picking.hovered();
+    if (auto const number = parts.session.numberOf(under);
+        under.valid() && number && parts.run.building() && !carried) {
+        Marked::add(marked.hovered, parts.session.objectsOf(*number));
+    }
+    for (int const number : parts.group.chosen()) {
+        Marked::add(parts.group.dragging() ? marked.hidden : marked.selected,
+                    parts.session.objectsOf(number));
+    }
+    return marked;
+}
+
 SceneOptions sceneOptions(PlayParts& parts, double time) {
     SceneOptions options{.time = time, .alpha = parts.run.alpha(), .overlays = parts.shown.overlays()};
     auto const& carried = parts.placing.carried();
     if (parts.session.level().placing && carried && !carried->turning) {
         options.placing = *parts.session.level().placing;
     }
-    if (parts.placing.selected() && !carried) {
-        options.selected = parts.session.objectOf(*parts.placing.selected());
-    } else if (parts.inspector.open()) {
+    if (parts.inspector.open() && !(parts.placing.selected() && !carried)) {
         options.selected = parts.inspector.object(parts.session);
     }
     ObjectId const hovered = parts.picking.hovered();
     bool const canTake =
         parts.run.building() ? parts.session.numberOf(hovered).has_value() : !parts.hand.cutting();
     options.hovered = canTake && !carried ? hovered : ObjectId{};
-    options.hidden = carried && carried->number ? parts.session.objectOf(*carried->number) : ObjectId{};
     options.goals = parts.goals.regions(parts.session.judge().status());
     return options;
-}
-
-std::vector<ObjectId> chosenObjects(PlayParts const& parts) {
-    std::vector<ObjectId> objects;
-    for (int const number : parts.group.chosen()) {
-        objects.push_back(parts.session.objectOf(number));
-    }
-    return objects;
 }
 
 } // namespace
@@ -190,8 +210,10 @@ void drawField(PlayParts& parts) {
     std::vector<render::Ripple> const ripples = parts.sounds.ripples();
     render::SceneOptions options = sceneOptions(parts, time);
     options.ripples = ripples;
-    std::vector<ObjectId> const chosen = chosenObjects(parts);
-    (parts.group.dragging() ? options.alsoHidden : options.alsoSelected) = chosen;
+    Marked const marked = markedObjects(parts);
+    options.alsoSelected = marked.selected;
+    options.alsoHovered = marked.hovered;
+    options.alsoHidden = marked.hidden;
     parts.scene.draw(canvas, world, options);
     canvas.newSheet();
     drawSparks(canvas, parts.sparks.sparks());

@@ -35,7 +35,7 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session), secondHand(session, 1),
       budget(data ? data->registry : context.registry), goals(session.level()), audio(context.loudspeaker),
-      run(session, placing, hand, budget, audio, view, runEvents()),
+      touches(context.loudspeaker), run(session, placing, hand, budget, audio, view, runEvents()),
       keeper(context.builds, buildId(context.levels, file)), film(context.recorder, context.toasts),
       picking(session, inspector), mouse(session, placing, group, wires, hand, secondHand, view, picking),
       workshop(data ? std::make_unique<Workshop>(*data, session) : nullptr) {

@@ -13,6 +13,7 @@
 #include "game/ui/play/run/celebration.hpp"
 #include "game/ui/play/run/level_audio.hpp"
 #include "game/ui/play/run/run_control.hpp"
+#include "game/ui/play/run/touch_sounds.hpp"
 #include "game/ui/play/view/goal_areas.hpp"
 #include "game/ui/play/view/shown.hpp"
 #include "game/ui/play/view/sound_view.hpp"
@@ -60,6 +61,7 @@ struct PlayParts {
     SparkView sparks;
     GoalAreas goals;
     LevelAudio audio;
+    TouchSounds touches;
     RunControl run;
     Celebration celebration;
     BuildKeeper keeper; ///< what the player has placed, for the next time

@@ -75,6 +75,11 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     parts_.sparks.pass(seconds);
     sinceStep_ = parts_.run.running() || parts_.run.stepped() ? 0 : sinceStep_ + seconds;
     parts_.keepBuild(seconds);
+    parts_.touches.look({.carrying = parts_.placing.carried() || parts_.group.dragging(),
+                         .building = parts_.run.building(),
+                         .solved = parts_.celebration.solvedAt() && !parts_.session.level().demonstration,
+                         .troubles = context.toasts.troubles(),
+                         .world = &parts_.session.world()});
     return parts_.request;
 }
 

@@ -46,6 +46,7 @@ void Profile::setSettings(Settings const& settings) {
     settings_ = settings;
     settings_.uiScale = std::clamp(settings.uiScale, 0.5F, 3.F);
     settings_.volume = std::clamp(settings.volume, 0, 100);
+    settings_.touches = std::clamp(settings.touches, 0, 100);
     write();
 }
 
@@ -109,6 +110,7 @@ void Profile::read() {
         return number ? static_cast<int>(std::clamp(found->get<double>(), 0.0, 100.0)) : usual;
     };
     settings_.volume = percent("volume", settings_.volume);
+    settings_.touches = percent("interface_volume", settings_.touches);
     if (auto const language = all.find("language"); language != all.end() && language->is_string()) {
         settings_.language = language->get<std::string>();
     }
@@ -139,6 +141,7 @@ void Profile::write() const {
              {"fullscreen", settings_.fullscreen},
              {"names", settings_.names},
              {"volume", settings_.volume},
+             {"interface_volume", settings_.touches},
              {"hrtf", settings_.hrtf},
              {"reduced_motion", settings_.reducedMotion},
              {"language", settings_.language},

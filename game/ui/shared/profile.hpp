@@ -17,6 +17,7 @@ struct Settings {
     bool fullscreen = false;
     bool names = false;         ///< names of objects in the world
     int volume = 80;            ///< percent; 0: silence
+    int touches = 50;           ///< percent of that, for the interface's own sounds
     bool hrtf = false;          ///< binaural sound for headphones
     bool reducedMotion = false; ///< nothing moves for decoration alone
     std::string language{};     ///< "en", "de"; empty: that of the desktop

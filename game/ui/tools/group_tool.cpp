@@ -250,6 +250,23 @@ void GroupTool::turn(int steps, bool fine) {
     }
 }
 
+void GroupTool::flip() {
+    if (!any()) {
+        return;
+    }
+    std::vector<PlacedPart> wanted = dragging() ? landings_ : parts();
+    double const middle = centreOf(wanted).x;
+    for (PlacedPart& part : wanted) {
+        part.placement = mirroredAcross(part.placement, middle);
+    }
+    if (dragging()) {
+        grip_ += wanted.front().placement.at - landings_.front().placement.at;
+        settle(std::move(wanted));
+    } else {
+        place(wanted);
+    }
+}
+
 void GroupTool::nudge(Vec2 steps, bool fine) {
     if (any() && !dragging()) {
         place(shifted(parts(), steps * (fine ? gridStep / 5 : gridStep)));

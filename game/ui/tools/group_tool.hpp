@@ -23,6 +23,8 @@ public:
     void chooseAll();
     /// Turns the parts by `steps` anticlockwise about their centre.
     void turn(int steps, bool fine);
+    /// Mirrors the group from left to right.
+    void flip();
     void nudge(Vec2 steps, bool fine);
     void putBack();
     /// Places another of each part in the first free place beside the group, and chooses those. Also for a

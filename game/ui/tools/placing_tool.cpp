@@ -21,6 +21,13 @@ double tidyAngle(double angle) {
     return std::abs(turned - whole) < 1e-6 ? whole + 0.0 : turned;
 }
 
+Placement mirroredAcross(Placement placement, double x) {
+    placement.at.x = 2 * x - placement.at.x;
+    placement.angle = tidyAngle(-placement.angle);
+    placement.flipped = !placement.flipped;
+    return placement;
+}
+
 Placement const* PlacingTool::placementOf(int number) const {
     for (PlacedPart const& placed : session_.placed()) {
         if (placed.number == number) {
@@ -115,7 +122,7 @@ void PlacingTool::drop() {
     }
     Placement const landing = carried_->landing;
     if (carried_->number) {
-        moveTo(*carried_->number, landing.at, landing.angle);
+        moveTo(*carried_->number, landing);
         selected_ = carried_->number;
     } else {
         selected_ = session_.place(landing);
@@ -123,10 +130,21 @@ void PlacingTool::drop() {
     carried_.reset();
 }
 
-void PlacingTool::moveTo(int number, Vec2 at, double angle) {
+void PlacingTool::moveTo(int number, Placement const& wanted) {
     Placement const* const now = placementOf(number);
-    if (now != nullptr && !(now->at == at && now->angle == angle)) {
-        session_.move(number, at, angle);
+    bool const same = now != nullptr && now->at == wanted.at && now->angle == wanted.angle &&
+                      now->flipped == wanted.flipped;
+    if (now != nullptr && !same) {
+        session_.move(number, wanted.at, wanted.angle, wanted.flipped);
+    }
+}
+
+void PlacingTool::tryMove(int number, Placement const& wanted) {
+    Verdict const verdict = session_.check(wanted, number);
+    if (verdict.ok) {
+        moveTo(number, wanted);
+    } else {
+        toasts_.add(verdict.why, render::ToastKind::Trouble, 2.5);
     }
 }
 
@@ -220,11 +238,17 @@ void PlacingTool::turn(int steps, bool fine) {
     }
     Placement wanted = *placement;
     wanted.angle = tidyAngle(wanted.angle + by);
-    Verdict const verdict = session_.check(wanted, selected_);
-    if (verdict.ok) {
-        moveTo(*selected_, wanted.at, wanted.angle);
-    } else {
-        toasts_.add(verdict.why, render::ToastKind::Trouble, 2.5);
+    tryMove(*selected_, wanted);
+}
+
+void PlacingTool::flip() {
+    if (carried_) {
+        carried_->grip.x = -carried_->grip.x;
+        settle(mirroredAcross(carried_->landing, carried_->landing.at.x), 0);
+        return;
+    }
+    if (Placement const* const placement = selected_ ? placementOf(*selected_) : nullptr) {
+        tryMove(*selected_, mirroredAcross(*placement, placement->at.x));
     }
 }
 
@@ -236,12 +260,7 @@ void PlacingTool::nudge(Vec2 steps, bool fine) {
     double const step = fine ? gridStep / 5 : gridStep;
     Placement wanted = *placement;
     wanted.at += steps * step;
-    Verdict const verdict = session_.check(wanted, selected_);
-    if (verdict.ok) {
-        moveTo(*selected_, wanted.at, wanted.angle);
-    } else {
-        toasts_.add(verdict.why, render::ToastKind::Trouble, 2.5);
-    }
+    tryMove(*selected_, wanted);
 }
 
 void PlacingTool::putBack() {

@@ -44,6 +44,8 @@ public:
     void update(Pointer const& pointer, std::optional<int> hovered, bool onHandle);
     /// Turns the carried or else the selected part by `steps` anticlockwise.
     void turn(int steps, bool fine);
+    /// Mirrors the carried or else the selected part from left to right, as it is seen.
+    void flip();
     /// Moves the selected part by steps of the grid, or by a fifth of that if `fine`.
     void nudge(Vec2 steps, bool fine);
     /// Returns the carried or else the selected part to the toolbox.
@@ -73,7 +75,9 @@ private:
     void pickUp(int number, Vec2 grip, Pointer const& pointer);
     void updateCarried(Pointer const& pointer);
     void updateFree(Pointer const& pointer, std::optional<int> hovered, bool onHandle);
-    void moveTo(int number, Vec2 at, double angle);
+    void moveTo(int number, Placement const& wanted);
+    /// The same if the session allows it; else says why it does not.
+    void tryMove(int number, Placement const& wanted);
 
     Session& session_;
     render::Toasts& toasts_;
@@ -81,6 +85,9 @@ private:
     std::optional<int> selected_;
     std::optional<Press> press_;
 };
+
+/// The placement mirrored from left to right, as it is seen: about the vertical line through `x`, m.
+[[nodiscard]] Placement mirroredAcross(Placement placement, double x);
 
 /// The angle normalised to -pi..pi, and rounded to a whole number of steps if it is within rounding error of
 /// one.

@@ -108,7 +108,8 @@ std::vector<Point> ropePath(Point from, Point to, double length) {
     return hangingWire(from, to, 0.5 * (shallow + deep), ropePieces);
 }
 
-void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf) {
+void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf,
+                std::span<ObjectId const> hidden) {
     auto const* const joints = world.store().findColumn<Joint>();
     if (joints == nullptr) {
         return;
@@ -116,7 +117,7 @@ void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, P
     for (ObjectId const id : joints->owners()) {
         Joint const& joint = (*joints)[id];
         auto const places = placesOf(world, reader, id, poseOf);
-        if (!places) {
+        if (!places || std::find(hidden.begin(), hidden.end(), id) != hidden.end()) {
             continue;
         }
         if (joint.form == JointForm::gear) {

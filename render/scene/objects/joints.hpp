@@ -6,6 +6,7 @@
 #include "render/scene/objects/wires.hpp"
 
 #include <optional>
+#include <span>
 
 namespace trembler::render {
 
@@ -34,7 +35,8 @@ struct JointPlaces {
 void drawGear(Canvas& canvas, Joint const& joint, Facts const& wheelA, Facts const& wheelB,
               JointPlaces const& pinA, JointPlaces const& pinB);
 
-/// Draws all joints of the world.
-void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf);
+/// Draws all joints of the world but the hidden ones.
+void drawJoints(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf,
+                std::span<ObjectId const> hidden = {});
 
 } // namespace trembler::render

@@ -18,6 +18,21 @@ LevelObject entryOf(Placement const& placement, std::string name) {
     return entry;
 }
 
+EntryNames namesOf(PartLibrary const& library, LevelObject const& entry) {
+    PartDefinition const* const part = library.find(entry.part);
+    if (part == nullptr || part->objects.empty()) {
+        return {{entry.name}, 0};
+    }
+    PartExpander expander(library, [](auto const&...) {});
+    StatementScope const nowhere;
+    ExpandedEntry const expanded = expander.expand(entry, nowhere);
+    EntryNames names{{}, expanded.main};
+    for (MadeObject const& made : expanded.objects) {
+        names.objects.push_back(made.name);
+    }
+    return names;
+}
+
 std::vector<PlacedPiece> placedPieces(PartLibrary const& library, Placement const& placement) {
     bool whole = true;
     PartExpander expander(library, [&](auto const&...) { whole = false; });

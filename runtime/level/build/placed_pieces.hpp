@@ -5,6 +5,7 @@
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/model/part_library.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct PlacedPiece {
 /// The objects of a placement, joints left out. Empty if there is no such part, or if its pieces cannot be
 /// made, see checkComposites().
 [[nodiscard]] std::vector<PlacedPiece> placedPieces(PartLibrary const& library, Placement const& placement);
+
+/// The names of the objects that an entry becomes, as Origin::piece counts them.
+struct EntryNames {
+    std::vector<std::string> objects; ///< empty if they cannot be made
+    std::size_t main = 0;             ///< the one to which the entry's own name refers
+};
+[[nodiscard]] EntryNames namesOf(PartLibrary const& library, LevelObject const& entry);
 
 /// The entry of an object with that name that a placement becomes.
 [[nodiscard]] LevelObject entryOf(Placement const& placement, std::string name);

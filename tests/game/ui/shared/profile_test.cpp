@@ -29,6 +29,7 @@ TEST_F(ProfileFile, KeysAreKeptBesideTheRest) {
         profile.markSolved("a level");
         Settings settings = profile.settings();
         settings.volume = 30;
+        settings.touches = 20;
         profile.setSettings(settings);
     }
     Profile const kept(file);
@@ -36,6 +37,7 @@ TEST_F(ProfileFile, KeysAreKeptBesideTheRest) {
     EXPECT_TRUE(kept.troubles().empty());
     EXPECT_TRUE(kept.solved("a level"));
     EXPECT_EQ(kept.settings().volume, 30);
+    EXPECT_EQ(kept.settings().touches, 20);
 }
 
 TEST_F(ProfileFile, ADamagedEntryIsReportedAndTheOthersAreKept) {

@@ -85,6 +85,19 @@ TEST_F(Several, AreDuplicatedAsFarAsTheToolboxHasThem) {
     EXPECT_EQ(placed().size(), 2U) << "one step of undo";
 }
 
+TEST_F(Several, AreMirroredTogether) {
+    player.key(SDLK_a, KMOD_LCTRL);
+    player.key(SDLK_v);
+    expectAt(0, {b.x, a.y});
+    expectAt(1, {a.x, b.y});
+    EXPECT_TRUE(placed()[0].placement.flipped && placed()[1].placement.flipped);
+    player.clickItem("flip");
+    expectAt(0, a);
+    EXPECT_FALSE(placed()[0].placement.flipped);
+    player.key(SDLK_z, KMOD_LCTRL);
+    expectAt(0, {b.x, a.y});
+}
+
 TEST_F(Several, AForbiddenPlaceChangesNothing) {
     player.key(SDLK_a, KMOD_LCTRL);
     player.drag(player.at(b), player.at({0.5, 3.9}));

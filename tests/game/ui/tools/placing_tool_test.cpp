@@ -71,6 +71,28 @@ TEST_F(Building, PartsSnapToTheGridUnlessCtrlIsHeld) {
     EXPECT_GT(std::abs(placed()[0].placement.at.y - 1.5), 1e-6);
 }
 
+TEST_F(Building, APartIsMirroredInTheHandAndOnThePaper) {
+    player.moveTo(player.item("part spanner"));
+    player.press();
+    player.moveTo(player.at(free));
+    player.key(SDLK_q);
+    player.key(SDLK_v);
+    ASSERT_TRUE(player.play().placing().carried());
+    EXPECT_TRUE(player.play().placing().carried()->landing.flipped);
+    player.release();
+    player.frame();
+    expectPlaced(0, free, -15);
+    EXPECT_TRUE(placed()[0].placement.flipped);
+    player.key(SDLK_v);
+    expectPlaced(0, free, 15);
+    EXPECT_FALSE(placed()[0].placement.flipped);
+    player.clickItem("flip");
+    EXPECT_TRUE(placed()[0].placement.flipped);
+    player.key(SDLK_z, KMOD_LCTRL);
+    expectPlaced(0, free, 15);
+    EXPECT_FALSE(placed()[0].placement.flipped);
+}
+
 TEST_F(Building, TheWheelAndTheKeysTurnThePartInTheHand) {
     player.moveTo(player.item("part steel bar"));
     player.press();

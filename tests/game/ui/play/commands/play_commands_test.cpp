@@ -79,6 +79,7 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"normal-speed", "0 Keypad 0"},
                                                    {"turn-left", "Q"},
                                                    {"turn-right", "E"},
+                                                   {"flip", "V"},
                                                    {"move-left", "Left"},
                                                    {"move-right", "Right"},
                                                    {"move-up", "Up"},

@@ -1,5 +1,6 @@
 // The output to the loudspeakers, with real input events.
 #include "audio/device/loudspeaker.hpp"
+#include "game/ui/app/settings_page.hpp"
 #include "tests/game/ui/player.hpp"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ struct Heard {
     double height = 0;  ///< m, of the listener above the drawing
     OutputSettings settings;
     bool silenced = false; ///< by the last call
+    int touches = 0;
+    double touchGain = 0;
 };
 
 class Ear final : public Output {
@@ -32,6 +35,11 @@ public:
                 heard_.loudest = std::max(heard_.loudest, std::abs(static_cast<double>(sample)));
             }
         }
+    }
+    void playOnce(std::span<float const> samples, double gain) override {
+        ++heard_.touches;
+        heard_.touchGain = gain;
+        EXPECT_FALSE(samples.empty());
     }
     void set(OutputSettings const& settings) override { heard_.settings = settings; }
     void set(RoomAcoustics const& /*room*/) override {}
@@ -64,6 +72,28 @@ TEST(SoundInTheWindow, TheDoorbellRingsUntilItIsStopped) {
     int const blocks = heard.blocks;
     player.frames(10);
     EXPECT_EQ(heard.blocks, blocks);
+}
+
+TEST(SoundInTheWindow, EveryTouchIsHeardUnlessThatIsSwitchedOff) {
+    Heard heard;
+    Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
+    Player player(small, {}, levelsFolder(), &loudspeaker);
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    EXPECT_EQ(heard.touches, 0);
+    player.clickItem("part steel bar");
+    EXPECT_EQ(heard.touches, 1) << "taken";
+    EXPECT_EQ(heard.touchGain, 0.5);
+    player.click(player.at({-1.8, 1.5}));
+    EXPECT_EQ(heard.touches, 2) << "placed";
+    player.clickItem("run");
+    EXPECT_EQ(heard.touches, 3);
+    player.clickItem("stop");
+    EXPECT_EQ(heard.touches, 4);
+    Settings settings = player.app().context().profile.settings();
+    settings.touches = 0;
+    changeSettings(player.app().context(), settings);
+    player.clickItem("run");
+    EXPECT_EQ(heard.touches, 4);
 }
 
 TEST(SoundInTheWindow, ARingingObjectDiesAwayInAPause) {
