@@ -4,6 +4,7 @@
 #include "lua/mods/trust.hpp"
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/effects.hpp"
+#include "puzzle/data/own_part_files.hpp"
 #include "runtime/level/build/check_composites.hpp"
 
 #include <algorithm>
@@ -40,6 +41,16 @@ fs::path homeFolder() {
     return TREMBLER_SOURCE_DIR;
 }
 
+fs::path ownPartsFolder() {
+    if (char const* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
+        return fs::path(data) / "trembler" / "parts";
+    }
+    if (char const* const home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+        return fs::path(home) / ".local" / "share" / "trembler" / "parts";
+    }
+    return {};
+}
+
 GameData::GameData() : GameData(std::vector<lua::Mod>()) {}
 
 GameData::GameData(std::vector<lua::Mod> loaded)
@@ -66,6 +77,7 @@ GameData::GameData(std::vector<lua::Mod> loaded)
         }
     }
     checkComposites(parts); // a mod's parts may consist of others
+    ownPartFaults = addOwnParts(registry, ownPartsFolder(), parts);
 }
 
 std::vector<fs::path> GameData::levels() const {

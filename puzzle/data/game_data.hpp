@@ -4,6 +4,7 @@
 #include "lua/attach/live_script.hpp"
 #include "lua/component/script_log.hpp"
 #include "lua/mods/mod.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/model/part_library.hpp"
 #include "runtime/world/registry.hpp"
 
@@ -19,15 +20,22 @@ namespace trembler {
 /// that the program was built from.
 [[nodiscard]] std::filesystem::path homeFolder();
 
+/// The folder of the player's own parts, which levels may use as those of the game:
+/// $XDG_DATA_HOME/trembler/parts, or below ~/.local/share. Empty if neither variable is set.
+[[nodiscard]] std::filesystem::path ownPartsFolder();
+
 struct GameData {
     Registry registry;
     PartLibrary parts;
     std::filesystem::path home;
-    std::vector<lua::Mod> mods;                      ///< those that are loaded
+    std::vector<lua::Mod> mods; ///< those that are loaded
+    /// Own parts that cannot be used, for the editor to tell; a level that needs one says so itself.
+    std::vector<Diagnostic> ownPartFaults;
     std::shared_ptr<lua::ScriptLog> scriptLog;       ///< what their scripts say
     std::shared_ptr<lua::LiveScripts const> scripts; ///< their scripts, which can change while worlds run
 
-    /// Registers every effect and reads every part. Throws InputError if a part definition is wrong.
+    /// Registers every effect and reads every part. Throws InputError if a part definition is wrong; one of
+    /// the player's own is left out, see ownPartFaults.
     GameData();
     /// The same with mods. Throws InputError also if one of them is wrong.
     explicit GameData(std::vector<lua::Mod> mods);

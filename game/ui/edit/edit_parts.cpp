@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 namespace trembler::ui {
 namespace {
@@ -19,7 +20,8 @@ constexpr double pauseBeforeChecking = 0.25;
 
 EditParts::EditParts(UiContext& uiContext, EditOptions editOptions)
     : context(uiContext), options(std::move(editOptions)), data(options.data),
-      document(edit::LevelDocument::blank(*data)) {
+      document(edit::LevelDocument::blank(*data)), plain_(data) {
+    dataParts.emplace(data->parts, context.canvas);
     autosave = std::make_unique<edit::Autosave>(options.recovery);
     names = context.profile.settings().names;
     read();
@@ -50,11 +52,7 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
     autosave->close();
     autosave = std::make_unique<edit::Autosave>(options.recovery);
     document = std::move(next);
-    data = std::move(nextData);
-    modParts.reset();
-    if (data != options.data) {
-        modParts.emplace(data->parts, context.canvas);
-    }
+    setData(std::move(nextData));
     problems = {};
     selection.clear();
     dialogs.propose({});
@@ -69,6 +67,33 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
     view.fit();
     if (document.readOnly()) {
         dialogs.showReadOnly();
+    }
+}
+
+void EditParts::setData(std::shared_ptr<GameData const> next) {
+    former_ = std::exchange(data, std::move(next));
+    dataParts.emplace(data->parts, context.canvas);
+}
+
+void EditParts::reloadParts() {
+    try {
+        plain_ = std::make_shared<GameData const>();
+    } catch (InputError const& error) {
+        return tell(error.what(), render::ToastKind::Trouble);
+    }
+    setData(dataFor(document.path()));
+    document.setData(*data);
+    problems = {};
+    goals.forget();
+    readRevision_.reset();
+    read();
+    problems.refresh(document);
+    tellPartFaults();
+}
+
+void EditParts::tellPartFaults() {
+    for (Diagnostic const& fault : data->ownPartFaults) {
+        tell(fault.print(), render::ToastKind::Trouble);
     }
 }
 
@@ -95,11 +120,11 @@ std::shared_ptr<GameData const> EditParts::dataFor(std::filesystem::path const& 
     } catch (std::exception const& error) { // a mod is missing or wrong: the level can still be edited
         tell(error.what(), render::ToastKind::Trouble);
     }
-    return options.data;
+    return plain_;
 }
 
 void EditParts::newLevel() {
-    use(edit::LevelDocument::blank(*options.data), options.data);
+    use(edit::LevelDocument::blank(*plain_), plain_);
 }
 
 void EditParts::read() {

@@ -45,7 +45,7 @@ struct EditParts {
     UiContext& context;
     EditOptions const options;
     std::shared_ptr<GameData const> data; ///< of the document
-    std::optional<PartCatalog> modParts;  ///< the parts of `data`, if the level names mods
+    std::optional<PartCatalog> dataParts; ///< the parts of `data`
     edit::LevelDocument document;
     edit::LiveProblems problems;
     std::unique_ptr<edit::Autosave> autosave;
@@ -87,7 +87,7 @@ struct EditParts {
 
     [[nodiscard]] edit::Json const& tree() const { return document.tree(); }
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
-    [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }
+    [[nodiscard]] PartCatalog& catalog() { return *dataParts; }
     [[nodiscard]] bool dialogOpen() const { return browser.isOpen() || palette.isOpen() || dialogs.isOpen(); }
 
     /// Makes a command from the present tree and runs it; what it made is selected. What cannot be done is
@@ -103,6 +103,8 @@ struct EditParts {
     /// What a level file is edited with; tells if its mods cannot be had.
     [[nodiscard]] std::shared_ptr<GameData const> dataFor(std::filesystem::path const& path);
     void newLevel();
+    /// Reads the parts anew, those of the designer included: after one was made.
+    void reloadParts();
     /// To be called once per picture: follows the document's changes and keeps unsaved work.
     void follow(double seconds);
     /// The smallest rectangle around the level, m.
@@ -114,6 +116,11 @@ struct EditParts {
 
 private:
     void read();
+    void setData(std::shared_ptr<GameData const> next);
+    /// Told once per fault: a file that is wrong.
+    void tellPartFaults();
+    std::shared_ptr<GameData const> plain_;     // options.data, or what was read anew
+    std::shared_ptr<GameData const> former_;    // what the world that is seen may still be made of
     std::optional<std::uint64_t> readRevision_; // of the document in `level` and `world`
     double sinceChange_ = 0;                    // s
 };

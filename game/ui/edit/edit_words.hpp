@@ -47,6 +47,7 @@ inline constexpr char const* makePartText =
     "The selected objects become a part with this name, for this and other levels. The first one that was "
     "selected is its main object.";
 inline constexpr char const* makePart = "Make the part";
+inline constexpr char const* makePartHere = "Make it and put it in their place";
 
 // Panels.
 inline constexpr char const* tabParts = "Parts";

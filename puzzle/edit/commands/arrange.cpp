@@ -4,11 +4,13 @@
 #include "physics/dynamics/properties/shape_rules.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/tree/entry_pieces.hpp"
 #include "puzzle/edit/tree/motion.hpp"
 #include "puzzle/edit/tree/object_values.hpp"
 #include "puzzle/edit/tree/shape_change.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/property/field_outline.hpp"
+#include "runtime/placement.hpp"
 
 #include <fmt/format.h>
 
@@ -42,9 +44,33 @@ void mustBeFinite(Vec2 value) {
     }
 }
 
-/// The extent of one object: lower left and upper right corner.
+/// Around all objects that an entry becomes; nothing if none has a shape.
+std::optional<std::pair<Vec2, Vec2>> extentOfPieces(GameData const& data, Json const& entry) {
+    std::optional<std::pair<Vec2, Vec2>> all;
+    for (PropertySet const& piece : piecesOf(data, entry)) {
+        Shape const* const shape = piece.find<Shape>();
+        if (shape == nullptr || faultIn(*shape)) {
+            continue;
+        }
+        auto const* const position = piece.find<Position>();
+        auto const* const rotation = piece.find<Rotation>();
+        auto const [low, high] = extentOf(PlacedShape{*shape, position == nullptr ? Vec2{} : position->value,
+                                                      rotation == nullptr ? 0 : rotation->angle});
+        if (!all) {
+            all = {low, high};
+        }
+        all->first = {std::min(all->first.x, low.x), std::min(all->first.y, low.y)};
+        all->second = {std::max(all->second.x, high.x), std::max(all->second.y, high.y)};
+    }
+    return all;
+}
+
+/// The extent of one entry: lower left and upper right corner.
 std::pair<Vec2, Vec2> extentOfEntry(GameData const& data, Json const& entry) {
     Vec2 const at = placeOf(entry);
+    if (isComposite(data, entry) || entry.contains("flipped")) {
+        return extentOfPieces(data, entry).value_or(std::pair(at, at));
+    }
     auto const shape = shapeOf(data, entry);
     if (!shape || faultIn(*shape)) {
         return {at, at};

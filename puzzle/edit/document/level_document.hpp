@@ -53,6 +53,8 @@ public:
                                                 std::optional<std::string> onDisk);
 
     [[nodiscard]] GameData const& data() const { return *data_; }
+    /// From now on it is read with these; they must outlive the document.
+    void setData(GameData const& data) { data_ = &data; }
     /// The level; null if the file is no JSON.
     [[nodiscard]] Json const& tree() const { return tree_; }
     /// The file as save() would write it. Made on first use after a change.

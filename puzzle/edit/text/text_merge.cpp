@@ -41,6 +41,11 @@ private:
     std::multimap<std::string, std::size_t> entries_;
 };
 
+/// A new entry does not repeat the blank line that sets a group apart.
+std::string_view withoutBlankLine(std::string_view lead) {
+    return std::count(lead.begin(), lead.end(), '\n') > 1 ? lead.substr(lead.rfind('\n')) : lead;
+}
+
 } // namespace
 
 std::vector<std::size_t> matchedEntries(OrderedTree const& now, OrderedTree const& old) {
@@ -172,13 +177,12 @@ void TextMerge::writeLead(Node const& around, Node const* entry, bool first) {
     } else if (!lastLead_.empty()) {
         lead = lastLead_;
     } else if (around.children.size() > 1) {
-        lead = of(around.children[1].lead, around.children[1].key);
+        lead = withoutBlankLine(of(around.children[1].lead, around.children[1].key));
     } else {
         lead = firstLead.find('\n') == std::string_view::npos ? std::string_view(" ") : firstLead;
     }
     add(lead);
-    // A new entry does not repeat the blank line that sets a group apart.
-    lastLead_ = std::count(lead.begin(), lead.end(), '\n') > 1 ? lead.substr(lead.rfind('\n')) : lead;
+    lastLead_ = withoutBlankLine(lead);
 }
 
 void TextMerge::writeNew(OrderedTree const& value) {

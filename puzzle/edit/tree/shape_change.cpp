@@ -1,6 +1,7 @@
 #include "puzzle/edit/tree/shape_change.hpp"
 
 #include "physics/dynamics/properties/shape_rules.hpp"
+#include "puzzle/edit/tree/entry_pieces.hpp"
 #include "puzzle/edit/tree/object_values.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/property/field_outline.hpp"
@@ -15,8 +16,6 @@ namespace trembler::edit {
 namespace {
 
 constexpr double equalLength = 1e-9; // m, and rad
-/// A placement property of other kinds of objects than these: whether an object is drawn and built mirrored.
-constexpr std::string_view mirroredKey = "mirrored";
 
 double roundedLength(double metres) {
     return std::round(metres * 1e9) / 1e9;
@@ -73,21 +72,6 @@ void scalePiece(ShapePiece& piece, Vec2 factors) {
     }
 }
 
-Vec2 mirroredPoint(Vec2 point, bool atVertical) {
-    // Adding 0 makes 0 of -0, which files should not contain.
-    return atVertical ? Vec2{-point.x + 0.0, point.y} : Vec2{point.x, -point.y + 0.0};
-}
-
-ShapePiece mirroredPiece(ShapePiece piece, bool atVertical) {
-    piece.at = mirroredPoint(piece.at, atVertical);
-    piece.angle = -piece.angle + 0.0;
-    for (Vec2& corner : piece.corners) {
-        corner = mirroredPoint(corner, atVertical);
-    }
-    std::reverse(piece.corners.begin(), piece.corners.end());
-    return piece;
-}
-
 bool near(Vec2 a, Vec2 b) {
     return std::abs(a.x - b.x) < equalLength && std::abs(a.y - b.y) < equalLength;
 }
@@ -118,6 +102,29 @@ bool sameArea(Shape const& a, Shape const& b) {
                return std::any_of(b.pieces.begin(), b.pieces.end(),
                                   [&](ShapePiece const& other) { return samePiece(piece, other); });
            });
+}
+
+/// Whether flipping an object, which is no composite, would change nothing.
+bool isSymmetric(GameData const& data, Json entry) {
+    entry.erase("flipped");
+    std::vector<PropertySet> const plain = piecesOf(data, entry);
+    entry["flipped"] = true;
+    std::vector<PropertySet> const flipped = piecesOf(data, entry);
+    if (plain.size() != 1 || flipped.size() != 1) {
+        return false;
+    }
+    auto const& entries = plain.front().entries();
+    return std::all_of(entries.begin(), entries.end(), [&](PropertySet::Entry const& one) {
+        PropertyValue const* const other = flipped.front().find(*one.info);
+        if (!one.value || other == nullptr) {
+            return !one.value && other == nullptr;
+        }
+        if (one.info == &propertyInfo<Shape>()) {
+            return sameArea(static_cast<ValueOf<Shape> const&>(*one.value).value,
+                            static_cast<ValueOf<Shape> const&>(*other).value);
+        }
+        return writeProperty(*one.value) == writeProperty(*other);
+    });
 }
 
 void stateShape(Json& entry, Shape shape) {
@@ -160,6 +167,9 @@ void changePoint(Json& object, char const* key, Change const& change) {
 } // namespace
 
 void scaleEntry(GameData const& data, Json& entry, Vec2 factors) {
+    if (isComposite(data, entry)) {
+        throw CommandError("a part made of several pieces has one size");
+    }
     Vec2 local = factors;
     if (factors.x != factors.y) {
         auto const turns = quarterTurns(radians(angleOf(entry)));
@@ -184,43 +194,24 @@ void scaleEntry(GameData const& data, Json& entry, Vec2 factors) {
 }
 
 void mirrorEntry(GameData const& data, Json& entry, bool atVertical) {
-    PropertyInfo const* const mirrored = data.registry.objectProperty(mirroredKey);
-    if (mirrored != nullptr && mirrored->text.place == PropertyPlace::placement) {
-        // The world mirrors the object along its own x axis, before it is turned.
-        Json const now = effectiveStatement(data, entry, *mirrored);
-        setStatement(entry, *mirrored, now == true ? Json() : Json(true));
-        setAngle(entry, std::remainder((atVertical ? 0 : 180) - angleOf(entry), 360));
+    if (!isSymmetric(data, entry)) {
+        if (entry.contains("flipped") && entry["flipped"] == true) {
+            entry.erase("flipped");
+        } else {
+            setObjectMember(entry, "flipped", true);
+        }
+    }
+    // What is flipped is mirrored left to right before it is turned.
+    setAngle(entry, std::remainder((atVertical ? 0 : 180) - angleOf(entry), 360));
+    if (atVertical) {
         return;
     }
-    if (auto const shape = shapeOf(data, entry)) {
-        Shape made;
-        for (ShapePiece const& piece : shape->pieces) {
-            made.pieces.push_back(mirroredPiece(piece, atVertical));
-        }
-        if (!sameArea(made, *shape)) {
-            stateShape(entry, std::move(made));
-        }
-    }
-    setAngle(entry, -angleOf(entry));
-    auto const flip = [&](Vec2 point) { return mirroredPoint(point, atVertical); };
-    changeMembers(data, entry, "magnetic_poles", [&](Json& poles) {
-        changePoint(poles, "north", flip);
-        changePoint(poles, "south", flip);
-    });
-    changeMembers(data, entry, "liquid", [&](Json& liquid) { changePoint(liquid, "current", flip); });
+    // Directions in the world do not turn with the object.
+    auto const back = [](Vec2 way) { return Vec2{-way.x + 0.0, -way.y + 0.0}; };
+    changeMembers(data, entry, "liquid", [&](Json& liquid) { changePoint(liquid, "current", back); });
     changeMembers(data, entry, "velocity", [&](Json& velocity) {
         if (auto const value = pointOf(velocity)) {
-            velocity = pointJson(flip(*value));
-        }
-    });
-    changeMembers(data, entry, "angular_velocity_deg", [](Json& speed) {
-        if (speed.is_number()) {
-            speed = numberJson(-numberOf(speed));
-        }
-    });
-    changeMembers(data, entry, "electric_motor", [](Json& motor) {
-        if (motor.is_object() && motor.contains("torque") && motor["torque"].is_number()) {
-            motor["torque"] = numberJson(-numberOf(motor["torque"]));
+            velocity = pointJson(back(*value));
         }
     });
 }

@@ -155,7 +155,7 @@ void setMember(Json& entry, std::string const& key, Json value, std::vector<std:
 }
 
 void setObjectMember(Json& entry, std::string const& key, Json value) {
-    static std::vector<std::string> const order{"name", "part", "at", "angle_deg", "mirrored", "properties"};
+    static std::vector<std::string> const order{"name", "part", "at", "angle_deg", "flipped", "properties"};
     setMember(entry, key, std::move(value), order);
 }
 

@@ -163,14 +163,18 @@ void askPartName(EditParts& parts) {
     parts.dialogs.askPartName("my " + parts.selected().front());
 }
 
-void makePart(EditParts& parts, std::string const& name) {
+void makePart(EditParts& parts, std::string const& name, bool putHere) {
     std::vector<std::string> const names = parts.selected();
     try {
         Json const part = edit::partFrom(*parts.data, parts.tree(), names, names.front(), {name, name, ""});
         auto const file = edit::writePart(ownPartsFolder(), part);
         parts.tell(words::partMade(name, file.string()), ToastKind::Success);
     } catch (std::exception const& error) { // CommandError and OutputError, in words for people
-        parts.tell(error.what(), ToastKind::Trouble);
+        return parts.tell(error.what(), ToastKind::Trouble);
+    }
+    parts.reloadParts();
+    if (putHere && parts.data->parts.find(name) != nullptr) {
+        parts.run([&](Json const& level) { return edit::replaceByPart(level, names, names.front(), name); });
     }
 }
 

@@ -46,7 +46,8 @@ void deleteSelected(EditParts& parts);
 void selectAll(EditParts& parts);
 void selectNext(EditParts& parts);
 void askPartName(EditParts& parts);
-void makePart(EditParts& parts, std::string const& name);
+/// Writes the selected objects as a part into the folder of the designer's own; `putHere`: it replaces them.
+void makePart(EditParts& parts, std::string const& name, bool putHere);
 [[nodiscard]] bool hasSelection(EditParts const& parts);
 [[nodiscard]] bool hasSeveral(EditParts const& parts);
 [[nodiscard]] bool hasThree(EditParts const& parts);
@@ -102,7 +103,7 @@ void addDrawn(EditParts& parts, std::function<edit::Command(edit::Json const&)> 
 void addPart(EditParts& parts, std::string const& part, Vec2 at);
 void joinObjects(EditParts& parts, std::string const& a, std::string const& b, Vec2 at, Vec2 atB);
 void connectObjects(EditParts& parts, std::string const& a, std::string const& b);
-void addArea(EditParts& parts, Tool tool, Box const& box);
+void addArea(EditParts& parts, Tool tool, Area const& area);
 
 template <Tool tool>
 void pick(EditParts& parts) {

@@ -22,9 +22,8 @@ std::unique_ptr<PlayScreen> playScreenFor(EditParts& parts) {
             places.push_back(line.place);
         }
         parts.goals.begin(level, std::move(places));
-        bool const mods = parts.data != parts.options.data;
-        auto screen = std::make_unique<PlayScreen>(parts.context, name, mods ? parts.data : nullptr,
-                                                   parts.options.world, &level);
+        auto screen =
+            std::make_unique<PlayScreen>(parts.context, name, parts.data, parts.options.world, &level);
         screen->updateBehindMenu(0); // it is drawn before its first update
         return screen;
     } catch (InputError const& error) {

@@ -61,7 +61,7 @@ void makeInTheMiddle(EditParts& parts, Tool tool) {
         return connectObjects(parts, names[0], names[1]);
     case Tool::placing:
     case Tool::goalArea:
-        return addArea(parts, tool, Box{middle - Vec2{0.5, 0.5}, {1, 1}});
+        return addArea(parts, tool, Area{Box{middle - Vec2{0.5, 0.5}, {1, 1}}, {}});
     case Tool::select:
         break;
     }
@@ -113,8 +113,7 @@ void connectObjects(EditParts& parts, std::string const& a, std::string const& b
     parts.run([&](Json const& level) { return edit::addConnection(level, a, b); });
 }
 
-void addArea(EditParts& parts, Tool tool, Box const& box) {
-    Area const area{box, {}};
+void addArea(EditParts& parts, Tool tool, Area const& area) {
     if (tool == Tool::placing) {
         if (parts.run([&](Json const& level) { return edit::addPlacingArea(level, area); })) {
             auto const& placing = parts.tree().at("placing");

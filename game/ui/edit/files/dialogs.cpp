@@ -30,11 +30,6 @@ bool choice(UiContext& context, char const* label, char const* item, Icon icon,
 
 } // namespace
 
-std::filesystem::path ownPartsFolder() {
-    std::filesystem::path const profile = Profile::usualFile();
-    return profile.empty() ? std::filesystem::path("parts") : profile.parent_path() / "parts";
-}
-
 void Dialogs::askUnsaved(std::function<void(EditParts&)> then) {
     then_ = std::move(then);
     shown_ = Shown::unsaved;
@@ -147,13 +142,15 @@ void Dialogs::drawPartName(EditParts& parts) {
     parts.context.layout.item("part name field");
     bool const make =
         choice(parts.context, words::makePart, "make part", Icon::Tick, ButtonLook::Primary, !name_.empty());
+    bool const here = choice(parts.context, words::makePartHere, "make part here", Icon::Plus,
+                             ButtonLook::Quiet, !name_.empty());
     bool const cancelled = choice(parts.context, words::cancel, "cancel part", Icon::Cross);
     parts.context.layout.endCard();
     if (cancelled) {
         close();
-    } else if ((make || entered) && !name_.empty()) {
+    } else if ((make || here || entered) && !name_.empty()) {
         close();
-        actions::makePart(parts, name_);
+        actions::makePart(parts, name_, here);
     }
 }
 

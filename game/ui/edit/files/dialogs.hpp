@@ -55,7 +55,4 @@ private:
     bool fresh_ = false;
 };
 
-/// The folder of the designer's own parts: $XDG_DATA_HOME/trembler/parts, or below ~/.local/share.
-[[nodiscard]] std::filesystem::path ownPartsFolder();
-
 } // namespace trembler::ui

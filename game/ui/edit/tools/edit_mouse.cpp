@@ -2,8 +2,9 @@
 
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
+#include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
-#include "runtime/placement.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 
 #include <utility>
 
@@ -168,9 +169,8 @@ void EditMouse::pressSelect(EditParts& parts) {
     if (!parts.selection.has(clicked_)) {
         parts.selection.set(all);
     }
-    World const& world = *parts.world.world();
-    Position const* const position = world.find<Position>(world.store().find(clicked_));
-    anchor_ = position == nullptr ? at : position->value;
+    edit::Json const* const entry = edit::findObject(parts.tree(), clicked_);
+    anchor_ = entry == nullptr ? at : edit::placeOf(*entry);
     beginGesture(parts, Doing::pressing);
 }
 
@@ -185,6 +185,9 @@ void EditMouse::clickCorner(EditParts& parts) {
         return;
     }
     std::vector<Vec2> const corners = std::exchange(corners_, {});
+    if (parts.tool == Tool::placing || parts.tool == Tool::goalArea) {
+        return actions::addArea(parts, parts.tool, Area{{}, corners});
+    }
     actions::addDrawn(parts, [&](edit::Json const& level) {
         return actions::shapeCommand(level, edit::drawnPolygon(corners), "polygon");
     });
@@ -213,6 +216,9 @@ void EditMouse::press(EditParts& parts) {
         doing_ = from_.empty() ? Doing::nothing : Doing::connecting;
         return;
     default:
+        if (!corners_.empty()) { // an area, clicked corner by corner
+            return clickCorner(parts);
+        }
         doing_ = Doing::drawing;
     }
 }

@@ -111,14 +111,18 @@ void EditMouse::drag(EditParts& parts) {
 void EditMouse::releaseDrawing(EditParts& parts) {
     Vec2 const to = snapped(parts, parts.pointer.world);
     Tool const tool = parts.tool;
+    bool const area = tool == Tool::placing || tool == Tool::goalArea;
     if (parts.pointer.strayed(pressedAt_) <= dragThreshold) {
-        return; // a click draws nothing
+        if (area) { // the first corner of a polygon
+            corners_.push_back(start_);
+        }
+        return; // a click draws nothing else
     }
-    if (tool == Tool::placing || tool == Tool::goalArea) {
+    if (area) {
         Vec2 const low{std::min(start_.x, to.x), std::min(start_.y, to.y)};
         Vec2 const size{std::abs(start_.x - to.x), std::abs(start_.y - to.y)};
         if (size.x > 0 && size.y > 0) {
-            actions::addArea(parts, tool, Box{low, size});
+            actions::addArea(parts, tool, Area{Box{low, size}, {}});
         }
         return;
     }

@@ -4,6 +4,8 @@
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
+#include "puzzle/edit/tree/entry_pieces.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 #include "render/scene/objects/wires.hpp"
 
 #include <algorithm>
@@ -56,9 +58,13 @@ std::string pickObject(EditParts const& parts, Vec2 at) {
     double best = reach;
     auto const order = FactsReader(*world).drawOrder();
     for (auto facts = order.rbegin(); facts != order.rend(); ++facts) {
-        std::string const& name = world->store().nameOf(facts->id);
         double const distance = distanceTo(*facts, parts.scene.poseOf(*world, facts->id), toPoint(at));
-        if (distance > reach || edit::isLocked(parts.tree(), name)) {
+        if (distance > reach) {
+            continue;
+        }
+        std::string const name =
+            edit::entryOfObject(*parts.data, parts.tree(), world->store().nameOf(facts->id));
+        if (edit::isLocked(parts.tree(), name)) {
             continue;
         }
         if (distance <= 0) {
@@ -81,14 +87,23 @@ std::vector<std::string> objectsWithin(EditParts const& parts, Vec2 a, Vec2 b) {
     Extent box;
     box.add(toPoint(a));
     box.add(toPoint(b));
+    // An entry of several pieces is within it if all of them are.
+    std::vector<std::string> outside;
     for (Facts const& facts : FactsReader(*world).drawOrder()) {
-        std::string const& name = world->store().nameOf(facts.id);
+        std::string const name =
+            edit::entryOfObject(*parts.data, parts.tree(), world->store().nameOf(facts.id));
         Extent const own = extentOf(facts, parts.scene.poseOf(*world, facts.id));
-        if (!own.empty() && box.contains(own.lower) && box.contains(own.upper) &&
-            !edit::isLocked(parts.tree(), name)) {
-            names.push_back(name);
+        if (own.empty() || edit::isLocked(parts.tree(), name)) {
+            continue;
+        }
+        auto& list = box.contains(own.lower) && box.contains(own.upper) ? names : outside;
+        if (std::find(list.begin(), list.end(), name) == list.end()) {
+            list.push_back(name);
         }
     }
+    std::erase_if(names, [&](std::string const& name) {
+        return std::find(outside.begin(), outside.end(), name) != outside.end();
+    });
     return names;
 }
 
@@ -202,6 +217,12 @@ std::vector<JointPoint> jointPoints(EditParts const& parts) {
         points.push_back({joint.index, "at", joint.at});
         if (joint.atB != joint.at) {
             points.push_back({joint.index, "at_b", joint.atB});
+        }
+        edit::Json const& entry = parts.tree()["joints"][joint.index];
+        for (char const* const field : {"ground_a", "ground_b"}) { // of pulleys
+            if (auto const at = entry.contains(field) ? edit::pointOf(entry[field]) : std::nullopt) {
+                points.push_back({joint.index, field, *at});
+            }
         }
     }
     return points;

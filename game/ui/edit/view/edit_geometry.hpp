@@ -45,7 +45,7 @@ struct SceneArea {
 /// A point of a joint in the scene.
 struct JointPoint {
     std::size_t joint = 0;
-    std::string field; ///< "at" or "at_b"
+    std::string field; ///< "at" or "at_b"; of a pulley's wheels "ground_a" or "ground_b"
     Vec2 at;
 };
 [[nodiscard]] std::vector<JointPoint> jointPoints(EditParts const& parts);

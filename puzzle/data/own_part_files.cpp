@@ -1,0 +1,78 @@
+#include "puzzle/data/own_part_files.hpp"
+
+#include "runtime/level/build/check_composites.hpp"
+#include "runtime/level/json/json_document.hpp"
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace trembler {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> ownPartFiles(fs::path const& folder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        if (at->path().extension() == ".json") {
+            files.push_back(at->path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void append(std::vector<Diagnostic>& faults, InputError const& error) {
+    faults.insert(faults.end(), error.diagnostics().begin(), error.diagnostics().end());
+}
+
+Diagnostic conflictOf(PartDefinition const& part, PartDefinition const& other) {
+    std::string const where = other.document == nullptr ? std::string() : " in " + other.document->file();
+    return part.document->diagnostic("/name", "there is already a part '" + part.name + "'" + where,
+                                     "a name that no other part has");
+}
+
+/// Adds a part if the library can be used with it. Says why not otherwise.
+std::vector<Diagnostic> addIfUsable(PartLibrary& library, PartDefinition const& part) {
+    if (PartDefinition const* const other = library.find(part.name)) {
+        return {conflictOf(part, *other)};
+    }
+    PartLibrary with = library;
+    try {
+        with.add(part);
+        checkComposites(with);
+    } catch (InputError const& error) {
+        return error.diagnostics();
+    }
+    library = std::move(with);
+    return {};
+}
+
+} // namespace
+
+std::vector<Diagnostic> addOwnParts(Registry const& registry, fs::path const& folder, PartLibrary& library) {
+    std::vector<Diagnostic> faults;
+    std::vector<PartDefinition> left;
+    for (fs::path const& file : folder.empty() ? std::vector<fs::path>() : ownPartFiles(folder)) {
+        try {
+            left.push_back(readPart(registry, JsonDocument::load(file)));
+        } catch (InputError const& error) {
+            append(faults, error);
+        }
+    }
+    // One may consist of another whose file comes later: as long as any can be added, the rest is tried anew.
+    for (bool added = true; added && !left.empty();) {
+        added = std::erase_if(
+                    left, [&](PartDefinition const& part) { return addIfUsable(library, part).empty(); }) > 0;
+    }
+    for (PartDefinition const& part : left) {
+        std::vector<Diagnostic> const why = addIfUsable(library, part);
+        faults.insert(faults.end(), why.begin(), why.end());
+    }
+    return faults;
+}
+
+} // namespace trembler

@@ -1,0 +1,19 @@
+// The player's own parts: files of a folder, of which each may be wrong without harm to the others.
+#pragma once
+
+#include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/model/part_library.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace trembler {
+
+/// Adds the parts of a folder that can be used, in the order of their files; they may consist of others, and
+/// of one another. Returns what is wrong with the rest: also a name that another part has, with both files.
+/// No folder is no fault.
+[[nodiscard]] std::vector<Diagnostic> addOwnParts(Registry const& registry,
+                                                  std::filesystem::path const& folder, PartLibrary& library);
+
+} // namespace trembler
