@@ -16,6 +16,7 @@ inline constexpr int exitBadInput = 2;
 
 /// Adds a command to the program; when it is chosen, `result` becomes its exit status.
 void addPlayCommand(CLI::App& program, int& result);
+void addEditCommand(CLI::App& program, int& result);
 void addRunCommand(CLI::App& program, int& result);
 void addVerifyCommand(CLI::App& program, int& result);
 void addComponentsCommand(CLI::App& program, int& result);

@@ -14,6 +14,7 @@ int runCommand(int argc, char** argv) {
         "\n"
         "  trembler play                                          the game\n"
         "  trembler play levels/first/1-first-contact.json        one level\n"
+        "  trembler edit my-level.json                            make or change a level\n"
         "  trembler run LEVEL --solution NAME                     replay a recorded solution, no window\n"
         "  trembler run LEVEL --trace account.jsonl               write every event with its causes\n"
         "  trembler run LEVEL --sound it.wav                      write its sound\n"
@@ -25,6 +26,7 @@ int runCommand(int argc, char** argv) {
     program.set_version_flag("--version", "Trembler " TREMBLER_VERSION);
     program.require_subcommand(1);
     trembler::addPlayCommand(program, result);
+    trembler::addEditCommand(program, result);
     trembler::addRunCommand(program, result);
     trembler::addVerifyCommand(program, result);
     trembler::addComponentsCommand(program, result);

@@ -3,6 +3,7 @@
 #include "game/app/inputs.hpp"
 #include "game/app/mods/mods.hpp"
 #include "game/app/outputs.hpp"
+#include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/diagnostic.hpp"
@@ -39,8 +40,7 @@ std::vector<fs::path> levelsUnder(fs::path const& path) {
     }
     std::vector<fs::path> found;
     for (fs::directory_entry const& entry : fs::recursive_directory_iterator(path)) {
-        bool const schema = entry.path().filename().string().ends_with(".schema.json");
-        if (entry.is_regular_file() && entry.path().extension() == ".json" && !schema &&
+        if (entry.is_regular_file() && entry.path().extension() == ".json" && !isNotALevel(entry.path()) &&
             !isNoLevel(entry.path())) {
             found.push_back(entry.path());
         }

@@ -55,6 +55,10 @@ int play(PlayArguments const&) {
     throw std::runtime_error(
         "this build was made without the window; build it without -DTREMBLER_HEADLESS=ON");
 }
+int editLevels(PlayArguments const&) {
+    throw std::runtime_error(
+        "this build was made without the window; build it without -DTREMBLER_HEADLESS=ON");
+}
 int takeScreenshot(ScreenshotArguments const&) {
     throw std::runtime_error("this build was made without drawing; build it without -DTREMBLER_HEADLESS=ON");
 }
@@ -82,6 +86,22 @@ int play(PlayArguments const& arguments) {
     int const result = ui::play(gameData, options);
     reportScriptMessages(*data);
     return result;
+}
+
+/// The files that the editor opens are its own affair: it shows what is wrong with one.
+int editLevels(PlayArguments const& arguments) {
+    GameData const gameData;
+    ui::PlayOptions options;
+    options.level = arguments.level;
+    options.edits = true;
+    options.levelData = [&arguments](std::filesystem::path const& level) {
+        return lua::modsNamedBy(level).empty()
+                   ? nullptr
+                   : std::shared_ptr<GameData const>(gameDataFor(level, arguments.mods));
+    };
+    options.mods = lua::listMods(lua::modFolders(arguments.mods, {}, gameData.home));
+    options.fullscreen = arguments.fullscreen;
+    return ui::playInWindow(gameData, options);
 }
 
 render::Size sizeFrom(std::string const& text) {
@@ -137,6 +157,16 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
 #endif
 
 } // namespace
+
+void addEditCommand(CLI::App& program, int& result) {
+    auto const arguments = std::make_shared<PlayArguments>();
+    CLI::App* const command =
+        program.add_subcommand("edit", "Make or change a level, in the window; needs a display");
+    command->add_option("LEVEL", arguments->level, "Level file; it need not exist (default: a new level)");
+    addModFolders(*command, arguments->mods);
+    command->add_flag("--fullscreen", arguments->fullscreen, "Fill the whole screen");
+    command->callback([arguments, &result] { result = guarded([&] { return editLevels(*arguments); }); });
+}
 
 void addPlayCommand(CLI::App& program, int& result) {
     auto const arguments = std::make_shared<PlayArguments>();

@@ -11,7 +11,7 @@ namespace trembler::lua {
 /// Limits of one turn, the application of one scripted interaction in one part of a frame. `objects` in the
 /// names below is the number of objects, or pairs, that it is applied to.
 struct ScriptLimits {
-    std::uint64_t instructions = 30'000;
+    std::uint64_t instructions = 15'000;
     std::uint64_t instructionsPerObject = 500; ///< on average: an object may use what others leave
     /// Bytes by which the memory in use may grow in a turn. Garbage of one application counts until its end.
     std::size_t memory = std::size_t{4} << 20U;

@@ -2,6 +2,7 @@
 
 #include "lua/attach/register.hpp"
 #include "lua/mods/trust.hpp"
+#include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/effects.hpp"
 #include "runtime/level/build/check_composites.hpp"
 
@@ -78,8 +79,7 @@ std::vector<fs::path> GameData::levels() const {
             at.disable_recursion_pending(); // a mod beside the levels of a pack
             continue;
         }
-        bool const schema = path.filename().string().ends_with(".schema.json");
-        if (at->is_regular_file(error) && path.extension() == ".json" && !schema) {
+        if (at->is_regular_file(error) && path.extension() == ".json" && !isNotALevel(path)) {
             found.push_back(path);
         }
     }

@@ -60,6 +60,14 @@ Placements::List Placements::with(Placement placement) {
     return next;
 }
 
+Placements::List Placements::withAll(std::span<Placement const> added) {
+    List next = now();
+    for (Placement const& placement : added) {
+        next.push_back({nextNumber_++, placement});
+    }
+    return next;
+}
+
 std::optional<Placements::List> Placements::moved(int number, Vec2 at, double angle,
                                                   std::optional<bool> flipped) const {
     auto const index = indexOf(number);

@@ -55,6 +55,8 @@ public:
 
     /// now() with one more part at the end, with a new number.
     [[nodiscard]] List with(Placement placement);
+    /// The same with several more.
+    [[nodiscard]] List withAll(std::span<Placement const> added);
     /// now() with that part at another place (m, rad), mirrored or not, or as it was if that is not stated;
     /// nothing if it is not placed.
     [[nodiscard]] std::optional<List> moved(int number, Vec2 at, double angle,

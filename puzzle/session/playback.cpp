@@ -23,7 +23,8 @@ std::span<Recorded const> ofFrame(std::vector<Recorded> const& all, std::uint64_
 
 /// The input with object ids in place of names; nothing if one of the objects does not exist.
 std::optional<PlayerInput> resolved(RecordedInput const& input, Store const& store) {
-    PlayerInput const found{input.kind, store.find(input.object), store.find(input.other), input.at};
+    PlayerInput const found{input.kind, store.find(input.object), store.find(input.other), input.at,
+                            static_cast<std::uint8_t>(input.hand)};
     bool const known =
         (input.object.empty() || found.object.valid()) && (input.other.empty() || found.other.valid());
     return known ? std::optional(found) : std::nullopt;

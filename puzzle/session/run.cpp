@@ -18,15 +18,17 @@ RecordedInput recorded(PlayerInput const& input, World const& world) {
     made.object = input.object.valid() ? world.store().nameOf(input.object) : "";
     made.other = input.other.valid() ? world.store().nameOf(input.other) : "";
     made.at = input.at;
+    made.hand = input.hand;
     return made;
 }
 
 } // namespace
 
 LevelRun::LevelRun(Registry const& registry, PartLibrary const& parts, LevelFile const& level,
-                   std::span<Placement const> placements, WorldOptions const& options)
-    : registry_(registry), level_(level), built_(buildLevel(registry, level, parts, placements, options)),
-      judge_(level, *built_.world) {}
+                   std::span<Placement const> placements, WorldOptions const& options,
+                   std::span<LevelConnection const> wires)
+    : registry_(registry), level_(level),
+      built_(buildLevel(registry, level, parts, placements, options, wires)), judge_(level, *built_.world) {}
 
 std::optional<std::size_t> LevelRun::placementOf(ObjectId object) const {
     Origin const origin = world().store().originOf(object);

@@ -18,10 +18,11 @@ namespace trembler {
 /// object. Not thread-safe.
 class LevelRun {
 public:
-    /// Builds the world of a level with the placements. Throws InputError if that is not possible. All
-    /// arguments but the placements and the options must outlive the run.
+    /// Builds the world of a level with the placements and the player's wires. Throws InputError if that is
+    /// not possible. All arguments but the placements and the options must outlive the run.
     LevelRun(Registry const& registry, PartLibrary const& parts, LevelFile const& level,
-             std::span<Placement const> placements, WorldOptions const& options);
+             std::span<Placement const> placements, WorldOptions const& options,
+             std::span<LevelConnection const> wires = {});
 
     [[nodiscard]] World const& world() const { return *built_.world; }
     [[nodiscard]] GoalJudge const& judge() const { return judge_; }

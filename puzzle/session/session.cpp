@@ -12,10 +12,12 @@ namespace trembler {
 
 Session::Session(Registry const& registry, PartLibrary const& parts, LevelFile level, WorldOptions options)
     : registry_(registry), parts_(parts), level_(std::move(level)), options_(std::move(options)),
-      placements_(level_, parts_), run_(runOf({})) {}
+      placements_(level_, parts_), run_(runOf({}, {})) {}
 
-std::unique_ptr<LevelRun> Session::runOf(Placements::List const& placed) const {
-    return std::make_unique<LevelRun>(registry_, parts_, level_, placementsOf(placed), options_);
+std::unique_ptr<LevelRun> Session::runOf(Placements::List const& placed,
+                                         std::vector<LaidWire> const& wires) const {
+    return std::make_unique<LevelRun>(registry_, parts_, level_, placementsOf(placed), options_,
+                                      connectionsOf(wires, level_, placed));
 }
 
 SessionMode Session::mode() const {
@@ -83,17 +85,19 @@ Verdict Session::check(Placement const& placement, std::optional<int> ignoring) 
                              ignoring ? objectsOf(*ignoring) : std::vector<ObjectId>());
 }
 
-bool Session::keep(std::optional<Placements::List> next) {
+bool Session::keep(std::optional<Placements::List> next, std::vector<LaidWire> wires) {
     if (!next) {
         return false;
     }
+    wires = stillLaid(std::move(wires), level_, *next);
     std::unique_ptr<LevelRun> run;
     try {
-        run = runOf(*next);
+        run = runOf(*next, wires);
     } catch (InputError const&) {
         return false; // no world can be built from the list: nothing changes
     }
     placements_.keep(std::move(*next));
+    wires_.change(std::move(wires));
     solution_ = {}; // its inputs belong to the placements that it was loaded with
     use(std::move(run));
     return true;
@@ -127,11 +131,11 @@ bool Session::putBack(int number) {
 }
 
 bool Session::putAllBack() {
-    return building() && !placed().empty() && keep(Placements::List{});
+    return building() && !(placed().empty() && wires().empty()) && keep(Placements::List{}, {});
 }
 
 bool Session::undo() {
-    if (!canUndo() || !placements_.undo()) {
+    if (!canUndo() || !placements_.undo() || !wires_.undo()) {
         return false;
     }
     placedOtherwise();
@@ -139,7 +143,7 @@ bool Session::undo() {
 }
 
 bool Session::redo() {
-    if (!canRedo() || !placements_.redo()) {
+    if (!canRedo() || !placements_.redo() || !wires_.redo()) {
         return false;
     }
     placedOtherwise();
@@ -147,7 +151,7 @@ bool Session::redo() {
 }
 
 void Session::placedOtherwise() {
-    auto run = runOf(placed());
+    auto run = runOf(placed(), wires());
     solution_ = {};
     use(std::move(run));
 }
@@ -161,7 +165,7 @@ void Session::use(std::unique_ptr<LevelRun> run) {
 
 std::optional<std::string> Session::whyNotBuilt() const {
     try {
-        (void)runOf(placed());
+        (void)runOf(placed(), wires());
     } catch (InputError const& error) {
         return error.diagnostics().front().print();
     }
@@ -170,7 +174,7 @@ std::optional<std::string> Session::whyNotBuilt() const {
 
 void Session::rebuild() {
     if (building()) {
-        use(runOf(placed()));
+        use(runOf(placed(), wires()));
     }
 }
 
@@ -192,7 +196,7 @@ void Session::resume() {
 
 void Session::stop() {
     if (!building()) {
-        auto run = runOf(placed());
+        auto run = runOf(placed(), wires());
         played_.reset();
         use(std::move(run));
     }
@@ -236,17 +240,20 @@ Solution Session::record(std::string name) const {
     Solution solution = run_->record();
     solution.name = std::move(name);
     solution.placements = inCanonicalOrder(placementsOf(placed()));
+    solution.wires = connectionsOf(wires(), level_, placed());
     return solution;
 }
 
 void Session::load(Solution const& solution) {
     stop();
     Placements::List next = placements_.those(solution);
-    auto run = runOf(next);
+    std::vector<LaidWire> wires = wiresOf(solution, next);
+    auto run = runOf(next, wires);
     Problems problems;
     checkSolution(registry_, level_, *run, solution, problems); // in the world with all placements
     problems.throwIfAny();
     placements_.keep(std::move(next));
+    wires_.change(std::move(wires));
     solution_ = Playback(solution.inputs, solution.changes);
     use(std::move(run));
 }

@@ -5,6 +5,7 @@
 #include "puzzle/session/placements.hpp"
 #include "puzzle/session/playback.hpp"
 #include "puzzle/session/run.hpp"
+#include "puzzle/session/wiring.hpp"
 
 #include <functional>
 #include <memory>
@@ -67,6 +68,24 @@ public:
     /// Puts a placed part back into the toolbox.
     bool putBack(int number);
     bool putAllBack();
+    // Several parts, in one step of undo: all of them or, if one is refused, none.
+    /// Whether placed parts may be at these other places. They are checked against everything else; as to one
+    /// another they must lie as they do now. A part with a number that is not placed is a new one.
+    [[nodiscard]] Verdict checkAll(std::span<PlacedPart const> moved) const;
+    bool moveAll(std::span<PlacedPart const> moved);
+    bool putBackAll(std::span<int const> numbers);
+    /// Places new parts, which must lie as to one another as placed ones do; returns their numbers.
+    std::vector<int> placeAll(std::span<Placement const> added);
+    // Wires. They are edits like those of parts, with the same undo; a wire goes when a part at its end goes.
+    [[nodiscard]] std::vector<LaidWire> const& wires() const { return wires_.now(); }
+    /// How many more wires the toolbox has.
+    [[nodiscard]] int wiresLeft() const { return level_.wires - static_cast<int>(wires().size()); }
+    /// Whether a wire may be laid between two objects of world().
+    [[nodiscard]] Verdict checkWire(ObjectId a, ObjectId b) const;
+    /// False if checkWire() refuses it.
+    bool layWire(ObjectId a, ObjectId b);
+    /// Puts a wire back that the player has laid; false if there is none.
+    bool takeWire(ObjectId a, ObjectId b);
     bool undo();
     bool redo();
     [[nodiscard]] bool canUndo() const { return building() && placements_.canUndo(); }
@@ -143,9 +162,14 @@ public:
 
 private:
     [[nodiscard]] bool building() const { return !run_->begun(); }
-    [[nodiscard]] std::unique_ptr<LevelRun> runOf(Placements::List const& placed) const;
-    /// Makes an edit, if a world can be built from it.
-    bool keep(std::optional<Placements::List> next);
+    [[nodiscard]] std::unique_ptr<LevelRun> runOf(Placements::List const& placed,
+                                                  std::vector<LaidWire> const& wires) const;
+    /// Makes an edit of parts, if a world can be built from it; wires that lose an end go, too.
+    bool keep(std::optional<Placements::List> next) { return keep(std::move(next), wires()); }
+    bool keep(std::optional<Placements::List> next, std::vector<LaidWire> wires);
+    /// The wires of a solution. Throws InputError if the level does not allow them.
+    [[nodiscard]] std::vector<LaidWire> wiresOf(Solution const& solution,
+                                                Placements::List const& placements) const;
     /// Rebuilds the run after undo and redo.
     void placedOtherwise();
     void use(std::unique_ptr<LevelRun> run);
@@ -155,7 +179,8 @@ private:
     LevelFile level_;
     WorldOptions options_; // for later runs
     Placements placements_;
-    std::unique_ptr<LevelRun> run_; // never null; while building, a run that has not begun
+    History<std::vector<LaidWire>> wires_; // a state for each of placements_
+    std::unique_ptr<LevelRun> run_;        // never null; while building, a run that has not begun
     std::function<void()> built_;
     bool paused_ = false;
     std::optional<WorldOptions> lastBegunWith_; // the initial options of the last run

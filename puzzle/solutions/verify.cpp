@@ -1,9 +1,13 @@
 #include "puzzle/solutions/verify.hpp"
 
+#include "puzzle/campaign/as_played.hpp"
+#include "puzzle/checks/level_checks.hpp"
 #include "puzzle/run/runner.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace trembler {
 namespace {
@@ -45,6 +49,22 @@ bool sameHashes(RunReport const& a, RunReport const& b) {
     return true;
 }
 
+/// A demonstration's task must need the player, and one of the recorded solutions must fulfil it.
+void checkTask(std::vector<std::string>& failures, GameData const& gameData, LevelFile const& level,
+               std::string const& name) {
+    LevelFile const played = asPlayed(level, "");
+    if (runOnce(gameData, played, nullptr, 1).solved) {
+        failures.push_back(fmt::format("{}: its task is fulfilled hands off", name));
+    }
+    bool const done = std::any_of(played.solutions.begin(), played.solutions.end(), [&](Solution one) {
+        one.solves = true;
+        return runOnce(gameData, played, &one, 1).solved;
+    });
+    if (!done) {
+        failures.push_back(fmt::format("{}: no recorded solution fulfils its task", name));
+    }
+}
+
 } // namespace
 
 std::vector<std::string> verifyLevel(GameData const& gameData, std::filesystem::path const& path,
@@ -52,7 +72,15 @@ std::vector<std::string> verifyLevel(GameData const& gameData, std::filesystem::
     std::vector<std::string> failures;
     std::string const name = gameData.shortName(path);
     try {
-        LevelFile level = loadLevel(gameData.registry, path);
+        auto const document = JsonDocument::load(path);
+        LevelCheckup const checkup = checkWholeLevel(gameData, document, detail);
+        for (Diagnostic const& problem : checkup.problems) {
+            failures.push_back(problem.print());
+        }
+        if (!checkup.playable) {
+            return failures;
+        }
+        LevelFile level = readLevel(gameData.registry, document);
         for (auto const& [effect, name] : detail) {
             level.detail[effect] = name;
         }
@@ -74,6 +102,9 @@ std::vector<std::string> verifyLevel(GameData const& gameData, std::filesystem::
         }
         if (!sameHashes(handsOff, runOnce(gameData, level, nullptr, 3))) {
             failures.push_back(fmt::format("{}: hands off, 1 and 3 threads end in different states", name));
+        }
+        if (!level.task.is_null()) {
+            checkTask(failures, gameData, level, name);
         }
         for (Solution const& solution : level.solutions) {
             RunReport const report = runOnce(gameData, level, &solution, 1);

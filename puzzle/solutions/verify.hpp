@@ -10,7 +10,8 @@
 
 namespace trembler {
 
-/// The faults of a level, a line each; empty if it is valid. A valid level loads; with an empty toolbox it is
+/// The faults of a level, a line each; empty if it is valid. A valid level loads, and
+/// checkWholeLevel() finds nothing wrong with it; with an empty toolbox it is
 /// not solved within 60 s (a demonstration is solved); each recorded solution fits and ends as recorded; and
 /// every run, repeated on another number of threads, ends in the same state. `detail` overrides the detail
 /// levels that the level states. Takes seconds.

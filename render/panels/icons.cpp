@@ -182,6 +182,10 @@ void lines(Pen const& pen) {
 
 void drawTransport(Pen const& pen, Icon icon) {
     switch (icon) {
+    case Icon::Slower:
+        pen.triangle(0.90F, -0.68F, 0.90F, 0.68F, -0.02F, 0);
+        pen.triangle(-0.02F, -0.68F, -0.02F, 0.68F, -0.94F, 0);
+        break;
     case Icon::FastForward:
         pen.triangle(-0.90F, -0.68F, -0.90F, 0.68F, 0.02F, 0);
         pen.triangle(0.02F, -0.68F, 0.02F, 0.68F, 0.94F, 0);

@@ -33,6 +33,7 @@ enum class Icon : std::uint8_t {
     Magnet,
     Bolt,
     FastForward,
+    Slower,
     Undo,
     Redo,
     List,

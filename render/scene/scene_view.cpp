@@ -9,6 +9,8 @@
 #include "render/scene/overlays/overlay_hand.hpp"
 #include "render/scene/overlays/overlay_magnetism.hpp"
 
+#include <algorithm>
+
 namespace trembler::render {
 namespace {
 
@@ -21,24 +23,31 @@ void drawGround(Canvas& canvas, SceneOptions const& options) {
     }
 }
 
+bool isOneOf(std::span<ObjectId const> all, ObjectId id) {
+    return std::find(all.begin(), all.end(), id) != all.end();
+}
+
 void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
                  SceneOptions const& options) {
     Extent const view = viewOf(canvas.camera()).widened(canvas.metres(20));
     bool moving = false;
     for (Facts const& facts : reader.drawOrder()) {
         Pose const pose = place(facts);
-        if (!pictureExtentOf(facts, pose).widened(deviceGlow(facts).reach).overlaps(view)) {
+        // The extent of a drawing takes longer, and only counts where the body is out of sight.
+        if (!extentOf(facts, pose).widened(deviceGlow(facts).reach).overlaps(view) &&
+            (facts.drawing == nullptr || !pictureExtentOf(facts, pose).overlaps(view))) {
             continue;
         }
         if (!moving && !(facts.fixed && facts.shape != nullptr)) {
             canvas.newSheet(); // moving objects throw their shadows on fixed ones
             moving = true;
         }
-        if (facts.id == options.hidden && options.hidden.valid()) {
+        if ((facts.id == options.hidden && options.hidden.valid()) || isOneOf(options.alsoHidden, facts.id)) {
             continue;
         }
         drawObject(canvas, facts, pose,
-                   {.selected = facts.id == options.selected, .hovered = facts.id == options.hovered});
+                   {.selected = facts.id == options.selected || isOneOf(options.alsoSelected, facts.id),
+                    .hovered = facts.id == options.hovered});
     }
 }
 

@@ -26,6 +26,8 @@ struct SceneOptions {
     ObjectId selected{}; ///< invalid: none
     ObjectId hovered{};  ///< invalid: none
     ObjectId hidden{};   ///< its body is left out; invalid: none
+    std::span<ObjectId const> alsoSelected{};
+    std::span<ObjectId const> alsoHidden{};
     Overlays overlays{};
     std::span<Area const> placing{};     ///< where parts may be placed
     std::span<GoalRegion const> goals{}; ///< that a goal asks about

@@ -13,10 +13,17 @@ void InputEvents::poll() {
     }
     moved_ = {};
     wheel_ = 0;
+    quitAsked_ = false;
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0) {
         events_.push_back(event);
         take(event);
+        if (pads_ != nullptr) {
+            for (SDL_Event const& key : pads_->take(event)) {
+                events_.push_back(key);
+                take(key);
+            }
+        }
     }
 }
 
@@ -24,6 +31,7 @@ void InputEvents::take(SDL_Event const& event) {
     switch (event.type) {
     case SDL_QUIT:
         quit_ = true;
+        quitAsked_ = true;
         break;
     case SDL_MOUSEMOTION:
         moveTo(event.motion.x, event.motion.y);
@@ -98,6 +106,7 @@ void InputEvents::takeWindow(SDL_WindowEvent const& event) {
         break;
     case SDL_WINDOWEVENT_CLOSE:
         quit_ = true;
+        quitAsked_ = true;
         break;
     case SDL_WINDOWEVENT_FOCUS_LOST:
         // Their release will go to another window.

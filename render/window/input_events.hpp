@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/draw/geometry.hpp"
+#include "render/window/gamepad.hpp"
 #include "render/window/window.hpp"
 
 #include <SDL_events.h>
@@ -20,13 +21,14 @@ enum class MouseButton : std::uint8_t { Left, Right, Middle };
 /// in the window's pixels from the top left. Thread of the window only.
 class InputEvents {
 public:
-    /// The window must outlive this.
+    /// All must outlive this. Without gamepads their buttons are ignored.
     explicit InputEvents(Window const& window) : window_(window) {}
+    InputEvents(Window const& window, Gamepads& pads) : window_(window), pads_(&pads) {}
 
     /// Takes everything that waits in SDL's queue; call it once per frame, before Gui::beginFrame.
     void poll();
 
-    /// The events that the last poll took, in order.
+    /// The events that the last poll took, in order; behind those of a gamepad the keys that they stand for.
     [[nodiscard]] std::span<SDL_Event const> events() const { return events_; }
 
     [[nodiscard]] Point mouse() const { return mouse_; }
@@ -51,6 +53,8 @@ public:
 
     /// The player closed the window or the desktop asks the program to end; stays true.
     [[nodiscard]] bool quit() const { return quit_; }
+    /// The same, in this frame only.
+    [[nodiscard]] bool quitAsked() const { return quitAsked_; }
 
 private:
     struct Button {
@@ -67,6 +71,7 @@ private:
     void moveTo(int x, int y);
 
     Window const& window_;
+    Gamepads* pads_ = nullptr;
     std::vector<SDL_Event> events_;
     std::vector<SDL_Keycode> heldKeys_;
     std::array<Button, 3> buttons_{};
@@ -76,6 +81,7 @@ private:
     unsigned modifiers_ = 0;
     bool inside_ = false;
     bool quit_ = false;
+    bool quitAsked_ = false;
 };
 
 } // namespace trembler::render

@@ -2,6 +2,51 @@
 
 namespace trembler {
 
+void InputResolver::useHand(Access& access, PlayerInput const& input) {
+    if (input.hand > 1) {
+        return;
+    }
+    bool const isSecond = input.hand == 1;
+    Hand hand = isSecond ? second_ : access.provided<Hand>();
+    switch (input.kind) {
+    case PlayerInput::Kind::grab: {
+        Position const* const position = access.read<Position>().find(input.object);
+        if (position == nullptr) {
+            return; // destroyed since the player aimed
+        }
+        Rotation const* const rotation = access.read<Rotation>().find(input.object);
+        double const angle = rotation == nullptr ? 0 : rotation->angle;
+        hand.object = input.object;
+        hand.localPoint = rotated(input.at - position->value, -angle);
+        hand.target = input.at;
+        hand.event = access.event("grabbed", {input.object}, {});
+        break;
+    }
+    case PlayerInput::Kind::move:
+        if (!hand.object.valid()) {
+            return;
+        }
+        hand.target = input.at;
+        break;
+    case PlayerInput::Kind::release:
+        if (!hand.object.valid()) {
+            return;
+        }
+        access.event("released", {hand.object}, {hand.event});
+        hand = {};
+        break;
+    case PlayerInput::Kind::cut:
+    case PlayerInput::Kind::remove:
+        return;
+    }
+    if (isSecond) {
+        second_ = hand;
+        access.provide<SecondHand>().grip = hand;
+    } else {
+        access.provide<Hand>() = hand;
+    }
+}
+
 void InputResolver::advance(Access& access) {
     if (commandsStand_) {
         access.provide<PlayerCommands>() = {};
@@ -12,30 +57,10 @@ void InputResolver::advance(Access& access) {
             return;
         }
         switch (input.kind) {
-        case PlayerInput::Kind::grab: {
-            Position const* const position = access.read<Position>().find(input.object);
-            if (position == nullptr) {
-                break; // destroyed since the player aimed
-            }
-            Rotation const* const rotation = access.read<Rotation>().find(input.object);
-            double const angle = rotation == nullptr ? 0 : rotation->angle;
-            Hand& hand = access.provide<Hand>();
-            hand.object = input.object;
-            hand.localPoint = rotated(input.at - position->value, -angle);
-            hand.target = input.at;
-            hand.event = access.event("grabbed", {input.object}, {});
-            break;
-        }
+        case PlayerInput::Kind::grab:
         case PlayerInput::Kind::move:
-            if (access.provided<Hand>().object.valid()) {
-                access.provide<Hand>().target = input.at;
-            }
-            break;
         case PlayerInput::Kind::release:
-            if (ObjectId const held = access.provided<Hand>().object; held.valid()) {
-                access.event("released", {held}, {access.provided<Hand>().event});
-                access.provide<Hand>() = {};
-            }
+            useHand(access, input);
             break;
         case PlayerInput::Kind::cut: {
             EventId const event = access.event("cut", {input.object, input.other}, {});

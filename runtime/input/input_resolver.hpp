@@ -32,6 +32,24 @@ struct Hand {
     }
 };
 
+/// The object in the player's second hand, which may be that of another player. It is a property of its own,
+/// so that runs with one hand have the same hashes as before there were two.
+struct SecondHand {
+    static constexpr PropertyKind kind = PropertyKind::resolver;
+    static constexpr PropertyText text{"Second hand", "second_hand",
+                                       "The object that the second hand holds, and the point to which it is "
+                                       "pulled."};
+    static constexpr Coverage coverage = leftOut("the player hashes it while the hand holds something");
+    static constexpr std::string_view standing = "the held object, and the point to which it is pulled";
+
+    Hand grip;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        Hand::describe(self.grip, visit);
+    }
+};
+
 /// The player's commands (cut, remove) since the last frame, present in the first part of a frame.
 struct PlayerCommands {
     static constexpr PropertyKind kind = PropertyKind::resolver;
@@ -75,7 +93,7 @@ struct PlayerCommands {
 
 /// Executes the input that was fed since the last frame.
 class InputResolver final : public Resolver<InputResolver, PlayerRole, Reads<Position, Rotation>, Writes<>,
-                                            Provides<Hand, PlayerCommands>> {
+                                            Provides<Hand, SecondHand, PlayerCommands>> {
 public:
     static constexpr ComponentText text{
         .name = "Player",
@@ -84,14 +102,22 @@ public:
         .work = "Applies the player's inputs since the last frame: the held object, the point to which it is "
                 "pulled, cut wires and removed objects."};
     using Activation = NeedsAll<>;
-    static constexpr Coverage memory = leftOut("whether there are Player commands; these are hashed");
 
     [[nodiscard]] bool restless() const { return isCalled() || commandsStand_; }
     /// Only fed input gives it work: the hand does not depend on how objects move.
     [[nodiscard]] bool hasWork() const override { return restless(); }
     void advance(Access& access);
+    /// The second hand, while it holds something. Whether there are Player commands follows from these.
+    void hashMemory(StateHash& hash) const {
+        if (second_.object.valid()) {
+            hash.value(second_);
+        }
+    }
 
 private:
+    void useHand(Access& access, PlayerInput const& input);
+
+    Hand second_;                // as provided
     bool commandsStand_ = false; // PlayerCommands still has the commands of the last turn, to be cleared
 };
 

@@ -12,9 +12,10 @@ namespace trembler {
 
 struct PlayerInput {
     static constexpr CallText text{
-        "playerInput", "(action, object, other object, position)",
+        "playerInput", "(action, object, other object, position, hand)",
         "An input of the player: grab, move, release, cut or remove. It comes from outside the world, not "
-        "from an interaction. An input at a position that is not finite is ignored."};
+        "from an interaction. An input at a position that is not finite is ignored, and one of a hand other "
+        "than 0 and 1."};
     static constexpr Algebra algebra =
         Algebra::sequence; // a move before a grab has another effect than after it
     enum class Kind : std::uint8_t {
@@ -27,7 +28,8 @@ struct PlayerInput {
     Kind kind = Kind::release;
     ObjectId object;
     ObjectId other;
-    Vec2 at; ///< m, in the world
+    Vec2 at;               ///< m, in the world
+    std::uint8_t hand = 0; ///< grab, move, release: which of the two hands, 0 or 1
 
     [[nodiscard]] std::array<ObjectId, 2> objects() const { return {object, other}; }
 };

@@ -68,8 +68,8 @@ void PopulationResolver::advance(Access& access) {
 ObjectId PopulationResolver::create(Birth const& birth) {
     CreateObject const& call = birth.call;
     Prototype const* const prototype = store_->prototypes().find(call.prototype);
-    if (prototype == nullptr || prototype->composite || !isFinite(call.position) || !std::isfinite(call.angle) ||
-        !isFinite(call.velocity) || !std::isfinite(call.spin)) {
+    if (prototype == nullptr || prototype->composite || !isFinite(call.position) ||
+        !std::isfinite(call.angle) || !isFinite(call.velocity) || !std::isfinite(call.spin)) {
         return {};
     }
     std::string name = birthName(prototype->name, birth.maker, call.number);

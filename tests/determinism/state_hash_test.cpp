@@ -265,7 +265,7 @@ template <class... P>
 struct List {};
 // Each new slot must be added to this list; its type declares how it is covered.
 using AllSlots =
-    List<Hand, PlayerCommands, PopulationChanges, Contacts, ContactPatches, Impacts, JointForces,
+    List<Hand, SecondHand, PlayerCommands, PopulationChanges, Contacts, ContactPatches, Impacts, JointForces,
          OverloadedJoints, MotionCauses, SolverChoice, LinearGravityVector, BuoyancyForce, CentreOfBuoyancy,
          Immersions, GraphChanges, MagnetSwitching, Sounds, FrameParts, ForceRates, ForceLag, EngineState>;
 

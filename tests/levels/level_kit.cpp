@@ -1,5 +1,6 @@
 #include "tests/levels/level_kit.hpp"
 
+#include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/effects.hpp"
 
 #include <algorithm>
@@ -23,8 +24,7 @@ std::filesystem::path sourceFolder() {
 std::vector<std::filesystem::path> levelFiles() {
     std::vector<std::filesystem::path> files;
     for (auto const& entry : std::filesystem::recursive_directory_iterator(sourceFolder() / "levels")) {
-        if (entry.path().extension() == ".json" && entry.path().filename() != "level.schema.json" &&
-            entry.path().filename() != "part.schema.json") {
+        if (entry.path().extension() == ".json" && !isNotALevel(entry.path())) {
             files.push_back(entry.path());
         }
     }

@@ -2,11 +2,29 @@
 
 #include "game/ui/app/command_lists.hpp"
 #include "game/ui/app/title_screen.hpp"
+#include "game/ui/edit/edit_screen.hpp"
 #include "game/ui/play/play_screen.hpp"
+#include "game/ui/shared/texts.hpp"
+#include "puzzle/campaign/free_play.hpp"
 #include "render/draw/palette.hpp"
+#include "runtime/file/output_file.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
+#include <exception>
+#include <system_error>
+#include <utility>
+
 namespace trembler::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file or folder beside the profile; empty if nothing is kept.
+fs::path besideProfile(fs::path const& profile, char const* name) {
+    return profile.empty() ? fs::path() : profile.parent_path() / name;
+}
+
+} // namespace
 
 GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary const& parts,
                  GameOptions const& options)
@@ -14,7 +32,8 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                   .registry = registry,
                                   .parts = parts,
                                   .gui = render::Gui(window, {.steady = options.steady}),
-                                  .input = render::InputEvents(window),
+                                  .pads = {},
+                                  .input = render::InputEvents(window, context_.pads),
                                   .canvas = {},
                                   .toasts = {},
                                   .layout = {},
@@ -22,7 +41,11 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                   .catalog = PartCatalog(parts, context_.canvas),
                                   .levels = LevelCatalog(registry, options.levels,
                                                          {.data = options.levelData, .mods = options.mods}),
+                                  .pictures =
+                                      LevelPictures(registry, parts, context_.canvas, options.levelData),
                                   .profile = Profile(options.profile),
+                                  .builds = KeptBuilds(besideProfile(options.profile, "builds")),
+                                  .kinds = {},
                                   .keys = KeyBindings(commandLists()),
                                   .recorder = Recorder(options.pictures),
                                   .loudspeaker = options.loudspeaker},
@@ -52,6 +75,21 @@ void GameApp::open(std::filesystem::path const& level) {
     menu_.close();
 }
 
+void GameApp::edit(std::filesystem::path const& level) {
+    if (plain_ == nullptr) {
+        plain_ = std::make_shared<GameData const>();
+    }
+    // Without a profile nothing is kept, recoveries included.
+    show(std::make_unique<EditScreen>(context_, level,
+                                      EditOptions{.data = plain_,
+                                                  .levelData = options_.levelData,
+                                                  .world = options_.world,
+                                                  .recovery = options_.profile.empty()
+                                                                  ? std::filesystem::path()
+                                                                  : edit::recoveryFolder()}));
+    menu_.close();
+}
+
 void GameApp::showTitle() {
     show(std::make_unique<TitleScreen>(context_));
 }
@@ -64,13 +102,35 @@ void GameApp::tryOpen(std::filesystem::path const& level) {
     }
 }
 
+void GameApp::openFreePlay() {
+    // A file like that of any level, made anew each time, as there may be more parts than at the last time.
+    fs::path file = besideProfile(options_.profile, "free-play.json");
+    if (file.empty()) {
+        file = options_.pictures / "free-play.json";
+    }
+    try {
+        fs::create_directories(file.parent_path());
+        writeFile(file, freePlayLevel(context_.parts, text("free.title"), text("free.text")));
+    } catch (std::exception const& error) {
+        context_.toasts.add(error.what(), render::ToastKind::Trouble, 10);
+        return;
+    }
+    tryOpen(file);
+}
+
+void GameApp::takeKinds() {
+    if (auto found = context_.kinds.take()) {
+        bool const first = context_.profile.progress().of(found->levelId).kinds.empty();
+        if (context_.profile.addKind(found->levelId, std::move(found->kind)) && !first) {
+            context_.toasts.add(text("levels.other_kind"), render::ToastKind::Success, 6);
+        }
+    }
+}
+
 void GameApp::toggleFullscreen() {
     Settings settings = context_.profile.settings();
     settings.fullscreen = !settings.fullscreen;
-    bool const shadows = context_.shadows;
-    context_.profile.setSettings(settings);
-    applySettings(context_);
-    context_.shadows = shadows;
+    changeSettings(context_, settings);
 }
 
 void GameApp::follow(ScreenRequest const& asked) {
@@ -78,10 +138,21 @@ void GameApp::follow(ScreenRequest const& asked) {
         GameApp& app;
         void operator()(request::OpenMenu const& menu) const { app.menu_.open(menu.page); }
         void operator()(request::OpenLevel const& wanted) const { app.tryOpen(wanted.level); }
+        void operator()(request::OpenFreePlay const&) const {
+            app.menu_.close();
+            app.openFreePlay();
+        }
+        void operator()(request::OpenEditor const& wanted) const { app.edit(wanted.level); }
         void operator()(request::ShowTitle const&) const { app.showTitle(); }
         void operator()(request::SwitchFullscreen const&) const { app.toggleFullscreen(); }
         void operator()(request::Quit const&) const { app.going_ = false; }
     };
+    bool const stays = std::holds_alternative<request::OpenMenu>(asked) ||
+                       std::holds_alternative<request::SwitchFullscreen>(asked);
+    if (!stays && !screen_->mayLeaveFor(asked)) {
+        menu_.close();
+        return;
+    }
     std::visit(Follower{*this}, asked);
 }
 
@@ -98,8 +169,16 @@ void GameApp::update(double seconds) {
     }
 }
 
+bool GameApp::lively() const {
+    bool const moves = menu_.isOpen() ? context_.pictures.waiting() : !screen_->still();
+    return moves || !context_.input.events().empty() || context_.toasts.count() > 0 ||
+           context_.kinds.busy() || screen_->keepsPicture();
+}
+
 bool GameApp::frame(double seconds, bool seen) {
     context_.input.poll();
+    context_.pictures.beginFrame();
+    takeKinds();
     context_.gui.beginFrame(context_.input, seconds);
     context_.layout.beginFrame();
     context_.focus.beginFrame();
@@ -117,7 +196,12 @@ bool GameApp::frame(double seconds, bool seen) {
     } else {
         context_.gui.dropFrame();
     }
-    return going_ && !context_.input.quit();
+    sinceNews_ = lively() ? 0 : sinceNews_ + seconds;
+    // The screen may ask first, so only the event itself counts, not that there once was one.
+    if (context_.input.quitAsked()) {
+        follow(request::Quit{});
+    }
+    return going_;
 }
 
 } // namespace trembler::ui

@@ -40,7 +40,11 @@ public:
 
     /// Opens a level. Throws InputError if it cannot be read or built; the current screen then stays.
     void open(std::filesystem::path const& level);
+    /// Opens the editor with a level file; an empty path: with a new level. A file that cannot be edited is
+    /// shown read-only, with the list of what is wrong.
+    void edit(std::filesystem::path const& level);
     void showTitle();
+    void openMenu(MenuPage page) { menu_.open(page); }
     /// Replaces the current screen after calling its leave(). Not nullptr.
     void show(std::unique_ptr<Screen> screen);
 
@@ -48,6 +52,11 @@ public:
     /// the player wants to quit. If `seen` is false, as for a minimised window, the picture is drawn and
     /// presented only if the screen keeps it; everything else happens as usual.
     bool frame(double seconds, bool seen = true);
+    /// Whether the next picture would be the same as long as the player does nothing, so that frame() need
+    /// not be called before the next event of SDL's, or only with `seen` false.
+    [[nodiscard]] bool resting() const { return sinceNews_ > settling; }
+    /// How long after the last event pictures may still change, s: tips appear, lists scroll to their place.
+    static constexpr double settling = 0.75;
 
     [[nodiscard]] Screen& screen() { return *screen_; }
     [[nodiscard]] UiContext& context() { return context_; }
@@ -57,13 +66,19 @@ private:
     void update(double seconds);
     void follow(ScreenRequest const& request);
     void tryOpen(std::filesystem::path const& level);
+    void openFreePlay();
+    /// Whether the present picture shows something that moves or is new.
+    [[nodiscard]] bool lively() const;
+    void takeKinds();
     void toggleFullscreen();
 
     GameOptions options_;
     UiContext context_;
     Menu menu_;
-    std::unique_ptr<Screen> screen_; // never nullptr
+    std::shared_ptr<GameData const> plain_; // for the editor; nullptr until it is opened
+    std::unique_ptr<Screen> screen_;        // never nullptr
     bool going_ = true;
+    double sinceNews_ = 0; // s
 };
 
 } // namespace trembler::ui

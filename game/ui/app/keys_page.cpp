@@ -1,10 +1,12 @@
 #include "game/ui/app/keys_page.hpp"
 
 #include "game/ui/commands/key_help.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 
@@ -27,7 +29,9 @@ void drawKeyRow(CommandInfo const& command, std::string const& keys, bool waitin
     Colour const ink = command.fixed ? palette::inkSoft : palette::ink;
     float const y = 0.5F * (low.y + high.y - ImGui::GetTextLineHeight());
     list.AddText({low.x + scaled(10), y}, imColour(ink), command.name);
-    char const* const shown = waiting ? words::pressAKey : keys.empty() ? words::nothingStated : keys.c_str();
+    char const* const shown = waiting        ? text("keys.press")
+                              : keys.empty() ? words::nothingStated
+                                             : keys.c_str();
     Colour const colour = command.fixed || (keys.empty() && !waiting) ? palette::inkSoft : palette::accent;
     list.AddText({high.x - scaled(10) - ImGui::CalcTextSize(shown).x, y}, imColour(colour), shown);
 }
@@ -48,7 +52,7 @@ void KeysPage::takeKey(UiContext& context) {
             continue;
         }
         if (auto const why = context.keys.bind(*waiting_, chordOf(event.key.keysym))) {
-            complaint_ = *why + ". " + words::chooseAnother;
+            complaint_ = *why + ". " + text("keys.another");
             continue;
         }
         cancel();
@@ -64,7 +68,9 @@ void KeysPage::drawRow(UiContext& context, CommandInfo const& command) {
     bool const hovered = ImGui::IsItemHovered();
     context.layout.item("key of " + id);
     chosen = context.focus.item() || chosen;
-    bool none = context.focus.here() && !taking_ && context.input.keyPressed(SDLK_DELETE);
+    bool none =
+        context.focus.here() && !taking_ &&
+        (context.input.keyPressed(SDLK_DELETE) || context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_X)));
     drawKeyRow(command, labelsOf(context.keys.keysOf(command.id)), waiting_ == &command,
                hovered && !command.fixed);
     if (hovered && command.tip != command.name) {
@@ -78,7 +84,7 @@ void KeysPage::drawRow(UiContext& context, CommandInfo const& command) {
         drawIcon(*ImGui::GetWindowDrawList(), Icon::Cross, {at.x + 0.5F * button, at.y + 0.5F * button},
                  scaled(11), imColour(ImGui::IsItemHovered() ? palette::warning : palette::inkSoft));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", words::noKeyTip);
+            ImGui::SetTooltip("%s", text("keys.none"));
         }
     }
     if (none) {
@@ -113,9 +119,9 @@ bool KeysPage::draw(UiContext& context) {
         takeKey(context);
     }
     Layout& layout = context.layout;
-    layout.beginCard("key bindings", words::changeKeys, {.anchor = Anchor::Middle, .width = 560});
+    layout.beginCard("key bindings", text("keys.change"), {.anchor = Anchor::Middle, .width = 560});
     ImGui::PushFont(theme().fonts.small);
-    caption(waiting() ? words::pressAKeyOrEsc : words::changeKeysHint);
+    caption(waiting() ? text("keys.press_or_esc") : text("keys.hint"));
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::warning));
     ImGui::TextUnformatted(complaint_.c_str());
     ImGui::PopStyleColor();
@@ -129,7 +135,7 @@ bool KeysPage::draw(UiContext& context) {
     ImGui::EndChild();
     ImGui::PopStyleColor();
     float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
-    bool reset = bigButton(words::resetKeys,
+    bool reset = bigButton(text("keys.reset"),
                            {.icon = Icon::Reset, .width = half, .enabled = !context.keys.isDefault()});
     layout.item("reset keys");
     reset = context.focus.item() || reset;
@@ -139,7 +145,7 @@ bool KeysPage::draw(UiContext& context) {
         context.profile.setKeys({});
     }
     ImGui::SameLine(0, scaled(8));
-    bool leave = bigButton(words::back, {.icon = Icon::Back, .width = half});
+    bool leave = bigButton(text("menu.back"), {.icon = Icon::Back, .width = half});
     layout.item("close keys");
     leave = context.focus.item() || leave;
     layout.endCard();

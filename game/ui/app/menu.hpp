@@ -1,7 +1,9 @@
 // The menu that Esc opens: resume, restart, levels, settings, keys, quit.
 #pragma once
 
+#include "game/ui/app/chapters_page.hpp"
 #include "game/ui/app/keys_page.hpp"
+#include "game/ui/app/settings_page.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
@@ -14,8 +16,14 @@ namespace trembler::ui {
 /// the mouse alone and with the keyboard alone.
 class Menu {
 public:
-    void open(MenuPage page) { pages_ = {page}; }
-    void close() { pages_.clear(); }
+    void open(MenuPage page) {
+        pages_ = {page};
+        drawn_ = MenuPage::closed;
+    }
+    void close() {
+        pages_.clear();
+        drawn_ = MenuPage::closed;
+    }
     [[nodiscard]] bool isOpen() const { return !pages_.empty(); }
     [[nodiscard]] MenuPage page() const { return pages_.empty() ? MenuPage::closed : pages_.back(); }
     [[nodiscard]] KeysPage const& keysPage() const { return keys_; }
@@ -27,15 +35,16 @@ public:
     std::optional<ScreenRequest> draw(UiContext& context, Screen& behind);
 
 private:
+    std::optional<ScreenRequest> drawPage(UiContext& context, Screen& behind);
     std::optional<ScreenRequest> drawMain(UiContext& context, Screen& behind);
-    void drawSettings(UiContext& context);
     std::optional<ScreenRequest> drawLevels(UiContext& context, Screen& behind);
+    std::optional<ScreenRequest> drawEnding(UiContext& context);
 
-    std::vector<MenuPage> pages_; // the opened pages, the current one last; empty: closed
+    std::vector<MenuPage> pages_;       // the opened pages, the current one last; empty: closed
+    MenuPage drawn_ = MenuPage::closed; // in the last picture
     KeysPage keys_;
+    SettingsPage settings_;
+    ChaptersPage chapters_;
 };
-
-/// Applies the profile's settings to the window.
-void applySettings(UiContext& context);
 
 } // namespace trembler::ui

@@ -4,6 +4,7 @@
 #include "game/ui/app/app.hpp"
 #include "game/ui/headless/run_sound.hpp"
 #include "game/ui/headless/screenshot.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <SDL.h>
@@ -22,6 +23,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t usualFrames = 600;
 /// Frames simulated after success, so that the picture shows the solved state and not the moment before.
 constexpr std::uint64_t encore = 45;
+
+constexpr double shortestPicture = 1.0 / 250; // s
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -139,17 +142,32 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     if (options.fullscreen) {
         window.setFullscreen(true);
     }
-    if (!options.level.empty()) {
-        app.open(options.level);
+    if (options.edits) {
+        app.edit(options.level);
+    } else if (!options.level.empty()) {
+        try {
+            app.open(options.level);
+        } catch (InputError const& error) { // told where a player who has no terminal sees it, too
+            std::cerr << error.what() << std::endl;
+            app.context().toasts.add(error.what(), render::ToastKind::Trouble, 60);
+        }
     }
     auto before = Clock::now();
     double passed = 1.0 / 60;
     bool seen = true;
     while (app.frame(passed, seen)) {
         seen = (SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
+        if (app.resting()) {
+            // Nothing new would be shown: until something happens time passes in few, undrawn pictures.
+            seen = SDL_WaitEventTimeout(nullptr, 250) != 0 && seen;
+        }
         // Vertical sync does not limit the frame rate of a hidden window.
         if (!seen) {
             std::this_thread::sleep_for(std::chrono::milliseconds(15));
+        }
+        // Without a graphics card nothing else limits how many pictures are drawn.
+        if (double const rest = shortestPicture - secondsSince(before); seen && rest > 0) {
+            std::this_thread::sleep_for(std::chrono::duration<double>(rest));
         }
         passed = secondsSince(before);
         before = Clock::now();

@@ -17,13 +17,14 @@ struct PlayOptions {
         picture; ///< file that playWithoutDisplay writes; empty: trembler-NAME.png in `pictures`
     WorldOptions world{};
     bool fullscreen = false;
+    bool edits = false; ///< `level` is opened in the editor; empty: a new one
     GameData const* ofLevel = nullptr; ///< what `level` is played with without a display; nullptr: as others
     LevelData levelData{};             ///< see GameOptions
     std::vector<std::filesystem::path> mods{}; ///< see GameOptions
 };
 
 /// Opens the window and plays until the player leaves; returns 0. Throws render::WindowError of kind
-/// NoDisplay or NoOpenGl if no window can be opened, and InputError if the level cannot be played.
+/// NoDisplay or NoOpenGl if no window can be opened. If the level cannot be played the title screen says why.
 int playInWindow(GameData const& gameData, PlayOptions const& options);
 
 /// Runs the level's first recorded solution (without a level: of the first level that has one), prints the

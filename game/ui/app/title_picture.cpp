@@ -12,12 +12,11 @@ using namespace render;
 
 namespace {
 
-constexpr double period = 1.6;  // s, of ringing and then resting
 constexpr double ringing = 1.0; // s
 
 /// Position of the armature. 0: at rest, the circuit is closed; 1: pulled over, the hammer touches the bell.
 double pulled(double time) {
-    double const phase = std::fmod(time, period);
+    double const phase = std::fmod(time, titlePeriod);
     return phase > ringing ? 0.0 : 0.5 - 0.5 * std::cos(phase * 2 * 3.14159265 * 6 / ringing);
 }
 
@@ -69,7 +68,7 @@ void drawWire(Canvas& canvas, std::span<Point const> path, bool live, double tim
 
 void drawTrembler(Canvas& canvas, double time) {
     double const pull = pulled(time);
-    bool const live = std::fmod(time, period) < ringing && pull < 0.6;
+    bool const live = std::fmod(time, titlePeriod) < ringing && pull < 0.6;
     // The board on which everything is mounted.
     canvas.box({{0, 0}, 0}, {3.1, 1.75}, 0.12,
                {.pattern = Pattern::Wood, .tint = mix(palette::wood, palette::paper, 0.35F), .grain = 0.22});
@@ -105,7 +104,7 @@ void drawTrembler(Canvas& canvas, double time) {
     if (live && pull > 0.02 && pull < 0.25) {
         canvas.glow({-0.60, 0.30}, 0.03, {palette::live, 0.26, 1.F});
     }
-    drawBell(canvas, {0.72, 1.06}, pull > 0.75 ? 1.0 : (std::fmod(time, period) < ringing ? 0.35 : 0.0));
+    drawBell(canvas, {0.72, 1.06}, pull > 0.75 ? 1.0 : (std::fmod(time, titlePeriod) < ringing ? 0.35 : 0.0));
     for (double const x : {-2.9, 2.9}) {
         for (double const y : {-1.55, 1.55}) {
             canvas.circle({{x, y}, 0.7}, 0.07, {.pattern = Pattern::Metal, .height = 0.4F});

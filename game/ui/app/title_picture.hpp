@@ -9,6 +9,10 @@ namespace trembler::ui {
 /// Width of the picture around the origin, m.
 inline constexpr double titleWidth = 6.4;
 inline constexpr double titleHeight = 3.8;
+/// The bell rings and rests once in this time, s.
+inline constexpr double titlePeriod = 1.6;
+/// A time at which it rests.
+inline constexpr double titleAtRest = 1.3;
 
 /// Draws an animation, not a simulation; `time` in s.
 void drawTrembler(render::Canvas& canvas, double time);

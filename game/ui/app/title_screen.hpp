@@ -1,8 +1,9 @@
-// The title screen: the name, an animated bell, and the levels.
+// The title screen: the name, a bell that rings for a moment, and where to go from here.
 #pragma once
 
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
+#include "render/panels/buttons.hpp"
 
 namespace trembler::ui {
 
@@ -19,6 +20,8 @@ public:
     void updateBehindMenu(double seconds) override;
     /// The picture behind the cards.
     void draw() override;
+    /// Nothing moves once the bell has stopped.
+    [[nodiscard]] bool still() const override;
     [[nodiscard]] CommandSet& commands() override { return commands_; }
     [[nodiscard]] std::filesystem::path const& level() const override { return none_; }
     /// Sets the request that the next update() returns, unless another call replaces it.
@@ -27,12 +30,15 @@ public:
 private:
     void drawTitle();
     void drawButtons();
+    bool drawButton(char const* label, char const* item, render::Icon icon, render::ButtonLook look,
+                    float width);
+    void pass(double seconds);
 
     UiContext& context_;
     CommandsOf<TitleScreen> commands_;
     std::filesystem::path none_;
     std::optional<ScreenRequest> request_; // of this picture
-    double time_ = 0;                      // s
+    double rings_ = 3.2;                   // s for which the bell still rings
 };
 
 } // namespace trembler::ui

@@ -28,20 +28,28 @@ struct GoalCardLook {
     bool brief = false; ///< only the goals, without the story: another card needs the room
 };
 
+struct SuccessLook {
+    bool narrow = false;   ///< in the toolbox's place, so that it covers nothing of the machine
+    bool confetti = false; ///< the player has done something for it
+};
+
 // Each function draws its card between Gui::beginFrame and endFrame. Commands that the player asks for are
 // recorded in `buttons`.
 
 /// `buttons` is nullptr for a picture, which has no buttons.
 void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons);
-void drawTransport(CommandButtons& buttons, RunControl const& run, AskedTwice const& allBack);
+void drawTransport(CommandButtons& buttons, RunControl const& run);
 /// `mods`: the level has mods, and a button for them.
 void drawTools(CommandButtons& buttons, Session const& session, bool mods);
 void drawCorner(CommandButtons& buttons);
 /// Draws nothing while there is nothing to celebrate.
-void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration);
+void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration,
+                 SuccessLook const& look);
 /// Returns the part on whose tile the mouse button was pressed. `hint` is the text below the tiles while no
-/// part is carried.
-std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartCatalog& catalog,
-                                       PlacingTool const& placing, std::string const& hint);
+/// part is carried. `allBack`: whether all parts are to be put back;
+/// `laying`: wires are being laid.
+std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
+                                       PlacingTool const& placing, std::string const& hint,
+                                       AskedTwice const& allBack, bool laying);
 
 } // namespace trembler::ui

@@ -22,9 +22,9 @@ float scatter(int index, int which) {
     return static_cast<float>(mixed & 0xffffU) / 65535.F;
 }
 
-/// Snippets of coloured paper that fall behind the card for a few seconds.
-void drawConfetti(double age) {
-    constexpr int pieces = 90;
+/// Snippets of coloured paper that fall behind the card, right of `left`, for a few seconds.
+void drawConfetti(double age, float left) {
+    constexpr int pieces = 48;
     constexpr double life = 4.5;
     if (age > life) {
         return;
@@ -42,7 +42,7 @@ void drawConfetti(double age) {
         }
         float const drift =
             scaled(60) * (scatter(i, 1) - 0.5F) + scaled(16) * std::sin(3 * own + 6 * scatter(i, 2));
-        ImVec2 const at{screen.x * scatter(i, 3) + drift,
+        ImVec2 const at{left + (screen.x - left) * scatter(i, 3) + drift,
                         -scaled(20) + own * scaled(150 + 160 * scatter(i, 4)) + own * own * scaled(22)};
         float const turn = 5 * own * (scatter(i, 5) - 0.5F) + 6.28F * scatter(i, 6);
         float const flat = std::abs(std::cos(4 * own + 6 * scatter(i, 7)));
@@ -71,13 +71,20 @@ void drawSeal(ImVec2 centre, float radius, double age) {
 
 } // namespace
 
-void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration) {
+void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration,
+                 SuccessLook const& look) {
     if (!celebration.showing()) {
         return;
     }
     Layout& layout = buttons.layout();
-    drawConfetti(celebration.age());
-    layout.beginCard("success", "", {.anchor = Anchor::Top, .width = 404});
+    if (look.confetti) {
+        drawConfetti(celebration.age(), ImGui::GetIO().DisplaySize.x - scaled(toolboxWidth + 2 * cardGap));
+    }
+    // In a run the toolbox leaves its place, where nothing of the machine lies.
+    CardOptions const beside{
+        .anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = toolboxWidth};
+    CardOptions const above{.anchor = Anchor::Top, .width = 404};
+    layout.beginCard("success", "", look.narrow ? beside : above);
     float const seal = scaled(30);
     ImVec2 const at = ImGui::GetCursorScreenPos();
     drawSeal({at.x + seal, at.y + seal}, seal, celebration.age());
@@ -88,20 +95,30 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
     ImGui::PopFont();
     std::string const line =
         words::solvedWith(celebration.solvedAt().value_or(0), static_cast<int>(session.placed().size()));
-    caption(line.c_str());
+    if (!look.narrow) {
+        caption(line.c_str());
+    }
     bool const another = buttons.available("next-level");
     if (!another) {
         caption(words::lastLevel);
     }
     ImGui::EndGroup();
     ImGui::SetCursorScreenPos({at.x, std::max(ImGui::GetItemRectMax().y, at.y + 2 * seal) + scaled(12)});
+    if (look.narrow) {
+        caption(line.c_str());
+    }
     if (another) {
         buttons.big("next-level", {.look = ButtonLook::Primary, .width = -1, .withTip = false});
     }
-    float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
-    buttons.big("watch-again", {.width = half, .withTip = false});
-    ImGui::SameLine(0, scaled(8));
-    buttons.big("keep-playing", {.width = half, .withTip = false});
+    if (look.narrow) {
+        buttons.big("watch-again", {.width = -1, .withTip = false});
+        buttons.big("keep-playing", {.width = -1, .withTip = false});
+    } else {
+        float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
+        buttons.big("watch-again", {.width = half, .withTip = false});
+        ImGui::SameLine(0, scaled(8));
+        buttons.big("keep-playing", {.width = half, .withTip = false});
+    }
     layout.endCard();
 }
 

@@ -1,5 +1,4 @@
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/commands/asked_twice.hpp"
 #include "game/ui/play/run/run_control.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/theme.hpp"
@@ -12,6 +11,7 @@ namespace {
 using namespace render;
 
 constexpr float runWidth = 168;
+constexpr float speedWidth = 60;
 
 void next() {
     ImGui::SameLine(0, scaled(7));
@@ -31,27 +31,26 @@ void row(CommandButtons& buttons, std::initializer_list<char const*> ids) {
 
 } // namespace
 
-void drawTransport(CommandButtons& buttons, RunControl const& run, AskedTwice const& allBack) {
+void drawTransport(CommandButtons& buttons, RunControl const& run) {
     Layout& layout = buttons.layout();
     layout.beginCard("transport", "", {.anchor = Anchor::Bottom, .bare = true});
-    if (run.building()) {
-        row(buttons, {"undo", "redo"});
-        next();
-        buttons.big("run", {.look = ButtonLook::Primary, .width = runWidth});
-        next();
-        if (allBack.waiting()) {
-            buttons.big("all-back",
-                        {.label = words::allBackAsk, .look = ButtonLook::Danger, .withIcon = false});
-        } else {
-            row(buttons, {"all-back", "step"});
-        }
-    } else {
-        row(buttons, {"pause", "step"});
-        next();
-        buttons.big("run", {.item = "stop", .look = ButtonLook::Primary, .width = runWidth});
-        next();
-        row(buttons, {"fast", "record"});
-    }
+    // Every button keeps its place, so that none comes to lie under a mouse that clicks another one twice.
+    row(buttons, {"undo", "redo", "step"});
+    next();
+    buttons.big("run",
+                {.item = run.building() ? "run" : "stop", .look = ButtonLook::Primary, .width = runWidth});
+    next();
+    row(buttons, {"pause", "slower"});
+    next();
+    Speed const& speed = run.speed();
+    std::string const label = words::timesReal(speed.now());
+    bool const late = speed.onlyReached().has_value();
+    buttons.big("normal-speed", {.label = label.c_str(),
+                                 .look = late ? ButtonLook::Danger : ButtonLook::Quiet,
+                                 .width = speedWidth,
+                                 .withIcon = false});
+    next();
+    row(buttons, {"faster"});
     layout.endCard();
 }
 
@@ -63,7 +62,7 @@ void drawTools(CommandButtons& buttons, Session const& session, bool mods) {
         next();
         buttons.icon("mods");
     }
-    if (session.mode() != SessionMode::building) {
+    if (session.mode() != SessionMode::building || session.level().wires > 0) {
         next();
         buttons.icon("cut");
     }
@@ -73,7 +72,7 @@ void drawTools(CommandButtons& buttons, Session const& session, bool mods) {
 void drawCorner(CommandButtons& buttons) {
     Layout& layout = buttons.layout();
     layout.beginCard("corner", "", {.anchor = Anchor::TopRight, .bare = true});
-    row(buttons, {"fit", "save", "picture", "help", "levels", "menu"});
+    row(buttons, {"fit", "save", "picture", "record", "help", "levels", "menu"});
     layout.endCard();
 }
 

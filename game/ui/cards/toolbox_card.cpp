@@ -1,4 +1,5 @@
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/commands/asked_twice.hpp"
 #include "game/ui/shared/words.hpp"
 #include "game/ui/tools/placing_tool.hpp"
 #include "render/draw/palette.hpp"
@@ -34,15 +35,27 @@ void drawWhereToDrop() {
     list.AddRect(low, high, imColour(palette::accent), scaled(12), 0, scaled(3));
 }
 
+/// The button that puts all parts back; pressed once, it asks.
+void drawAllBack(CommandButtons& buttons, AskedTwice const& allBack) {
+    bool const asks = allBack.waiting();
+    buttons.big("all-back", {.label = asks ? words::allBackAsk : nullptr,
+                             .look = asks ? ButtonLook::Danger : ButtonLook::Quiet,
+                             .width = -1,
+                             .withIcon = !asks});
+}
+
 } // namespace
 
-std::optional<std::string> drawToolbox(Layout& layout, Session const& session, PartCatalog& catalog,
-                                       PlacingTool const& placing, std::string const& hint) {
+std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
+                                       PlacingTool const& placing, std::string const& hint,
+                                       AskedTwice const& allBack, bool laying) {
+    Layout& layout = buttons.layout();
     auto const& carried = placing.carried();
     bool const carrying = carried && !carried->turning;
     std::optional<std::string> taken;
     auto const slots = session.toolbox();
-    if (slots.empty()) {
+    int const wires = session.level().wires;
+    if (slots.empty() && wires == 0) {
         return taken;
     }
     layout.beginCard("toolbox", words::toolbox,
@@ -52,7 +65,7 @@ std::optional<std::string> drawToolbox(Layout& layout, Session const& session, P
     float const tile = scaled(tileSide + 24);
     auto const rows = static_cast<float>((slots.size() + 1) / 2);
     float const wanted = rows * (tile + gap);
-    float const room = screen - scaled(cornerRow + bottomRow + 150);
+    float const room = screen - scaled(cornerRow + bottomRow + 200 + (wires > 0 ? 56 : 0));
     bool const scrolls = wanted > room;
     if (scrolls) {
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
@@ -91,9 +104,16 @@ std::optional<std::string> drawToolbox(Layout& layout, Session const& session, P
         ImGui::EndChild();
         ImGui::PopStyleColor();
     }
+    if (wires > 0) {
+        std::string const label = words::wiresLeft(session.wiresLeft());
+        buttons.big(
+            "wire",
+            {.label = label.c_str(), .look = laying ? ButtonLook::Primary : ButtonLook::Quiet, .width = -1});
+    }
     ImGui::PushFont(theme().fonts.small);
     caption(carrying ? words::dropHere : hint.c_str());
     ImGui::PopFont();
+    drawAllBack(buttons, allBack);
     if (carrying) {
         drawWhereToDrop();
     }

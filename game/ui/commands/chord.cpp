@@ -1,5 +1,7 @@
 #include "game/ui/commands/chord.hpp"
 
+#include "render/window/gamepad.hpp"
+
 #include <array>
 #include <cctype>
 #include <utility>
@@ -31,6 +33,9 @@ bool takePrefix(std::string_view& text, std::string_view prefix) {
 
 Chord chordOf(SDL_Keysym const& keysym) {
     auto const held = [&](int modifier) { return (keysym.mod & modifier) != 0; };
+    if (render::isPadKey(keysym.sym)) {
+        return {.key = keysym.sym}; // a gamepad has no modifiers
+    }
     return {.key = keysym.sym, .ctrl = held(KMOD_CTRL), .shift = held(KMOD_SHIFT), .alt = held(KMOD_ALT)};
 }
 
@@ -55,10 +60,16 @@ bool isModifier(SDL_Keycode key) {
 }
 
 std::string nameOf(Chord const& chord) {
+    if (render::isPadKey(chord.key)) {
+        return std::string(render::nameOfPadKey(chord.key));
+    }
     return chord.any() ? modifiersOf(chord) + SDL_GetKeyName(chord.key) : std::string();
 }
 
 std::optional<Chord> chordFrom(std::string_view name) {
+    if (auto const button = render::padKeyFrom(name)) {
+        return Chord{.key = *button};
+    }
     Chord chord;
     for (bool taken = true; taken;) {
         bool const ctrl = takePrefix(name, "Ctrl+");

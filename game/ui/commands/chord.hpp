@@ -1,4 +1,5 @@
-// A key with the modifiers that are held with it, and its names in files and on the screen.
+// A key with the modifiers that are held with it, or a button of a gamepad, and its names in files and on the
+// screen.
 #pragma once
 
 #include <SDL_keyboard.h>
@@ -12,7 +13,7 @@ namespace trembler::ui {
 
 /// A key and its modifiers. Plain data; any thread.
 struct Chord {
-    SDL_Keycode key = SDLK_UNKNOWN; ///< SDLK_UNKNOWN: no key
+    SDL_Keycode key = SDLK_UNKNOWN; ///< SDLK_UNKNOWN: no key; for buttons of gamepads see gamepad.hpp
     bool ctrl = false;
     bool shift = false;
     bool alt = false;

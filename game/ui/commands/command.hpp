@@ -18,7 +18,7 @@ enum class KeyUse : std::uint8_t {
 };
 
 /// The section of the page of keys in which a command is listed.
-enum class CommandGroup : std::uint8_t { building, running, looking, program };
+enum class CommandGroup : std::uint8_t { building, running, looking, program, editing };
 
 /// Name and look of a switch while it is on; nullptr or None: the same as while it is off.
 struct WhenOn {
@@ -33,6 +33,7 @@ struct CommandInfo {
     /// The name in profiles; lower-case letters and hyphens. Never changes once published.
     std::string_view id;
     std::array<Chord, 2> keys{}; ///< defaults that the player may replace; tips show the first
+    Chord pad{};                 ///< the same for the button of a gamepad
     KeyUse use = KeyUse::once;
     bool fixed = false; ///< the player cannot change its keys; modifiers are ignored
     render::Icon icon = render::Icon::None;

@@ -12,4 +12,12 @@ inline constexpr CommandInfo fullscreen{.id = "fullscreen",
                                         .tip = "Switch full screen on or off",
                                         .help = "fill the whole screen"};
 
+inline constexpr CommandInfo help{.id = "help",
+                                  .keys = {{{SDLK_F1}}},
+                                  .icon = render::Icon::Why,
+                                  .group = CommandGroup::program,
+                                  .name = "Keys",
+                                  .tip = "Keys",
+                                  .help = "this page"};
+
 } // namespace trembler::ui::common

@@ -1,6 +1,7 @@
 #include "game/ui/commands/key_bindings.hpp"
 
 #include "game/ui/shared/words.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 
@@ -13,6 +14,9 @@ std::vector<Chord> defaultsOf(CommandInfo const& command) {
         if (chord.any()) {
             keys.push_back(chord);
         }
+    }
+    if (command.pad.any()) {
+        keys.push_back(command.pad);
     }
     return keys;
 }
@@ -84,7 +88,10 @@ std::optional<std::string> KeyBindings::whyNot(CommandInfo const& command, Chord
 std::optional<std::string> KeyBindings::bind(CommandInfo const& command, Chord const& chord) {
     auto why = whyNot(command, chord);
     if (!why) {
-        keys_[command.id] = {chord};
+        std::vector<Chord>& keys = keys_[command.id];
+        bool const pad = render::isPadKey(chord.key); // a gamepad's button replaces no key
+        std::erase_if(keys, [&](Chord const& old) { return render::isPadKey(old.key) == pad; });
+        keys.insert(pad ? keys.end() : keys.begin(), chord);
     }
     return why;
 }

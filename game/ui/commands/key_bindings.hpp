@@ -52,8 +52,8 @@ public:
 
     /// Why the command cannot have this chord, as a sentence for the player; nullopt if it can.
     [[nodiscard]] std::optional<std::string> whyNot(CommandInfo const& command, Chord const& chord) const;
-    /// Replaces all keys of the command by this chord; if that is not possible, changes nothing and returns
-    /// the reason.
+    /// Replaces all keys of the command by this chord, or by a gamepad's button all its buttons; if that is
+    /// not possible, changes nothing and returns the reason.
     std::optional<std::string> bind(CommandInfo const& command, Chord const& chord);
     /// Removes the command's keys; a fixed command keeps its own.
     void unbind(CommandInfo const& command);

@@ -64,6 +64,8 @@ char const* titleOf(CommandGroup group) {
         return words::groupRunning;
     case CommandGroup::looking:
         return words::groupLooking;
+    case CommandGroup::editing:
+        return words::groupEditing;
     case CommandGroup::program:
         break;
     }
@@ -115,7 +117,8 @@ std::string keysMarkdown(KeyBindings const& bindings) {
 std::string gesturesMarkdown(std::span<Gesture const> gestures) {
     std::string text;
     for (CommandGroup const group :
-         {CommandGroup::building, CommandGroup::running, CommandGroup::looking, CommandGroup::program}) {
+         {CommandGroup::building, CommandGroup::running, CommandGroup::looking, CommandGroup::program,
+          CommandGroup::editing}) {
         std::string rows;
         for (Gesture const& gesture : gestures) {
             if (gesture.group == group) {

@@ -176,7 +176,9 @@ InspectorSection situation(World const& world, ObjectId object) {
         rows.push_back({std::string(name), std::move(value), {}, std::string(meaning)});
     };
     Store const& store = world.store();
-    if (auto const* hand = world.find<Hand>(); hand != nullptr && hand->object == object) {
+    auto const* const hand = world.find<Hand>();
+    auto const* const second = world.find<SecondHand>();
+    if ((hand != nullptr && hand->object == object) || (second != nullptr && second->grip.object == object)) {
         say(words::inHand, std::string(words::yes), words::inHandMeaning);
     }
     if (auto const* velocity = world.find<Velocity>(object);

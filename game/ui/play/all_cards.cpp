@@ -68,13 +68,18 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     if (parts.run.building() && !parts.inspector.open()) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
-        if (auto const part = drawToolbox(layout, session, parts.catalog(), parts.placing, hint)) {
+        if (auto const part = drawToolbox(buttons, session, parts.catalog(), parts.placing, hint,
+                                          parts.allBack, parts.wires.laying())) {
             takeFromToolbox(parts, *part);
         }
     }
-    drawTransport(buttons, parts.run, parts.allBack);
+    drawTransport(buttons, parts.run);
     drawTools(buttons, session, parts.hasMods());
-    drawSuccess(buttons, session, parts.celebration);
+    bool const boxed = !session.level().toolbox.empty() || session.level().wires > 0;
+    bool const done = !session.placed().empty() || !session.wires().empty() || !session.inputs().empty();
+    drawSuccess(buttons, session, parts.celebration,
+                {.narrow = boxed && !parts.inspector.open(),
+                 .confetti = done && !context.profile.settings().reducedMotion});
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
     parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
     drawPanels(parts, screen);

@@ -43,10 +43,64 @@ void drawCarried(PlayParts& parts) {
              {.ghost = true, .forbidden = !carried->verdict.ok});
 }
 
+/// The parts that are dragged together, and the box in which parts are being chosen.
+void drawGroup(PlayParts& parts) {
+    Canvas& canvas = parts.context.canvas;
+    if (!parts.group.landings().empty() && !parts.pointer.overToolbox) {
+        canvas.newSheet();
+    }
+    for (PlacedPart const& part : parts.group.landings()) {
+        Prototype const* const prototype = parts.catalog().prototype(part.placement.part);
+        if (prototype != nullptr && !parts.pointer.overToolbox) {
+            drawGhost(canvas, *prototype, {toPoint(part.placement.at), part.placement.angle},
+                      parts.group.verdict().ok);
+        }
+    }
+    if (auto const box = parts.group.box()) {
+        Point const a = toPoint(box->first);
+        Point const b = toPoint(box->second);
+        Point const corners[] = {a, {b.x, a.y}, b, {a.x, b.y}, a};
+        canvas.polyline(corners, {.colour = palette::accent, .pixels = 2, .alpha = 0.8F});
+    }
+}
+
+/// The pointer that keys move.
+void drawKeyPointer(PlayParts const& parts) {
+    if (!parts.keyPointer.active()) {
+        return;
+    }
+    Canvas& canvas = parts.context.canvas;
+    Point const at = toPoint(parts.keyPointer.at());
+    double const arm = canvas.metres(15);
+    double const gap = canvas.metres(4);
+    for (Point const way : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}}) {
+        canvas.line(at + gap * way, at + arm * way,
+                    {.colour = palette::accent, .pixels = 3, .outline = 1, .round = true});
+    }
+}
+
+/// The wire that is being laid.
+void drawNewWire(PlayParts const& parts) {
+    ObjectId const from = parts.wires.from();
+    if (!from.valid()) {
+        return;
+    }
+    World const& world = parts.session.world();
+    FactsReader const reader(world);
+    ObjectId const to = parts.wires.to();
+    Facts const end = to.valid() ? reader.of(to) : Facts{};
+    Pose const there = to.valid() ? parts.scene.poseOf(world, to) : Pose{toPoint(parts.pointer.world), 0};
+    auto const path = cablePath(reader.of(from), parts.scene.poseOf(world, from), end, there);
+    parts.context.canvas.polyline(path,
+                                  {.colour = parts.wires.why().empty() ? palette::accent : palette::warning,
+                                   .pixels = 4,
+                                   .alpha = 0.8F});
+}
+
 /// Marks the wire that a click of the scissors would cut.
 void drawBlades(PlayParts const& parts) {
-    auto const& wire = parts.hand.wireUnderBlades();
-    if (!parts.hand.cutting() || !wire.a.valid()) {
+    auto const& wire = parts.run.building() ? parts.wires.wireUnderBlades() : parts.hand.wireUnderBlades();
+    if (!(parts.hand.cutting() || parts.wires.cutting()) || !wire.a.valid()) {
         return;
     }
     World const& world = parts.session.world();
@@ -70,9 +124,24 @@ void drawWords(PlayParts const& parts) {
     if (carried && !carried->verdict.ok && !parts.pointer.overCard) {
         chip(carried->landing.at, carried->verdict.why, palette::warning, 40);
     }
+    if (parts.group.dragging() && !parts.group.verdict().ok && !parts.pointer.overCard) {
+        chip(parts.pointer.world, parts.group.verdict().why, palette::warning, 40);
+    }
     if (carried && carried->turning) {
         auto const degrees = static_cast<int>(std::lround(carried->landing.angle * 180 / pi));
         chip(carried->landing.at, std::to_string(degrees) + "°", palette::accent, 40);
+    }
+    if (parts.wires.laying() && !parts.pointer.overCard) {
+        if (!parts.wires.why().empty()) {
+            chip(parts.pointer.world, parts.wires.why(), palette::warning, 28);
+        } else if (parts.wires.from().valid() && !parts.wires.to().valid()) {
+            chip(parts.pointer.world, words::wireFromHere, palette::accent, 28);
+        }
+    }
+    if (auto const& wire = parts.wires.wireUnderBlades(); parts.wires.cutting() && wire.a.valid()) {
+        chip(parts.pointer.world,
+             words::putThisBack(world.store().nameOf(wire.a), world.store().nameOf(wire.b)), palette::warning,
+             28);
     }
     if (auto const& wire = parts.hand.wireUnderBlades(); parts.hand.cutting() && wire.a.valid()) {
         chip(parts.pointer.world, words::cutThis(world.store().nameOf(wire.a), world.store().nameOf(wire.b)),
@@ -100,6 +169,14 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
     return options;
 }
 
+std::vector<ObjectId> chosenObjects(PlayParts const& parts) {
+    std::vector<ObjectId> objects;
+    for (int const number : parts.group.chosen()) {
+        objects.push_back(parts.session.objectOf(number));
+    }
+    return objects;
+}
+
 } // namespace
 
 void drawField(PlayParts& parts) {
@@ -113,11 +190,17 @@ void drawField(PlayParts& parts) {
     std::vector<render::Ripple> const ripples = parts.sounds.ripples();
     render::SceneOptions options = sceneOptions(parts, time);
     options.ripples = ripples;
+    std::vector<ObjectId> const chosen = chosenObjects(parts);
+    (parts.group.dragging() ? options.alsoHidden : options.alsoSelected) = chosen;
     parts.scene.draw(canvas, world, options);
     canvas.newSheet();
+    drawSparks(canvas, parts.sparks.sparks());
+    drawNewWire(parts);
     drawBlades(parts);
     drawHandle(parts);
     drawCarried(parts);
+    drawGroup(parts);
+    drawKeyPointer(parts);
     canvas.end();
     drawWords(parts);
 }

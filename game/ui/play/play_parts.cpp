@@ -1,44 +1,80 @@
 #include "game/ui/play/play_parts.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
+#include "puzzle/campaign/as_played.hpp"
 #include "render/scene/areas.hpp"
 #include "runtime/level/read/read_level.hpp"
 
+#include <system_error>
 #include <utility>
 
 namespace trembler::ui {
 
+namespace {
+
+/// By which the builds of a level are kept: that of the catalog, or the path of a level beyond it.
+std::string buildId(LevelCatalog const& levels, std::filesystem::path const& file) {
+    CatalogEntry const* const entry = levels.find(file);
+    std::error_code ignored;
+    return entry != nullptr ? entry->id : std::filesystem::weakly_canonical(file, ignored).generic_string();
+}
+
+} // namespace
+
 PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
-                     std::shared_ptr<GameData const> levelData, WorldOptions const& options)
+                     std::shared_ptr<GameData const> levelData, WorldOptions const& options,
+                     LevelFile const* stated)
     : context(uiContext), file(std::move(levelFile)), data(std::move(levelData)),
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
       session(data ? data->registry : context.registry, data ? data->parts : context.parts,
-              loadLevel(data ? data->registry : context.registry, file), options),
-      placing(session, context.toasts), hand(session), budget(data ? data->registry : context.registry),
-      goals(session.level()), audio(context.loudspeaker),
-      run(session, placing, hand, budget, audio, view, runEvents()), film(context.recorder, context.toasts),
-      picking(session, inspector), mouse(session, placing, hand, view, picking),
+              stated != nullptr ? *stated
+                                : asPlayed(loadLevel(data ? data->registry : context.registry, file),
+                                           std::string(languageInUse())),
+              options),
+      placing(session, context.toasts), group(session, placing, context.toasts),
+      wires(session, context.toasts), hand(session), secondHand(session, 1),
+      budget(data ? data->registry : context.registry), goals(session.level()), audio(context.loudspeaker),
+      run(session, placing, hand, budget, audio, view, runEvents()),
+      keeper(context.builds, buildId(context.levels, file)), film(context.recorder, context.toasts),
+      picking(session, inspector), mouse(session, placing, group, wires, hand, secondHand, view, picking),
       workshop(data ? std::make_unique<Workshop>(*data, session) : nullptr) {
     inspector.setScripts(data ? data->scripts.get() : nullptr);
     shown.names = context.profile.settings().names;
+    if (int const leftOut = keeper.restore(session); leftOut > 0) {
+        context.toasts.add(textWith("builds.changed", leftOut), render::ToastKind::News, 8);
+    }
     newWorld();
     view.setSubject(subject());
 }
 
 RunEvents PlayParts::runEvents() {
-    return {.newWorld = [this] { newWorld(); },
+    return {.newWorld =
+                [this] {
+                    if (!run.building()) {
+                        group.reset();
+                        wires.reset();
+                    }
+                    newWorld();
+                },
             .beforeStep =
                 [this] {
+                    secondHand.beforeStep();
                     scene.remember(session.world());
                     sounds.beforeStep(session.world());
                 },
             .afterStep =
                 [this] {
                     sounds.afterStep(session.world());
+                    if (!context.profile.settings().reducedMotion) {
+                        sparks.afterStep(session.world());
+                    }
                     stepped();
                 },
             .stopped =
                 [this] {
+                    secondHand.reset();
+                    sparks.reset();
                     celebration.reset();
                     reportedAltered_ = false;
                     film.end();
@@ -56,7 +92,22 @@ void PlayParts::stepped() {
         return;
     }
     if (CatalogEntry const* const entry = context.levels.find(file)) {
-        context.profile.markSolved(entry->id);
+        solvedLevel(entry->id);
+    }
+}
+
+void PlayParts::solvedLevel(std::string const& id) {
+    context.profile.markSolved(id);
+    if (session.whyNotRecorded() || session.level().demonstration) {
+        return; // only solutions of puzzles have kinds
+    }
+    context.kinds.look(id, data, data ? data->registry : context.registry, data ? data->parts : context.parts,
+                       session.level(), session.record(id), session.world().frame());
+}
+
+void PlayParts::keepBuild(double seconds) {
+    if (!keeper.pass(session, seconds)) {
+        context.toasts.add(textWith("builds.not_kept", keeper.why()), render::ToastKind::Trouble, 8);
     }
 }
 
@@ -83,6 +134,8 @@ void PlayParts::newWorld() {
 void PlayParts::restart() {
     run.stop();
     placing.reset();
+    group.reset();
+    wires.reset();
     inspector.close();
     session.putAllBack();
     hintsShown = 0;

@@ -8,6 +8,7 @@
 #include "game/ui/panels/mods_panel.hpp"
 #include "game/ui/play/keeping/film.hpp"
 #include "game/ui/play/mouse/field_mouse.hpp"
+#include "game/ui/play/mouse/key_pointer.hpp"
 #include "game/ui/play/mouse/turn_handle.hpp"
 #include "game/ui/play/run/celebration.hpp"
 #include "game/ui/play/run/level_audio.hpp"
@@ -15,8 +16,12 @@
 #include "game/ui/play/view/goal_areas.hpp"
 #include "game/ui/play/view/shown.hpp"
 #include "game/ui/play/view/sound_view.hpp"
+#include "game/ui/play/view/spark_view.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
+#include "game/ui/tools/group_tool.hpp"
+#include "game/ui/tools/wire_tool.hpp"
+#include "puzzle/campaign/kept_builds.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -29,8 +34,10 @@ namespace trembler::ui {
 struct PlayParts {
     /// `levelData` is what the level is played with if it names mods, else nullptr: then that of the context.
     /// Throws InputError if the level cannot be read or built.
+    /// `stated` is the level if it was not read from the file; nullptr: it is read.
     PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
-              std::shared_ptr<GameData const> levelData, WorldOptions const& options);
+              std::shared_ptr<GameData const> levelData, WorldOptions const& options,
+              LevelFile const* stated = nullptr);
     PlayParts(PlayParts const&) = delete;
     PlayParts& operator=(PlayParts const&) = delete;
 
@@ -40,18 +47,24 @@ struct PlayParts {
     std::optional<PartCatalog> modParts;        ///< the parts of `data`
     Session session;
     PlacingTool placing;
+    GroupTool group;
+    WireTool wires;
     HandTool hand;
+    HandTool secondHand;
     budget::BudgetMode budget;
     Inspector inspector;
     ComponentsPanel components;
     CameraControl view;
     render::SceneView scene;
     SoundView sounds;
+    SparkView sparks;
     GoalAreas goals;
     LevelAudio audio;
     RunControl run;
     Celebration celebration;
+    BuildKeeper keeper; ///< what the player has placed, for the next time
     Film film;
+    KeyPointer keyPointer;
     Picking picking;
     FieldMouse mouse;
     std::unique_ptr<Workshop> workshop; ///< nullptr: the level names no mods
@@ -64,6 +77,8 @@ struct PlayParts {
 
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
     [[nodiscard]] bool hasMods() const { return workshop != nullptr; }
+    /// Writes what was placed, if it is due; tells the player if it cannot be written.
+    void keepBuild(double seconds);
     [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }
     /// Looks at what scripts say and whether their files were saved, and tells the player; `seconds` have
     /// passed. Between frames.
@@ -78,6 +93,7 @@ struct PlayParts {
 private:
     [[nodiscard]] RunEvents runEvents();
     void stepped();
+    void solvedLevel(std::string const& id);
     bool reportedAltered_ = false; // whether the player knows that the reached goals of this run do not count
     [[nodiscard]] render::Extent subject() const;
 };

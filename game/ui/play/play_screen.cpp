@@ -5,12 +5,26 @@
 #include "game/ui/play/all_cards.hpp"
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/field_drawing.hpp"
+#include "game/ui/shared/words.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
+namespace {
+
+/// The direction that is held on a gamepad, in steps.
+Vec2 padDirection(render::InputEvents const& input) {
+    auto const held = [&](SDL_GameControllerButton button) {
+        return input.keyHeld(render::padKey(button)) ? 1.0 : 0.0;
+    };
+    return {held(SDL_CONTROLLER_BUTTON_DPAD_RIGHT) - held(SDL_CONTROLLER_BUTTON_DPAD_LEFT),
+            held(SDL_CONTROLLER_BUTTON_DPAD_UP) - held(SDL_CONTROLLER_BUTTON_DPAD_DOWN)};
+}
+
+} // namespace
 
 PlayScreen::PlayScreen(UiContext& context, std::filesystem::path file, std::shared_ptr<GameData const> data,
-                       WorldOptions const& options)
-    : parts_(context, std::move(file), std::move(data), options), commands_(playCommands(), parts_) {}
+                       WorldOptions const& options, LevelFile const* stated)
+    : parts_(context, std::move(file), std::move(data), options, stated), commands_(playCommands(), parts_) {}
 
 std::span<Gesture const> PlayScreen::gestures() const {
     return playGestures();
@@ -18,7 +32,8 @@ std::span<Gesture const> PlayScreen::gestures() const {
 
 void PlayScreen::setView() {
     auto const scale = static_cast<double>(parts_.context.window.uiScale());
-    bool const boxed = !parts_.session.level().toolbox.empty();
+    LevelFile const& level = parts_.session.level();
+    bool const boxed = !level.toolbox.empty() || level.wires > 0;
     Margins const margins{scale * (goalCardWidth + 2 * cardGap), scale * cardGap,
                           scale * (boxed ? toolboxWidth + 2 * cardGap : cardGap), scale * (bottomRow + 6)};
     parts_.view.setView(parts_.context.window.size(), margins);
@@ -30,8 +45,13 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     parts_.passMods(seconds);
     parts_.run.beginPicture(isHeld(context.input, context.keys, "fast"));
     setView();
+    Pointer const mouse = reader_.read(context, parts_.camera(),
+                                       parts_.placing.carried().has_value() || parts_.group.dragging() ||
+                                           parts_.hand.busy() || parts_.secondHand.busy());
+    parts_.keyPointer.holdDirection(padDirection(context.input), seconds, context.shiftHeld(), mouse,
+                                    parts_.camera());
     parts_.pointer =
-        reader_.read(context, parts_.camera(), parts_.placing.carried().has_value() || parts_.hand.busy());
+        parts_.keyPointer.instead(mouse, parts_.camera(), isHeld(context.input, context.keys, "act"));
     parts_.allBack.pass(seconds);
     if (!parts_.run.building()) {
         parts_.allBack.forget();
@@ -44,19 +64,42 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     }
     auto const handle = parts_.handle();
     FieldMouse::Surroundings const around{handle ? std::optional(handle->at) : std::nullopt,
-                                          parts_.run.watching()};
+                                          parts_.run.watching(),
+                                          isHeld(context.input, context.keys, "second-hand")};
     if (parts_.mouse.update(parts_.pointer, around, seconds)) {
         parts_.newWorld();
     }
     parts_.run.advance(seconds, parts_.film.recording());
+    tellOfSlowness();
     parts_.celebration.pass(seconds);
+    parts_.sparks.pass(seconds);
+    sinceStep_ = parts_.run.running() || parts_.run.stepped() ? 0 : sinceStep_ + seconds;
+    parts_.keepBuild(seconds);
     return parts_.request;
 }
 
-void PlayScreen::updateBehindMenu(double) {
+void PlayScreen::tellOfSlowness() {
+    Speed const& speed = parts_.run.speed();
+    auto const reached = parts_.run.running() ? speed.onlyReached() : std::nullopt;
+    if (reached && toldOfSlownessAt_ != speed.now()) {
+        toldOfSlownessAt_ = speed.now();
+        parts_.context.toasts.add(words::tooSlow(speed.now(), *reached), render::ToastKind::News, 5);
+    }
+}
+
+void PlayScreen::updateBehindMenu(double seconds) {
+    parts_.keepBuild(seconds);
     setView();
     parts_.run.beginPicture(false);
     parts_.placing.cancel();
+}
+
+bool PlayScreen::still() const {
+    constexpr double ringsOut = 3; // s, in which the last sounds die away
+    bool const celebrates = parts_.celebration.showing() && parts_.celebration.age() < 5;
+    bool const moves = lengthSquared(padDirection(parts_.context.input)) > 0;
+    return sinceStep_ > ringsOut && !celebrates && !moves && parts_.sparks.sparks().empty() &&
+           !parts_.allBack.waiting() && !parts_.hasMods() && !parts_.budget.budget();
 }
 
 bool PlayScreen::keepsPicture() const {
@@ -72,6 +115,7 @@ void PlayScreen::pictureComplete() {
 }
 
 void PlayScreen::leave() {
+    parts_.keepBuild(BuildKeeper::delay);
     parts_.audio.leave();
     parts_.film.end();
 }

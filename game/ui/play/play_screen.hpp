@@ -16,11 +16,12 @@ class PlayScreen final : public Screen {
 public:
     /// See PlayParts.
     PlayScreen(UiContext& context, std::filesystem::path file, std::shared_ptr<GameData const> data,
-               WorldOptions const& options);
+               WorldOptions const& options, LevelFile const* stated = nullptr);
 
     std::optional<ScreenRequest> update(double seconds) override;
     /// The world stands still.
     void updateBehindMenu(double seconds) override;
+    [[nodiscard]] bool still() const override;
     [[nodiscard]] bool keepsPicture() const override;
     void draw() override;
     /// Adds the picture to the film, or keeps it by itself, if the player has asked for that.
@@ -32,11 +33,18 @@ public:
 
     [[nodiscard]] Session const& session() const { return parts_.session; }
     [[nodiscard]] Session& session() { return parts_.session; }
+    /// To be called after somebody else has given the session another world.
+    void worldChanged() { parts_.newWorld(); }
     [[nodiscard]] std::filesystem::path const& file() const { return parts_.file; }
     [[nodiscard]] Shown const& shown() const { return parts_.shown; }
     [[nodiscard]] std::size_t hintsShown() const { return parts_.hintsShown; }
     [[nodiscard]] PlacingTool const& placing() const { return parts_.placing; }
+    [[nodiscard]] WireTool const& wires() const { return parts_.wires; }
+    [[nodiscard]] GroupTool const& group() const { return parts_.group; }
+    [[nodiscard]] Speed const& speed() const { return parts_.run.speed(); }
     [[nodiscard]] HandTool const& hand() const { return parts_.hand; }
+    [[nodiscard]] KeyPointer const& keyPointer() const { return parts_.keyPointer; }
+    [[nodiscard]] HandTool const& secondHand() const { return parts_.secondHand; }
     [[nodiscard]] Inspector const& inspector() const { return parts_.inspector; }
     [[nodiscard]] ComponentsPanel const& components() const { return parts_.components; }
     [[nodiscard]] ModsPanel const& mods() const { return parts_.modsPanel; }
@@ -49,10 +57,14 @@ public:
 
 private:
     void setView();
+    /// Once for each speed that the computer cannot keep.
+    void tellOfSlowness();
 
     PlayParts parts_;
     CommandsOf<PlayParts> commands_;
     PointerReader reader_;
+    double sinceStep_ = 0;        // s, of the world
+    double toldOfSlownessAt_ = 0; // the last such speed
 };
 
 } // namespace trembler::ui

@@ -2,10 +2,15 @@
 
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace trembler::ui {
+
+using render::padKey;
 
 void Focus::beginFrame() {
     if (!shown_) {
@@ -16,7 +21,7 @@ void Focus::beginFrame() {
 
 void Focus::begin(std::string_view page, std::span<SDL_Event const> events, bool mouseMoved) {
     shown_ = true;
-    lastCount_ = count_;
+    lastAreas_ = std::exchange(areas_, {});
     count_ = 0;
     adjust_ = 0;
     press_ = moved_ = false;
@@ -35,26 +40,32 @@ void Focus::begin(std::string_view page, std::span<SDL_Event const> events, bool
 }
 
 void Focus::take(SDL_KeyboardEvent const& event) {
-    switch (event.keysym.sym) {
+    SDL_Keycode const key = event.keysym.sym;
+    switch (key) {
     case SDLK_DOWN:
-        return move(1);
+    case padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN):
+        return moveTowards(0, 1);
     case SDLK_UP:
-        return move(-1);
+    case padKey(SDL_CONTROLLER_BUTTON_DPAD_UP):
+        return moveTowards(0, -1);
     case SDLK_TAB:
         return move((event.keysym.mod & KMOD_SHIFT) != 0 ? -1 : 1);
     case SDLK_LEFT:
-    case SDLK_RIGHT: {
-        int const by = event.keysym.sym == SDLK_LEFT ? -1 : 1;
+    case SDLK_RIGHT:
+    case padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT):
+    case padKey(SDL_CONTROLLER_BUTTON_DPAD_RIGHT): {
+        bool const left = key == SDLK_LEFT || key == padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT);
         if (visible_ && adjusts_) {
-            adjust_ = by;
+            adjust_ = left ? -1 : 1;
         } else {
-            move(by);
+            moveTowards(left ? -1 : 1, 0);
         }
         return;
     }
     case SDLK_RETURN:
     case SDLK_KP_ENTER:
     case SDLK_SPACE:
+    case padKey(SDL_CONTROLLER_BUTTON_A):
         press_ = press_ || (visible_ && event.repeat == 0);
         return;
     default:
@@ -63,14 +74,53 @@ void Focus::take(SDL_KeyboardEvent const& event) {
 }
 
 void Focus::move(int by) {
-    if (visible_ && lastCount_ > 0) {
-        index_ = (index_ + by + lastCount_) % lastCount_;
+    if (auto const count = static_cast<int>(lastAreas_.size()); visible_ && count > 0) {
+        index_ = (index_ + by + count) % count;
     }
     visible_ = moved_ = true;
 }
 
+void Focus::moveTowards(int x, int y) {
+    auto const count = static_cast<int>(lastAreas_.size());
+    if (!visible_ || index_ >= count) {
+        return move(0);
+    }
+    Area const& here = lastAreas_[static_cast<std::size_t>(index_)];
+    auto const dx = static_cast<float>(x);
+    auto const dy = static_cast<float>(y);
+    // How far an interval lies from another one; 0 if they overlap.
+    auto const gap = [](float low, float high, float otherLow, float otherHigh) {
+        return std::max({otherLow - high, low - otherHigh, 0.F});
+    };
+    int best = -1;
+    float least = 0;
+    for (int i = 0; i < count; ++i) {
+        Area const& there = lastAreas_[static_cast<std::size_t>(i)];
+        float const ahead = dx * (there.low.x + there.high.x - here.low.x - here.high.x) / 2 +
+                            dy * (there.low.y + there.high.y - here.low.y - here.high.y) / 2;
+        float const across = x != 0 ? gap(here.low.y, here.high.y, there.low.y, there.high.y)
+                                    : gap(here.low.x, here.high.x, there.low.x, there.high.x);
+        // Sideways only within the same row; up and down also to what lies beside.
+        if (i == index_ || ahead <= 1 || (x != 0 && across > 0)) {
+            continue;
+        }
+        float const centre = x != 0 ? 0 : std::abs(there.low.x - here.low.x);
+        float const cost = ahead + 3 * across + 0.01F * centre;
+        if (best < 0 || cost < least) {
+            best = i;
+            least = cost;
+        }
+    }
+    if (best < 0) {
+        return move(x + y);
+    }
+    index_ = best;
+    moved_ = true;
+}
+
 bool Focus::item(bool adjusts) {
     ++count_;
+    areas_.push_back({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
     if (!here()) {
         return false;
     }

@@ -1,16 +1,20 @@
-// Keyboard navigation on a page of buttons: arrow keys move a ring from item to item, Enter presses.
+// Navigation on a page of buttons without a mouse: arrow keys or the directional pad of a gamepad move a ring
+// from item to item, Enter or its lower button presses.
 #pragma once
 
 #include <SDL_events.h>
+#include <imgui.h>
 
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace trembler::ui {
 
 /// For pages that cover the screen, where keys have no other meaning. The ring is shown from the first arrow
-/// key until the mouse moves. Window thread only.
+/// key until the mouse moves. Arrows go to the nearest item in their direction, at the end of a column or row
+/// on to the next, and Tab goes through all items in order. Window thread only.
 class Focus {
 public:
     /// Call once per picture, whatever is shown: a page that was not drawn in the last picture starts again
@@ -28,13 +32,21 @@ public:
     [[nodiscard]] int adjusted() const { return here() ? adjust_ : 0; }
 
 private:
+    struct Area {
+        ImVec2 low;
+        ImVec2 high;
+    };
+    /// To the next or the previous item in their order.
     void move(int by);
+    /// To the nearest item in a direction (one of both is 0, y down), else as move().
+    void moveTowards(int x, int y);
     void take(SDL_KeyboardEvent const& event);
 
     std::string page_;
     int index_ = 0;
-    int count_ = 0;     // items of this picture so far
-    int lastCount_ = 0; // items of the last picture
+    int count_ = 0;               // items of this picture so far
+    std::vector<Area> areas_;     // of the items of this picture so far
+    std::vector<Area> lastAreas_; // of the last picture
     int adjust_ = 0;
     bool adjusts_ = false; // the item at the ring uses the left and right arrows
     bool press_ = false;

@@ -16,14 +16,14 @@ public:
     static constexpr int mostFrames = 8;
 
     /// Simulation frames due after `seconds` of real time (s; negative or not finite counts as 0) at `speed`
-    /// times real time (>= 1).
-    [[nodiscard]] int due(double seconds, int speed = 1) {
+    /// times real time (> 0).
+    [[nodiscard]] int due(double seconds, double speed = 1) {
         double const passed = std::isfinite(seconds) ? std::max(seconds, 0.0) : 0.0;
         waiting_ += passed * speed;
         // Tolerance: on a display of exactly 60 Hz, rounding errors in the sum must not delay a frame.
         double const whole = std::floor(waiting_ / frameDuration + 1e-6);
         waiting_ = std::max(waiting_ - whole * frameDuration, 0.0);
-        return static_cast<int>(std::min<double>(whole, mostFrames * speed));
+        return static_cast<int>(std::min(whole, mostFrames * std::max(speed, 1.0)));
     }
     /// Interpolation factor between the last two frames for display, 0 to 1.
     [[nodiscard]] double alpha() const { return std::clamp(waiting_ / frameDuration, 0.0, 1.0); }

@@ -1,6 +1,7 @@
 #include "game/ui/shared/level_catalog.hpp"
 
 #include "game/ui/shared/words.hpp"
+#include "puzzle/campaign/chapter.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -17,21 +18,6 @@ namespace fs = std::filesystem;
 
 bool isDigit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// "2-first-contact" becomes "First contact".
-std::string titleFrom(std::string name) {
-    std::size_t start = 0;
-    while (start < name.size() && (isDigit(name[start]) || name[start] == '-')) {
-        ++start;
-    }
-    name = start < name.size() ? name.substr(start) : name;
-    std::replace(name.begin(), name.end(), '-', ' ');
-    std::replace(name.begin(), name.end(), '_', ' ');
-    if (!name.empty()) {
-        name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    }
-    return name;
 }
 
 /// What levels are read with: loaded once for all in a folder that name the same mods.
@@ -57,9 +43,11 @@ private:
 };
 
 CatalogEntry entryFor(DataOfLevels& data, fs::path const& file, std::string id) {
-    CatalogEntry entry{file, std::move(id), titleFrom(file.stem().string()), {}};
+    CatalogEntry entry{file, std::move(id), titleFromName(file.stem().string()), {}};
     try {
         LevelFile const level = loadLevel(data.registryOf(file), file);
+        entry.demonstration = level.demonstration;
+        entry.texts = level.texts;
         if (!level.title.empty()) {
             entry.title = level.title;
         }
@@ -83,12 +71,32 @@ std::vector<fs::path> jsonBelow(fs::path const& folder) {
             walk.disable_recursion_pending(); // a mod beside the levels of a pack: no level itself
             continue;
         }
-        bool const schema = path.stem().extension() == ".schema" || path.stem() == "schema";
-        if (path.extension() == ".json" && !schema && walk->is_regular_file(failed)) {
+        if (path.extension() == ".json" && !isNotALevel(path) && walk->is_regular_file(failed)) {
             files.push_back(path);
         }
     }
     return files;
+}
+
+/// A folder of levels, while the catalog is made.
+struct Folder {
+    std::string name; // below the folder of all levels; "." for that one itself
+    Chapter chapter;
+    std::vector<fs::path> const* files;
+};
+
+Chapter describe(fs::path const& levels, std::string const& name) {
+    Chapter chapter;
+    try {
+        chapter = loadChapter(levels / name);
+    } catch (InputError const& error) {
+        chapter.title = titleFromName(fs::path(name).filename().string());
+        chapter.text = error.diagnostics().front().print();
+    }
+    if (name == "." && chapter.title == ".") {
+        chapter.title = words::looseLevels;
+    }
+    return chapter;
 }
 
 } // namespace
@@ -132,33 +140,28 @@ LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, Cat
     for (fs::path const& file : jsonBelow(folder)) {
         byFolder[file.parent_path().lexically_relative(folder).generic_string()].push_back(file);
     }
-    std::vector<std::string> names;
+    std::vector<Folder> folders;
     for (auto& [name, files] : byFolder) {
-        names.push_back(name);
         std::sort(files.begin(), files.end(), [](fs::path const& a, fs::path const& b) {
             return naturallyBefore(a.string(), b.string());
         });
+        folders.push_back({name, describe(folder, name), &files});
     }
-    std::stable_sort(names.begin(), names.end(), [](std::string const& a, std::string const& b) {
-        bool const firstA = a == "first";
-        bool const firstB = b == "first";
-        return firstA != firstB ? firstA : naturallyBefore(a, b);
+    std::stable_sort(folders.begin(), folders.end(), [](Folder const& a, Folder const& b) {
+        return a.chapter.order != b.chapter.order ? a.chapter.order < b.chapter.order
+                                                  : naturallyBefore(a.name, b.name);
     });
-    for (std::string const& name : names) {
-        CatalogGroup group{name == "." ? std::string(words::looseLevels)
-                                       : titleFrom(fs::path(name).filename().string()),
-                           {}};
-        if (name == "first") {
-            group.title = words::firstSteps;
-        }
-        for (fs::path const& file : byFolder[name]) {
+    for (Folder const& one : folders) {
+        CatalogGroup group{one.chapter.title, one.chapter.text, one.chapter.kind == ChapterKind::gallery, {}};
+        for (fs::path const& file : *one.files) {
             group.levels.push_back(entryFor(data, file, file.lexically_relative(folder).generic_string()));
         }
+        group.texts = one.chapter.texts;
         groups_.push_back(std::move(group));
     }
     for (fs::path const& mod : mods.mods) {
         std::string const name = mod.filename().string();
-        CatalogGroup group{words::levelsOfMod(titleFrom(name)), {}};
+        CatalogGroup group{words::levelsOfMod(titleFromName(name)), {}, false, {}};
         std::vector<fs::path> files = jsonBelow(mod / "levels");
         std::sort(files.begin(), files.end(), [](fs::path const& a, fs::path const& b) {
             return naturallyBefore(a.string(), b.string());
@@ -169,6 +172,7 @@ LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, Cat
         }
         if (!group.levels.empty()) {
             groups_.push_back(std::move(group));
+            ++ofMods_;
         }
     }
 }
@@ -193,18 +197,59 @@ CatalogEntry const* LevelCatalog::find(fs::path const& file) const {
     return nullptr;
 }
 
+CatalogGroup const* LevelCatalog::groupOf(CatalogEntry const* entry) const {
+    auto const found = std::find_if(groups_.begin(), groups_.end(), [&](CatalogGroup const& group) {
+        return std::any_of(group.levels.begin(), group.levels.end(),
+                           [&](CatalogEntry const& level) { return &level == entry; });
+    });
+    return found == groups_.end() ? nullptr : &*found;
+}
+
 CatalogEntry const* LevelCatalog::after(fs::path const& file) const {
     CatalogEntry const* const here = find(file);
+    CatalogGroup const* const home = groupOf(here);
     bool passed = false;
     for (CatalogGroup const& group : groups_) {
+        bool const related = home != nullptr && (home->gallery ? &group == home : !group.gallery);
         for (CatalogEntry const& entry : group.levels) {
-            if (passed && entry.trouble.empty()) {
+            if (passed && related && entry.trouble.empty()) {
                 return &entry;
             }
             passed = passed || &entry == here;
         }
     }
     return nullptr;
+}
+
+CatalogEntry const* LevelCatalog::next(CampaignProgress const& progress, fs::path const& file) const {
+    CatalogEntry const* const here = file.empty() ? nullptr : find(file);
+    if (CatalogGroup const* const home = groupOf(here); home != nullptr && home->gallery) {
+        return after(file);
+    }
+    CatalogEntry const* first = nullptr; // of all that are not solved
+    bool passed = here == nullptr;
+    for (std::size_t i = 0; i + ofMods_ < groups_.size(); ++i) {
+        for (CatalogEntry const& entry : groups_[i].levels) {
+            bool const open = !groups_[i].gallery && entry.trouble.empty() && &entry != here &&
+                              !progress.of(entry.id).solved;
+            if (open && passed) {
+                return &entry;
+            }
+            first = open && first == nullptr ? &entry : first;
+            passed = passed || &entry == here;
+        }
+    }
+    return first;
+}
+
+std::size_t LevelCatalog::puzzles() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + ofMods_ < groups_.size(); ++i) {
+        for (CatalogEntry const& entry : groups_[i].levels) {
+            count += !groups_[i].gallery && entry.trouble.empty() ? 1U : 0U;
+        }
+    }
+    return count;
 }
 
 } // namespace trembler::ui

@@ -1,5 +1,6 @@
 #include "game/ui/shared/part_catalog.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "render/panels/toolbox_tile.hpp"
 #include "render/scene/objects/part.hpp"
 
@@ -10,7 +11,9 @@ namespace trembler::ui {
 
 std::string PartCatalog::titleOf(std::string const& part) const {
     PartDefinition const* const found = parts_.find(part);
-    std::string title = found == nullptr || found->title.empty() ? part : found->title;
+    std::string title = found == nullptr || found->title.empty()
+                            ? part
+                            : titleIn(found->texts, std::string(languageInUse()), found->title);
     if (!title.empty()) {
         title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
     }
@@ -19,7 +22,7 @@ std::string PartCatalog::titleOf(std::string const& part) const {
 
 std::string PartCatalog::textOf(std::string const& part) const {
     PartDefinition const* const found = parts_.find(part);
-    return found == nullptr ? std::string() : found->text;
+    return found == nullptr ? std::string() : textIn(found->texts, std::string(languageInUse()), found->text);
 }
 
 Prototype const* PartCatalog::prototype(std::string const& part) {

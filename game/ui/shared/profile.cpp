@@ -55,7 +55,15 @@ void Profile::setKeys(Keys keys) {
 }
 
 bool Profile::markSolved(std::string const& levelId) {
-    bool const fresh = solved_.insert(levelId).second;
+    bool const fresh = progress_.markSolved(levelId);
+    if (fresh) {
+        write();
+    }
+    return fresh;
+}
+
+bool Profile::addKind(std::string const& levelId, SolutionKind kind) {
+    bool const fresh = progress_.addKind(levelId, std::move(kind));
     if (fresh) {
         write();
     }
@@ -90,11 +98,19 @@ void Profile::read() {
         settings_.uiScale = std::clamp(scale->get<float>(), 0.5F, 3.F);
     }
     settings_.shadows = flag("shadows", settings_.shadows);
+    settings_.shadowsChosen = flag("shadows_chosen", settings_.shadowsChosen);
     settings_.fullscreen = flag("fullscreen", settings_.fullscreen);
     settings_.names = flag("names", settings_.names);
     settings_.hrtf = flag("hrtf", settings_.hrtf);
-    if (auto const volume = all.find("volume"); volume != all.end() && volume->is_number_integer()) {
-        settings_.volume = std::clamp(volume->get<int>(), 0, 100);
+    settings_.reducedMotion = flag("reduced_motion", settings_.reducedMotion);
+    auto const percent = [&](char const* key, int usual) {
+        auto const found = all.find(key);
+        bool const number = found != all.end() && found->is_number();
+        return number ? static_cast<int>(std::clamp(found->get<double>(), 0.0, 100.0)) : usual;
+    };
+    settings_.volume = percent("volume", settings_.volume);
+    if (auto const language = all.find("language"); language != all.end() && language->is_string()) {
+        settings_.language = language->get<std::string>();
     }
     if (auto const keys = all.find("keys"); keys != all.end()) {
         keys_ = readKeys(*keys, troubles_);
@@ -102,11 +118,13 @@ void Profile::read() {
     if (auto const solved = all.find("solved"); solved != all.end() && solved->is_array()) {
         for (Json const& id : *solved) {
             if (id.is_string()) {
-                solved_.insert(id.get<std::string>());
+                progress_.markSolved(id.get<std::string>());
             }
         }
     }
-    stated_ = true;
+    if (auto const progress = all.find("progress"); progress != all.end()) {
+        progress_.read(*progress);
+    }
 }
 
 void Profile::write() const {
@@ -117,11 +135,14 @@ void Profile::write() const {
     fs::create_directories(file_.parent_path(), ignored);
     Json all{{"ui_scale", settings_.uiScale},
              {"shadows", settings_.shadows},
+             {"shadows_chosen", settings_.shadowsChosen},
              {"fullscreen", settings_.fullscreen},
              {"names", settings_.names},
              {"volume", settings_.volume},
              {"hrtf", settings_.hrtf},
-             {"solved", solved_}};
+             {"reduced_motion", settings_.reducedMotion},
+             {"language", settings_.language},
+             {"progress", progress_.written()}};
     if (!keys_.empty()) {
         all["keys"] = keys_;
     }

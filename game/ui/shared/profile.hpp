@@ -1,9 +1,10 @@
 // The persistent data of a player: settings, keys, and solved levels.
 #pragma once
 
+#include "puzzle/campaign/progress.hpp"
+
 #include <filesystem>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,13 @@ namespace trembler::ui {
 struct Settings {
     float uiScale = 1.F; ///< the player's own factor, 0.5 to 3
     bool shadows = true;
+    bool shadowsChosen = false; ///< by the player: otherwise the graphics driver decides
     bool fullscreen = false;
-    bool names = false; ///< names of objects in the world
-    int volume = 80;    ///< percent; 0: silence
-    bool hrtf = false;  ///< binaural sound for headphones
+    bool names = false;         ///< names of objects in the world
+    int volume = 80;            ///< percent; 0: silence
+    bool hrtf = false;          ///< binaural sound for headphones
+    bool reducedMotion = false; ///< nothing moves for decoration alone
+    std::string language{};     ///< "en", "de"; empty: that of the desktop
 };
 
 /// Saved at once whenever it changes. A file that cannot be read or written is not an error: the profile is
@@ -27,12 +31,12 @@ public:
 
     [[nodiscard]] Settings const& settings() const { return settings_; }
     void setSettings(Settings const& settings);
-    [[nodiscard]] bool solved(std::string const& levelId) const { return solved_.count(levelId) != 0; }
+    [[nodiscard]] CampaignProgress const& progress() const { return progress_; }
+    [[nodiscard]] bool solved(std::string const& levelId) const { return progress_.of(levelId).solved; }
     /// Returns true if the level was not marked before.
     bool markSolved(std::string const& levelId);
-    /// Whether the file existed, so that these are the player's own settings.
-    [[nodiscard]] bool stated() const { return stated_; }
-
+    /// Notes in which kind of way a level was solved; returns true if it differs from all before.
+    bool addKind(std::string const& levelId, SolutionKind kind);
     /// Keys other than the defaults: names of keys by command id, as in the file.
     [[nodiscard]] std::map<std::string, std::vector<std::string>> const& keys() const { return keys_; }
     void setKeys(std::map<std::string, std::vector<std::string>> keys);
@@ -51,8 +55,7 @@ private:
     Settings settings_;
     std::map<std::string, std::vector<std::string>> keys_;
     std::vector<std::string> troubles_;
-    std::set<std::string> solved_;
-    bool stated_ = false;
+    CampaignProgress progress_;
 };
 
 } // namespace trembler::ui

@@ -13,7 +13,7 @@
 namespace trembler::ui {
 
 /// Pages of the menu that Esc opens.
-enum class MenuPage : std::uint8_t { closed, main, settings, keys, levels, help };
+enum class MenuPage : std::uint8_t { closed, main, settings, keys, levels, gallery, help, ending };
 
 /// Requests of a screen, or of the menu over it, to the program.
 namespace request {
@@ -25,14 +25,21 @@ struct OpenMenu {
 struct OpenLevel {
     std::filesystem::path level;
 };
+/// Opens the editor; an empty path: with a new level.
+struct OpenEditor {
+    std::filesystem::path level;
+};
 struct ShowTitle {};
+/// Opens the level with every part.
+struct OpenFreePlay {};
 struct SwitchFullscreen {};
 struct Quit {};
 
 } // namespace request
 
-using ScreenRequest = std::variant<request::OpenMenu, request::OpenLevel, request::ShowTitle,
-                                   request::SwitchFullscreen, request::Quit>;
+using ScreenRequest =
+    std::variant<request::OpenMenu, request::OpenLevel, request::OpenFreePlay, request::OpenEditor,
+                 request::ShowTitle, request::SwitchFullscreen, request::Quit>;
 
 /// Window thread only. In each picture: update or updateBehindMenu; then, if the picture is shown, draw and
 /// pictureComplete. draw() may change only state that drawing alone uses.
@@ -50,10 +57,16 @@ public:
     /// Whether the screen keeps the picture that was just updated, for a film or a file: then it is drawn
     /// even if the window is not visible.
     [[nodiscard]] virtual bool keepsPicture() const { return false; }
+    /// Whether the next picture would be the same as long as the player does nothing: then it need not be
+    /// drawn.
+    [[nodiscard]] virtual bool still() const { return false; }
     /// Draws into the window: after Window::beginFrame, before Gui::endFrame.
     virtual void draw() = 0;
     /// Called when the picture is complete: between Gui::endFrame and Window::present.
     virtual void pictureComplete() {}
+    /// Asked before a request is followed that would end this screen, by whomever it was made. False: the
+    /// screen asks the player first, and later makes the request itself.
+    [[nodiscard]] virtual bool mayLeaveFor(ScreenRequest const&) { return true; }
     /// Called once when another screen replaces it or the program ends; no other call follows.
     virtual void leave() {}
 

@@ -3,11 +3,14 @@
 
 #include "game/ui/commands/key_bindings.hpp"
 #include "game/ui/shared/focus.hpp"
+#include "game/ui/shared/kind_finder.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "game/ui/shared/level_catalog.hpp"
+#include "game/ui/shared/level_pictures.hpp"
 #include "game/ui/shared/part_catalog.hpp"
 #include "game/ui/shared/profile.hpp"
 #include "game/ui/shared/recorder.hpp"
+#include "puzzle/campaign/kept_builds.hpp"
 #include "render/panels/gui.hpp"
 #include "render/panels/toasts.hpp"
 #include "render/window/input_events.hpp"
@@ -24,6 +27,7 @@ struct UiContext {
     Registry const& registry;
     PartLibrary const& parts;
     render::Gui gui;
+    render::Gamepads pads;
     render::InputEvents input;
     render::Canvas canvas;
     render::Toasts toasts;
@@ -31,7 +35,10 @@ struct UiContext {
     Focus focus;
     PartCatalog catalog;
     LevelCatalog levels;
+    LevelPictures pictures;
     Profile profile;
+    KeptBuilds builds;
+    KindFinder kinds;
     KeyBindings keys;
     Recorder recorder;
     Loudspeaker* loudspeaker = nullptr; ///< nullptr: no sound

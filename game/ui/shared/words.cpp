@@ -22,6 +22,27 @@ std::string toolboxHint(std::string const& turnLeft, std::string const& turnRigh
                 ? "The wheel turns it."
                 : "Wheel or " + keys + (turnLeft.empty() || turnRight.empty() ? " turns it." : " turn it."));
 }
+std::string wiresLeft(int count) {
+    return fmt::format("Wire ({} left)", count);
+}
+std::string conductsNot(std::string const& object) {
+    return fmt::format("No current flows through the {}", object);
+}
+std::string putThisBack(std::string const& a, std::string const& b) {
+    return fmt::format("Take the wire from {} to {} back", a, b);
+}
+std::string timesReal(double speed) {
+    if (speed == 0.25) {
+        return "¼×";
+    }
+    return speed == 0.5 ? "½×" : fmt::format("{:g}×", speed);
+}
+std::string tooSlow(double asked, double reached) {
+    return fmt::format(
+        "This computer is too slow for {}: the world goes at {:.2g}×. What happens in it stays the "
+        "same.",
+        timesReal(asked), reached);
+}
 std::string hold(std::string const& key) {
     return "hold " + key;
 }

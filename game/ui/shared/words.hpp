@@ -10,23 +10,19 @@ namespace trembler::ui::words {
 
 // The program.
 inline constexpr char const* programName = "Trembler";
-inline constexpr char const* tagline =
-    "Switches, magnets, currents and weights. Nothing here follows a script: "
-    "whatever works, works because it would.";
-inline constexpr char const* firstSteps = "First steps";
 inline constexpr char const* looseLevels = "Levels";
-inline constexpr char const* noLevels = "There are no levels in this folder:";
-inline constexpr char const* quit = "Quit";
 inline constexpr char const* levels = "Levels";
-inline constexpr char const* settings = "Settings";
 inline constexpr char const* back = "Back";
-inline constexpr char const* cannotPlay = "This level cannot be played:";
 
 // Running.
 inline constexpr char const* allBackAsk = "Put all back?";
 inline constexpr char const* allBackAgain =
     "Once more, and all parts go back into the toolbox. Undo brings them back.";
 inline constexpr char const* allBackDone = "All parts are back in the toolbox";
+
+/// Of a speed: "2×", "½×"
+[[nodiscard]] std::string timesReal(double speed);
+[[nodiscard]] std::string tooSlow(double asked, double reached);
 
 // Tools.
 inline constexpr char const* mySolution = "my solution";
@@ -37,6 +33,12 @@ inline constexpr char const* closeTip = "Close";
 // Toolbox and placing.
 inline constexpr char const* toolbox = "Toolbox";
 inline constexpr char const* dropHere = "Let go here to put it back";
+
+[[nodiscard]] std::string wiresLeft(int count);
+inline constexpr char const* wireOfLevel = "This wire belongs to the level.";
+inline constexpr char const* wireFromHere = "Drag the wire to another conductor, or click it";
+[[nodiscard]] std::string conductsNot(std::string const& object);
+[[nodiscard]] std::string putThisBack(std::string const& a, std::string const& b);
 
 // Goal, hints, success.
 inline constexpr char const* goal = "Goal";
@@ -51,31 +53,13 @@ inline constexpr char const* keepPlaying = "Keep playing";
 inline constexpr char const* lastLevel = "That was the last level.";
 
 // Menu and settings.
-inline constexpr char const* paused = "Paused";
-inline constexpr char const* resume = "Resume";
 inline constexpr char const* restart = "Start the level again";
-inline constexpr char const* levelList = "Choose a level";
-inline constexpr char const* toTitle = "Title screen";
-inline constexpr char const* uiSize = "Size of letters and buttons";
-inline constexpr char const* shadows = "Soft shadows";
-inline constexpr char const* shadowsTip = "Look better, cost time on a computer without a graphics card";
-inline constexpr char const* volume = "Volume";
-inline constexpr char const* hrtf = "Spatial sound for headphones";
-inline constexpr char const* hrtfTip = "Simulates how ears hear sound from each direction";
-inline constexpr char const* fullscreen = "Fill the whole screen";
 inline constexpr char const* keys = "Keys";
-inline constexpr char const* changeKeys = "Change the keys";
-inline constexpr char const* resetKeys = "All keys as they were";
-inline constexpr char const* pressAKey = "Press a key …";
-inline constexpr char const* pressAKeyOrEsc = "Press the new key. Esc keeps the old one.";
-inline constexpr char const* changeKeysHint =
-    "Click a line, or press Enter on it. The cross, or Delete, takes its key away.";
-inline constexpr char const* chooseAnother = "Press another one.";
-inline constexpr char const* noKeyTip = "No key";
 inline constexpr char const* groupBuilding = "Building";
 inline constexpr char const* groupRunning = "Running";
 inline constexpr char const* groupLooking = "Looking";
 inline constexpr char const* groupProgram = "The program";
+inline constexpr char const* groupEditing = "Editing levels";
 
 // Inspector.
 inline constexpr char const* rightNow = "Right now";

@@ -24,6 +24,8 @@ public:
     void setView(render::Size viewport, Margins const& margins);
     /// Shows the whole subject between the margins.
     void fit();
+    /// Keeps what is shown when the window or the subject changes, as if the player had moved the view.
+    void stay() { moved_ = true; }
     void zoom(render::Point at, double notches);
     void startPan() { panning_ = true; }
     void stopPan() { panning_ = false; }

@@ -21,6 +21,14 @@ void HandTool::reset() {
     cutting_ = false;
 }
 
+void HandTool::letGo() {
+    press_.reset();
+    if (held_.valid()) {
+        waiting_.push_back({PlayerInput::Kind::release, held_, {}, target_, hand_});
+        held_ = {};
+    }
+}
+
 bool HandTool::movable(ObjectId object) const {
     World const& world = session_.world();
     return world.find<Shape>(object) != nullptr && world.find<Fixed>(object) == nullptr;
@@ -29,7 +37,7 @@ bool HandTool::movable(ObjectId object) const {
 void HandTool::grab(Press const& press) {
     held_ = press.object;
     target_ = sentTarget_ = press.at;
-    waiting_.push_back({PlayerInput::Kind::grab, press.object, {}, press.at});
+    waiting_.push_back({PlayerInput::Kind::grab, press.object, {}, press.at, hand_});
 }
 
 void HandTool::cut(Pointer const& pointer) {
@@ -56,8 +64,7 @@ std::optional<ObjectId> HandTool::update(Pointer const& pointer, ObjectId hovere
     if (held_.valid()) {
         target_ = pointer.world;
         if (!pointer.held) {
-            waiting_.push_back({PlayerInput::Kind::release, held_, {}, target_});
-            held_ = {};
+            letGo();
         }
         return {};
     }
@@ -86,8 +93,8 @@ void HandTool::beforeStep() {
         session_.feed(input);
     }
     waiting_.clear();
-    if (held_.valid() && !(target_ == sentTarget_)) {
-        session_.feed({PlayerInput::Kind::move, held_, {}, target_});
+    if (held_.valid() && session_.world().store().alive(held_) && !(target_ == sentTarget_)) {
+        session_.feed({PlayerInput::Kind::move, held_, {}, target_, hand_});
         sentTarget_ = target_;
     }
 }

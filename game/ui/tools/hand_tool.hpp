@@ -13,7 +13,8 @@ namespace trembler::ui {
 /// Acts on the world only through Session::feed, so that a run can be replayed. Window thread only.
 class HandTool {
 public:
-    explicit HandTool(Session& session) : session_(session) {}
+    /// `hand`: which of the two hands it is, 0 or 1.
+    explicit HandTool(Session& session, std::uint8_t hand = 0) : session_(session), hand_(hand) {}
 
     /// Handles one picture's mouse input; `hovered` is the object under the mouse. Returns the object that
     /// was clicked without being dragged: an invalid id for a click on empty space, nullopt if there was no
@@ -22,6 +23,8 @@ public:
     /// Sends the hand's inputs since the last frame to the session; call it directly before each
     /// Session::step.
     void beforeStep();
+    /// Lets go of what it holds.
+    void letGo();
     /// The run is over: nothing is held any more.
     void reset();
 
@@ -49,6 +52,7 @@ private:
     [[nodiscard]] bool movable(ObjectId object) const;
 
     Session& session_;
+    std::uint8_t hand_;
     std::optional<Press> press_;
     std::vector<PlayerInput> waiting_; // for the next frame
     ObjectId held_;

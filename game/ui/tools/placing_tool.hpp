@@ -33,6 +33,12 @@ public:
 
     /// Takes a part from the toolbox; a part that is carried goes back first.
     void take(std::string const& part, Pointer const& pointer);
+    /// The carried part was taken by a key: it follows the pointer until the next press.
+    void keepInHand() {
+        if (carried_) {
+            carried_->dragging = false;
+        }
+    }
     /// Handles one picture's mouse input. `hovered` is the placed part under the mouse, `onHandle` whether
     /// the mouse is on the handle of the selected part.
     void update(Pointer const& pointer, std::optional<int> hovered, bool onHandle);

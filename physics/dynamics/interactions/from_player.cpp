@@ -3,10 +3,20 @@
 #include "physics/dynamics/core/point_pull.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"
 
+#include <algorithm>
+#include <numbers>
+
 namespace trembler {
 
 void DynamicsFromPlayer::apply(Access& access) {
-    Hand const& hand = access.read<Hand>();
+    Hand const& first = access.read<Hand>();
+    Hand const& second = access.read<SecondHand>().grip;
+    bool const both = first.object == second.object;
+    pull(access, first, both);
+    pull(access, second, both);
+}
+
+void DynamicsFromPlayer::pull(Access& access, Hand const& hand, bool both) {
     ObjectId const held = hand.object;
     if (!held.valid()) {
         return;
@@ -30,12 +40,16 @@ void DynamicsFromPlayer::apply(Access& access) {
     Vec2 const wanted = criticallyDamped(frequency, hand.target - point, pointVelocity);
     double const gyration = spread.inertiaPerMass;
     Vec2 force = forceToAccelerate(wanted, arm, mass->value, gyration);
-    double const limit = strongest * mass->value;
+    double limit = strongest * mass->value;
+    if (auto const& hands = access.read<Hands>(); !hands.empty()) {
+        limit = std::min(limit, hands.values().front().strength);
+    }
     if (double const size = length(force); size > limit) {
         force *= limit / size;
     }
     access.call(AddForceToPoint{held, point, force}, hand.event);
-    access.call(StateRate{held, frequency});
+    // Two springs on one body are as stiff as one whose frequency is √2 times theirs.
+    access.call(StateRate{held, both ? std::numbers::sqrt2 * frequency : frequency});
     access.call(AddTorque{held, -turnDamping * mass->value * gyration * spin->value}, hand.event);
 }
 

@@ -3,6 +3,7 @@
 
 #include "physics/dynamics/calls.hpp"
 #include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/settings.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/input/input_resolver.hpp"
@@ -10,26 +11,32 @@
 
 namespace trembler {
 
-/// A damped spring from the held point to the hand.
+/// A damped spring from each held point to the hand that holds it.
 class DynamicsFromPlayer final
-    : public Interaction<DynamicsFromPlayer, DynamicsRole,
-                         Reads<Hand, Position, Rotation, Velocity, AngularVelocity, Mass, Shape, Fixed>> {
+    : public Interaction<
+          DynamicsFromPlayer, DynamicsRole,
+          Reads<Hand, SecondHand, Hands, Position, Rotation, Velocity, AngularVelocity, Mass, Shape, Fixed>> {
 public:
     static constexpr ComponentText text{
         .name = "Dynamics <- Player",
         .effect = "player",
         .level = "",
-        .work = "Pulls the held point of the held object to the position of the hand, like a critically "
-                "damped spring, and damps the object's rotation."};
+        .work = "Pulls the held point of each held object to the position of the hand, like a critically "
+                "damped spring with at most the strength of the world's hands, and damps the object's "
+                "rotation."};
     using Activation = NeedsAll<Shape>;
 
     static constexpr double frequency = 12; ///< rad/s, of the spring
-    /// m/s². The greatest acceleration that the hand gives an object, light or heavy, independent of the
-    /// world's gravity. So the hand can hold up any object in a world with less gravity.
+    /// m/s². The greatest acceleration that a hand gives an object, light or heavy, independent of the
+    /// world's gravity. So in a world that states no strength a hand can hold up any object.
     static constexpr double strongest = 490.5;
     static constexpr double turnDamping = 2; ///< 1/s
 
     void apply(Access& access);
+
+private:
+    /// `both`: the other hand holds the same object.
+    static void pull(Access& access, Hand const& hand, bool both);
 };
 
 } // namespace trembler

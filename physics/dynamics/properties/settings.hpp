@@ -5,6 +5,27 @@
 
 namespace trembler {
 
+/// How strong the player's hands are.
+struct Hands {
+    static constexpr PropertyKind kind = PropertyKind::object;
+    static constexpr PropertyText text{
+        "Hands", "hands",
+        "How hard each of the player's two hands can pull. A world that does not "
+        "state it has hands that can lift anything.",
+        PropertyPlace::world};
+    double strength = 500;
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "strength",
+                        .unit = "N",
+                        .meaning = "greatest force of one hand, whatever it holds; 500 lifts 51 kg on Earth",
+                        .minimum = 0,
+                        .maximum = 1e9},
+              self.strength);
+    }
+};
+
 /// Substeps are better than iterations at equal cost: a stack or a taut chain fails because of the length of
 /// the step, not of the convergence within it. How many a scene needs depends on the scene, see
 /// solver_demand.hpp; an ordinary one gets four.

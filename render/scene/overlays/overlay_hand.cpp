@@ -5,8 +5,10 @@
 
 namespace trembler::render {
 
-void drawHand(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf) {
-    Hand const* const hand = world.find<Hand>();
+namespace {
+
+void drawBand(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf,
+              Hand const* hand, Colour colour) {
     if (hand == nullptr || !world.store().alive(hand->object)) {
         return;
     }
@@ -20,11 +22,18 @@ void drawHand(Canvas& canvas, World const& world, FactsReader const& reader, Pos
     double const stretch = length(to - from) / canvas.metres(60);
     auto const pixels = static_cast<float>(2.2 + 3.4 / (1 + stretch));
     canvas.line(from, to,
-                {.colour = palette::accent, .pixels = pixels, .outline = 1.1F, .round = true, .height = 1.F});
+                {.colour = colour, .pixels = pixels, .outline = 1.1F, .round = true, .height = 1.F});
     canvas.circle({from, 0}, canvas.metres(5),
-                  {.pattern = Pattern::Plastic, .tint = palette::accent, .outline = 1.3F, .height = 0.6F});
-    canvas.ring(to, canvas.metres(10),
-                {.colour = palette::accent, .pixels = 3.F, .outline = 0.F, .alpha = 0.9F});
+                  {.pattern = Pattern::Plastic, .tint = colour, .outline = 1.3F, .height = 0.6F});
+    canvas.ring(to, canvas.metres(10), {.colour = colour, .pixels = 3.F, .outline = 0.F, .alpha = 0.9F});
+}
+
+} // namespace
+
+void drawHand(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf) {
+    drawBand(canvas, world, reader, poseOf, world.find<Hand>(), palette::accent);
+    SecondHand const* const second = world.find<SecondHand>();
+    drawBand(canvas, world, reader, poseOf, second == nullptr ? nullptr : &second->grip, palette::goal);
 }
 
 } // namespace trembler::render

@@ -166,6 +166,12 @@ public:
         }
     }
 
+    void addWires(std::span<LevelConnection const> wires) {
+        for (LevelConnection const& wire : wires) {
+            connections_.push_back({wire, nullptr});
+        }
+    }
+
     [[nodiscard]] std::span<MadeConnection const> connections() const { return connections_; }
 
     /// The objects of one kind that create() made, by index in their list of `count` entries, and those of
@@ -298,13 +304,15 @@ private:
 } // namespace
 
 BuiltLevel buildLevel(Registry const& registry, LevelFile const& level, PartLibrary const& library,
-                      std::span<Placement const> placements, WorldOptions options) {
+                      std::span<Placement const> placements, WorldOptions options,
+                      std::span<LevelConnection const> wires) {
     Problems problems;
     Builder builder(registry, level, library, problems);
     builder.addWorld();
     builder.addObjects();
     builder.addJoints();
     builder.addPlacements(placements);
+    builder.addWires(wires);
     builder.checkToolbox();
     for (auto const& [effect, detail] : level.detail) {
         options.detail.try_emplace(effect, detail);

@@ -33,6 +33,7 @@ struct BuiltLevel {
 /// the file, for all faults: unknown parts, references to missing objects, properties that break a rule of
 /// the registry, connections that no effect or more than one can make, placements that are not allowed.
 /// `registry` must outlive the world. Detail levels in the options override those that the level states.
+/// `wires` are those that the player has laid, by the names of their ends.
 ///
 /// Objects are created in canonical order: "world", the level's objects by name, its joints by name, then the
 /// placements in their own canonical order; a composite becomes its pieces and joints, see PartExpander. The
@@ -40,7 +41,7 @@ struct BuiltLevel {
 /// in the file nor the order of placing ever matters. Each object's Origin is the inverse of BuiltLevel.
 [[nodiscard]] BuiltLevel buildLevel(Registry const& registry, LevelFile const& level,
                                     PartLibrary const& library, std::span<Placement const> placements = {},
-                                    WorldOptions options = {});
+                                    WorldOptions options = {}, std::span<LevelConnection const> wires = {});
 
 /// The same, for callers that find objects by the names that the level states.
 [[nodiscard]] std::unique_ptr<World> buildWorld(Registry const& registry, LevelFile const& level,

@@ -198,7 +198,7 @@ std::shared_ptr<JsonDocument const> JsonDocument::parse(std::string text, std::s
     return std::shared_ptr<JsonDocument const>(new JsonDocument(std::move(text), std::move(file)));
 }
 
-std::shared_ptr<JsonDocument const> JsonDocument::load(std::filesystem::path const& path) {
+std::string JsonDocument::readText(std::filesystem::path const& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
         refuse(path.string(), "is a folder", "a file");
@@ -214,7 +214,11 @@ std::shared_ptr<JsonDocument const> JsonDocument::load(std::filesystem::path con
     if (int const wrong = readInto(path, text); wrong != 0) {
         refuse(path.string(), "cannot be read: " + std::generic_category().message(wrong), "");
     }
-    return parse(std::move(text), path.string());
+    return text;
+}
+
+std::shared_ptr<JsonDocument const> JsonDocument::load(std::filesystem::path const& path) {
+    return parse(readText(path), path.string());
 }
 
 Diagnostic JsonDocument::diagnostic(std::string path, std::string message, std::string expected,

@@ -5,6 +5,7 @@
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/model/entries.hpp"
 #include "runtime/level/model/recorded_change.hpp"
+#include "runtime/level/model/translation.hpp"
 #include "runtime/level/property/name_table.hpp"
 #include "runtime/level/property/property_set.hpp"
 
@@ -40,6 +41,9 @@ struct Area {
     [[nodiscard]] bool contains(Vec2 point) const;
 };
 
+/// The kind of the connections that a player may lay.
+inline constexpr std::string_view playersWire = "wire";
+
 /// A part and the place where a player put it.
 struct Placement {
     std::string part;
@@ -65,12 +69,14 @@ struct RecordedInput {
     std::string other; ///< cut: the wire's other end
     Vec2 at;           ///< m, in the world: grab, move
     std::string path;
+    int hand = 0; ///< 0 or 1: grab, move, release
 };
 
 /// A recorded run: its placements, inputs and changes, and whether it is expected to solve the level.
 struct Solution {
     std::string name;
     std::vector<Placement> placements;
+    std::vector<LevelConnection> wires;  ///< that the player laid; also between placed parts
     std::vector<RecordedInput> inputs;   ///< ascending by frame
     std::vector<RecordedChange> changes; ///< ascending by frame
     bool solves = true;                  ///< "expect": "solved" or "unsolved"
@@ -93,9 +99,13 @@ struct LevelFile {
     std::vector<LevelConnection> connections;
     std::optional<std::vector<Area>> placing; ///< none: anywhere within the bounds
     std::vector<ToolboxEntry> toolbox;
+    int wires = 0;        ///< that the player may lay: the entry {"wire": n} of "toolbox"
     nlohmann::json goals; ///< null if there are none; puzzle/goals reads them
+    nlohmann::json task;  ///< of a demonstration: what the player shall do with it; null if there is none
     std::vector<std::string> hints;
+    Translations texts; ///< in further languages
     std::vector<Solution> solutions;
+    nlohmann::json editor; ///< what the level editor keeps, see read_editor.hpp; null if nothing
 
     NameTable names; ///< of the objects that properties refer to
     /// The file that it was read from, for the places of problems that are found later; may be null.

@@ -2,6 +2,7 @@
 
 #include "runtime/level/property/property_reader.hpp"
 #include "runtime/level/read/read_pieces.hpp"
+#include "runtime/level/read/read_texts.hpp"
 #include "runtime/object/without.hpp"
 
 #include <fmt/format.h>
@@ -91,6 +92,9 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
         }
         if (auto const text = reader.optional("text")) {
             part.text = text->text().value_or("");
+        }
+        if (auto const texts = reader.optional("texts")) {
+            part.texts = readTexts(*texts, TextsOf::part);
         }
         readPieces(reader, registry, part);
         NameTable* const names =

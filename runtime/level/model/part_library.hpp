@@ -3,6 +3,7 @@
 
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/model/entries.hpp"
+#include "runtime/level/model/translation.hpp"
 #include "runtime/level/property/name_table.hpp"
 #include "runtime/level/property/property_set.hpp"
 #include "runtime/world/registry.hpp"
@@ -24,6 +25,7 @@ struct PartDefinition {
     /// Of a composite: of its main piece, in addition to those that the piece states.
     PropertySet properties;
     std::shared_ptr<JsonDocument const> document; ///< may be null
+    Translations texts{};                         ///< in further languages
 
     std::string main{};                         ///< name of the main piece; empty: the first
     std::vector<LevelObject> objects{};         ///< the pieces of a composite; none: it is one object

@@ -35,6 +35,31 @@ public:
         }
     }
 
+    void readWires(std::size_t most) {
+        if (solution_.wires.size() > most) {
+            addProblem(problems_, [&] {
+                return document_.diagnostic(solution_.wires[most].path,
+                                            most == 0   ? "The toolbox of this level has no wire."
+                                            : most == 1 ? "The toolbox has only one wire."
+                                                        : fmt::format("The toolbox has only {} wires.", most),
+                                            "wires that the level allows");
+            });
+        }
+        for (LevelConnection const& wire : solution_.wires) {
+            bool const known = isKnown(wire.a, wire.path) && isKnown(wire.b, wire.path);
+            bool const isNew =
+                !wires_.contains(inOrder(wire.a, wire.b)) && laid_.insert(inOrder(wire.a, wire.b)).second;
+            if (known && (wire.a == wire.b || !isNew)) {
+                addProblem(problems_, [&] {
+                    return document_.diagnostic(wire.path,
+                                                wire.a == wire.b ? "connects an object with itself"
+                                                                 : "there is such a wire already",
+                                                "every pair of objects once");
+                });
+            }
+        }
+    }
+
     void read(RecordedInput const& input) {
         readFrame(input.frame, input.path);
         bool const known = isKnown(input.object, input.path) && isKnown(input.other, input.path);
@@ -43,13 +68,13 @@ public:
         }
         Pair const wire = inOrder(input.object, input.other);
         auto const words = [&] { return fmt::format("between '{}' and '{}'", input.object, input.other); };
-        if (!wires_.contains(wire) && (isPiece(wire.first) || isPiece(wire.second))) {
+        if (!wires_.contains(wire) && !laid_.contains(wire) && (isPiece(wire.first) || isPiece(wire.second))) {
             return; // a wire inside a composite part, or one that names the same piece in another way
         }
-        if (!wires_.contains(wire)) {
+        if (!wires_.contains(wire) && !laid_.contains(wire)) {
             addProblem(problems_, [&] {
                 return document_.diagnostic(input.path, "there is no wire " + words(),
-                                            "a pair of objects under \"connections\"");
+                                            "a pair of objects under \"connections\" or \"wires\"");
             });
         } else if (!cut_.insert(wire).second) {
             addProblem(problems_, [&] {
@@ -98,6 +123,7 @@ private:
     JsonDocument const& document_;
     Problems& problems_;
     std::set<std::string> placed_;
+    std::set<Pair> laid_; // wires of the player
     std::set<Pair> cut_;
 };
 
@@ -117,9 +143,11 @@ InputCheck::InputCheck(LevelFile const& level) : level_(level), pieces_(level.ob
 
 void InputCheck::check(Solution const& solution, JsonDocument const& document, Problems& problems) const {
     InputReader reader(names_, wires_, pieces_, solution, document, problems);
-    if (!solution.inputs.empty() && !solution.placements.empty()) {
+    bool const named = !solution.inputs.empty() || !solution.wires.empty();
+    if (named && !solution.placements.empty()) {
         reader.placed(placementNames(level_, solution.placements));
     }
+    reader.readWires(static_cast<std::size_t>(level_.wires));
     for (RecordedInput const& input : solution.inputs) {
         reader.read(input);
     }

@@ -5,9 +5,11 @@
 #include "runtime/level/read/check_level.hpp"
 #include "runtime/level/read/migrations.hpp"
 #include "runtime/level/read/read_area.hpp"
+#include "runtime/level/read/read_editor.hpp"
 #include "runtime/level/read/read_entries.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/read_texts.hpp"
 #include "runtime/level/read/read_world.hpp"
 
 #include <fmt/format.h>
@@ -74,6 +76,16 @@ public:
         if (auto const goals = reader.optional("goals"); goals && goals->isObject("a condition")) {
             level_.goals = goals->value();
         }
+        if (auto const task = reader.optional("task"); task && task->isObject("a condition")) {
+            level_.task = task->value();
+            if (!level_.demonstration) {
+                task->complain("only a demonstration has a task",
+                               "\"demonstration\": true, or the condition under \"goals\"");
+            }
+        }
+        if (auto const texts = reader.optional("texts")) {
+            level_.texts = readTexts(*texts, TextsOf::level);
+        }
         if (auto const hints = reader.optional("hints");
             hints && hints->isList("a list of texts", limits::hints)) {
             for (std::size_t i = 0; i < hints->size(); ++i) {
@@ -83,13 +95,24 @@ public:
         if (auto const solutions = reader.optional("solutions")) {
             level_.solutions = readSolutions(*solutions);
         }
+        if (auto const editor = reader.optional("editor")) {
+            level_.editor = readEditor(*editor);
+        }
         reader.finish();
         checkLevel(registry_, level_, entries.paths(), node.problems());
     }
 
 private:
     void readToolboxEntry(JsonNode const& node) {
-        MemberReader reader(node, "an object {\"part\", \"count\"}");
+        MemberReader reader(node, "an object {\"part\", \"count\"} or {\"wire\"}");
+        if (auto const wire = reader.optional("wire")) {
+            reader.finish();
+            if (level_.wires > 0) {
+                node.complain("states wires again", "one entry for all wires");
+            }
+            level_.wires = static_cast<int>(wire->integer(1, limits::toolboxCount).value_or(0));
+            return;
+        }
         auto const part = reader.required("part", "the name of a part");
         auto const count = reader.optional("count");
         reader.finish();

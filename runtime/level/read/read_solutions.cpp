@@ -103,8 +103,12 @@ std::optional<RecordedInput> readInput(JsonNode const& node) {
         node.complain(kinds == 0 ? "states no input" : "states several inputs at once",
                       std::string(expected));
         reader.know("at");
+        reader.know("hand");
         reader.finish();
         return std::nullopt;
+    }
+    if (auto const hand = input.kind <= PlayerInput::Kind::release ? reader.optional("hand") : std::nullopt) {
+        input.hand = static_cast<int>(hand->integer(0, 1).value_or(0));
     }
     bool const good = readInputBody(reader, *body, input);
     reader.finish();
@@ -113,6 +117,19 @@ std::optional<RecordedInput> readInput(JsonNode const& node) {
     }
     input.frame = static_cast<std::uint64_t>(*frame);
     return input;
+}
+
+std::optional<LevelConnection> readWire(JsonNode const& node) {
+    if (!node.value().is_array() || node.size() != 2) {
+        node.complainOfType("a list of the two objects that the wire connects");
+        return std::nullopt;
+    }
+    auto const a = node.element(0).name("the name of an object");
+    auto const b = node.element(1).name("the name of an object");
+    if (!a || !b) {
+        return std::nullopt;
+    }
+    return LevelConnection{.a = *a, .b = *b, .path = node.path(), .kind = std::string(playersWire)};
 }
 
 } // namespace
@@ -130,7 +147,7 @@ std::vector<Placement> readPlacements(JsonNode const& node) {
 }
 
 std::optional<Solution> readSolution(JsonNode const& node) {
-    MemberReader reader(node, "an object {\"name\", \"placements\", \"inputs\", \"changes\"}");
+    MemberReader reader(node, "an object {\"name\", \"placements\", \"wires\", \"inputs\", \"changes\"}");
     if (!reader.valid()) {
         return std::nullopt;
     }
@@ -141,6 +158,14 @@ std::optional<Solution> readSolution(JsonNode const& node) {
     }
     if (auto const placements = reader.optional("placements")) {
         solution.placements = readPlacements(*placements);
+    }
+    if (auto const wires = reader.optional("wires");
+        wires && wires->isList("a list of pairs of objects", limits::connections)) {
+        for (std::size_t i = 0; i < wires->size(); ++i) {
+            if (auto wire = readWire(wires->element(i))) {
+                solution.wires.push_back(std::move(*wire));
+            }
+        }
     }
     if (auto const inputs = reader.optional("inputs");
         inputs && inputs->isList("a list of timed inputs", limits::inputs)) {

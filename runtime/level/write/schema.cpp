@@ -4,6 +4,7 @@
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/read/read_extensions.hpp"
+#include "runtime/level/read/read_texts.hpp"
 #include "runtime/level/write/change_schema.hpp"
 #include "runtime/level/write/property_schema.hpp"
 #include "runtime/level/write/schema_pieces.hpp"
@@ -82,6 +83,9 @@ Json inputSchema() {
             members["at"] = json_schema::reference("point");
             required.emplace_back("at");
         }
+        if (kind == "grab" || kind == "move" || kind == "release") {
+            members["hand"] = Json{{"enum", {0, 1}}, {"description", "which hand; 0 if left out"}};
+        }
         kinds.push_back(json_schema::strictObject(std::move(members), required));
     }
     return Json{{"oneOf", std::move(kinds)}};
@@ -122,6 +126,15 @@ Json connectionSchema(Registry const& registry) {
     return Json{{"anyOf", Json::array({std::move(pair), std::move(stated)})}};
 }
 
+Json editorSchema() {
+    Json const names = json_schema::listOf(json_schema::reference("name"), limits::objects);
+    Json editor = json_schema::strictObject(
+        {{"groups", json_schema::listOf(names, limits::objects)}, {"locked", names}, {"hidden", names}}, {});
+    editor["description"] = "What the level editor keeps about objects: groups, which are selected together; "
+                            "locked and hidden ones. No simulation reads it.";
+    return editor;
+}
+
 } // namespace
 
 Json levelSchema(Registry const& registry, Json const& goals) {
@@ -142,6 +155,11 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     definitions["solution"] = json_schema::strictObject(
         {{"name", json_schema::reference("name")},
          {"placements", json_schema::listOf(json_schema::reference("placement"), limits::placements)},
+         {"wires", json_schema::listOf(Json{{"type", "array"},
+                                            {"items", json_schema::reference("name")},
+                                            {"minItems", 2},
+                                            {"maxItems", 2}},
+                                       limits::connections)},
          {"inputs", json_schema::listOf(json_schema::reference("input"), limits::inputs)},
          {"changes", json_schema::listOf(json_schema::reference("change"), limits::changes)},
          {"expect", {{"enum", {"solved", "unsolved"}}}},
@@ -170,10 +188,21 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     members["placing"]["description"] =
         "The areas in which the player may place parts; left out: anywhere within the bounds.";
     members["toolbox"] = json_schema::listOf(
-        json_schema::strictObject({{"part", text}, {"count", count}}, {"part"}), limits::toolboxEntries);
+        Json{{"anyOf", Json::array({json_schema::strictObject({{"part", text}, {"count", count}}, {"part"}),
+                                    json_schema::strictObject(
+                                        {{"wire",
+                                          {{"type", "integer"},
+                                           {"minimum", 1},
+                                           {"maximum", limits::toolboxCount},
+                                           {"description", "how many wires the player may lay"}}}},
+                                        {"wire"})})}},
+        limits::toolboxEntries);
     members["goals"] = goals.is_null() ? Json{{"type", "object"}} : json_schema::reference("condition");
+    members["task"] = members["goals"];
     members["hints"] = json_schema::listOf(text, limits::hints);
+    members["texts"] = textsSchema(TextsOf::level);
     members["solutions"] = json_schema::listOf(json_schema::reference("solution"), limits::solutions);
+    members["editor"] = editorSchema();
     members["$schema"] = text;
     if (goals.is_object() && goals.contains("$defs")) {
         for (auto const& [name, definition] : goals["$defs"].items()) {
@@ -201,7 +230,8 @@ Json partSchema(Registry const& registry) {
     Json members{{"$schema", text},
                  {"name", json_schema::reference("name")},
                  {"title", json_schema::reference("name")},
-                 {"text", text}};
+                 {"text", text},
+                 {"texts", textsSchema(TextsOf::part)}};
     if (PropertyInfo const* const look = registry.objectProperty("look")) {
         members["look"] = propertySchema(*look);
     }

@@ -2,6 +2,7 @@
 
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_writer.hpp"
+#include "runtime/level/read/read_texts.hpp"
 
 namespace trembler {
 namespace {
@@ -85,6 +86,9 @@ Json inputJson(RecordedInput const& input) {
         entry[key] = input.object;
         break;
     }
+    if (input.hand != 0) {
+        entry["hand"] = input.hand;
+    }
     return entry;
 }
 
@@ -143,6 +147,9 @@ Json writeSolution(Solution const& solution) {
         }
         return made;
     });
+    addList(entry, "wires", solution.wires, [](LevelConnection const& wire) {
+        return Json::array({wire.a, wire.b});
+    });
     addList(entry, "inputs", solution.inputs, inputJson);
     addList(entry, "changes", solution.changes, changeJson);
     if (!solution.solves) {
@@ -184,11 +191,23 @@ Json writeLevel(LevelFile const& level) {
     addList(out, "toolbox", level.toolbox, [](ToolboxEntry const& entry) {
         return Json{{"part", entry.part}, {"count", entry.count}};
     });
+    if (level.wires > 0) {
+        out["toolbox"].push_back(Json{{"wire", level.wires}});
+    }
     if (!level.goals.is_null()) {
         out["goals"] = level.goals;
     }
+    if (!level.task.is_null()) {
+        out["task"] = level.task;
+    }
     addList(out, "hints", level.hints, [](std::string const& hint) { return Json(hint); });
+    if (!level.texts.empty()) {
+        out["texts"] = writeTexts(level.texts);
+    }
     addList(out, "solutions", level.solutions, writeSolution);
+    if (!level.editor.is_null()) {
+        out["editor"] = level.editor;
+    }
     return out;
 }
 

@@ -76,17 +76,21 @@ TEST(BudgetController, SettlesAndKeepsTheBudgetIfPossible) {
         double const budget = 50 + *rc::gen::inRange(0, 2500);
         Noise noise(static_cast<std::uint64_t>(*rc::gen::inRange(1, 1000000)));
         Controller controller;
-        std::size_t lastChange = 0;
+        int lateChanges = 0;
         for (std::size_t round = 1; round <= 150; ++round) {
             costs.measure([&] { return noise(0.02); });
             auto const plan = controller.decide(costs.knobs, costs.rest, budget);
+            bool changed = false;
             for (std::size_t i = 0; i < plan.size(); ++i) {
                 RC_ASSERT(costs.knobs[i].options[plan[i]].allowed);
-                lastChange = plan[i] == costs.knobs[i].current ? lastChange : round;
+                changed = changed || plan[i] != costs.knobs[i].current;
                 costs.knobs[i].current = plan[i];
             }
+            lateChanges += changed && round > 100 ? 1 : 0;
         }
-        RC_ASSERT(lastChange <= 100); // figures that vary by 2 % cause no further changes
+        // Figures that vary by 2 % cause no further changes, unless a plan costs as much as a limit to within
+        // that noise. Then it is left once, or left and tried again after the greatest patience, 64 rounds.
+        RC_ASSERT(lateChanges <= 2);
         double cheapest = costs.rest;
         for (std::size_t i = 0; i < costs.knobs.size(); ++i) {
             double least = std::numeric_limits<double>::infinity();

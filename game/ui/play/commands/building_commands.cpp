@@ -1,5 +1,6 @@
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/shared/words.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -8,14 +9,26 @@ using render::Icon;
 
 /// Whether a part is in the hand or selected, so that keys can turn it, move it and put it back.
 bool partAtHand(PlayParts const& parts) {
-    return parts.run.building() && (parts.placing.carried() || parts.placing.selected());
+    return parts.run.building() && (parts.placing.carried() || parts.placing.selected() || parts.group.any());
+}
+bool isBuilding(PlayParts const& parts) {
+    return parts.run.building();
+}
+/// Whether commands act on the chosen parts together.
+bool actsOnGroup(PlayParts const& parts) {
+    return parts.group.any() && !parts.placing.carried();
 }
 
-/// Calls doing(tool) with the placing tool, which may give the session another world.
+/// Calls doing(tool) with the tool of several parts, or with that of one, which may give the session another
+/// world.
 template <class Doing>
 void place(PlayParts& parts, Doing&& doing) {
     World const* const world = &parts.session.world();
-    doing(parts.placing);
+    if (actsOnGroup(parts)) {
+        doing(parts.group);
+    } else {
+        doing(parts.placing);
+    }
     if (world != &parts.session.world()) {
         parts.newWorld();
     }
@@ -23,16 +36,26 @@ void place(PlayParts& parts, Doing&& doing) {
 
 template <int steps>
 void turn(PlayParts& parts) {
-    place(parts, [&](PlacingTool& placing) { placing.turn(steps, parts.context.shiftHeld()); });
+    place(parts, [&](auto& tool) { tool.turn(steps, parts.context.shiftHeld()); });
 }
 
+/// Moves the selected parts; if there are none, or one is in the hand, the pointer.
 template <int x, int y>
 void nudge(PlayParts& parts) {
-    place(parts, [&](PlacingTool& placing) { placing.nudge({x, y}, parts.context.shiftHeld()); });
+    bool const selected =
+        parts.run.building() && !parts.placing.carried() && (parts.placing.selected() || parts.group.any());
+    if (!selected || parts.keyPointer.active()) {
+        parts.keyPointer.move({x, y}, parts.context.shiftHeld(), parts.pointer, parts.camera());
+        return;
+    }
+    place(parts, [&](auto& tool) { tool.nudge({x, y}, parts.context.shiftHeld()); });
 }
 
 void undo(PlayParts& parts) {
     parts.placing.cancel();
+    if (parts.group.dragging()) {
+        parts.group.cancel();
+    }
     if (parts.session.undo()) {
         parts.newWorld();
     }
@@ -40,6 +63,9 @@ void undo(PlayParts& parts) {
 
 void redo(PlayParts& parts) {
     parts.placing.cancel();
+    if (parts.group.dragging()) {
+        parts.group.cancel();
+    }
     if (parts.session.redo()) {
         parts.newWorld();
     }
@@ -51,14 +77,51 @@ void allBack(PlayParts& parts) {
         return;
     }
     parts.placing.reset();
+    parts.group.reset();
     parts.session.putAllBack();
     parts.newWorld();
     parts.context.toasts.add(words::allBackDone);
 }
 
+/// Takes the next part out of the toolbox, after the one in the hand, `by` entries on; after the last one the
+/// hand is empty.
+template <int by>
+void takeNext(PlayParts& parts) {
+    auto const slots = parts.session.toolbox();
+    int const count = static_cast<int>(slots.size());
+    auto const& carried = parts.placing.carried();
+    int now = by > 0 ? -1 : count;
+    for (int i = 0; carried && !carried->number && i < count; ++i) {
+        now = slots[static_cast<std::size_t>(i)].part == carried->landing.part ? i : now;
+    }
+    parts.placing.cancel();
+    parts.group.reset();
+    parts.wires.reset();
+    for (int next = now + by; next >= 0 && next < count; next += by) {
+        ToolboxSlot const& slot = slots[static_cast<std::size_t>(next)];
+        if (slot.left > 0) {
+            parts.keyPointer.show(parts.pointer, parts.camera());
+            Pointer pointer = parts.pointer;
+            pointer.world = parts.keyPointer.at();
+            parts.placing.take(slot.part, pointer);
+            parts.placing.keepInHand();
+            return;
+        }
+    }
+}
+
+void duplicate(PlayParts& parts) {
+    World const* const world = &parts.session.world();
+    parts.group.duplicate();
+    if (world != &parts.session.world()) {
+        parts.newWorld();
+    }
+}
+
 constexpr Command<PlayParts> buildingTable[] = {
     {.info = {.id = "turn-left",
               .keys = {{{SDLK_q}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_LEFTSTICK)},
               .use = KeyUse::repeats,
               .icon = Icon::TurnLeft,
               .group = CommandGroup::building,
@@ -69,6 +132,7 @@ constexpr Command<PlayParts> buildingTable[] = {
      .available = partAtHand},
     {.info = {.id = "turn-right",
               .keys = {{{SDLK_e}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSTICK)},
               .use = KeyUse::repeats,
               .icon = Icon::TurnRight,
               .group = CommandGroup::building,
@@ -79,51 +143,97 @@ constexpr Command<PlayParts> buildingTable[] = {
      .available = partAtHand},
     {.info = {.id = "move-left",
               .keys = {{{SDLK_LEFT}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT)},
               .use = KeyUse::repeats,
               .group = CommandGroup::building,
               .name = "Move left",
-              .tip = "Move the selected part to the left, with Shift by less",
-              .help = "move the selected part (Shift: finer)"},
-     .run = nudge<-1, 0>,
-     .available = partAtHand},
+              .tip = "Move the selected part, or else the pointer, to the left; with Shift by less",
+              .help = "move the selected part or the pointer (Shift: finer)"},
+     .run = nudge<-1, 0>},
     {.info = {.id = "move-right",
               .keys = {{{SDLK_RIGHT}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_RIGHT)},
               .use = KeyUse::repeats,
               .group = CommandGroup::building,
               .name = "Move right",
-              .tip = "Move the selected part to the right, with Shift by less",
-              .help = "move the selected part (Shift: finer)"},
-     .run = nudge<1, 0>,
-     .available = partAtHand},
+              .tip = "Move the selected part, or else the pointer, to the right; with Shift by less",
+              .help = "move the selected part or the pointer (Shift: finer)"},
+     .run = nudge<1, 0>},
     {.info = {.id = "move-up",
               .keys = {{{SDLK_UP}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_UP)},
               .use = KeyUse::repeats,
               .group = CommandGroup::building,
               .name = "Move up",
-              .tip = "Move the selected part up, with Shift by less",
-              .help = "move the selected part (Shift: finer)"},
-     .run = nudge<0, 1>,
-     .available = partAtHand},
+              .tip = "Move the selected part, or else the pointer, up; with Shift by less",
+              .help = "move the selected part or the pointer (Shift: finer)"},
+     .run = nudge<0, 1>},
     {.info = {.id = "move-down",
               .keys = {{{SDLK_DOWN}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN)},
               .use = KeyUse::repeats,
               .group = CommandGroup::building,
               .name = "Move down",
-              .tip = "Move the selected part down, with Shift by less",
-              .help = "move the selected part (Shift: finer)"},
-     .run = nudge<0, -1>,
-     .available = partAtHand},
+              .tip = "Move the selected part, or else the pointer, down; with Shift by less",
+              .help = "move the selected part or the pointer (Shift: finer)"},
+     .run = nudge<0, -1>},
     {.info = {.id = "put-back",
               .keys = {{{SDLK_DELETE}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_BACK)},
               .icon = Icon::Remove,
               .group = CommandGroup::building,
               .name = "Put back",
               .tip = "Put the part in hand back into the toolbox",
               .help = "put the part back"},
-     .run = [](PlayParts& parts) { place(parts, [](PlacingTool& placing) { placing.putBack(); }); },
+     .run = [](PlayParts& parts) { place(parts, [](auto& tool) { tool.putBack(); }); },
      .available = partAtHand},
+    {.info = {.id = "next-part",
+              .keys = {{{SDLK_t}}},
+              .pad = {render::padRightTrigger},
+              .group = CommandGroup::building,
+              .name = "Next part",
+              .tip = "Take the next part out of the toolbox",
+              .help = "take the next, the previous part"},
+     .run = takeNext<1>,
+     .available = isBuilding},
+    {.info = {.id = "previous-part",
+              .keys = {{{.key = SDLK_t, .shift = true}}},
+              .pad = {render::padLeftTrigger},
+              .group = CommandGroup::building,
+              .name = "Previous part",
+              .tip = "Take the previous part out of the toolbox",
+              .help = "take the next, the previous part"},
+     .run = takeNext<-1>,
+     .available = isBuilding},
+    {.info = {.id = "act",
+              .keys = {{{SDLK_RETURN}, {SDLK_KP_ENTER}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_A)},
+              .use = KeyUse::held,
+              .group = CommandGroup::building,
+              .name = "Mouse button",
+              .tip = "Acts as the mouse's button where the pointer is that keys move",
+              .help = "place, take hold where the pointer is"},
+     .run = [](PlayParts&) {}},
+    {.info = {.id = "choose-all",
+              .keys = {{withCtrl(SDLK_a)}},
+              .group = CommandGroup::building,
+              .name = "Choose all",
+              .tip = "Choose all placed parts, to move, turn or put them back together",
+              .help = "choose all parts"},
+     .run = [](PlayParts& parts) { parts.group.chooseAll(); },
+     .available =
+         [](PlayParts const& parts) { return parts.run.building() && !parts.session.placed().empty(); }},
+    {.info = {.id = "duplicate",
+              .keys = {{withCtrl(SDLK_d)}},
+              .group = CommandGroup::building,
+              .name = "Duplicate",
+              .tip = "Place another one of each chosen part, as far as the toolbox has them",
+              .help = "place the same parts again"},
+     .run = duplicate,
+     .available = [](PlayParts const& parts) { return partAtHand(parts) && !parts.placing.carried(); }},
     {.info = {.id = "undo",
               .keys = {{withCtrl(SDLK_z)}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER)},
               .use = KeyUse::repeats,
               .icon = Icon::Undo,
               .group = CommandGroup::building,
@@ -134,6 +244,7 @@ constexpr Command<PlayParts> buildingTable[] = {
      .available = [](PlayParts const& parts) { return parts.session.canUndo() || parts.placing.carried(); }},
     {.info = {.id = "redo",
               .keys = {{withCtrlShift(SDLK_z), withCtrl(SDLK_y)}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)},
               .use = KeyUse::repeats,
               .icon = Icon::Redo,
               .group = CommandGroup::building,
@@ -151,7 +262,10 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "put all parts back"},
      .run = allBack,
      .available =
-         [](PlayParts const& parts) { return parts.run.building() && !parts.session.placed().empty(); }},
+         [](PlayParts const& parts) {
+             return parts.run.building() &&
+                    !(parts.session.placed().empty() && parts.session.wires().empty());
+         }},
 };
 
 } // namespace

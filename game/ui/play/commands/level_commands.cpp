@@ -7,7 +7,20 @@ namespace {
 using render::Icon;
 
 CatalogEntry const* nextLevel(PlayParts const& parts) {
-    return parts.context.levels.after(parts.file);
+    return parts.context.levels.next(parts.context.profile.progress(), parts.file);
+}
+
+/// A demonstration is followed by the others of its gallery; the last puzzle by the end of the game.
+bool hasNext(PlayParts const& parts) {
+    return nextLevel(parts) != nullptr || !parts.session.level().demonstration;
+}
+
+void openNext(PlayParts& parts) {
+    if (CatalogEntry const* const next = nextLevel(parts)) {
+        parts.request = request::OpenLevel{next->file};
+    } else {
+        parts.request = request::OpenMenu{MenuPage::ending};
+    }
 }
 
 constexpr Command<PlayParts> levelTable[] = {
@@ -24,8 +37,8 @@ constexpr Command<PlayParts> levelTable[] = {
               .name = words::nextLevel,
               .tip = "Open the next level",
               .help = "next level"},
-     .run = [](PlayParts& parts) { parts.request = request::OpenLevel{nextLevel(parts)->file}; },
-     .available = [](PlayParts const& parts) { return nextLevel(parts) != nullptr; }},
+     .run = openNext,
+     .available = hasNext},
     {.info = {.id = "watch-again",
               .icon = Icon::Play,
               .group = CommandGroup::running,

@@ -20,6 +20,8 @@ std::vector<Command<PlayParts>> joinedSections() {
 constexpr Gesture gestures[] = {
     {.with = "drag; or click it, then its place", .does = "take a part out of the toolbox"},
     {.with = "drag", .does = "move a part"},
+    {.with = "Shift + click", .does = "choose several parts", .beside = "choose-all"},
+    {.with = "Shift + drag over the paper", .does = "choose the parts in a box"},
     {.with = "Ctrl, Alt", .does = "hold: place without the grid", .beside = "move-down"},
     {.with = "wheel", .does = "turn the part in hand (Shift: 1°)", .beside = "turn-left"},
     {.with = "drag the knob beside it", .does = "turn the selected part"},

@@ -2,6 +2,7 @@
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/play/keeping/saving.hpp"
 #include "game/ui/shared/words.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -13,12 +14,12 @@ void openMenu(PlayParts& parts) {
     parts.request = request::OpenMenu{page};
 }
 
-/// Ends one thing: the use of the scissors, the carrying of a part, the inspector. If none of these goes on,
-/// opens the menu.
+/// Ends one thing: the use of the scissors, the carrying or choice of parts, the inspector. If none of these
+/// goes on, opens the menu.
 void back(PlayParts& parts) {
     if (parts.hand.cutting()) {
         parts.hand.setCutting(false);
-    } else if (parts.placing.cancel()) {
+    } else if (parts.wires.cancel() || parts.placing.cancel() || parts.group.cancel()) {
         return;
     } else if (parts.inspector.open()) {
         parts.inspector.close();
@@ -68,6 +69,7 @@ constexpr Command<PlayParts> programTable[] = {
      .run = openMenu<MenuPage::levels>},
     {.info = {.id = "back",
               .keys = {{{SDLK_ESCAPE}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_B)},
               .fixed = true,
               .icon = Icon::Back,
               .group = CommandGroup::program,
@@ -76,6 +78,7 @@ constexpr Command<PlayParts> programTable[] = {
               .help = "levels, menu"},
      .run = back},
     {.info = {.id = "menu",
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_START)},
               .icon = Icon::Menu,
               .group = CommandGroup::program,
               .name = "Menu",

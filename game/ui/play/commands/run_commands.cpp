@@ -1,4 +1,5 @@
 #include "game/ui/play/commands/command_sections.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -8,6 +9,7 @@ using render::Icon;
 constexpr Command<PlayParts> runTable[] = {
     {.info = {.id = "run",
               .keys = {{{SDLK_SPACE}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_X)},
               .icon = Icon::Play,
               .group = CommandGroup::running,
               .name = "Run",
@@ -18,6 +20,7 @@ constexpr Command<PlayParts> runTable[] = {
      .on = inARun},
     {.info = {.id = "pause",
               .keys = {{{SDLK_p}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_Y)},
               .icon = Icon::Pause,
               .group = CommandGroup::running,
               .name = "Pause",
@@ -44,9 +47,35 @@ constexpr Command<PlayParts> runTable[] = {
               .name = "Fast",
               .tip = "Four times as fast",
               .help = "hold: four times as fast"},
-     .run = [](PlayParts& parts) { parts.run.switchFast(); },
-     .available = inARun,
-     .on = [](PlayParts const& parts) { return parts.run.fast(); }},
+     .run = [](PlayParts& parts) { parts.run.speed().switchFast(); },
+     .available = inARun},
+    {.info = {.id = "slower",
+              .keys = {{{SDLK_MINUS}, {SDLK_KP_MINUS}}},
+              .use = KeyUse::repeats,
+              .icon = Icon::Slower,
+              .group = CommandGroup::running,
+              .name = "Slower",
+              .tip = "Slower: down to a quarter of the real speed",
+              .help = "slower, faster"},
+     .run = [](PlayParts& parts) { parts.run.speed().slower(); },
+     .available = [](PlayParts const& parts) { return parts.run.speed().canSlow(); }},
+    {.info = {.id = "faster",
+              .keys = {{{SDLK_PLUS}, {SDLK_EQUALS}}},
+              .use = KeyUse::repeats,
+              .icon = Icon::FastForward,
+              .group = CommandGroup::running,
+              .name = "Faster",
+              .tip = "Faster: up to eight times the real speed",
+              .help = "slower, faster"},
+     .run = [](PlayParts& parts) { parts.run.speed().faster(); },
+     .available = [](PlayParts const& parts) { return parts.run.speed().canHurry(); }},
+    {.info = {.id = "normal-speed",
+              .keys = {{{SDLK_0}, {SDLK_KP_0}}},
+              .group = CommandGroup::running,
+              .name = "Real speed",
+              .tip = "As fast as in reality",
+              .help = "as fast as in reality"},
+     .run = [](PlayParts& parts) { parts.run.speed().setNormal(); }},
 };
 
 } // namespace

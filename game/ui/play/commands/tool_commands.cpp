@@ -35,6 +35,27 @@ void showMods(PlayParts& parts) {
     }
 }
 
+bool hasWire(PlayParts const& parts) {
+    return parts.session.level().wires > 0;
+}
+
+/// In a run any wire is cut; before it, those that the player has laid are put back.
+void cut(PlayParts& parts) {
+    if (inARun(parts)) {
+        parts.hand.setCutting(!parts.hand.cutting());
+    } else {
+        parts.placing.cancel();
+        parts.group.cancel();
+        parts.wires.switchCutting();
+    }
+}
+
+void layWires(PlayParts& parts) {
+    parts.placing.reset();
+    parts.group.reset();
+    parts.wires.switchLaying();
+}
+
 constexpr Command<PlayParts> toolTable[] = {
     {.info = {.id = "cut",
               .keys = {{{SDLK_x}}},
@@ -43,9 +64,31 @@ constexpr Command<PlayParts> toolTable[] = {
               .name = "Cut",
               .tip = "Cut a wire",
               .help = "cut a wire"},
-     .run = [](PlayParts& parts) { parts.hand.setCutting(!parts.hand.cutting()); },
-     .available = inARun,
-     .on = [](PlayParts const& parts) { return parts.hand.cutting(); }},
+     .run = cut,
+     .available = [](PlayParts const& parts) { return inARun(parts) || hasWire(parts); },
+     .on = [](PlayParts const& parts) { return parts.hand.cutting() || parts.wires.cutting(); }},
+    {.info = {.id = "second-hand",
+              .keys = {{{SDLK_g}}},
+              .use = KeyUse::held,
+              .group = CommandGroup::running,
+              .name = "Second hand",
+              .tip = "While it is held the mouse is a second hand, and the first one stays where it is",
+              .help = "hold: the mouse is a second hand"},
+     .run = [](PlayParts&) {},
+     .available = inARun},
+    {.info = {.id = "wire",
+              .keys = {{{SDLK_w}}},
+              .icon = Icon::Bolt,
+              .group = CommandGroup::building,
+              .name = "Wire",
+              .tip = "Lay a wire from one conductor to another",
+              .help = "lay a wire"},
+     .run = layWires,
+     .available =
+         [](PlayParts const& parts) {
+             return hasWire(parts) && parts.run.building() && parts.session.wiresLeft() > 0;
+         },
+     .on = [](PlayParts const& parts) { return parts.wires.laying(); }},
     {.info = {.id = "hint",
               .keys = {{{SDLK_h}}},
               .icon = Icon::Hint,

@@ -18,7 +18,7 @@ bool FieldMouse::update(Pointer const& pointer, Surroundings const& around, doub
     if (session_.mode() == SessionMode::building) {
         rebuilt = usePlacing(pointer, around.handle);
     } else {
-        useHand(pointer, around.watching, seconds);
+        useHand(pointer, around, seconds);
     }
     tookPart_ = false;
     lookAround(pointer);
@@ -32,16 +32,21 @@ bool FieldMouse::usePlacing(Pointer const& pointer, std::optional<Vec2> const& h
     bool const wasCarrying = placing_.carried().has_value();
     auto const before = session_.placed().size();
     World const* const world = &session_.world();
-    if (!tookPart_) {
+    bool const ofWire = !tookPart_ && wires_.update(pointer, hovered);
+    bool const ofGroup = ofWire || (!tookPart_ && !onHandle && group_.update(pointer, number));
+    if (tookPart_) {
+        group_.reset();
+        wires_.reset();
+    } else if (!ofGroup) {
         placing_.update(pointer, number, onHandle);
     }
     if (world != &session_.world() || before != session_.placed().size()) {
         return true;
     }
-    if (number && pointer.twice && !pointer.overCard) {
+    if (number && pointer.twice && !pointer.overCard && !ofWire) {
         picking_.inspect(hovered);
     }
-    bool const paper = !wasCarrying && !number && !onHandle;
+    bool const paper = !wasCarrying && !number && !onHandle && !ofGroup;
     if (pointer.pressed) {
         leftOnPaper_ = paper && !pointer.overCard;
     }
@@ -54,13 +59,21 @@ bool FieldMouse::usePlacing(Pointer const& pointer, std::optional<Vec2> const& h
     return false;
 }
 
-void FieldMouse::useHand(Pointer const& pointer, bool watching, double seconds) {
+void FieldMouse::useHand(Pointer const& pointer, Surroundings const& around, double seconds) {
+    if (wasSecond_ && !around.second) {
+        second_.letGo();
+        if (!pointer.held) {
+            hand_.letGo();
+        }
+    }
+    wasSecond_ = around.second;
+    HandTool& hand = around.second ? second_ : hand_;
     ObjectId const hovered = picking_.hovered();
     bool const free = hovered.valid() && session_.world().find<Fixed>(hovered) == nullptr;
     if (pointer.pressed) {
-        leftOnPaper_ = !pointer.overCard && !hand_.cutting() && (!free || watching);
+        leftOnPaper_ = !pointer.overCard && !hand_.cutting() && (!free || around.watching);
     }
-    if (auto const clicked = hand_.update(pointer, hovered, seconds)) {
+    if (auto const clicked = hand.update(pointer, hovered, seconds)) {
         picking_.inspect(*clicked);
     }
     if (!pointer.held) {
@@ -72,7 +85,7 @@ void FieldMouse::useHand(Pointer const& pointer, bool watching, double seconds) 
 }
 
 void FieldMouse::lookAround(Pointer const& pointer) {
-    bool const carrying = placing_.carried().has_value();
+    bool const carrying = placing_.carried().has_value() || group_.dragging();
     if (pointer.wheel != 0 && !pointer.overCard && !carrying) {
         view_.zoom(pointer.screen, pointer.wheel);
     }

@@ -4,8 +4,10 @@
 
 #include "game/ui/play/mouse/picking.hpp"
 #include "game/ui/tools/camera_control.hpp"
+#include "game/ui/tools/group_tool.hpp"
 #include "game/ui/tools/hand_tool.hpp"
 #include "game/ui/tools/placing_tool.hpp"
+#include "game/ui/tools/wire_tool.hpp"
 
 #include <optional>
 
@@ -18,13 +20,16 @@ inline constexpr double handleReach = 13;
 class FieldMouse {
 public:
     /// All must outlive this.
-    FieldMouse(Session& session, PlacingTool& placing, HandTool& hand, CameraControl& view, Picking& picking)
-        : session_(session), placing_(placing), hand_(hand), view_(view), picking_(picking) {}
+    FieldMouse(Session& session, PlacingTool& placing, GroupTool& group, WireTool& wires, HandTool& hand,
+               HandTool& second, CameraControl& view, Picking& picking)
+        : session_(session), placing_(placing), group_(group), wires_(wires), hand_(hand), second_(second),
+          view_(view), picking_(picking) {}
 
     /// What FieldMouse needs to know of the rest of the screen.
     struct Surroundings {
         std::optional<Vec2> handle; ///< middle of the handle that turns the selected part, m
         bool watching = false;      ///< a run is watched again: objects cannot be grabbed
+        bool second = false;        ///< the mouse is the second hand, and the first one stays where it is
     };
     /// Handles the mouse for one picture, `seconds` after the last. True if the session now has another
     /// world.
@@ -34,17 +39,21 @@ public:
 
 private:
     bool usePlacing(Pointer const& pointer, std::optional<Vec2> const& handle);
-    void useHand(Pointer const& pointer, bool watching, double seconds);
+    void useHand(Pointer const& pointer, Surroundings const& around, double seconds);
     void lookAround(Pointer const& pointer);
 
     Session& session_;
     PlacingTool& placing_;
+    GroupTool& group_;
+    WireTool& wires_;
     HandTool& hand_;
+    HandTool& second_;
     CameraControl& view_;
     Picking& picking_;
     render::Point pressedAt_;  // of the left button, pixels
     bool leftOnPaper_ = false; // the left button went down on empty paper
     bool rightOnPaper_ = false;
+    bool wasSecond_ = false;
     bool tookPart_ = false;
 };
 

@@ -2,12 +2,9 @@
 
 #include "physics/dynamics/properties/contacts.hpp"
 
+#include <algorithm>
+
 namespace trembler::ui {
-namespace {
-
-constexpr int fastFactor = 4;
-
-} // namespace
 
 RunControl::RunControl(Session& session, PlacingTool& placing, HandTool& hand, budget::BudgetMode& budget,
                        LevelAudio& audio, CameraControl const& view, RunEvents events)
@@ -15,7 +12,7 @@ RunControl::RunControl(Session& session, PlacingTool& placing, HandTool& hand, b
       events_(std::move(events)) {}
 
 void RunControl::beginPicture(bool fastHeld) {
-    fastHeld_ = fastHeld;
+    speed_.holdFast(fastHeld);
     stepped_ = false;
 }
 
@@ -25,9 +22,12 @@ void RunControl::advance(double seconds, bool oneFrame) {
         audio_.pause(seconds, view_.camera());
         return;
     }
-    int const due = oneFrame ? 1 : clock_.due(seconds, quick() ? fastFactor : 1);
+    int const due = oneFrame ? 1 : speed_.due(seconds);
     for (int i = 0; i < due; ++i) {
         stepOnce();
+    }
+    if (!oneFrame && speed_.now() < 1) { // between the frames of slow motion sounds ring on
+        audio_.pause(seconds * (1 - speed_.now()), view_.camera());
     }
 }
 
@@ -48,8 +48,9 @@ void RunControl::stepOnce() {
     budget_.beforeStep(session_, !watching()); // a run that is watched again repeats its decisions
     events_.beforeStep();
     session_.step();
-    // In fast motion only every fourth frame is heard, so that pitches stay as they are.
-    if (!quick() || session_.world().frame() % fastFactor == 0) {
+    // In fast motion only every nth frame is heard, so that pitches stay as they are.
+    auto const heard = static_cast<std::uint64_t>(std::max(speed_.now(), 1.0));
+    if (session_.world().frame() % heard == 0) {
         audio_.frame(session_.world(), view_.camera());
     }
     stepped_ = true;
@@ -68,7 +69,7 @@ void RunControl::pauseOrGo() {
     if (running()) {
         session_.pause();
     } else if (paused()) {
-        clock_.reset();
+        speed_.reset();
         session_.resume();
     }
 }
@@ -77,13 +78,13 @@ void RunControl::step() {
     if (running()) {
         session_.pause();
     }
-    clock_.reset();
+    speed_.reset();
     stepOnce();
 }
 
 void RunControl::begin(bool asBefore) {
     placing_.reset();
-    clock_.reset();
+    speed_.reset();
     if (asBefore) {
         session_.startAgain();
     } else {
@@ -97,8 +98,7 @@ void RunControl::stop() {
     audio_.leave();
     session_.stop();
     hand_.reset();
-    clock_.reset();
-    fast_ = false;
+    speed_.reset();
     events_.stopped();
     events_.newWorld();
 }

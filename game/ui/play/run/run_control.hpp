@@ -3,7 +3,7 @@
 
 #include "game/budget/budget_mode.hpp"
 #include "game/ui/play/run/level_audio.hpp"
-#include "game/ui/shared/frame_clock.hpp"
+#include "game/ui/play/run/speed.hpp"
 #include "game/ui/tools/camera_control.hpp"
 #include "game/ui/tools/hand_tool.hpp"
 #include "game/ui/tools/placing_tool.hpp"
@@ -41,7 +41,6 @@ public:
     void step();
     /// Ends the run: the world is again as it was placed.
     void stop();
-    void switchFast() { fast_ = !fast_; }
     /// Begins the last run again and repeats what the player did in it, with the detail levels and periods
     /// that it had.
     void watchAgain();
@@ -51,17 +50,17 @@ public:
     [[nodiscard]] bool paused() const { return session_.mode() == SessionMode::paused; }
     /// Whether a run is being watched again.
     [[nodiscard]] bool watching() const { return session_.playing(); }
-    /// Whether fast motion is switched on; the held key does not count.
-    [[nodiscard]] bool fast() const { return fast_; }
+    /// How fast it goes. The player's choice lasts until another level is opened.
+    [[nodiscard]] Speed& speed() { return speed_; }
+    [[nodiscard]] Speed const& speed() const { return speed_; }
     /// Whether the world moved on in this picture.
     [[nodiscard]] bool stepped() const { return stepped_; }
     /// How far the display is between the last two frames, 0 to 1.
-    [[nodiscard]] double alpha() const { return running() && !oneFrame_ ? clock_.alpha() : 1; }
+    [[nodiscard]] double alpha() const { return running() && !oneFrame_ ? speed_.alpha() : 1; }
 
 private:
     void begin(bool asBefore);
     void stepOnce();
-    [[nodiscard]] bool quick() const { return fast_ || fastHeld_; }
 
     Session& session_;
     PlacingTool& placing_;
@@ -71,9 +70,7 @@ private:
     CameraControl const& view_;
     RunEvents events_;
     Subscription patches_; // of the running world
-    FrameClock clock_;
-    bool fast_ = false;
-    bool fastHeld_ = false;
+    Speed speed_;
     bool oneFrame_ = false;
     bool stepped_ = false;
 };

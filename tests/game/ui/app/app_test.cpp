@@ -37,17 +37,21 @@ TEST(Program, ALevelIsChosenOnTheTitleScreen) {
     Player player;
     player.drawEveryPicture(); // title, level and menus one after the other, as on a player's screen
     EXPECT_EQ(player.findPlay(), nullptr);
-    player.clickItem("level first/1-first-contact.json");
+    player.clickItem("play"); // the puzzle to begin with
     ASSERT_NE(player.findPlay(), nullptr);
     EXPECT_EQ(player.session().level().title, loadLevel(gameData().registry, firstContact).title);
     player.key(SDLK_l);
     player.frames(2);
+    for (int chapter = 1; !player.shows("level experiments/1-switched-electromagnet.json"); ++chapter) {
+        player.clickItem("chapter " + std::to_string(chapter));
+        player.frames(2);
+    }
     player.clickItem("level experiments/1-switched-electromagnet.json");
     EXPECT_EQ(player.play().file().filename(), "1-switched-electromagnet.json");
     EXPECT_FALSE(player.app().menu().isOpen());
     player.key(SDLK_ESCAPE);
     player.frames(2);
-    player.clickItem("Title screen");
+    player.clickItem("menu.title");
     EXPECT_EQ(player.findPlay(), nullptr);
     player.frames(2);
     EXPECT_TRUE(player.going());
@@ -67,7 +71,8 @@ TEST(Program, EveryLevelIsInTheCatalog) {
     LevelCatalog const catalog(gameData().registry, levelsFolder());
     EXPECT_EQ(catalog.size(), gameData().levels().size());
     ASSERT_FALSE(catalog.groups().empty());
-    EXPECT_EQ(catalog.groups().front().title, words::firstSteps);
+    EXPECT_EQ(catalog.groups().front().title, "First steps");
+    EXPECT_TRUE(catalog.groups().back().gallery) << "demonstrations come after all puzzles";
     ASSERT_NE(catalog.after(firstContact), nullptr);
     for (CatalogGroup const& group : catalog.groups()) {
         for (CatalogEntry const& entry : group.levels) {
@@ -92,6 +97,8 @@ TEST(Program, ABrokenLevelIsShownAndNothingIsLost) {
     EXPECT_EQ(catalog.after(levels[0].file), &levels[1]);
     EXPECT_EQ(catalog.after(levels[1].file), nullptr) << "a level that cannot be played is skipped";
     Player player({1280, 720}, {}, folder);
+    player.clickItem("levels");
+    player.frames(2);
     player.clickItem("level 1-broken.json");
     EXPECT_EQ(player.findPlay(), nullptr);
     EXPECT_THROW(player.app().open(folder / "10-nonsense.json"), InputError);
@@ -105,8 +112,8 @@ TEST(Program, SettingsAndProgressAreKept) {
         player.open(firstContact);
         player.key(SDLK_ESCAPE);
         player.frames(2);
-        player.clickItem("Settings");
-        player.frames(2);
+        player.clickItem("menu.settings");
+        player.frames(4);
         float const before = window().uiScale();
         player.clickItem("115%");
         EXPECT_NEAR(window().uiScale() / before, 1.15F, 0.001F);
@@ -133,7 +140,7 @@ TEST(Program, RestartPutsAllPartsBack) {
     player.simulate(30);
     player.key(SDLK_ESCAPE);
     player.frames(2);
-    player.clickItem("Start the level again");
+    player.clickItem("menu.restart");
     EXPECT_EQ(player.session().mode(), SessionMode::building);
     EXPECT_TRUE(player.session().placed().empty());
 }

@@ -160,7 +160,7 @@ TEST(Keeping, TheMenuStartsTheLevelAgain) {
     player.simulate(64);
     player.key(SDLK_ESCAPE);
     player.frames(2);
-    player.clickItem("Start the level again");
+    player.clickItem("menu.restart");
     player.frames(3);
     EXPECT_EQ(player.session().mode(), SessionMode::building);
     EXPECT_TRUE(player.session().placed().empty());

@@ -1,6 +1,6 @@
 // Every screen at a small and at a large size: cards do not overlap, nothing is cut off; and a picture of
 // each for people to look at.
-#include "tests/game/ui/player.hpp"
+#include "tests/game/ui/tidy.hpp"
 
 namespace trembler::ui::test {
 namespace {
@@ -9,32 +9,6 @@ class Screens : public testing::TestWithParam<render::Size> {
 protected:
     [[nodiscard]] std::string named(char const* what) const {
         return std::string(what) + "-" + std::to_string(GetParam().height);
-    }
-
-    /// Every card lies on the screen, has room for its content and overlaps no other card.
-    static void expectTidy(Player& player, std::string const& what) {
-        auto const& cards = player.layout().cards();
-        EXPECT_FALSE(cards.empty()) << what;
-        render::Size const size = window().size();
-        for (std::size_t i = 0; i < cards.size(); ++i) {
-            EXPECT_GE(cards[i].rect.low.x, 0) << what << ": " << cards[i].name;
-            EXPECT_GE(cards[i].rect.low.y, 0) << what << ": " << cards[i].name;
-            EXPECT_LE(cards[i].rect.high.x, size.width) << what << ": " << cards[i].name;
-            EXPECT_LE(cards[i].rect.high.y, size.height) << what << ": " << cards[i].name;
-            EXPECT_LE(cards[i].overflow, 1.0)
-                << what << ": the content of " << cards[i].name << " is cut off";
-            for (std::size_t j = 0; j < i; ++j) {
-                EXPECT_FALSE(cards[i].rect.overlaps(cards[j].rect))
-                    << what << ": " << cards[i].name << " lies on " << cards[j].name;
-            }
-        }
-        auto const& items = player.layout().items();
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            for (std::size_t j = 0; j < i; ++j) {
-                EXPECT_FALSE(items[i].rect.overlaps(items[j].rect))
-                    << what << ": " << items[i].name << " lies on " << items[j].name;
-            }
-        }
     }
 };
 
@@ -104,13 +78,13 @@ TEST_P(Screens, Menus) {
     player.frames(3);
     expectTidy(player, "menu");
     player.look(named("menu"));
-    player.clickItem("Settings");
+    player.clickItem("menu.settings");
     player.frames(3);
     expectTidy(player, "settings");
     player.look(named("settings"));
     player.key(SDLK_ESCAPE);
     player.frames(2);
-    player.clickItem("Levels");
+    player.clickItem("menu.levels");
     player.frames(3);
     expectTidy(player, "level list");
     player.look(named("levels"));

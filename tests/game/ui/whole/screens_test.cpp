@@ -1,6 +1,9 @@
 // The program holds one screen of any type; menus over it can be used with the keyboard alone.
 #include "tests/game/ui/player.hpp"
 
+#include <SDL_gamecontroller.h>
+#include <SDL_joystick.h>
+
 #include <optional>
 #include <utility>
 
@@ -109,7 +112,7 @@ TEST_F(OneScreen, EndsTheProgram) {
 
 TEST(KeyboardAlone, ALevelIsOpenedStartedAgainAndLeft) {
     Player player;
-    player.key(SDLK_DOWN); // the focus moves to the first level
+    player.key(SDLK_DOWN); // the focus appears on the first button, "Play"
     player.key(SDLK_RETURN);
     ASSERT_NE(player.findPlay(), nullptr);
     player.key(SDLK_h);
@@ -149,20 +152,173 @@ TEST(KeyboardAlone, SettingsAreChanged) {
     player.key(SDLK_RETURN);
     player.frames(2);
     ASSERT_EQ(player.app().menu().page(), MenuPage::settings);
-    for (int i = 0; i < 7; ++i) {
-        player.key(SDLK_DOWN); // six sizes, shadows, volume
+    // The ring is at the first size.
+    for (int i = 0; i < 2; ++i) {
+        player.key(SDLK_DOWN); // languages, volume: rows, not buttons
     }
     player.key(SDLK_RIGHT);
     player.key(SDLK_RIGHT);
     player.key(SDLK_LEFT);
     EXPECT_EQ(player.app().context().profile.settings().volume, 55);
-    for (int i = 0; i < 3; ++i) {
-        player.key(SDLK_DOWN); // headphones, full screen, the keys
+    for (int i = 0; i < 5; ++i) {
+        player.key(SDLK_TAB); // headphones, shadows, motion, full screen, the keys
     }
     player.moveTo({640, 20});
     player.moveTo({645, 20}); // the mouse removes the focus, so Enter presses nothing
     player.key(SDLK_RETURN);
     EXPECT_EQ(player.app().menu().page(), MenuPage::settings);
+}
+
+/// A gamepad that is plugged in while the program runs.
+class VirtualPad {
+public:
+    VirtualPad()
+        : device_(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
+                                            SDL_CONTROLLER_BUTTON_MAX, 0)) {
+        joystick_ = device_ < 0 ? nullptr : SDL_JoystickOpen(device_);
+        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1"); // no window has the focus here
+    }
+    ~VirtualPad() {
+        SDL_JoystickClose(joystick_);
+        SDL_JoystickDetachVirtual(device_);
+    }
+    VirtualPad(VirtualPad const&) = delete;
+    VirtualPad& operator=(VirtualPad const&) = delete;
+
+    [[nodiscard]] bool works() const {
+        return joystick_ != nullptr && SDL_IsGameController(device_) == SDL_TRUE;
+    }
+    void press(Player& player, SDL_GameControllerButton button) const {
+        for (Uint8 const state : {Uint8{SDL_PRESSED}, Uint8{SDL_RELEASED}}) {
+            SDL_JoystickSetVirtualButton(joystick_, button, state);
+            SDL_JoystickUpdate();
+            player.frames(2);
+        }
+    }
+    void push(Player& player, SDL_GameControllerAxis axis, Sint16 value) const {
+        for (Sint16 const way : {value, Sint16{0}}) {
+            SDL_JoystickSetVirtualAxis(joystick_, axis, way);
+            SDL_JoystickUpdate();
+            player.frames(2);
+        }
+    }
+
+private:
+    int device_;
+    SDL_Joystick* joystick_ = nullptr;
+};
+
+TEST(GamepadAlone, MenusAreUsedAndALevelIsOpened) {
+    Player player;
+    player.frames(2);
+    VirtualPad const pad; // hot plug
+    if (!pad.works()) {
+        GTEST_SKIP() << "SDL has no virtual gamepads here: " << SDL_GetError();
+    }
+    player.frames(2);
+    ASSERT_EQ(player.app().context().pads.count(), 1U);
+    pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_DOWN); // the ring appears, at "Play"
+    pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    pad.press(player, SDL_CONTROLLER_BUTTON_A); // levels
+    ASSERT_EQ(player.app().menu().page(), MenuPage::levels);
+    pad.press(player, SDL_CONTROLLER_BUTTON_B);
+    EXPECT_FALSE(player.app().menu().isOpen());
+    for (int i = 0; i < 3; ++i) {
+        pad.push(player, SDL_CONTROLLER_AXIS_LEFTY, 30000); // the stick does what the pad does
+    }
+    EXPECT_FALSE(player.app().menu().isOpen());
+    for (int i = 0; i < 3; ++i) {
+        pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_UP);
+    }
+    pad.press(player, SDL_CONTROLLER_BUTTON_A); // "Play" again
+    ASSERT_NE(player.findPlay(), nullptr);
+}
+
+TEST(AtRest, NoPictureIsDrawnThatShowsNothingNew) {
+    Player player;
+    player.app().context().profile.setSettings({.volume = 50});
+    player.frames(400); // the bell has stopped
+    EXPECT_TRUE(player.app().resting());
+    render::Image const before = player.look("rest-720");
+    player.frames(30);
+    EXPECT_TRUE(player.app().resting());
+    EXPECT_EQ(player.look("rest-720"), before);
+    player.moveTo({640, 400});
+    EXPECT_FALSE(player.app().resting()) << "the player is there";
+    player.frames(60);
+    EXPECT_TRUE(player.app().resting());
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    player.key(SDLK_ESCAPE);
+    player.frames(120);
+    EXPECT_TRUE(player.app().resting()) << "a menu over a level";
+    player.clickItem("menu.levels");
+    player.frames(120);
+    EXPECT_TRUE(player.app().resting()) << "all pictures of levels have been made";
+}
+
+TEST(Kept, WhatWasBuiltIsThereWhenTheLevelIsOpenedAgain) {
+    auto const folder = testFolder() / "kept";
+    std::filesystem::remove_all(folder);
+    std::filesystem::remove_all(testFolder() / "crashed"); // of an earlier run
+    auto const level = levelsFolder() / "first/1-first-contact.json";
+    {
+        Player player({1280, 720}, folder / "profile.json");
+        player.open(level);
+        player.drag(player.item("part steel bar"), player.at({-1.8, 1.5}));
+        ASSERT_EQ(player.session().placed().size(), 1U);
+        player.app().showTitle(); // leaves it at once
+        player.open(level);
+        EXPECT_EQ(player.session().placed().size(), 1U);
+        player.drag(player.item("part spanner"), player.at({-2.6, 2.2}));
+        player.frames(130); // two seconds, then the program is killed
+        std::filesystem::copy(folder, testFolder() / "crashed",
+                              std::filesystem::copy_options::recursive |
+                                  std::filesystem::copy_options::overwrite_existing);
+    }
+    Player player({1280, 720}, testFolder() / "crashed" / "profile.json");
+    player.open(level);
+    EXPECT_EQ(player.session().placed().size(), 2U);
+    player.app().showTitle();
+    player.frames(3);
+    player.clickItem("free play");
+    ASSERT_NE(player.findPlay(), nullptr);
+    EXPECT_EQ(player.session().toolbox().size(), gameData().parts.names().size());
+    EXPECT_TRUE(player.session().placed().empty()) << "each level keeps its own";
+    ASSERT_TRUE(player.session().place({"iron ball", {0, 2}, 0, ""}));
+    player.app().showTitle();
+    player.frames(3);
+    player.clickItem("free play");
+    ASSERT_NE(player.findPlay(), nullptr);
+    EXPECT_EQ(player.session().placed().size(), 1U);
+}
+
+TEST(Stars, AnotherKindOfSolutionHasOne) {
+    Player player;
+    auto const level = levelsFolder() / "first/1-first-contact.json";
+    auto const stars = [&] {
+        player.app().context().kinds.wait();
+        player.frames(2);
+        return player.app().context().profile.progress().of("first/1-first-contact.json").stars();
+    };
+    for (std::string const part : {"steel bar", "steel bar", "spanner"}) {
+        player.open(level);
+        ASSERT_TRUE(player.session().place({part, {-1.8, 1.3}, 0, ""}));
+        player.key(SDLK_SPACE);
+        player.simulate(400);
+        ASSERT_TRUE(player.session().solved());
+        EXPECT_EQ(stars(), part == "spanner" ? 2 : 1);
+    }
+    // It is the only puzzle of these chapters besides those that are not solved yet.
+    for (CatalogGroup const& chapter : player.app().context().levels.groups()) {
+        for (CatalogEntry const& entry : chapter.levels) {
+            player.app().context().profile.markSolved(entry.id);
+        }
+    }
+    player.frames(2);
+    player.clickItem("next level");
+    player.frames(3);
+    EXPECT_EQ(player.app().menu().page(), MenuPage::ending);
+    EXPECT_TRUE(player.showsCard("ending"));
 }
 
 } // namespace

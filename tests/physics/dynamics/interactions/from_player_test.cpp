@@ -100,6 +100,68 @@ TEST_P(Hand, DoesNotMoveFixedObjectsAndReleasesRemovedOnes) {
     EXPECT_FALSE(scene.world->store().alive(ball));
 }
 
+/// A box of that mass that the hands hold at its left and its right end and lift.
+double lifted(double mass, int hands, double gravity) {
+    Scene scene;
+    scene.gravity = gravity;
+    scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
+    ObjectId const box = scene.body("box", boxPiece(1, 0.4), {0, 0.2});
+    scene.give(box, Mass{mass});
+    ObjectId const world = scene.fixed("strength", boxPiece(0.1, 0.1), {9, 9});
+    scene.give(world, Hands{500});
+    scene.run(1);
+    for (std::uint8_t hand = 0; hand < hands; ++hand) {
+        double const x = hands == 1 ? 0 : (hand == 0 ? -0.4 : 0.4);
+        PlayerInput grab = input(PlayerInput::Kind::grab, box, {x, 0.2});
+        grab.hand = hand;
+        scene.world->feed(grab);
+        PlayerInput move = input(PlayerInput::Kind::move, box, {x, 1.7});
+        move.hand = hand;
+        scene.world->feed(move);
+    }
+    scene.run(240);
+    return scene.at(box).y - 0.2;
+}
+
+TEST_P(Hand, IsAsStrongAsTheWorldStatesAndTwoLiftTwiceAsMuch) {
+    EXPECT_GT(lifted(45, 1, 9.81), 1);
+    EXPECT_LT(lifted(60, 1, 9.81), 0.01) << "500 N lift 51 kg";
+    EXPECT_GT(lifted(60, 2, 9.81), 1);
+    EXPECT_LT(lifted(110, 2, 9.81), 0.01);
+    EXPECT_GT(lifted(280, 1, 1.62), 1) << "on the Moon";
+    EXPECT_LT(lifted(330, 1, 1.62), 0.01);
+}
+
+TEST_P(Hand, TheSecondHoldsSomethingElseAndLetsGoByItself) {
+    Scene scene;
+    scene.gravity = 0;
+    ObjectId const a = scene.body("a", boxPiece(0.4, 0.4), {-2, 0});
+    ObjectId const b = scene.body("b", boxPiece(0.4, 0.4), {2, 0});
+    scene.run(1);
+    auto const feed = [&](PlayerInput::Kind kind, ObjectId object, Vec2 at, std::uint8_t hand) {
+        PlayerInput one = input(kind, object, at);
+        one.hand = hand;
+        scene.world->feed(one);
+    };
+    auto const before = scene.world->stateHash();
+    feed(PlayerInput::Kind::grab, a, {-2, 0}, 0);
+    feed(PlayerInput::Kind::grab, b, {2, 0}, 1);
+    feed(PlayerInput::Kind::move, a, {-2, 1}, 0);
+    feed(PlayerInput::Kind::move, b, {2, -1}, 1);
+    scene.run(120);
+    EXPECT_NE(scene.world->stateHash(), before);
+    EXPECT_NEAR(scene.at(a).y, 1, 0.01);
+    EXPECT_NEAR(scene.at(b).y, -1, 0.01);
+    EXPECT_EQ(scene.world->find<trembler::Hand>()->object, a);
+    EXPECT_EQ(scene.world->find<SecondHand>()->grip.object, b);
+    auto const held = scene.world->stateHash();
+    feed(PlayerInput::Kind::release, b, {}, 1);
+    scene.run(1);
+    EXPECT_FALSE(scene.world->find<SecondHand>()->grip.object.valid());
+    EXPECT_EQ(scene.world->find<trembler::Hand>()->object, a);
+    EXPECT_NE(scene.world->stateHash(), held);
+}
+
 } // namespace
 } // namespace from_player_test
 } // namespace trembler::test

@@ -51,10 +51,13 @@ protected:
     render::Toasts toasts;
     PlacingTool placing{session, toasts};
     HandTool hand{session};
+    HandTool second{session, 1};
     CameraControl view;
     Inspector inspector;
     Picking picking{session, inspector};
-    FieldMouse mouse{session, placing, hand, view, picking};
+    GroupTool group{session, placing, toasts};
+    WireTool wires{session, toasts};
+    FieldMouse mouse{session, placing, group, wires, hand, second, view, picking};
 };
 
 TEST_F(MouseOnTheField, PointsAtObjectsThatNoCardCovers) {

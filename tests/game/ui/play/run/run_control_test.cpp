@@ -52,11 +52,31 @@ TEST(RunControl, FastIsFourTimesAsFastByKeyAndBySwitch) {
     level.pictures(4, 1.0 / 60, false, true);
     EXPECT_NEAR(static_cast<double>(level.frame()), 16, 1);
     auto const before = level.frame();
-    level.run.switchFast();
+    level.run.speed().switchFast();
     level.pictures(4);
     EXPECT_NEAR(static_cast<double>(level.frame() - before), 16, 1);
-    level.run.stop();
-    EXPECT_FALSE(level.run.fast()) << "the next run begins as usual";
+    level.run.speed().switchFast();
+    EXPECT_EQ(level.run.speed().now(), 1);
+}
+
+TEST(RunControl, EverySpeedComputesTheSameWorld) {
+    std::uint64_t hash = 0;
+    for (double const wanted : speeds) {
+        Controlled level;
+        while (level.run.speed().now() > wanted) {
+            level.run.speed().slower();
+        }
+        while (level.run.speed().now() < wanted) {
+            level.run.speed().faster();
+        }
+        level.run.runOrStop();
+        level.pictures(static_cast<int>(96 / wanted));
+        EXPECT_EQ(level.frame(), 96U) << wanted;
+        EXPECT_TRUE(hash == 0 || hash == level.session.world().stateHash()) << wanted;
+        hash = level.session.world().stateHash();
+        level.run.stop();
+        EXPECT_EQ(level.run.speed().now(), wanted) << "a player who tries again need not choose again";
+    }
 }
 
 TEST(RunControl, AFilmHasEveryFrameOnce) {

@@ -1,0 +1,177 @@
+#include "game/ui/edit/commands/edit_actions.hpp"
+#include "game/ui/edit/edit_words.hpp"
+#include "puzzle/edit/commands/arrange.hpp"
+#include "puzzle/edit/commands/clipboard.hpp"
+#include "puzzle/edit/commands/connect.hpp"
+#include "puzzle/edit/commands/contents.hpp"
+#include "puzzle/edit/commands/editor_state.hpp"
+#include "puzzle/edit/commands/goals.hpp"
+#include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/commands/own_parts.hpp"
+
+#include <SDL_clipboard.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace trembler::ui::actions {
+namespace {
+
+using edit::Json;
+using render::ToastKind;
+
+std::string clipboardText() {
+    char* const text = SDL_GetClipboardText();
+    std::string const copied = text == nullptr ? "" : text;
+    SDL_free(text);
+    return copied;
+}
+
+/// The number at the end of a JSON pointer.
+std::size_t indexAtEnd(std::string const& path) {
+    return static_cast<std::size_t>(std::strtoul(path.c_str() + path.rfind('/') + 1, nullptr, 10));
+}
+
+} // namespace
+
+bool canUndo(EditParts const& parts) {
+    return parts.document.canUndo();
+}
+bool canRedo(EditParts const& parts) {
+    return parts.document.canRedo();
+}
+bool hasSelection(EditParts const& parts) {
+    return !parts.selected().empty();
+}
+bool hasSeveral(EditParts const& parts) {
+    return parts.selected().size() > 1;
+}
+bool hasThree(EditParts const& parts) {
+    return parts.selected().size() > 2;
+}
+bool canDelete(EditParts const& parts) {
+    return !parts.selection.empty();
+}
+bool canPaste(EditParts const&) {
+    return edit::canPaste(clipboardText());
+}
+bool canMakePart(EditParts const& parts) {
+    return hasSelection(parts);
+}
+
+void undo(EditParts& parts) {
+    std::string const name = parts.document.undoName();
+    if (parts.document.undo()) {
+        parts.tell(words::undone(name));
+    }
+}
+
+void redo(EditParts& parts) {
+    std::string const name = parts.document.redoName();
+    if (parts.document.redo()) {
+        parts.tell(words::redone(name));
+    }
+}
+
+void copy(EditParts& parts) {
+    try {
+        std::string const text = edit::copiedText(parts.tree(), parts.selected());
+        if (SDL_SetClipboardText(text.c_str()) != 0) {
+            parts.tell(SDL_GetError(), ToastKind::Trouble);
+        }
+    } catch (edit::CommandError const& error) {
+        parts.tell(error.what(), ToastKind::Trouble);
+    }
+}
+
+void cut(EditParts& parts) {
+    copy(parts);
+    parts.run([&](Json const& level) { return edit::cutObjects(level, parts.selected()); });
+}
+
+void paste(EditParts& parts) {
+    std::string const text = clipboardText();
+    // Where the mouse is; without it, as by the keyboard alone, where it was copied from.
+    std::optional<Vec2> at;
+    if (parts.pointer.inside && !parts.pointer.overCard && !parts.panelKeys) {
+        at = parts.snapping.place(parts.pointer.world);
+    }
+    parts.run([&](Json const& level) { return edit::pasteText(*parts.data, level, text, at); });
+}
+
+void duplicate(EditParts& parts) {
+    double const step = std::max(4 * parts.snapping.grid, 0.1);
+    parts.run([&](Json const& level) {
+        return edit::duplicateObjects(*parts.data, level, parts.selected(), {step, -step});
+    });
+}
+
+void deleteSelected(EditParts& parts) {
+    if (hasSelection(parts)) {
+        parts.run([&](Json const& level) { return edit::removeObjects(level, parts.selected()); });
+        return;
+    }
+    std::string const path = parts.selection.path();
+    bool done = false;
+    switch (parts.selection.kind()) {
+    case EntryKind::joint:
+        done = parts.run([&](Json const& level) { return edit::removeJoints(level, {indexAtEnd(path)}); });
+        break;
+    case EntryKind::connection:
+        done =
+            parts.run([&](Json const& level) { return edit::removeConnections(level, {indexAtEnd(path)}); });
+        break;
+    case EntryKind::placing:
+        done = parts.run([&](Json const& level) { return edit::removePlacingArea(level, indexAtEnd(path)); });
+        break;
+    case EntryKind::goalArea:
+        done = parts.run([&](Json const& level) { return edit::removeGoal(level, path); });
+        break;
+    case EntryKind::none:
+        break;
+    }
+    if (done) {
+        parts.selection.clear();
+    }
+}
+
+void selectAll(EditParts& parts) {
+    std::vector<std::string> names;
+    for (std::string const& name : edit::unlocked(parts.tree(), edit::objectNames(parts.tree()))) {
+        if (!edit::isHidden(parts.tree(), name)) {
+            names.push_back(name);
+        }
+    }
+    parts.selection.set(std::move(names));
+}
+
+void selectNext(EditParts& parts) {
+    std::vector<std::string> const names = edit::objectNames(parts.tree());
+    if (names.empty()) {
+        return;
+    }
+    std::size_t next = parts.context.shiftHeld() ? names.size() - 1 : 0;
+    if (hasSelection(parts)) {
+        auto const at = std::find(names.begin(), names.end(), parts.selected().back());
+        auto const index = static_cast<std::size_t>(at - names.begin());
+        next = (index + (parts.context.shiftHeld() ? names.size() - 1 : 1)) % names.size();
+    }
+    parts.selection.set({names[next]});
+}
+
+void askPartName(EditParts& parts) {
+    parts.dialogs.askPartName("my " + parts.selected().front());
+}
+
+void makePart(EditParts& parts, std::string const& name) {
+    std::vector<std::string> const names = parts.selected();
+    try {
+        Json const part = edit::partFrom(*parts.data, parts.tree(), names, names.front(), {name, name, ""});
+        auto const file = edit::writePart(ownPartsFolder(), part);
+        parts.tell(words::partMade(name, file.string()), ToastKind::Success);
+    } catch (std::exception const& error) { // CommandError and OutputError, in words for people
+        parts.tell(error.what(), ToastKind::Trouble);
+    }
+}
+
+} // namespace trembler::ui::actions

@@ -1,0 +1,59 @@
+#include "game/ui/edit/commands/edit_commands.hpp"
+
+#include "game/ui/commands/common_commands.hpp"
+#include "game/ui/edit/commands/command_menus.hpp"
+#include "game/ui/edit/commands/edit_actions.hpp"
+#include "game/ui/edit/edit_parts.hpp"
+
+#include <vector>
+
+namespace trembler::ui {
+namespace {
+
+constexpr Command<EditParts> unlisted[] = {
+    {.info = {.id = "edit-back",
+              .keys = {{{SDLK_ESCAPE}}},
+              .fixed = true,
+              .group = CommandGroup::editing,
+              .name = "Back",
+              .tip = "Let go, deselect; then the menu",
+              .help = "let go, deselect, menu"},
+     .run = actions::back},
+    {.info = common::fullscreen, .run = actions::switchFullscreen},
+};
+
+std::vector<Command<EditParts>> joinedMenus() {
+    std::vector<Command<EditParts>> table;
+    for (EditMenu const& menu : editMenus) {
+        auto const section = menu.commands();
+        table.insert(table.end(), section.begin(), section.end());
+    }
+    table.insert(table.end(), std::begin(unlisted), std::end(unlisted));
+    return table;
+}
+
+constexpr Gesture gesturesOfEditor[] = {
+    {.with = "click", .does = "select (Shift: add or remove)", .group = CommandGroup::editing},
+    {.with = "drag on the paper", .does = "select with a box", .group = CommandGroup::editing},
+    {.with = "drag an object", .does = "move the selection", .group = CommandGroup::editing},
+    {.with = "drag the round knob", .does = "turn the selection", .group = CommandGroup::editing},
+    {.with = "drag a square knob", .does = "scale the shape", .group = CommandGroup::editing},
+    {.with = "Ctrl, Alt", .does = "hold: without the grid", .group = CommandGroup::editing},
+    {.with = "wheel", .does = "zoom", .group = CommandGroup::editing},
+    {.with = "drag with the right or middle button",
+     .does = "move the paper",
+     .group = CommandGroup::editing},
+};
+
+} // namespace
+
+std::span<Command<EditParts> const> editCommands() {
+    static std::vector<Command<EditParts>> const table = joinedMenus();
+    return table;
+}
+
+std::span<Gesture const> editGestures() {
+    return gesturesOfEditor;
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,17 @@
+// The table of the editor's commands.
+#pragma once
+
+#include "game/ui/commands/command.hpp"
+#include "game/ui/commands/key_help.hpp"
+
+#include <span>
+
+namespace trembler::ui {
+
+struct EditParts;
+
+[[nodiscard]] std::span<Command<EditParts> const> editCommands();
+/// The editor's mouse actions.
+[[nodiscard]] std::span<Gesture const> editGestures();
+
+} // namespace trembler::ui

@@ -1,0 +1,105 @@
+#include "game/ui/edit/commands/edit_actions.hpp"
+#include "game/ui/edit/edit_words.hpp"
+#include "puzzle/edit/commands/goals.hpp"
+#include "puzzle/edit/commands/solutions.hpp"
+
+namespace trembler::ui::actions {
+namespace {
+
+using render::ToastKind;
+
+/// A screen for the document as it is; nullptr, and a message, if it cannot be played.
+std::unique_ptr<PlayScreen> playScreenFor(EditParts& parts) {
+    parts.autosave->flush(parts.document);
+    try {
+        LevelFile const level = parts.document.level();
+        // Not the document's own path: a test play marks no level as solved.
+        std::filesystem::path const name =
+            "test of " + (parts.document.path().empty() ? std::string("a new level.json")
+                                                        : parts.document.path().filename().string());
+        std::vector<std::string> places;
+        for (edit::GoalLine const& line : edit::goalLines(parts.tree())) {
+            places.push_back(line.place);
+        }
+        parts.goals.begin(level, std::move(places));
+        bool const mods = parts.data != parts.options.data;
+        auto screen = std::make_unique<PlayScreen>(parts.context, name, mods ? parts.data : nullptr,
+                                                   parts.options.world, &level);
+        screen->updateBehindMenu(0); // it is drawn before its first update
+        return screen;
+    } catch (InputError const& error) {
+        std::vector<Diagnostic> const& all = error.diagnostics();
+        parts.tell(words::cannotTest(all.empty() ? error.what() : all.front().message), ToastKind::Trouble);
+        parts.tab = Tab::problems;
+        return nullptr;
+    }
+}
+
+} // namespace
+
+void testPlay(EditParts& parts) {
+    parts.recordsOver.clear();
+    parts.test = playScreenFor(parts);
+}
+
+void playSolution(EditParts& parts, std::string const& name, bool again) {
+    parts.recordsOver.clear();
+    auto screen = playScreenFor(parts);
+    if (screen == nullptr) {
+        return;
+    }
+    Solution const* const solution = screen->session().level().findSolution(name);
+    if (solution == nullptr) {
+        return;
+    }
+    try {
+        screen->session().load(*solution);
+    } catch (InputError const& error) {
+        std::vector<Diagnostic> const& all = error.diagnostics();
+        parts.tell(words::cannotTest(all.empty() ? error.what() : all.front().message), ToastKind::Trouble);
+        return;
+    }
+    parts.test = std::move(screen);
+    parts.test->worldChanged();
+    if (again) {
+        parts.recordsOver = name;
+    } else {
+        parts.test->commands().run("run");
+    }
+}
+
+void endTest(EditParts& parts) {
+    if (parts.test != nullptr) {
+        parts.goals.end();
+        parts.test->leave();
+        parts.test.reset();
+        parts.recordsOver.clear();
+    }
+}
+
+void recordSolution(EditParts& parts) {
+    if (parts.test == nullptr) {
+        return;
+    }
+    Session& session = parts.test->session();
+    if (session.mode() == SessionMode::building) {
+        parts.tell(words::runFirst);
+        return;
+    }
+    if (auto const why = session.whyNotRecorded()) {
+        parts.tell(*why, ToastKind::Trouble);
+        return;
+    }
+    Solution solution = session.record(parts.recordsOver.empty() ? words::newSolution : parts.recordsOver);
+    solution.solves = session.solved();
+    std::string const over = parts.recordsOver;
+    bool const done = parts.run([&](edit::Json const& level) {
+        return over.empty() ? edit::addSolution(level, solution) : edit::recordAgain(level, over, solution);
+    });
+    if (done) {
+        parts.tell(solution.solves ? words::recordedSolved : words::recordedUnsolved, ToastKind::Success);
+        parts.tab = Tab::solutions;
+    }
+}
+
+} // namespace trembler::ui::actions

@@ -1,0 +1,140 @@
+#include "game/ui/edit/commands/edit_actions.hpp"
+#include "game/ui/edit/edit_words.hpp"
+#include "puzzle/edit/commands/connect.hpp"
+#include "puzzle/edit/commands/contents.hpp"
+#include "puzzle/edit/commands/goals.hpp"
+#include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/commands/shapes.hpp"
+#include "runtime/placement.hpp"
+
+#include <array>
+
+namespace trembler::ui::actions {
+namespace {
+
+using edit::Json;
+
+/// Where an object is at the start; the middle of the view for an unknown one.
+Vec2 placeOf(EditParts const& parts, std::string const& name) {
+    LevelObject const* const object = parts.level.findObject(name);
+    Position const* const position = object == nullptr ? nullptr : object->properties.find<Position>();
+    return position == nullptr ? parts.middleOfView() : position->value;
+}
+
+/// What the tool makes without the mouse: something in the middle of the view, or between two selected
+/// objects.
+void makeInTheMiddle(EditParts& parts, Tool tool) {
+    Vec2 const middle = parts.middleOfView();
+    auto const& names = parts.selected();
+    switch (tool) {
+    case Tool::box:
+        return addDrawn(parts, [&](Json const& level) {
+            return shapeCommand(level, edit::drawnBox(middle - Vec2{0.2, 0.1}, middle + Vec2{0.2, 0.1}),
+                                "box");
+        });
+    case Tool::disc:
+        return addDrawn(parts, [&](Json const& level) {
+            return shapeCommand(level, edit::drawnDisc(middle, middle + Vec2{0.15, 0}), "disc");
+        });
+    case Tool::capsule:
+        return addDrawn(parts, [&](Json const& level) {
+            return shapeCommand(
+                level, edit::drawnCapsule(middle - Vec2{0.2, 0}, middle + Vec2{0.2, 0}, parts.capsuleRadius),
+                "capsule");
+        });
+    case Tool::polygon:
+        return addDrawn(parts, [&](Json const& level) {
+            std::array const corners{middle - Vec2{0.2, 0.1}, middle + Vec2{0.2, -0.1},
+                                     middle + Vec2{0, 0.2}};
+            return shapeCommand(level, edit::drawnPolygon(corners), "polygon");
+        });
+    case Tool::joint:
+        if (names.empty() || names.size() > 2) {
+            return parts.tell(words::selectTwo);
+        }
+        return joinObjects(parts, names[0], names.size() == 2 ? names[1] : "", placeOf(parts, names[0]),
+                           placeOf(parts, names.back()));
+    case Tool::wire:
+        if (names.size() != 2) {
+            return parts.tell(words::selectTwo);
+        }
+        return connectObjects(parts, names[0], names[1]);
+    case Tool::placing:
+    case Tool::goalArea:
+        return addArea(parts, tool, Box{middle - Vec2{0.5, 0.5}, {1, 1}});
+    case Tool::select:
+        break;
+    }
+}
+
+} // namespace
+
+edit::Command shapeCommand(Json const& level, edit::DrawnShape const& drawn, std::string const& name) {
+    Json properties = Json::object();
+    properties["material"] = "wood";
+    properties["shape"] = drawn.shape;
+    return edit::addObject(level, {.part = {},
+                                   .at = drawn.at,
+                                   .angleDegrees = drawn.angleDegrees,
+                                   .properties = std::move(properties),
+                                   .name = name});
+}
+
+void take(EditParts& parts, Tool tool) {
+    parts.partInHand.clear();
+    if (parts.tool == tool && tool != Tool::select) {
+        return makeInTheMiddle(parts, tool);
+    }
+    parts.tool = tool;
+}
+
+void addDrawn(EditParts& parts, std::function<edit::Command(Json const&)> const& make) {
+    if (parts.run(make)) {
+        parts.tool = Tool::select;
+    }
+}
+
+void addPart(EditParts& parts, std::string const& part, Vec2 at) {
+    parts.run([&](Json const& level) { return edit::addObject(level, {.part = part, .at = at}); });
+}
+
+void joinObjects(EditParts& parts, std::string const& a, std::string const& b, Vec2 at, Vec2 atB) {
+    bool const done = parts.run([&](Json const& level) {
+        return edit::addJoint(*parts.data, level, parts.jointForm, a, b, at, atB);
+    });
+    if (done) {
+        std::size_t const count = edit::jointsOf(parts.tree()).size();
+        parts.selection.choose(EntryKind::joint, "/joints/" + std::to_string(count == 0 ? 0 : count - 1));
+        parts.tab = Tab::properties;
+    }
+}
+
+void connectObjects(EditParts& parts, std::string const& a, std::string const& b) {
+    parts.run([&](Json const& level) { return edit::addConnection(level, a, b); });
+}
+
+void addArea(EditParts& parts, Tool tool, Box const& box) {
+    Area const area{box, {}};
+    if (tool == Tool::placing) {
+        if (parts.run([&](Json const& level) { return edit::addPlacingArea(level, area); })) {
+            auto const& placing = parts.tree().at("placing");
+            parts.selection.choose(EntryKind::placing, "/placing/" + std::to_string(placing.size() - 1));
+            parts.tool = Tool::select;
+        }
+        return;
+    }
+    std::vector<std::string> objects = parts.selected();
+    if (objects.empty()) {
+        return parts.tell(words::selectForGoal);
+    }
+    objects.resize(1);
+    bool const done = parts.run([&](Json const& level) {
+        return edit::addGoal(level, "", edit::newCondition("inside", objects, area));
+    });
+    if (done) {
+        parts.tab = Tab::goals;
+        parts.tool = Tool::select;
+    }
+}
+
+} // namespace trembler::ui::actions

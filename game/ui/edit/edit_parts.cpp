@@ -1,0 +1,165 @@
+#include "game/ui/edit/edit_parts.hpp"
+
+#include "game/ui/edit/edit_words.hpp"
+#include "puzzle/edit/commands/editor_state.hpp"
+#include "puzzle/edit/commands/objects.hpp"
+#include "render/scene/areas.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+namespace trembler::ui {
+namespace {
+
+/// The problems of a level are looked for when the designer pauses for this time, s.
+constexpr double pauseBeforeChecking = 0.25;
+
+} // namespace
+
+EditParts::EditParts(UiContext& uiContext, EditOptions editOptions)
+    : context(uiContext), options(std::move(editOptions)), data(options.data),
+      document(edit::LevelDocument::blank(*data)) {
+    autosave = std::make_unique<edit::Autosave>(options.recovery);
+    names = context.profile.settings().names;
+    read();
+    view.setSubject(extent());
+}
+
+bool EditParts::run(std::function<edit::Command(edit::Json const&)> const& make,
+                    std::optional<edit::Gesture> gesture) {
+    try {
+        edit::Command const command = make(document.tree());
+        document.run(command, gesture);
+        if (!command.selects.empty()) {
+            selection.set(command.selects);
+        }
+        sinceChange_ = 0;
+        return true;
+    } catch (edit::CommandError const& error) {
+        tell(error.what(), render::ToastKind::Trouble);
+        return false;
+    }
+}
+
+void EditParts::tell(std::string text, render::ToastKind kind) {
+    context.toasts.add(std::move(text), kind, kind == render::ToastKind::Trouble ? 6 : 4);
+}
+
+void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> nextData) {
+    autosave->close();
+    autosave = std::make_unique<edit::Autosave>(options.recovery);
+    document = std::move(next);
+    data = std::move(nextData);
+    modParts.reset();
+    if (data != options.data) {
+        modParts.emplace(data->parts, context.canvas);
+    }
+    problems = {};
+    selection.clear();
+    dialogs.propose({});
+    partInHand.clear();
+    goalChosen = false;
+    goals.forget();
+    tool = Tool::select;
+    readRevision_.reset();
+    read();
+    problems.refresh(document);
+    view.setSubject(extent());
+    view.fit();
+    if (document.readOnly()) {
+        dialogs.showReadOnly();
+    }
+}
+
+void EditParts::openFile(std::filesystem::path const& path) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) {
+        newLevel();
+        dialogs.propose(path);
+        return;
+    }
+    try {
+        auto const own = dataFor(path);
+        use(edit::LevelDocument::open(*own, path), own);
+    } catch (InputError const& error) {
+        tell(error.what(), render::ToastKind::Trouble);
+    }
+}
+
+std::shared_ptr<GameData const> EditParts::dataFor(std::filesystem::path const& path) {
+    try {
+        if (auto const withMods = options.levelData && !path.empty() ? options.levelData(path) : nullptr) {
+            return withMods;
+        }
+    } catch (std::exception const& error) { // a mod is missing or wrong: the level can still be edited
+        tell(error.what(), render::ToastKind::Trouble);
+    }
+    return options.data;
+}
+
+void EditParts::newLevel() {
+    use(edit::LevelDocument::blank(*options.data), options.data);
+}
+
+void EditParts::read() {
+    if (readRevision_ == document.revision()) {
+        return;
+    }
+    readRevision_ = document.revision();
+    try {
+        Problems faults; // shown by the list of problems
+        LevelFile now = readLevel(data->registry, document.json(), faults);
+        level = std::move(now);
+    } catch (InputError const&) { // no JSON, or too large: what was seen stays
+    }
+    LevelFile shown = level;
+    std::erase_if(shown.objects,
+                  [&](LevelObject const& object) { return edit::isHidden(document.tree(), object.name); });
+    world.build(data->registry, data->parts, shown);
+    scene.start();
+    std::vector<std::string> const all = edit::objectNames(document.tree());
+    for (std::string const& name : std::vector<std::string>(selection.objects())) {
+        if (std::find(all.begin(), all.end(), name) == all.end()) {
+            selection.remove(name);
+        }
+    }
+    view.setSubject(extent());
+}
+
+void EditParts::follow(double seconds) {
+    std::uint64_t const before = readRevision_.value_or(0);
+    read();
+    sinceChange_ = before == document.revision() ? sinceChange_ + seconds : 0;
+    if (sinceChange_ > pauseBeforeChecking || problems.lastSeconds() < 0.004) {
+        problems.refresh(document);
+    }
+    autosave->tick(document, seconds);
+}
+
+render::Extent EditParts::extent() const {
+    render::Extent all;
+    if (world.world() != nullptr) {
+        all = render::sceneFocus(*world.world());
+    }
+    for (Area const& area : level.placing.value_or(std::vector<Area>())) {
+        all.add(render::extentOf(area));
+    }
+    if (level.bounds) {
+        all.add(render::extentOf(Area{level.bounds, {}}));
+    }
+    if (all.empty()) {
+        all.add(render::Point{-4, -1});
+        all.add(render::Point{4, 4});
+    }
+    return all.widened(0.06 * render::length(all.half()));
+}
+
+Vec2 EditParts::middleOfView() const {
+    render::Size const size = camera().viewport;
+    // Left of the panel, which covers the right of the window.
+    render::Point const at = camera().toWorld({0.38 * size.width, 0.5 * size.height});
+    return snapping.place({at.x, at.y});
+}
+
+} // namespace trembler::ui

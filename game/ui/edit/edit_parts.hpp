@@ -1,0 +1,121 @@
+// The parts of the editor's screen. Its commands, its panels, its mouse and its drawing work on them.
+#pragma once
+
+#include "game/ui/edit/files/dialogs.hpp"
+#include "game/ui/edit/files/file_browser.hpp"
+#include "game/ui/edit/panels/command_palette.hpp"
+#include "game/ui/edit/tools/selection.hpp"
+#include "game/ui/edit/tools/snapping.hpp"
+#include "game/ui/edit/tools/tool.hpp"
+#include "game/ui/edit/view/edited_world.hpp"
+#include "game/ui/edit/view/live_goals.hpp"
+#include "game/ui/play/play_screen.hpp"
+#include "game/ui/shared/screen.hpp"
+#include "game/ui/shared/ui_context.hpp"
+#include "game/ui/tools/camera_control.hpp"
+#include "puzzle/edit/document/level_document.hpp"
+#include "puzzle/edit/problems/live_problems.hpp"
+#include "puzzle/edit/recovery/autosave.hpp"
+#include "render/scene/scene_view.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::ui {
+
+struct EditOptions {
+    /// Without mods; not nullptr.
+    std::shared_ptr<GameData const> data;
+    /// What a level that names mods is edited with, see GameOptions; may be empty.
+    std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> levelData{};
+    WorldOptions world{};
+    std::filesystem::path recovery{}; ///< folder for unsaved work; empty: none is kept
+};
+
+/// Each part keeps its own state; here is what concerns several. Window thread only; the context must outlive
+/// it.
+struct EditParts {
+    EditParts(UiContext& uiContext, EditOptions editOptions);
+    EditParts(EditParts const&) = delete;
+    EditParts& operator=(EditParts const&) = delete;
+
+    UiContext& context;
+    EditOptions const options;
+    std::shared_ptr<GameData const> data; ///< of the document
+    std::optional<PartCatalog> modParts;  ///< the parts of `data`, if the level names mods
+    edit::LevelDocument document;
+    edit::LiveProblems problems;
+    std::unique_ptr<edit::Autosave> autosave;
+
+    Selection selection;
+    EditedWorld world;
+    LevelFile level; ///< of the document, as much of it as can be read
+    CameraControl view;
+    render::SceneView scene;
+
+    Tool tool = Tool::select;
+    std::string jointForm = "hinge";
+    double capsuleRadius = 0.05; ///< m
+    Snapping snapping;
+    std::string partInHand; ///< follows the mouse until it is put down; empty: none
+    bool names = false;
+    bool electricity = false;
+
+    Tab tab = Tab::parts;
+    bool panelKeys = false;          ///< the panel has the keyboard
+    std::optional<Tab> panelHadKeys; ///< the page that had it in the last picture
+    std::string searched;            ///< in the catalogue of parts
+    std::string goalPlace;           ///< of the chosen condition
+    bool goalChosen = false;
+
+    edit::Gesture widget;  ///< of the widget that is being used: all its values are one step of undo
+    std::string typedItem; ///< the text field that is being used
+    std::string typedText; ///< and its text, until it is left
+
+    FileBrowser browser;
+    CommandPalette palette;
+    Dialogs dialogs;
+    std::unique_ptr<PlayScreen> test;     ///< while the level is test-played
+    std::string recordsOver;              ///< the solution that the next recording replaces; empty: none
+    LiveGoals goals;                      ///< of the present or the last test play
+    Pointer pointer;                      ///< of this picture
+    std::optional<ScreenRequest> request; ///< what this picture asks of the program
+    std::optional<ScreenRequest> leaving; ///< asked for once the changes are saved or given up
+
+    [[nodiscard]] edit::Json const& tree() const { return document.tree(); }
+    [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
+    [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }
+    [[nodiscard]] bool dialogOpen() const { return browser.isOpen() || palette.isOpen() || dialogs.isOpen(); }
+
+    /// Makes a command from the present tree and runs it; what it made is selected. What cannot be done is
+    /// told the designer. Returns whether it was done.
+    bool run(std::function<edit::Command(edit::Json const&)> const& make,
+             std::optional<edit::Gesture> gesture = {});
+    void tell(std::string text, render::ToastKind kind = render::ToastKind::News);
+
+    /// Shows another document. The old one's changes are gone.
+    void use(edit::LevelDocument next, std::shared_ptr<GameData const> nextData);
+    /// Opens a file, or tells why it cannot. A path that does not exist is a new level with that name.
+    void openFile(std::filesystem::path const& path);
+    /// What a level file is edited with; tells if its mods cannot be had.
+    [[nodiscard]] std::shared_ptr<GameData const> dataFor(std::filesystem::path const& path);
+    void newLevel();
+    /// To be called once per picture: follows the document's changes and keeps unsaved work.
+    void follow(double seconds);
+    /// The smallest rectangle around the level, m.
+    [[nodiscard]] render::Extent extent() const;
+    /// The middle of the view, on the grid, m.
+    [[nodiscard]] Vec2 middleOfView() const;
+    /// The names of selected objects that exist.
+    [[nodiscard]] std::vector<std::string> const& selected() const { return selection.objects(); }
+
+private:
+    void read();
+    std::optional<std::uint64_t> readRevision_; // of the document in `level` and `world`
+    double sinceChange_ = 0;                    // s
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,245 @@
+#include "game/ui/edit/edit_screen.hpp"
+
+#include "game/ui/cards/play_cards.hpp"
+#include "game/ui/commands/carry_out_keys.hpp"
+#include "game/ui/edit/commands/edit_actions.hpp"
+#include "game/ui/edit/commands/edit_commands.hpp"
+#include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/panels/bars.hpp"
+#include "game/ui/edit/panels/side_panel.hpp"
+#include "game/ui/edit/view/edit_drawing.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/buttons.hpp"
+#include "render/panels/theme.hpp"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+
+void drawEditVeil() {
+    ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, ImGui::GetIO().DisplaySize,
+                                                  imColour(faded(palette::paper, 0.6F)));
+}
+
+/// Keys that act on the screen while the panel has the keyboard: function keys, and those with Ctrl.
+bool reachesScreen(SDL_Event const& event) {
+    if (event.type != SDL_KEYDOWN) {
+        return false;
+    }
+    SDL_Keycode const key = event.key.keysym.sym;
+    return (key >= SDLK_F1 && key <= SDLK_F12) || key == SDLK_ESCAPE ||
+           (event.key.keysym.mod & KMOD_CTRL) != 0;
+}
+
+} // namespace
+
+EditScreen::EditScreen(UiContext& context, std::filesystem::path const& file, EditOptions options)
+    : parts_(context, std::move(options)), commands_(editCommands(), parts_) {
+    if (!file.empty()) {
+        parts_.openFile(file);
+    }
+    parts_.problems.refresh(parts_.document);
+    if (!parts_.dialogs.isOpen()) {
+        if (auto const recovery = edit::findRecovery(parts_.options.recovery, file)) {
+            parts_.dialogs.offerRecovery({*recovery});
+        }
+    }
+}
+
+void EditScreen::setView() {
+    auto const scale = static_cast<double>(parts_.context.window.uiScale());
+    parts_.view.setView(parts_.context.window.size(), {scale * toolColumn, scale * topBar,
+                                                       scale * (sidePanelWidth + 24), scale * statusRow});
+    // The view is the designer's: it does not follow what is dragged.
+    parts_.view.stay();
+}
+
+CommandSet& EditScreen::commands() {
+    return parts_.test != nullptr ? parts_.test->commands() : commands_;
+}
+
+std::span<Gesture const> EditScreen::gestures() const {
+    return parts_.test != nullptr ? parts_.test->gestures() : editGestures();
+}
+
+void EditScreen::drawTestCard() {
+    UiContext& context = parts_.context;
+    context.layout.beginCard("test", "", {.anchor = Anchor::BottomRight, .bare = true});
+    bool const record = iconButton("record solution", Icon::Save,
+                                   parts_.recordsOver.empty() ? words::recordIt : words::recordAgainIt, false,
+                                   parts_.test->session().mode() != SessionMode::building);
+    context.layout.item("record solution");
+    ImGui::SameLine(0, scaled(7));
+    bool const back = bigButton(words::testBack, {.icon = Icon::Back, .look = ButtonLook::Primary});
+    context.layout.item("back to editor");
+    context.layout.endCard();
+    bool const byKey = context.input.keyPressed(SDLK_r) && context.controlHeld();
+    if (record || byKey) {
+        actions::recordSolution(parts_);
+    }
+    if (back) {
+        actions::endTest(parts_);
+    }
+}
+
+void EditScreen::updateTest(double seconds) {
+    parts_.goals.follow(parts_.test->session());
+    auto asked = parts_.test->update(seconds);
+    parts_.goals.follow(parts_.test->session());
+    parts_.autosave->tick(parts_.document, seconds);
+    if (asked && std::holds_alternative<request::OpenMenu>(*asked) &&
+        std::get<request::OpenMenu>(*asked).page == MenuPage::main) {
+        asked.reset(); // Esc and the menu's button lead back
+        return actions::endTest(parts_);
+    }
+    parts_.request = asked;
+    bool const running = parts_.test->session().mode() != SessionMode::building;
+    if (running && !parts_.test->inspector().open()) {
+        drawLiveGoals(parts_, cornerRow);
+    }
+    drawTestCard();
+}
+
+void EditScreen::drawDialogs() {
+    UiContext& context = parts_.context;
+    drawEditVeil();
+    if (parts_.browser.isOpen()) {
+        auto const purpose = parts_.browser.purpose();
+        if (auto const file = parts_.browser.draw(context)) {
+            if (purpose == FileBrowser::Purpose::open) {
+                parts_.openFile(*file);
+            } else {
+                // The browser has asked whether a file is to be replaced.
+                actions::saveTo(parts_, *file, edit::LevelDocument::Overwrite::yes);
+            }
+        } else if (!parts_.browser.isOpen()) {
+            parts_.leaving.reset();
+        }
+    } else if (parts_.palette.isOpen()) {
+        if (auto const chosen = parts_.palette.draw(context, commands_)) {
+            commands_.run(*chosen);
+        }
+    } else {
+        parts_.dialogs.draw(parts_);
+    }
+}
+
+void EditScreen::handleKeys() {
+    UiContext& context = parts_.context;
+    bool const escape = context.input.keyPressed(SDLK_ESCAPE);
+    bool const popup = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+    if (escape && popup) { // a menu or a drop-down
+        ImGui::ClosePopupToLevel(0, true);
+    }
+    if (escape && (popup || std::exchange(popupWasOpen_, popup))) {
+        return;
+    }
+    popupWasOpen_ = popup;
+    if (escape && mouse_.cancel(parts_)) {
+        return;
+    }
+    if (context.gui.wantsKeyboard()) {
+        return;
+    }
+    if (parts_.panelKeys) {
+        std::vector<SDL_Event> events;
+        std::copy_if(context.input.events().begin(), context.input.events().end(), std::back_inserter(events),
+                     reachesScreen);
+        return carryOutKeys(events, context.keys, commands_);
+    }
+    carryOutKeys(context.input.events(), context.keys, commands_);
+}
+
+std::optional<ScreenRequest> EditScreen::update(double seconds) {
+    parts_.request.reset();
+    if (parts_.test != nullptr) {
+        updateTest(seconds);
+        return std::exchange(parts_.request, std::nullopt);
+    }
+    UiContext& context = parts_.context;
+    setView();
+    bool const busy = mouse_.doing() != EditMouse::Doing::nothing || !parts_.partInHand.empty();
+    parts_.pointer = reader_.read(context, parts_.camera(), busy);
+    bool const dialog = parts_.dialogOpen();
+    if (dialog) {
+        parts_.pointer.overCard = true;
+        parts_.pointer.pressed = false;
+    }
+    if (dialog) { // alone, as the menu is: nothing behind it can be pressed
+        drawDialogs();
+    } else {
+        if (drawSidePanel(parts_, commands_).tookPart) {
+            mouse_.tookPart();
+        }
+        if (auto const asked = drawBars(parts_, commands_)) {
+            commands_.run(*asked);
+        }
+        handleKeys();
+        if (parts_.test == nullptr && !parts_.dialogOpen()) {
+            mouse_.update(parts_);
+        }
+    }
+    parts_.follow(seconds);
+    return std::exchange(parts_.request, std::nullopt);
+}
+
+void EditScreen::updateBehindMenu(double seconds) {
+    if (parts_.test != nullptr) {
+        parts_.test->updateBehindMenu(seconds);
+        return;
+    }
+    setView();
+    mouse_.cancel(parts_);
+    parts_.follow(seconds);
+}
+
+bool EditScreen::keepsPicture() const {
+    return parts_.test != nullptr && parts_.test->keepsPicture();
+}
+
+void EditScreen::draw() {
+    if (parts_.test != nullptr) {
+        parts_.test->draw();
+    } else {
+        drawEditedScene(parts_, mouse_);
+    }
+}
+
+void EditScreen::pictureComplete() {
+    if (parts_.test != nullptr) {
+        parts_.test->pictureComplete();
+    }
+}
+
+bool EditScreen::mayLeaveFor(ScreenRequest const& asked) {
+    if (!parts_.document.modified() || parts_.document.readOnly()) {
+        return true;
+    }
+    if (parts_.leaving && asked.index() == parts_.leaving->index() && leaveAgreed_) {
+        return true;
+    }
+    actions::endTest(parts_);
+    parts_.leaving = asked;
+    parts_.dialogs.askUnsaved([this](EditParts& parts) {
+        leaveAgreed_ = true;
+        if (parts.leaving) {
+            parts.request = parts.leaving;
+        }
+    });
+    return false;
+}
+
+void EditScreen::leave() {
+    actions::endTest(parts_);
+    // In order: what was not saved was given up.
+    parts_.autosave->close();
+}
+
+} // namespace trembler::ui

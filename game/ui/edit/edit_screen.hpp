@@ -1,0 +1,48 @@
+// The screen of the editor: the scene, the bar, the tools and the panel, or the test play.
+#pragma once
+
+#include "game/ui/edit/edit_parts.hpp"
+#include "game/ui/edit/tools/edit_mouse.hpp"
+#include "game/ui/play/mouse/pointer_reader.hpp"
+
+namespace trembler::ui {
+
+/// Window thread only; the context must outlive it.
+class EditScreen final : public Screen {
+public:
+    /// Opens a level file in it; an empty path: a new level.
+    EditScreen(UiContext& context, std::filesystem::path const& file, EditOptions options);
+
+    std::optional<ScreenRequest> update(double seconds) override;
+    void updateBehindMenu(double seconds) override;
+    [[nodiscard]] bool keepsPicture() const override;
+    void draw() override;
+    void pictureComplete() override;
+    [[nodiscard]] bool mayLeaveFor(ScreenRequest const& asked) override;
+    void leave() override;
+    /// Those of the test play, while it goes on.
+    [[nodiscard]] CommandSet& commands() override;
+    [[nodiscard]] std::span<Gesture const> gestures() const override;
+    [[nodiscard]] std::filesystem::path const& level() const override { return parts_.document.path(); }
+
+    [[nodiscard]] EditParts& parts() { return parts_; }
+    [[nodiscard]] EditMouse const& mouse() const { return mouse_; }
+    /// The screen of the test play; nullptr while there is none.
+    [[nodiscard]] PlayScreen* test() { return parts_.test.get(); }
+
+private:
+    void setView();
+    void updateTest(double seconds);
+    void drawTestCard();
+    void drawDialogs();
+    void handleKeys();
+
+    EditParts parts_;
+    CommandsOf<EditParts> commands_;
+    PointerReader reader_;
+    EditMouse mouse_;
+    bool popupWasOpen_ = false; // in the last picture
+    bool leaveAgreed_ = false;  // the designer gave the changes up
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,114 @@
+#include "game/ui/edit/panels/command_palette.hpp"
+
+#include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/files/file_browser.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/theme.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+#include <vector>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+
+std::string lowerCase(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+} // namespace
+
+bool fitsSearch(std::string const& text, std::string const& typed) {
+    std::string const all = lowerCase(text);
+    std::istringstream words(lowerCase(typed));
+    for (std::string word; words >> word;) {
+        if (all.find(word) == std::string::npos) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void CommandPalette::begin() {
+    open_ = true;
+    fresh_ = true;
+    typed_.clear();
+    chosen_ = 0;
+}
+
+std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet const& commands) {
+    if (context.input.keyPressed(SDLK_ESCAPE)) {
+        close();
+        return {};
+    }
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        CommandInfo const& info = commands.info(i);
+        if (commands.available(i) && !info.fixed &&
+            fitsSearch(std::string(info.name) + " " + info.tip, typed_)) {
+            shown.push_back(i);
+        }
+    }
+    if (context.input.keyPressed(SDLK_DOWN, true)) {
+        ++chosen_;
+    }
+    if (context.input.keyPressed(SDLK_UP, true) && chosen_ > 0) {
+        --chosen_;
+    }
+    chosen_ = shown.empty() ? 0 : std::min(chosen_, shown.size() - 1);
+    context.layout.beginCard("command palette", words::commandsTitle,
+                             {.anchor = Anchor::Top, .offset = {0, 60}, .width = 460});
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (fresh_) {
+        ImGui::SetKeyboardFocusHere();
+    }
+    bool const moved = context.input.keyPressed(SDLK_DOWN, true) || context.input.keyPressed(SDLK_UP, true);
+    if (textField("##typed", typed_, 80)) {
+        chosen_ = 0;
+    }
+    context.layout.item("command name");
+    std::optional<std::size_t> run;
+    float const room = std::min(ImGui::GetIO().DisplaySize.y / theme().scale - 190, 380.F);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, imColour4(palette::paper));
+    ImGui::BeginChild("found", {0, scaled(room)});
+    for (std::size_t row = 0; row < shown.size(); ++row) {
+        CommandInfo const& info = commands.info(shown[row]);
+        auto const keys = context.keys.keysOf(info.id);
+        ImGui::PushID(static_cast<int>(shown[row]));
+        if (ImGui::Selectable(info.name, row == chosen_)) {
+            run = shown[row];
+        }
+        context.layout.item("run " + std::string(info.id));
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", info.tip);
+        }
+        if (row == chosen_ && moved) {
+            ImGui::SetScrollHereY();
+        }
+        if (!keys.empty()) {
+            std::string const key = labelOf(keys.front());
+            ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(key.c_str()).x);
+            ImGui::TextDisabled("%s", key.c_str());
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    context.layout.endCard();
+    bool const enter = context.input.keyPressed(SDLK_RETURN) || context.input.keyPressed(SDLK_KP_ENTER);
+    if (enter && !fresh_ && chosen_ < shown.size()) {
+        run = shown[chosen_];
+    }
+    fresh_ = false;
+    if (run) {
+        close();
+    }
+    return run;
+}
+
+} // namespace trembler::ui

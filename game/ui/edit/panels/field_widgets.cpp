@@ -1,0 +1,243 @@
+#include "game/ui/edit/panels/field_widgets.hpp"
+
+#include "game/ui/edit/edit_words.hpp"
+#include "game/ui/shared/words.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/theme.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+using edit::Json;
+
+constexpr float shareOfName = 0.38F;
+
+std::string numberFormat(std::string const& unit, bool whole) {
+    std::string format = whole ? "%.0f" : "%.5g";
+    if (!unit.empty()) {
+        format += unit.starts_with("°") ? "" : " ";
+        for (char const c : unit) {
+            format += c == '%' ? std::string("%%") : std::string(1, c);
+        }
+    }
+    return format;
+}
+
+/// Each use of a widget is a gesture of its own.
+void noteUse(EditParts& parts) {
+    if (ImGui::IsItemActivated()) {
+        parts.widget = {parts.document.newGesture(), edit::Gesture::Next::replaces};
+    }
+}
+
+float dragSpeed(double value) {
+    return static_cast<float>(std::clamp(0.01 * std::abs(value), 0.005, 1e6));
+}
+
+double numberOf(Json const& value) {
+    return value.is_number() ? value.get<double>() : 0;
+}
+
+} // namespace
+
+void fieldName(std::string const& name, std::string const& help) {
+    float const width = ImGui::GetContentRegionAvail().x;
+    float const left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::inkSoft));
+    ImGui::PushTextWrapPos(left + shareOfName * width - scaled(4));
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    if (!help.empty() && ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", words::wrapped(help, 60).c_str());
+    }
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + shareOfName * width);
+    ImGui::SetNextItemWidth((1 - shareOfName) * width);
+}
+
+bool committedText(EditParts& parts, std::string const& item, std::string& text, float lines) {
+    std::string shown = parts.typedItem == item ? parts.typedText : text;
+    std::string const label = "##" + item;
+    bool entered = false;
+    if (lines > 1) {
+        textArea(label.c_str(), shown, lines);
+    } else {
+        entered = textField(label.c_str(), shown, 400, true);
+    }
+    parts.context.layout.item(item);
+    if (ImGui::IsItemActive() || shown != text) {
+        parts.typedItem = item;
+        parts.typedText = shown;
+    }
+    if (parts.typedItem == item && (entered || ImGui::IsItemDeactivated())) {
+        parts.typedItem.clear();
+        bool const changed = shown != text;
+        text = shown;
+        return changed;
+    }
+    return false;
+}
+
+bool numberField(EditParts& parts, std::string const& item, double& value, double low, double high,
+                 std::string const& unit, bool whole) {
+    // ImGui's drags take no ranges beyond half of all numbers.
+    low = std::max(low, -1e300);
+    high = std::min(high, 1e300);
+    bool const changed = ImGui::DragScalar(("##" + item).c_str(), ImGuiDataType_Double, &value,
+                                           whole ? 0.05F : dragSpeed(value), &low, &high,
+                                           numberFormat(unit, whole).c_str(), ImGuiSliderFlags_AlwaysClamp);
+    parts.context.layout.item(item);
+    noteUse(parts);
+    if (whole) {
+        value = std::round(value);
+    }
+    return changed;
+}
+
+bool choiceField(EditParts& parts, std::string const& item, std::string& chosen,
+                 std::vector<std::string> const& choices) {
+    bool changed = false;
+    if (ImGui::BeginCombo(("##" + item).c_str(), chosen.empty() ? "–" : chosen.c_str())) {
+        for (std::string const& choice : choices) {
+            if (ImGui::Selectable(choice.empty() ? "–" : choice.c_str(), choice == chosen)) {
+                changed = choice != chosen;
+                chosen = choice;
+            }
+            parts.context.layout.item(item + " = " + choice);
+        }
+        ImGui::EndCombo();
+    }
+    parts.context.layout.item(item);
+    return changed;
+}
+
+std::optional<Json> fieldWidget(EditParts& parts, edit::InspectedField const& field,
+                                std::string const& item) {
+    std::string help = field.help;
+    if (field.mixed) {
+        help += std::string(help.empty() ? "" : "\n") + words::severalValues;
+        ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::warning));
+    }
+    fieldName(field.name, help);
+    std::optional<Json> result;
+    switch (field.type) {
+    case FieldType::boolean: {
+        bool on = field.value.is_boolean() && field.value.get<bool>();
+        if (ImGui::Checkbox(("##" + item).c_str(), &on)) {
+            result = on;
+        }
+        parts.context.layout.item(item);
+        break;
+    }
+    case FieldType::integer:
+    case FieldType::number: {
+        double value = numberOf(field.value);
+        bool const whole = field.type == FieldType::integer;
+        if (numberField(parts, item, value, field.minimum, field.maximum, field.unit, whole)) {
+            result = whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+        }
+        break;
+    }
+    case FieldType::vector: {
+        std::array<double, 2> value{};
+        if (field.value.is_array() && field.value.size() == 2) {
+            value = {numberOf(field.value[0]), numberOf(field.value[1])};
+        }
+        float const half = 0.5F * (ImGui::GetContentRegionAvail().x - scaled(4));
+        ImGui::SetNextItemWidth(half);
+        bool changed = numberField(parts, item + " x", value[0], field.minimum, field.maximum, field.unit);
+        ImGui::SameLine(0, scaled(4));
+        ImGui::SetNextItemWidth(half);
+        changed =
+            numberField(parts, item + " y", value[1], field.minimum, field.maximum, field.unit) || changed;
+        if (changed) {
+            result = Json::array({value[0], value[1]});
+        }
+        break;
+    }
+    case FieldType::text: {
+        std::string text = field.value.is_string() ? field.value.get<std::string>() : "";
+        if (committedText(parts, item, text)) {
+            result = text;
+        }
+        break;
+    }
+    case FieldType::object:
+    case FieldType::choice: {
+        std::string chosen = field.value.is_string() ? field.value.get<std::string>() : "";
+        if (choiceField(parts, item, chosen, field.choices)) {
+            result = chosen;
+        }
+        break;
+    }
+    case FieldType::list:
+        ImGui::NewLine();
+        break;
+    }
+    if (field.mixed) {
+        ImGui::PopStyleColor();
+    }
+    return result;
+}
+
+void runWidget(EditParts& parts, std::function<edit::Command(Json const&)> const& make, bool continuous) {
+    std::vector<std::string> const selected = parts.selected();
+    EntryKind const kind = parts.selection.kind();
+    std::string const path = parts.selection.path();
+    parts.run(make, continuous && parts.widget.number != 0 ? std::optional(parts.widget) : std::nullopt);
+    // A property is changed, not another thing chosen.
+    if (kind == EntryKind::none) {
+        parts.selection.set(selected);
+    } else {
+        parts.selection.choose(kind, path);
+    }
+}
+
+std::optional<Area> areaFields(EditParts& parts, Area const& area, std::string const& item) {
+    Area changed = area;
+    bool touched = false;
+    auto const pair = [&](char const* name, std::string const& what, Vec2& value, double low) {
+        fieldName(name, "");
+        float const half = 0.5F * (ImGui::GetContentRegionAvail().x - scaled(4));
+        ImGui::SetNextItemWidth(half);
+        touched = numberField(parts, item + " " + what + " x", value.x, low, 1e6, "m") || touched;
+        ImGui::SameLine(0, scaled(4));
+        ImGui::SetNextItemWidth(half);
+        touched = numberField(parts, item + " " + what + " y", value.y, low, 1e6, "m") || touched;
+    };
+    if (changed.box) {
+        pair(words::cornerField, "corner", changed.box->corner, -1e6);
+        pair(words::sizeField, "size", changed.box->size, 0.001);
+    }
+    for (std::size_t i = 0; i < changed.corners.size(); ++i) {
+        pair(words::cornerField, std::to_string(i), changed.corners[i], -1e6);
+    }
+    return touched ? std::optional(changed) : std::nullopt;
+}
+
+bool smallButton(EditParts& parts, char const* label, std::string const& item, char const* tip) {
+    bool const clicked = ImGui::Button((std::string(label) + "##" + item).c_str());
+    parts.context.layout.item(item);
+    if (tip != nullptr && ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", tip);
+    }
+    return clicked;
+}
+
+void pageHeading(char const* text) {
+    ImGui::Dummy({0, scaled(2)});
+    ImGui::PushFont(theme().fonts.strong);
+    ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::accent));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+} // namespace trembler::ui

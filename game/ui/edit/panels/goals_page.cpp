@@ -1,0 +1,281 @@
+#include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/panels/side_panel.hpp"
+#include "game/ui/edit/view/edit_geometry.hpp"
+#include "puzzle/edit/commands/contents.hpp"
+#include "puzzle/edit/commands/goals.hpp"
+#include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/goals/conditions/table.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/cards.hpp"
+#include "render/panels/icons.hpp"
+#include "render/panels/theme.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+using edit::Json;
+
+/// "touching: iron ball, electromagnet".
+std::string summaryOf(edit::GoalLine const& line) {
+    std::string text = line.kind.empty() ? "?" : line.kind;
+    if (!line.condition.is_object() || !line.condition.contains(line.kind)) {
+        return text;
+    }
+    std::string about;
+    auto const add = [&](Json const& value) {
+        if (value.is_string()) {
+            about += (about.empty() ? "" : ", ") + value.get<std::string>();
+        } else if (value.is_object() && value.contains("part") && value["part"].is_string()) {
+            about += (about.empty() ? "" : ", ") + value["part"].get<std::string>();
+        }
+    };
+    Json const& body = line.condition[line.kind];
+    add(body);
+    if (body.is_array() || body.is_object()) {
+        for (Json const& one : body) {
+            add(one);
+        }
+    }
+    text += about.empty() ? "" : ": " + about;
+    if (line.condition.contains("for") && line.condition["for"].is_number()) {
+        std::array<char, 32> seconds{};
+        std::snprintf(seconds.data(), seconds.size(), ", %.3g s", line.condition["for"].get<double>());
+        text += seconds.data();
+    }
+    return text;
+}
+
+/// A tick or a cross at the end of the last line, as the condition stands in the test play.
+void drawGoalState(EditParts const& parts, std::string const& place) {
+    auto const state = parts.goals.states().find(place);
+    if (state == parts.goals.states().end()) {
+        return;
+    }
+    ImVec2 const at{ImGui::GetItemRectMax().x - scaled(10),
+                    0.5F * (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y)};
+    bool const met = state->second.met || state->second.once;
+    drawIcon(*ImGui::GetWindowDrawList(), met ? Icon::Tick : Icon::Cross, at, scaled(12),
+             imColour(state->second.met ? palette::goal
+                      : met             ? palette::accent
+                                        : palette::warning));
+}
+
+/// Widgets for a value inside a condition; true when it was changed.
+bool editValue(EditParts& parts, std::string const& key, Json& value, std::string const& item) {
+    std::vector<std::string> names = edit::objectNames(parts.tree());
+    if (key == "area") {
+        for (SceneArea const& area : sceneAreas(parts)) {
+            if (area.kind == EntryKind::goalArea && area.path == parts.goalPlace) {
+                if (auto const changed = areaFields(parts, area.area, item)) {
+                    value = edit::areaJson(*changed);
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+    if (value.is_string()) {
+        std::string text = value.get<std::string>();
+        fieldName(key, "");
+        static std::array<char const*, 2> const freeTexts{"called", "text"};
+        bool changed = false;
+        if (key == "towards") {
+            changed = choiceField(parts, item, text, {"up", "down", "left", "right"});
+        } else if (std::find(freeTexts.begin(), freeTexts.end(), key) != freeTexts.end()) {
+            changed = committedText(parts, item, text);
+        } else {
+            names.push_back("it");
+            changed = choiceField(parts, item, text, key == "part" ? parts.data->parts.names() : names);
+        }
+        value = text;
+        return changed;
+    }
+    if (value.is_number()) {
+        double number = value.get<double>();
+        bool const whole = value.is_number_integer() && (key == "at_least" || key == "at_most");
+        fieldName(key, "");
+        bool const changed = numberField(parts, item, number, 0, 1e6, "", whole);
+        value = whole ? Json(static_cast<std::int64_t>(number)) : Json(number);
+        return changed;
+    }
+    bool changed = false;
+    if (value.is_array() || value.is_object()) {
+        std::size_t i = 0;
+        for (auto at = value.begin(); at != value.end(); ++at, ++i) {
+            std::string const inner = value.is_object() ? at.key() : key;
+            if (inner == "that") {
+                continue; // a line of its own
+            }
+            ImGui::PushID(static_cast<int>(i));
+            changed = editValue(parts, inner, *at, item + "/" + std::to_string(i)) || changed;
+            ImGui::PopID();
+        }
+    }
+    return changed;
+}
+
+Json const* conditionAt(Json const& tree, std::string const& place) {
+    try {
+        return &tree.at(Json::json_pointer("/goals" + place));
+    } catch (nlohmann::json::exception const&) {
+        return nullptr;
+    }
+}
+
+void drawChosen(EditParts& parts, edit::GoalLine const& line) {
+    Json const* const found = conditionAt(parts.tree(), line.place);
+    if (found == nullptr) {
+        return;
+    }
+    Json condition = *found;
+    pageHeading(line.kind.c_str());
+    if (!line.takesMore && line.kind != "not" && condition.contains(line.kind)) {
+        if (editValue(parts, "object", condition[line.kind], "goal")) {
+            runWidget(
+                parts, [&](Json const& level) { return edit::changeGoal(level, line.place, condition); },
+                true);
+        }
+    }
+    double seconds =
+        condition.contains("for") && condition["for"].is_number() ? condition["for"].get<double>() : 0;
+    fieldName(words::forSeconds, words::forSecondsTip);
+    if (numberField(parts, "goal for", seconds, 0, 3600, "s")) {
+        runWidget(
+            parts,
+            [&](Json const& level) {
+                return edit::setGoalOption(level, line.place, "for", seconds > 0 ? Json(seconds) : Json());
+            },
+            true);
+    }
+    for (auto const& [key, title] : {std::pair{"id", words::goalId}, std::pair{"text", words::goalText}}) {
+        std::string text =
+            condition.contains(key) && condition[key].is_string() ? condition[key].get<std::string>() : "";
+        fieldName(title, words::goalTextTip);
+        if (committedText(parts, std::string("goal ") + key, text)) {
+            runWidget(
+                parts,
+                [&, option = std::string(key)](Json const& level) {
+                    return edit::setGoalOption(level, line.place, option, text.empty() ? Json() : Json(text));
+                },
+                false);
+        }
+    }
+    for (char const* kind : {"all", "any", "sequence", "not"}) {
+        if (smallButton(parts, kind, std::string("wrap ") + kind, words::wrapTip)) {
+            parts.run([&](Json const& level) { return edit::wrapGoal(level, line.place, kind); });
+        }
+        ImGui::SameLine();
+    }
+    if (smallButton(parts, words::unwrap, "unwrap", words::unwrapTip)) {
+        parts.run([&](Json const& level) { return edit::unwrapGoal(level, line.place); });
+    }
+    std::size_t const index = indexOfPath(line.place);
+    if (!line.place.empty() && index > 0) {
+        if (smallButton(parts, words::upIt, "goal up")) {
+            parts.run([&](Json const& level) { return edit::moveGoal(level, line.place, index - 1); });
+        }
+        ImGui::SameLine();
+    }
+    if (smallButton(parts, words::removeIt, "remove goal")) {
+        if (parts.run([&](Json const& level) { return edit::removeGoal(level, line.place); })) {
+            parts.goalChosen = false;
+        }
+    }
+}
+
+void drawAdd(EditParts& parts, std::vector<edit::GoalLine> const& lines) {
+    std::string chosen;
+    std::vector<std::string> kinds;
+    for (ConditionKind const* const kind : conditionKinds()) {
+        kinds.emplace_back(kind->key());
+    }
+    ImGui::TextUnformatted(words::addGoal);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (!choiceField(parts, "add goal", chosen, kinds)) {
+        return;
+    }
+    std::string place;
+    for (edit::GoalLine const& line : lines) {
+        if (parts.goalChosen && line.place == parts.goalPlace && line.takesMore) {
+            place = line.place;
+        }
+    }
+    Vec2 const middle = parts.middleOfView();
+    Area const area{Box{middle - Vec2{0.5, 0.5}, {1, 1}}, {}};
+    parts.run([&](Json const& level) {
+        std::vector<std::string> objects = parts.selected();
+        for (std::string const& name : edit::objectNames(level)) { // something to begin with
+            if (objects.size() < 2 && std::find(objects.begin(), objects.end(), name) == objects.end()) {
+                objects.push_back(name);
+            }
+        }
+        return edit::addGoal(level, place, edit::newCondition(chosen, objects, area));
+    });
+}
+
+} // namespace
+
+void drawLiveGoals(EditParts& parts, float top) {
+    auto const lines = edit::goalLines(parts.tree());
+    if (lines.empty() || parts.goals.states().empty()) {
+        return;
+    }
+    parts.context.layout.beginCard("live goals", words::tabGoals,
+                                   {.anchor = Anchor::TopRight, .offset = {16, top}, .width = 270});
+    for (edit::GoalLine const& line : lines) {
+        ImGui::Indent(scaled(14) * static_cast<float>(line.depth) + 0.01F);
+        float const room = ImGui::GetContentRegionAvail().x;
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room - scaled(22));
+        ImGui::TextUnformatted(summaryOf(line).c_str());
+        ImGui::PopTextWrapPos();
+        // The state stands at the end of the line, not of the words.
+        ImVec2 const low = ImGui::GetItemRectMin();
+        ImVec2 const high = ImGui::GetItemRectMax();
+        auto const state = parts.goals.states().find(line.place);
+        if (state != parts.goals.states().end()) {
+            bool const met = state->second.met;
+            drawIcon(*ImGui::GetWindowDrawList(), met ? Icon::Tick : Icon::Cross,
+                     {low.x + room - scaled(10), 0.5F * (low.y + high.y)}, scaled(13),
+                     imColour(met ? palette::goal : palette::warning));
+        }
+        ImGui::Unindent(scaled(14) * static_cast<float>(line.depth) + 0.01F);
+    }
+    parts.context.layout.endCard();
+}
+
+void drawGoalsPage(EditParts& parts) {
+    auto const lines = edit::goalLines(parts.tree());
+    if (lines.empty()) {
+        caption(words::noGoals);
+    }
+    edit::GoalLine const* chosen = nullptr;
+    for (edit::GoalLine const& line : lines) {
+        ImGui::Indent(scaled(14) * static_cast<float>(line.depth) + 0.01F);
+        std::string const label = summaryOf(line) + "##" + line.place;
+        bool const on = parts.goalChosen && parts.goalPlace == line.place;
+        if (ImGui::Selectable(label.c_str(), on)) {
+            parts.goalPlace = line.place;
+            parts.goalChosen = true;
+            if (line.condition.is_object() && line.kind == "inside") {
+                parts.selection.choose(EntryKind::goalArea, line.place);
+            }
+        }
+        parts.context.layout.item("goal " + line.place);
+        drawGoalState(parts, line.place);
+        ImGui::Unindent(scaled(14) * static_cast<float>(line.depth) + 0.01F);
+        if (on) {
+            chosen = &line;
+        }
+    }
+    drawAdd(parts, lines);
+    if (chosen != nullptr) {
+        drawChosen(parts, *chosen);
+    }
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,188 @@
+#include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/panels/property_rows.hpp"
+#include "game/ui/edit/panels/side_panel.hpp"
+#include "lua/mods/mod.hpp"
+#include "puzzle/edit/commands/contents.hpp"
+#include "puzzle/edit/commands/properties.hpp"
+#include "render/panels/cards.hpp"
+#include "render/panels/theme.hpp"
+#include "runtime/level/model/detail_levels.hpp"
+
+#include <algorithm>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+using edit::Json;
+
+std::string textAt(Json const& tree, char const* key) {
+    return tree.is_object() && tree.contains(key) && tree[key].is_string() ? tree[key].get<std::string>()
+                                                                           : std::string();
+}
+
+Json listAt(Json const& tree, char const* key) {
+    return tree.is_object() && tree.contains(key) && tree[key].is_array() ? tree[key] : Json::array();
+}
+
+void drawTexts(EditParts& parts) {
+    pageHeading(words::textsHeading);
+    std::string title = textAt(parts.tree(), "title");
+    fieldName(words::titleField, "");
+    if (committedText(parts, "level title", title)) {
+        parts.run([&](Json const& level) { return edit::setTitle(level, title); });
+    }
+    std::string text = textAt(parts.tree(), "text");
+    ImGui::TextUnformatted(words::storyField);
+    if (committedText(parts, "level text", text, 4)) {
+        parts.run([&](Json const& level) { return edit::setText(level, text); });
+    }
+    bool demonstration = parts.level.demonstration;
+    if (ImGui::Checkbox(words::demonstrationField, &demonstration)) {
+        parts.run([&](Json const& level) { return edit::setDemonstration(level, demonstration); });
+    }
+    parts.context.layout.item("demonstration");
+    pageHeading(words::hintsHeading);
+    Json const hints = listAt(parts.tree(), "hints");
+    for (std::size_t i = 0; i < hints.size(); ++i) {
+        std::string const item = "hint " + std::to_string(i);
+        std::string hint = hints[i].is_string() ? hints[i].get<std::string>() : "";
+        if (committedText(parts, item, hint, 2)) {
+            parts.run([&](Json const& level) { return edit::setHint(level, i, hint); });
+        }
+        if (smallButton(parts, words::removeIt, item + " remove")) {
+            parts.run([&](Json const& level) { return edit::removeHint(level, i); });
+        }
+        if (i > 0) {
+            ImGui::SameLine();
+            if (smallButton(parts, words::upIt, item + " up")) {
+                parts.run([&](Json const& level) { return edit::moveHint(level, i, i - 1); });
+            }
+        }
+    }
+    if (smallButton(parts, words::addHint, "add hint")) {
+        parts.run([&](Json const& level) { return edit::addHint(level, words::newHint); });
+    }
+}
+
+void drawToolboxRows(EditParts& parts) {
+    pageHeading(words::toolboxHeading);
+    Json const tools = listAt(parts.tree(), "toolbox");
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        std::string const item = "tool " + std::to_string(i);
+        std::string const part = tools[i].is_object() ? textAt(tools[i], "part") : "";
+        double count = tools[i].is_object() && tools[i].contains("count") && tools[i]["count"].is_number()
+                           ? tools[i]["count"].get<double>()
+                           : 1;
+        fieldName(parts.catalog().titleOf(part), part);
+        float const width = ImGui::GetContentRegionAvail().x;
+        ImGui::SetNextItemWidth(width - scaled(72));
+        if (numberField(parts, item, count, 1, 1000, "", true)) {
+            runWidget(
+                parts,
+                [&](Json const& level) { return edit::setToolCount(level, i, static_cast<int>(count)); },
+                true);
+        }
+        ImGui::SameLine();
+        if (smallButton(parts, words::removeShort, item + " remove", words::removeIt)) {
+            parts.run([&](Json const& level) { return edit::removeTool(level, i); });
+        }
+    }
+    std::string chosen;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (choiceField(parts, "add tool", chosen, parts.data->parts.names())) {
+        parts.run([&](Json const& level) { return edit::addTool(level, chosen, 1); });
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", words::addToolTip);
+    }
+}
+
+void drawWorld(EditParts& parts) {
+    pageHeading(words::worldHeading);
+    if (parts.level.bounds) {
+        Box bounds = *parts.level.bounds;
+        bool changed = false;
+        fieldName(words::boundsField, words::boundsTip);
+        float const half = 0.5F * (ImGui::GetContentRegionAvail().x - scaled(4));
+        auto const number = [&](char const* item, double& value, double low, bool second) {
+            if (second) {
+                ImGui::SameLine(0, scaled(4));
+            }
+            ImGui::SetNextItemWidth(half);
+            changed = numberField(parts, item, value, low, 1e6, "m") || changed;
+        };
+        number("bounds x", bounds.corner.x, -1e6, false);
+        number("bounds y", bounds.corner.y, -1e6, true);
+        fieldName("", "");
+        number("bounds width", bounds.size.x, 0.01, false);
+        number("bounds height", bounds.size.y, 0.01, true);
+        if (changed) {
+            runWidget(
+                parts, [&](Json const& level) { return edit::setBounds(level, bounds); }, true);
+        }
+        if (smallButton(parts, words::noBounds, "no bounds")) {
+            parts.run([&](Json const& level) { return edit::setBounds(level, {}); });
+        }
+    } else if (smallButton(parts, words::giveBounds, "give bounds")) {
+        parts.run([&](Json const& level) { return edit::setBounds(level, Box{{-4, -0.5}, {8, 4}}); });
+    }
+    if (parts.level.placing && smallButton(parts, words::anywhere, "place anywhere", words::anywhereTip)) {
+        parts.run([](Json const& level) { return edit::placeAnywhere(level); });
+    }
+    for (edit::InspectedProperty const& property : edit::inspectWorld(*parts.data, parts.tree())) {
+        drawWorldProperty(parts, property);
+    }
+    pageHeading(words::detailHeading);
+    for (auto const& [effect, levels] : detailLevels(parts.data->registry)) {
+        auto const stated = parts.level.detail.find(effect);
+        std::string chosen = stated == parts.level.detail.end() ? std::string() : stated->second;
+        std::vector<std::string> choices{""};
+        choices.insert(choices.end(), levels.begin(), levels.end());
+        fieldName(effect, words::detailTip);
+        if (choiceField(parts, "detail " + effect, chosen, choices)) {
+            parts.run([&, name = effect](Json const& level) {
+                return edit::setDetail(*parts.data, level, name, chosen);
+            });
+        }
+    }
+}
+
+void drawMods(EditParts& parts) {
+    pageHeading(words::modsHeading);
+    std::vector<std::string> mods = parts.level.mods;
+    bool changed = false;
+    auto const folders = lua::modFolders({}, parts.document.path(), parts.options.data->home);
+    for (std::filesystem::path const& folder : lua::listMods(folders)) {
+        std::string const name = folder.filename().string();
+        auto const at = std::find(mods.begin(), mods.end(), name);
+        bool on = at != mods.end();
+        if (ImGui::Checkbox(name.c_str(), &on)) {
+            if (on) {
+                mods.push_back(name);
+            } else {
+                mods.erase(at);
+            }
+            changed = true;
+        }
+        parts.context.layout.item("mod " + name);
+    }
+    if (changed) {
+        parts.run([&](Json const& level) { return edit::setMods(level, mods); });
+    }
+    ImGui::PushFont(theme().fonts.small);
+    caption(words::modsTip);
+    ImGui::PopFont();
+}
+
+} // namespace
+
+void drawLevelPage(EditParts& parts) {
+    drawTexts(parts);
+    drawToolboxRows(parts);
+    drawWorld(parts);
+    drawMods(parts);
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,197 @@
+#include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/panels/property_rows.hpp"
+#include "game/ui/edit/panels/side_panel.hpp"
+#include "game/ui/edit/view/edit_geometry.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "puzzle/edit/commands/connect.hpp"
+#include "puzzle/edit/commands/contents.hpp"
+#include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/commands/properties.hpp"
+#include "render/panels/cards.hpp"
+#include "render/panels/theme.hpp"
+
+#include <algorithm>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+using edit::Json;
+
+void drawNameAndPart(EditParts& parts) {
+    std::vector<std::string> const names = parts.selected();
+    if (names.size() == 1) {
+        std::string name = names.front();
+        fieldName(words::nameField, "");
+        if (committedText(parts, "object name", name)) {
+            parts.run([&](Json const& level) {
+                return edit::renameObject(*parts.data, level, names.front(), name);
+            });
+        }
+    } else {
+        ImGui::Text(words::severalObjects, names.size());
+    }
+    Json const* const object = edit::findObject(parts.tree(), names.front());
+    std::string part = object != nullptr && object->contains("part") && (*object)["part"].is_string()
+                           ? (*object)["part"].get<std::string>()
+                           : "";
+    std::vector<std::string> choices = parts.data->parts.names();
+    choices.insert(choices.begin(), "");
+    fieldName(words::partField, words::partFieldTip);
+    if (choiceField(parts, "object part", part, choices)) {
+        runWidget(
+            parts, [&](Json const& level) { return edit::setPart(level, names, part); }, false);
+    }
+}
+
+void drawAddProperty(EditParts& parts) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (!ImGui::BeginCombo("##add", words::addProperty)) {
+        parts.context.layout.item("add property");
+        return;
+    }
+    for (edit::AddableProperty const& property :
+         edit::addableProperties(*parts.data, parts.tree(), parts.selected())) {
+        if (ImGui::Selectable(property.name.c_str())) {
+            runWidget(
+                parts,
+                [&](Json const& level) {
+                    return edit::addProperty(*parts.data, level, parts.selected(), property.key);
+                },
+                false);
+        }
+        parts.context.layout.item("add " + property.key);
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", property.help.c_str());
+        }
+    }
+    ImGui::EndCombo();
+}
+
+void drawObjectProperties(EditParts& parts) {
+    drawNameAndPart(parts);
+    auto const properties = edit::inspectObjects(*parts.data, parts.tree(), parts.selected());
+    edit::InspectedProperty const* scripts = nullptr;
+    for (edit::InspectedProperty const& property : properties) {
+        if (property.key == "scripts" && parts.data->scripts != nullptr) {
+            scripts = &property;
+        } else {
+            drawObjectProperty(parts, property);
+        }
+    }
+    drawScripts(parts, scripts);
+    drawAddProperty(parts);
+}
+
+void drawJoint(EditParts& parts) {
+    std::size_t const joint = indexOfPath(parts.selection.path());
+    auto const fields = edit::inspectJoint(*parts.data, parts.tree(), joint);
+    if (fields.empty()) {
+        return caption(words::nothingSelected);
+    }
+    std::string name;
+    for (edit::JointEntry const& entry : edit::jointsOf(parts.tree())) {
+        if (entry.index == joint) {
+            name = entry.name;
+        }
+    }
+    fieldName(words::nameField, "");
+    if (committedText(parts, "joint name", name)) {
+        runWidget(
+            parts, [&](Json const& level) { return edit::renameJoint(*parts.data, level, joint, name); },
+            false);
+    }
+    for (edit::InspectedField const& field : fields) {
+        if (auto const value = fieldWidget(parts, field, "joint" + field.place)) {
+            bool const continuous = field.type != FieldType::choice && field.type != FieldType::object;
+            runWidget(
+                parts,
+                [&](Json const& level) {
+                    return edit::setJointField(*parts.data, level, joint, field.place, *value);
+                },
+                continuous);
+        }
+    }
+}
+
+void drawConnection(EditParts& parts) {
+    std::size_t const index = indexOfPath(parts.selection.path());
+    auto const all = edit::connectionsOf(parts.tree());
+    auto const found = std::find_if(all.begin(), all.end(), [&](auto const& c) { return c.index == index; });
+    if (found == all.end()) {
+        return caption(words::nothingSelected);
+    }
+    edit::ConnectionEntry entry = *found;
+    std::vector<std::string> const names = edit::objectNames(parts.tree());
+    bool changed = false;
+    fieldName(words::fromField, "");
+    changed = choiceField(parts, "connection from", entry.a, names);
+    fieldName(words::toField, "");
+    changed = choiceField(parts, "connection to", entry.b, names) || changed;
+    fieldName(words::kindField, words::kindFieldTip);
+    changed = committedText(parts, "connection kind", entry.kind) || changed;
+    if (changed) {
+        runWidget(
+            parts,
+            [&](Json const& level) {
+                return edit::changeConnection(level, index, entry.a, entry.b, entry.kind);
+            },
+            false);
+    }
+}
+
+void drawPlacing(EditParts& parts) {
+    for (SceneArea const& area : sceneAreas(parts)) {
+        if (area.selected) {
+            if (auto const changed = areaFields(parts, area.area, "area")) {
+                runWidget(
+                    parts,
+                    [&](Json const& level) {
+                        return edit::setPlacingArea(level, indexOfPath(area.path), *changed);
+                    },
+                    true);
+            }
+        }
+    }
+}
+
+/// What the line at the bottom has, too: here it is reached by the keyboard.
+void drawToolSettings(EditParts& parts) {
+    pageHeading(words::toolSettings);
+    fieldName(words::gridStep, words::snapTip);
+    static_cast<void>(numberField(parts, "grid field", parts.snapping.grid, Snapping::smallestGrid,
+                                  Snapping::largestGrid, "m"));
+    fieldName(words::angleStep, words::snapTip);
+    static_cast<void>(numberField(parts, "angle field", parts.snapping.angleDegrees, Snapping::smallestAngle,
+                                  Snapping::largestAngle, "°"));
+    fieldName(words::radius, "");
+    static_cast<void>(numberField(parts, "radius field", parts.capsuleRadius, 0.005, 10, "m"));
+    std::vector<std::string> forms;
+    for (std::string_view const form : choiceNames<JointForm>) {
+        forms.emplace_back(form);
+    }
+    fieldName(words::jointField, "");
+    static_cast<void>(choiceField(parts, "joint form field", parts.jointForm, forms));
+}
+
+} // namespace
+
+void drawPropertiesPage(EditParts& parts) {
+    if (!parts.selected().empty()) {
+        return drawObjectProperties(parts);
+    }
+    switch (parts.selection.kind()) {
+    case EntryKind::joint:
+        return drawJoint(parts);
+    case EntryKind::connection:
+        return drawConnection(parts);
+    case EntryKind::placing:
+        return drawPlacing(parts);
+    default:
+        caption(words::nothingSelected);
+        drawToolSettings(parts);
+    }
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,149 @@
+#include "game/ui/edit/panels/property_rows.hpp"
+
+#include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/panels/field_widgets.hpp"
+#include "puzzle/edit/commands/properties.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/theme.hpp"
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+using edit::InspectedField;
+using edit::Json;
+
+/// Whose fields are drawn: of the selected objects, or of the world.
+struct Owner {
+    EditParts& parts;
+    bool world = false;
+
+    [[nodiscard]] edit::Command set(Json const& level, std::string const& key, std::string const& place,
+                                    Json const& value) const {
+        return world ? edit::setWorldField(*parts.data, level, key, place, value)
+                     : edit::setField(*parts.data, level, parts.selected(), key, place, value);
+    }
+};
+
+void drawField(Owner const& owner, std::string const& key, InspectedField const& field);
+
+/// The entries of a list, each with its fields and a button that removes it; and one that adds.
+void drawList(Owner const& owner, std::string const& key, InspectedField const& field) {
+    EditParts& parts = owner.parts;
+    for (std::size_t i = 0; i < field.entries.size(); ++i) {
+        InspectedField const& entry = field.entries[i];
+        std::string const item = key + entry.place;
+        ImGui::PushID(static_cast<int>(i));
+        if (entry.entries.empty()) {
+            drawField(owner, key, entry);
+        } else {
+            ImGui::TextDisabled("%s %zu", field.name.c_str(), i + 1);
+            for (InspectedField const& inner : entry.entries) {
+                drawField(owner, key, inner);
+            }
+        }
+        if (!owner.world && field.entries.size() > 1 &&
+            smallButton(parts, words::removeIt, "remove " + item)) {
+            runWidget(
+                parts,
+                [&](Json const& level) {
+                    return edit::removeListEntry(*parts.data, level, parts.selected(), key, field.place, i);
+                },
+                false);
+        }
+        ImGui::PopID();
+    }
+    if (!owner.world && !field.entries.empty() &&
+        smallButton(parts, words::addEntry, "add " + key + field.place)) {
+        Json const entry = field.value.is_array() && !field.value.empty() ? field.value.back() : Json();
+        runWidget(
+            parts,
+            [&](Json const& level) {
+                return edit::addListEntry(*parts.data, level, parts.selected(), key, field.place, entry);
+            },
+            false);
+    }
+}
+
+void drawField(Owner const& owner, std::string const& key, InspectedField const& field) {
+    if (field.type == FieldType::list) {
+        return drawList(owner, key, field);
+    }
+    std::string const item = key + field.place;
+    if (auto const value = fieldWidget(owner.parts, field, item)) {
+        bool const continuous = field.type == FieldType::number || field.type == FieldType::integer ||
+                                field.type == FieldType::vector;
+        runWidget(
+            owner.parts, [&](Json const& level) { return owner.set(level, key, field.place, *value); },
+            continuous);
+    }
+}
+
+void drawHeading(edit::InspectedProperty const& property) {
+    bool const own = property.origin == edit::ValueOrigin::own ||
+                     property.origin == edit::ValueOrigin::changed ||
+                     property.origin == edit::ValueOrigin::removed;
+    ImGui::PushFont(theme().fonts.strong);
+    ImGui::PushStyleColor(ImGuiCol_Text, imColour4(own ? palette::ink : palette::inkSoft));
+    ImGui::TextUnformatted(property.name.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    if (ImGui::IsItemHovered()) {
+        std::string const origin = property.origin == edit::ValueOrigin::part      ? words::fromPart
+                                   : property.origin == edit::ValueOrigin::removed ? words::takenAway
+                                   : property.origin == edit::ValueOrigin::mixed   ? words::severalValues
+                                                                                   : "";
+        ImGui::SetTooltip("%s%s%s", property.help.c_str(), origin.empty() ? "" : "\n", origin.c_str());
+    }
+}
+
+} // namespace
+
+void drawObjectProperty(EditParts& parts, edit::InspectedProperty const& property) {
+    ImGui::PushID(property.key.c_str());
+    ImGui::Dummy({0, scaled(1)});
+    drawHeading(property);
+    if (property.canReset) {
+        ImGui::SameLine();
+        if (smallButton(parts, words::reset, "reset " + property.key, words::resetTip)) {
+            runWidget(
+                parts,
+                [&](Json const& level) {
+                    return edit::resetProperty(*parts.data, level, parts.selected(), property.key);
+                },
+                false);
+        }
+    }
+    if (property.canRemove && property.place == PropertyPlace::properties) {
+        ImGui::SameLine();
+        if (smallButton(parts, words::removeShort, "remove " + property.key, words::removeTip)) {
+            runWidget(
+                parts,
+                [&](Json const& level) {
+                    return edit::removeProperty(*parts.data, level, parts.selected(), property.key);
+                },
+                false);
+        }
+    }
+    for (InspectedField const& field : property.fields) {
+        drawField({parts, false}, property.key, field);
+    }
+    ImGui::PopID();
+}
+
+void drawWorldProperty(EditParts& parts, edit::InspectedProperty const& property) {
+    ImGui::PushID(property.key.c_str());
+    drawHeading(property);
+    if (property.canReset) {
+        ImGui::SameLine();
+        if (smallButton(parts, words::reset, "reset " + property.key, words::resetTip)) {
+            parts.run([&](Json const& level) { return edit::resetWorldProperty(level, property.key); });
+        }
+    }
+    for (InspectedField const& field : property.fields) {
+        drawField({parts, true}, property.key, field);
+    }
+    ImGui::PopID();
+}
+
+} // namespace trembler::ui

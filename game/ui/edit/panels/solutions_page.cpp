@@ -1,0 +1,58 @@
+#include "game/ui/edit/commands/edit_actions.hpp"
+#include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/panels/side_panel.hpp"
+#include "puzzle/edit/commands/solutions.hpp"
+#include "render/panels/cards.hpp"
+#include "render/panels/theme.hpp"
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+using edit::Json;
+
+void drawSolution(EditParts& parts, Solution const& solution, std::size_t index) {
+    std::string const item = "solution " + std::to_string(index);
+    std::string name = solution.name;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (committedText(parts, item, name)) {
+        parts.run([&](Json const& level) { return edit::renameSolution(level, solution.name, name); });
+    }
+    bool solves = solution.solves;
+    if (ImGui::Checkbox((std::string(words::solvesLevel) + "##" + item).c_str(), &solves)) {
+        parts.run([&](Json const& level) { return edit::expectSolved(level, solution.name, solves); });
+    }
+    parts.context.layout.item(item + " solves");
+    if (smallButton(parts, words::watch, item + " watch", words::watchTip)) {
+        actions::playSolution(parts, solution.name, false);
+    }
+    ImGui::SameLine();
+    if (smallButton(parts, words::again, item + " again", words::againTip)) {
+        actions::playSolution(parts, solution.name, true);
+    }
+    ImGui::SameLine();
+    if (smallButton(parts, words::removeIt, item + " remove")) {
+        parts.run([&](Json const& level) { return edit::removeSolution(level, solution.name); });
+    }
+    ImGui::Separator();
+}
+
+} // namespace
+
+void drawSolutionsPage(EditParts& parts) {
+    if (parts.level.solutions.empty()) {
+        caption(words::noSolutions);
+    }
+    std::vector<Solution> const solutions = parts.level.solutions;
+    for (std::size_t i = 0; i < solutions.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        drawSolution(parts, solutions[i], i);
+        ImGui::PopID();
+    }
+    if (smallButton(parts, words::recordNew, "record new", words::recordNewTip)) {
+        actions::testPlay(parts);
+    }
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,246 @@
+#include "game/ui/edit/view/edit_drawing.hpp"
+
+#include "game/ui/shared/scene_words.hpp"
+#include "puzzle/edit/commands/connect.hpp"
+#include "puzzle/edit/commands/editor_state.hpp"
+#include "render/panels/world_label.hpp"
+#include "render/scene/areas.hpp"
+#include "render/scene/objects/body.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+
+constexpr double finestGrid = 9; // pixels between the lines of the grid
+
+void drawGrid(Canvas& canvas, EditParts const& parts) {
+    if (!parts.snapping.on) {
+        return;
+    }
+    double step = parts.snapping.grid;
+    while (step < finestGrid * canvas.metres(1)) {
+        step *= 5;
+    }
+    Extent const seen = viewOf(parts.camera());
+    Stroke const stroke{.colour = palette::grid, .pixels = 1, .alpha = 0.35F};
+    for (double x = std::ceil(seen.lower.x / step) * step; x <= seen.upper.x; x += step) {
+        canvas.line({x, seen.lower.y}, {x, seen.upper.y}, stroke);
+    }
+    for (double y = std::ceil(seen.lower.y / step) * step; y <= seen.upper.y; y += step) {
+        canvas.line({seen.lower.x, y}, {seen.upper.x, y}, stroke);
+    }
+}
+
+void outline(Canvas& canvas, std::vector<Point> corners, Stroke const& stroke) {
+    if (!corners.empty()) {
+        corners.push_back(corners.front());
+        canvas.polyline(corners, stroke);
+    }
+}
+
+void drawMarkOf(Canvas& canvas, EditParts const& parts, std::string const& name, Stroke const& stroke) {
+    World const& world = *parts.world.world();
+    ObjectId const id = world.store().find(name);
+    if (!id.valid()) {
+        return;
+    }
+    Facts const facts = FactsReader(world).of(id);
+    Pose const pose = parts.scene.poseOf(world, id);
+    if (facts.shape == nullptr) {
+        canvas.ring(pose.at, innerSize(facts) + canvas.metres(4), stroke);
+        return;
+    }
+    for (ShapePiece const& piece : facts.shape->pieces) {
+        std::vector<Point> corners = outlineOf(piece);
+        for (Point& corner : corners) {
+            corner = toWorld(pose, corner);
+        }
+        outline(canvas, corners, stroke);
+    }
+}
+
+void drawKnob(Canvas& canvas, Vec2 at, bool round, bool near) {
+    Style const style{.tint = near ? palette::accent : palette::paperLight,
+                      .outline = 2.F,
+                      .outlineColour = palette::accent};
+    if (round) {
+        canvas.circle({toPoint(at), 0}, canvas.metres(7), style);
+    } else {
+        double const half = canvas.metres(5);
+        canvas.box({toPoint(at), 0}, {half, half}, 0, style);
+    }
+}
+
+void drawSelection(Canvas& canvas, EditParts const& parts, EditMouse const& mouse) {
+    auto const near = [&](Vec2 at) {
+        return trembler::length(parts.pointer.world - at) < 12 * parts.pointer.pixel;
+    };
+    for (std::string const& name : parts.selected()) {
+        bool const locked = edit::isLocked(parts.tree(), name);
+        drawMarkOf(canvas, parts, name,
+                   {.colour = locked ? palette::inkSoft : palette::accent, .pixels = 3, .alpha = 0.95F});
+    }
+    bool const dragging = mouse.doing() == EditMouse::Doing::moving;
+    auto const handles = parts.tool == Tool::select && !dragging ? handlesOf(parts) : std::nullopt;
+    if (!handles) {
+        return;
+    }
+    Vec2 const low = handles->box.corner;
+    Vec2 const high = low + handles->box.size;
+    outline(canvas, {toPoint(low), {high.x, low.y}, toPoint(high), {low.x, high.y}},
+            {.colour = palette::accent, .pixels = 1, .alpha = 0.6F});
+    canvas.line({handles->middle().x, high.y}, toPoint(handles->turn),
+                {.colour = palette::accent, .pixels = 1.5F, .alpha = 0.7F});
+    drawKnob(canvas, handles->turn, true, near(handles->turn));
+    for (Vec2 const at : handles->scaling) {
+        drawKnob(canvas, at, false, near(at));
+    }
+}
+
+void drawAreas(Canvas& canvas, EditParts const& parts) {
+    if (parts.level.bounds) {
+        outline(canvas, outlineOf(Area{parts.level.bounds, {}}),
+                {.colour = palette::inkSoft, .pixels = 1.5F, .alpha = 0.5F});
+    }
+    for (SceneArea const& area : sceneAreas(parts)) {
+        Colour const colour = area.kind == EntryKind::placing ? palette::accent : palette::goal;
+        outline(canvas, outlineOf(area.area),
+                {.colour = colour, .pixels = area.selected ? 3.F : 1.5F, .alpha = 0.8F});
+        if (area.selected) {
+            for (Vec2 const corner : areaCorners(area.area)) {
+                drawKnob(canvas, corner, false,
+                         trembler::length(parts.pointer.world - corner) < 12 * parts.pointer.pixel);
+            }
+        }
+    }
+}
+
+void drawLinks(Canvas& canvas, EditParts const& parts) {
+    if (parts.selection.kind() == EntryKind::connection) {
+        for (edit::ConnectionEntry const& link : edit::connectionsOf(parts.tree())) {
+            if (link.index == indexOfPath(parts.selection.path())) {
+                canvas.polyline(pathOf(parts, link.a, link.b),
+                                {.colour = palette::accent, .pixels = 6, .alpha = 0.7F});
+            }
+        }
+    }
+    for (JointPoint const& point : jointPoints(parts)) {
+        bool const selected =
+            parts.selection.kind() == EntryKind::joint && point.joint == indexOfPath(parts.selection.path());
+        canvas.ring(toPoint(point.at), canvas.metres(selected ? 9 : 6),
+                    {.colour = selected ? palette::accent : palette::force,
+                     .pixels = selected ? 3.F : 2.F,
+                     .alpha = 0.9F});
+    }
+}
+
+/// What would be drawn if the button were let go now.
+void drawPreview(Canvas& canvas, EditParts& parts, EditMouse const& mouse) {
+    using Doing = EditMouse::Doing;
+    Stroke const stroke{.colour = palette::accent, .pixels = 2.5F, .alpha = 0.9F};
+    Vec2 const from = mouse.start();
+    Vec2 const at = parts.pointer.world;
+    Vec2 const to = parts.pointer.free || mouse.doing() == Doing::boxing ? at : parts.snapping.place(at);
+    std::vector<Point> const box{toPoint(from), {to.x, from.y}, toPoint(to), {from.x, to.y}};
+    if (mouse.doing() == Doing::boxing) {
+        outline(canvas, box, {.colour = palette::accent, .pixels = 1.5F, .alpha = 0.8F});
+    } else if (mouse.doing() == Doing::connecting) {
+        canvas.line(toPoint(from), toPoint(to), stroke);
+        canvas.circle({toPoint(from), 0}, canvas.metres(5), {.tint = palette::accent});
+        if (!mouse.hovered().empty()) {
+            drawMarkOf(canvas, parts, mouse.hovered(), stroke);
+        }
+    } else if (mouse.doing() == Doing::drawing) {
+        if (parts.tool == Tool::disc) {
+            canvas.ring(toPoint(from), trembler::length(to - from), stroke);
+        } else if (parts.tool == Tool::capsule) {
+            canvas.capsule(toPoint(from), toPoint(to), parts.capsuleRadius,
+                           {.tint = palette::accent, .alpha = 0.4F});
+        } else {
+            outline(canvas, box, stroke);
+        }
+    }
+    if (!mouse.corners().empty()) {
+        std::vector<Point> corners;
+        for (Vec2 const corner : mouse.corners()) {
+            corners.push_back(toPoint(corner));
+        }
+        corners.push_back(toPoint(to));
+        canvas.polyline(corners, stroke);
+        drawKnob(canvas, mouse.corners().front(), true,
+                 trembler::length(at - mouse.corners().front()) < 12 * parts.pointer.pixel);
+    }
+    if (!parts.partInHand.empty() && !parts.pointer.overCard) {
+        if (Prototype const* const part = parts.catalog().prototype(parts.partInHand)) {
+            canvas.newSheet();
+            drawGhost(canvas, *part, {toPoint(to), 0}, true);
+        }
+    }
+}
+
+/// Numbers beside what is dragged.
+void drawNumbers(EditParts const& parts, EditMouse const& mouse) {
+    using Doing = EditMouse::Doing;
+    if (mouse.doing() == Doing::nothing || mouse.doing() == Doing::pressing ||
+        mouse.doing() == Doing::boxing) {
+        return;
+    }
+    std::array<char, 80> text{};
+    Vec2 const at = parts.pointer.free ? parts.pointer.world : parts.snapping.place(parts.pointer.world);
+    if (mouse.doing() == Doing::drawing) {
+        std::snprintf(text.data(), text.size(), "%.3g × %.3g m", std::abs(at.x - mouse.start().x),
+                      std::abs(at.y - mouse.start().y));
+    } else {
+        std::snprintf(text.data(), text.size(), "%.3f, %.3f m", at.x, at.y);
+    }
+    std::string const shown = mouse.refused().empty() ? std::string(text.data()) : mouse.refused();
+    worldLabel(parts.camera(), toPoint(parts.pointer.world), shown.c_str(),
+               {.look = LabelLook::Chip,
+                .colour = mouse.refused().empty() ? palette::accent : palette::warning,
+                .below = 34});
+}
+
+} // namespace
+
+void drawEditedScene(EditParts& parts, EditMouse const& mouse) {
+    UiContext& context = parts.context;
+    Canvas& canvas = context.canvas;
+    canvas.begin(parts.camera(),
+                 {.uiScale = context.window.uiScale(), .time = 0, .shadows = context.shadows});
+    canvas.paper();
+    drawGrid(canvas, parts);
+    World const* const world = parts.world.world();
+    std::vector<Area> const placing = parts.level.placing.value_or(std::vector<Area>());
+    std::vector<GoalRegion> goals;
+    for (SceneArea const& area : sceneAreas(parts)) {
+        if (area.kind == EntryKind::goalArea) {
+            goals.push_back({area.area, false});
+        }
+    }
+    if (world != nullptr) {
+        SceneOptions options{.placing = placing, .goals = goals};
+        options.overlays.electricity = parts.electricity;
+        bool const picks = parts.tool == Tool::select && mouse.doing() == EditMouse::Doing::nothing;
+        options.hovered = picks ? world->store().find(mouse.hovered()) : ObjectId{};
+        parts.scene.draw(canvas, *world, options);
+    }
+    canvas.newSheet();
+    drawAreas(canvas, parts);
+    if (world != nullptr) {
+        drawLinks(canvas, parts);
+        drawSelection(canvas, parts, mouse);
+        drawPreview(canvas, parts, mouse);
+    }
+    canvas.end();
+    if (world != nullptr) {
+        drawSceneWords(parts.camera(), *world, parts.scene, 1, parts.names);
+    }
+    drawNumbers(parts, mouse);
+}
+
+} // namespace trembler::ui

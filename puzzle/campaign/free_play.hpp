@@ -1,0 +1,15 @@
+// The level of free play: room, ground, and every part as often as a level may offer it.
+#pragma once
+
+#include "runtime/level/model/part_library.hpp"
+
+#include <string>
+
+namespace trembler {
+
+/// The text of the level's file, with a toolbox of all parts of the library. It has no goals. `title` and
+/// `text` are for the player.
+[[nodiscard]] std::string freePlayLevel(PartLibrary const& parts, std::string const& title,
+                                        std::string const& text);
+
+} // namespace trembler

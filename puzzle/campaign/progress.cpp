@@ -1,0 +1,89 @@
+#include "puzzle/campaign/progress.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace trembler {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::set<std::string> namesIn(Json const& object, char const* key) {
+    std::set<std::string> names;
+    if (auto const list = object.find(key); list != object.end() && list->is_array()) {
+        for (Json const& name : *list) {
+            if (name.is_string()) {
+                names.insert(name.get<std::string>());
+            }
+        }
+    }
+    return names;
+}
+
+} // namespace
+
+int LevelProgress::stars() const {
+    return solved ? std::clamp(static_cast<int>(kinds.size()), 1, mostStars) : 0;
+}
+
+LevelProgress const& CampaignProgress::of(std::string const& levelId) const {
+    static LevelProgress const none;
+    auto const found = levels_.find(levelId);
+    return found == levels_.end() ? none : found->second;
+}
+
+bool CampaignProgress::markSolved(std::string const& levelId) {
+    LevelProgress& level = levels_[levelId];
+    bool const fresh = !level.solved;
+    level.solved = true;
+    return fresh;
+}
+
+bool CampaignProgress::addKind(std::string const& levelId, SolutionKind kind) {
+    std::vector<SolutionKind>& kinds = levels_[levelId].kinds;
+    bool const other = std::all_of(kinds.begin(), kinds.end(),
+                                   [&](SolutionKind const& known) { return differInKind(known, kind); });
+    if (other) {
+        kinds.push_back(std::move(kind));
+    }
+    return other;
+}
+
+Json CampaignProgress::written() const {
+    Json all = Json::object();
+    for (auto const& [id, level] : levels_) {
+        if (!level.solved) {
+            continue;
+        }
+        Json kinds = Json::array();
+        for (SolutionKind const& kind : level.kinds) {
+            kinds.push_back(Json{{"parts", kind.parts}, {"actions", kind.actions}, {"causes", kind.causes}});
+        }
+        all[id] = Json{{"kinds", std::move(kinds)}};
+    }
+    return all;
+}
+
+void CampaignProgress::read(Json const& stated) {
+    if (!stated.is_object()) {
+        return;
+    }
+    for (auto const& [id, level] : stated.items()) {
+        if (!level.is_object()) {
+            continue;
+        }
+        markSolved(id);
+        auto const kinds = level.find("kinds");
+        if (kinds == level.end() || !kinds->is_array()) {
+            continue;
+        }
+        for (Json const& kind : *kinds) {
+            if (kind.is_object()) {
+                addKind(id, {namesIn(kind, "parts"), namesIn(kind, "actions"), namesIn(kind, "causes")});
+            }
+        }
+    }
+}
+
+} // namespace trembler

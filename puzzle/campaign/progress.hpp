@@ -1,0 +1,50 @@
+// What a player has reached in each level: whether it is solved, and in which kinds of ways.
+#pragma once
+
+#include "puzzle/campaign/solution_kind.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// Of one level.
+struct LevelProgress {
+    bool solved = false;
+    std::vector<SolutionKind> kinds; ///< found so far, in the order in which they were found
+
+    /// 0: not solved; 1: solved; one more for each other kind of solution, 3 at most.
+    [[nodiscard]] int stars() const;
+};
+
+/// The most stars that a level can have, and how many of them are shown before they are reached: every level
+/// has solutions of two kinds at least.
+inline constexpr int mostStars = 3;
+inline constexpr int shownStars = 2;
+
+/// Of all levels, by their ids. Plain data; not thread-safe.
+class CampaignProgress {
+public:
+    /// That of a level without any is empty.
+    [[nodiscard]] LevelProgress const& of(std::string const& levelId) const;
+    /// Returns true if the level was not marked before.
+    bool markSolved(std::string const& levelId);
+    /// Notes the kind of a run that solved the level. Returns true if it differs from all found before.
+    bool addKind(std::string const& levelId, SolutionKind kind);
+    /// Forgets everything.
+    void clear() { levels_.clear(); }
+    [[nodiscard]] bool empty() const { return levels_.empty(); }
+
+    /// {"LEVEL": {"kinds": [{"parts": [..], "actions": [..], "causes": [..]}]}} of the solved levels.
+    [[nodiscard]] nlohmann::ordered_json written() const;
+    /// Adds what written() has made. Ignores entries that are damaged: they must not affect the others.
+    void read(nlohmann::ordered_json const& stated);
+
+private:
+    std::map<std::string, LevelProgress> levels_;
+};
+
+} // namespace trembler

@@ -1,0 +1,34 @@
+#include "puzzle/checks/level_checks.hpp"
+
+#include "puzzle/goals/goal_judge.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <exception>
+
+namespace trembler {
+
+LevelCheckup checkWholeLevel(GameData const& data, std::shared_ptr<JsonDocument const> const& document,
+                             std::map<std::string, std::string> const& detail) {
+    LevelCheckup checkup;
+    try {
+        LevelFile level = readLevel(data.registry, document);
+        checkup.read = true;
+        for (auto const& [effect, name] : detail) {
+            level.detail[effect] = name;
+        }
+        BuiltLevel const built = buildLevel(data.registry, level, data.parts);
+        GoalJudge const judge(level, *built.world);
+        checkup.playable = true;
+        Problems problems;
+        complainAboutReach(data, level, *built.world, problems);
+        problems.throwIfAny();
+    } catch (InputError const& error) {
+        checkup.problems = error.diagnostics();
+    } catch (std::exception const& error) { // a component that refuses the scene in words of its own
+        checkup.problems.push_back(document->diagnostic("", error.what(), ""));
+    }
+    return checkup;
+}
+
+} // namespace trembler

@@ -1,0 +1,36 @@
+// All that can be found wrong with a level before it runs: for verify, and for the editor while one edits.
+#pragma once
+
+#include "puzzle/data/game_data.hpp"
+#include "runtime/level/model/level.hpp"
+#include "runtime/world/world.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+/// What is wrong with a level, and how far it could be made.
+struct LevelCheckup {
+    /// In the order of the places in the files, at most Problems::most; empty if nothing is wrong.
+    std::vector<Diagnostic> problems;
+    bool read = false;     ///< the file states a level
+    bool playable = false; ///< and its world can be built and its goals judged: a session can be made of it
+};
+
+/// Reads the level, builds its world, sets up its goals, and if all that is possible, looks for what makes it
+/// useless: things out of bounds, and a toolbox out of reach. Throws nothing but for lack of memory. `detail`
+/// overrides the detail levels that the level states.
+[[nodiscard]] LevelCheckup checkWholeLevel(GameData const& data,
+                                           std::shared_ptr<JsonDocument const> const& document,
+                                           std::map<std::string, std::string> const& detail = {});
+
+/// Complains about objects and areas that lie outside the level's bounds altogether, and about parts of the
+/// toolbox for which there is no room in any area for placing. Objects without a shape and bodies of liquid
+/// may lie anywhere. Room is searched for on a grid, so a part that a recorded solution places is taken to
+/// have room. The world is that of the level, before its first frame.
+void complainAboutReach(GameData const& data, LevelFile const& level, World const& world, Problems& problems);
+
+} // namespace trembler

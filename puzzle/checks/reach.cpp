@@ -1,0 +1,180 @@
+// Complains about what no player can reach or see: see level_checks.hpp.
+#include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "puzzle/checks/level_checks.hpp"
+#include "puzzle/goals/read_goals.hpp"
+#include "puzzle/session/fit.hpp"
+#include "runtime/level/json/add_problem.hpp"
+#include "runtime/placement.hpp"
+#include "runtime/world/world.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace trembler {
+namespace {
+
+/// A rectangle by two corners, m.
+struct Reach {
+    Vec2 low;
+    Vec2 high;
+
+    [[nodiscard]] bool meets(Reach const& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y;
+    }
+};
+
+Reach reachOf(Box const& box) {
+    return {box.corner, box.corner + box.size};
+}
+
+Reach reachOf(Area const& area) {
+    if (area.box) {
+        return reachOf(*area.box);
+    }
+    Reach reach{area.corners.front(), area.corners.front()};
+    for (Vec2 const corner : area.corners) {
+        reach.low = {std::min(reach.low.x, corner.x), std::min(reach.low.y, corner.y)};
+        reach.high = {std::max(reach.high.x, corner.x), std::max(reach.high.y, corner.y)};
+    }
+    return reach;
+}
+
+class ReachCheck {
+public:
+    ReachCheck(GameData const& data, LevelFile const& level, World const& world, Problems& problems)
+        : data_(data), level_(level), world_(world), problems_(problems) {}
+
+    void checkObjects() {
+        Reach const bounds = reachOf(*level_.bounds);
+        for (LevelObject const& object : level_.objects) {
+            ObjectId const id = world_.store().find(object.name);
+            Position const* const position = id.valid() ? world_.find<Position>(id) : nullptr;
+            Shape const* const shape = id.valid() ? world_.find<Shape>(id) : nullptr;
+            if (position == nullptr || shape == nullptr || world_.find<Liquid>(id) != nullptr) {
+                continue;
+            }
+            Rotation const* const rotation = world_.find<Rotation>(id);
+            auto const [low, high] =
+                extentOf(PlacedShape{*shape, position->value, rotation == nullptr ? 0 : rotation->angle});
+            if (!bounds.meets({low, high})) {
+                complain(object.path.empty() ? "" : object.path + "/at",
+                         fmt::format("'{}' lies outside the bounds of the level", object.name),
+                         "a place within \"bounds\", or larger bounds");
+            }
+        }
+    }
+
+    void checkAreas() {
+        Reach const bounds = reachOf(*level_.bounds);
+        std::size_t const count = level_.placing ? level_.placing->size() : 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!bounds.meets(reachOf((*level_.placing)[i]))) {
+                complain(fmt::format("/placing/{}", i),
+                         "this area for placing lies outside the bounds of the level",
+                         "an area within \"bounds\"");
+            }
+        }
+        Problems ignored; // the goals have been read before
+        if (auto const goals = readGoals(level_, ignored)) {
+            checkGoal(*goals, bounds);
+        }
+    }
+
+    void checkToolbox() {
+        if (!level_.placing || level_.toolbox.empty()) {
+            return;
+        }
+        if (level_.placing->empty()) {
+            complain("/placing", "there is a toolbox, but no area where parts may be placed",
+                     "at least one area, or no \"placing\": then anywhere within the bounds");
+            return;
+        }
+        for (ToolboxEntry const& entry : level_.toolbox) {
+            if (!isPlacedBySolution(entry.part) && !hasRoom(entry.part)) {
+                complain(entry.path,
+                         fmt::format("there is no room for '{}' in any area for placing", entry.part),
+                         "an area in which the part overlaps nothing");
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] bool isPlacedBySolution(std::string const& part) const {
+        return std::any_of(level_.solutions.begin(), level_.solutions.end(), [&](Solution const& solution) {
+            return std::any_of(solution.placements.begin(), solution.placements.end(),
+                               [&](Placement const& placement) { return placement.part == part; });
+        });
+    }
+
+    /// Tries places on ever finer grids, as nearly every area has room at once.
+    [[nodiscard]] bool hasRoom(std::string const& part) const {
+        constexpr std::array<int, 3> grids{1, 6, 30};
+        constexpr std::array<double, 4> angles{0, pi / 2, pi / 4, -pi / 4};
+        for (int const steps : grids) {
+            for (double const angle : angles) {
+                bool const found =
+                    std::any_of(level_.placing->begin(), level_.placing->end(),
+                                [&](Area const& area) { return hasRoomIn(area, part, angle, steps); });
+                if (found) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool hasRoomIn(Area const& area, std::string const& part, double angle, int steps) const {
+        Reach const reach = reachOf(area);
+        Vec2 const size = reach.high - reach.low;
+        for (int i = 0; i < steps; ++i) {
+            for (int j = 0; j < steps; ++j) {
+                Placement placement{part, {}, angle, {}};
+                placement.at = reach.low + Vec2{size.x * (i + 0.5) / steps, size.y * (j + 0.5) / steps};
+                if (area.contains(placement.at) && !whyItDoesNotFit(world_, data_.parts, placement, {})) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    void checkGoal(Condition const& condition, Reach const& bounds) {
+        if (condition.area && !bounds.meets(reachOf(*condition.area))) {
+            complain(condition.path, "the area of this goal lies outside the bounds of the level",
+                     "an area within \"bounds\", or larger bounds");
+        }
+        for (Condition const& child : condition.children) {
+            checkGoal(child, bounds);
+        }
+    }
+
+    void complain(std::string path, std::string message, std::string expected) {
+        addProblem(problems_, [&] {
+            return level_.diagnostic(std::move(path), std::move(message), std::move(expected));
+        });
+    }
+
+    GameData const& data_;
+    LevelFile const& level_;
+    World const& world_;
+    Problems& problems_;
+};
+
+} // namespace
+
+void complainAboutReach(GameData const& data, LevelFile const& level, World const& world,
+                        Problems& problems) {
+    ReachCheck check(data, level, world, problems);
+    if (level.bounds) {
+        check.checkObjects();
+        check.checkAreas();
+    }
+    check.checkToolbox();
+}
+
+} // namespace trembler

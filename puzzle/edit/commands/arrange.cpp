@@ -1,0 +1,284 @@
+#include "puzzle/edit/commands/arrange.hpp"
+
+#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shape_rules.hpp"
+#include "puzzle/edit/commands/editor_state.hpp"
+#include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/tree/motion.hpp"
+#include "puzzle/edit/tree/object_values.hpp"
+#include "puzzle/edit/tree/shape_change.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
+#include "runtime/level/property/field_outline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler::edit {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// The objects without the locked ones, each once.
+Names movable(Json const& level, Names const& names) {
+    mustHaveObjects(level, names);
+    Names free;
+    std::set<std::string> known;
+    for (std::string const& name : unlocked(level, names)) {
+        if (known.insert(name).second) {
+            free.push_back(name);
+        }
+    }
+    if (free.empty()) {
+        throw CommandError(names.size() == 1 ? "the object is locked" : "the objects are locked");
+    }
+    return free;
+}
+
+void mustBeFinite(Vec2 value) {
+    if (!isFinite(value)) {
+        throw CommandError("a number is too large");
+    }
+}
+
+/// The extent of one object: lower left and upper right corner.
+std::pair<Vec2, Vec2> extentOfEntry(GameData const& data, Json const& entry) {
+    Vec2 const at = placeOf(entry);
+    auto const shape = shapeOf(data, entry);
+    if (!shape || faultIn(*shape)) {
+        return {at, at};
+    }
+    return extentOf(PlacedShape{*shape, at, radians(angleOf(entry))});
+}
+
+/// Objects that are aligned as one: the members of a group among those selected, or a single one.
+struct Unit {
+    Names names;
+    Box extent;
+
+    [[nodiscard]] double low(Axis axis) const { return axis == Axis::x ? extent.corner.x : extent.corner.y; }
+    [[nodiscard]] double size(Axis axis) const { return axis == Axis::x ? extent.size.x : extent.size.y; }
+    [[nodiscard]] double middle(Axis axis) const { return low(axis) + size(axis) / 2; }
+};
+
+std::vector<Unit> unitsOf(GameData const& data, Json const& level, Names const& names) {
+    std::vector<Unit> units;
+    std::set<std::string> done;
+    std::set<std::string> const wanted(names.begin(), names.end());
+    for (std::string const& name : names) {
+        if (done.contains(name)) {
+            continue;
+        }
+        Unit unit;
+        for (std::string const& member : groupOf(level, name)) {
+            if (wanted.contains(member) && done.insert(member).second) {
+                unit.names.push_back(member);
+            }
+        }
+        unit.extent = extentOfObjects(data, level, unit.names).value_or(Box{});
+        units.push_back(std::move(unit));
+    }
+    return units;
+}
+
+Vec2 along(Axis axis, double way) {
+    return axis == Axis::x ? Vec2{way, 0} : Vec2{0, way};
+}
+
+Command shifted(std::string name, Shifts shifts, Names names) {
+    return {std::move(name), [shifts = std::move(shifts)](Json& tree) { shiftObjects(tree, shifts); },
+            std::move(names)};
+}
+
+std::string_view wordsOf(Alignment alignment) {
+    switch (alignment) {
+    case Alignment::left:
+        return "left edges";
+    case Alignment::right:
+        return "right edges";
+    case Alignment::top:
+        return "top edges";
+    case Alignment::bottom:
+        return "bottom edges";
+    case Alignment::centresX:
+    case Alignment::centresY:
+        break;
+    }
+    return "centres";
+}
+
+} // namespace
+
+std::optional<Box> extentOfObjects(GameData const& data, Json const& level, Names const& names) {
+    std::optional<std::pair<Vec2, Vec2>> all;
+    for (std::string const& name : names) {
+        Json const* const entry = findObject(level, name);
+        if (entry == nullptr) {
+            continue;
+        }
+        auto const [low, high] = extentOfEntry(data, *entry);
+        if (!all) {
+            all = {low, high};
+            continue;
+        }
+        all->first = {std::min(all->first.x, low.x), std::min(all->first.y, low.y)};
+        all->second = {std::max(all->second.x, high.x), std::max(all->second.y, high.y)};
+    }
+    return all ? std::optional(Box{all->first, all->second - all->first}) : std::nullopt;
+}
+
+Command moveObjects(Json const& level, Names const& names, Vec2 by) {
+    mustBeFinite(by);
+    Names const free = movable(level, names);
+    Shifts shifts;
+    for (std::string const& name : free) {
+        shifts[name] = by;
+    }
+    return shifted(fmt::format("Move {}", objectsInWords(free)), std::move(shifts), free);
+}
+
+Command placeObject(Json const& level, std::string const& name, Vec2 at, double angleDegrees) {
+    mustBeFinite(at);
+    Names const free = movable(level, {name});
+    return {fmt::format("Place {}", name),
+            [name, at, angleDegrees](Json& tree) {
+                Json& entry = objectEntry(tree, name);
+                Vec2 const from = placeOf(entry);
+                double const turn = radians(angleDegrees - angleOf(entry));
+                setPlace(entry, at);
+                setAngle(entry, angleDegrees);
+                moveJoints(tree, {name},
+                           {[=](Vec2 point) { return at + rotated(point - from, turn); },
+                            [=](Vec2 way) { return rotated(way, turn); }});
+            },
+            free};
+}
+
+Command rotateObjects(Json const& level, Names const& names, double degreesToTurn, Vec2 centre) {
+    mustBeFinite(centre);
+    mustBeFinite({degreesToTurn, 0});
+    Names const free = movable(level, names);
+    return {fmt::format("Rotate {}", objectsInWords(free)),
+            [free, degreesToTurn, centre](Json& tree) {
+                double const turn = radians(degreesToTurn);
+                Motion const motion{[=](Vec2 point) { return centre + rotated(point - centre, turn); },
+                                    [=](Vec2 way) { return rotated(way, turn); }};
+                for (std::string const& name : free) {
+                    Json& entry = objectEntry(tree, name);
+                    setPlace(entry, motion.point(placeOf(entry)));
+                    setAngle(entry, angleOf(entry) + degreesToTurn);
+                }
+                moveJoints(tree, {free.begin(), free.end()}, motion);
+            },
+            free};
+}
+
+Command scaleObjects(GameData const& data, Json const& level, Names const& names, Vec2 factors, Vec2 centre) {
+    mustBeFinite(factors);
+    mustBeFinite(centre);
+    if (factors.x <= 0 || factors.y <= 0) {
+        throw CommandError("a factor must be above zero");
+    }
+    Names const free = movable(level, names);
+    return {fmt::format("Scale {}", objectsInWords(free)),
+            [&data, free, factors, centre](Json& tree) {
+                Motion const motion{[=](Vec2 point) {
+                                        Vec2 const way = point - centre;
+                                        return centre + Vec2{way.x * factors.x, way.y * factors.y};
+                                    },
+                                    [](Vec2 way) { return way; }};
+                for (std::string const& name : free) {
+                    Json& entry = objectEntry(tree, name);
+                    scaleEntry(data, entry, factors);
+                    setPlace(entry, motion.point(placeOf(entry)));
+                }
+                moveJoints(tree, {free.begin(), free.end()}, motion);
+            },
+            free};
+}
+
+bool mayScale(GameData const& data, Json const& level, Names const& names, Vec2 factors) {
+    try {
+        Command const command = scaleObjects(data, level, names, factors, {});
+        Json copy = level;
+        command.change(copy);
+        return true;
+    } catch (CommandError const&) {
+        return false;
+    }
+}
+
+Command mirrorObjects(GameData const& data, Json const& level, Names const& names, Mirror mirror,
+                      Vec2 centre) {
+    mustBeFinite(centre);
+    Names const free = movable(level, names);
+    bool const atVertical = mirror == Mirror::leftRight;
+    return {fmt::format("Mirror {}", objectsInWords(free)),
+            [&data, free, atVertical, centre](Json& tree) {
+                auto const flip = [=](Vec2 way) {
+                    return atVertical ? Vec2{-way.x, way.y} : Vec2{way.x, -way.y};
+                };
+                Motion const motion{[=](Vec2 point) { return centre + flip(point - centre); }, flip, true};
+                for (std::string const& name : free) {
+                    Json& entry = objectEntry(tree, name);
+                    setPlace(entry, motion.point(placeOf(entry)));
+                    mirrorEntry(data, entry, atVertical);
+                }
+                moveJoints(tree, {free.begin(), free.end()}, motion);
+            },
+            free};
+}
+
+Command alignObjects(GameData const& data, Json const& level, Names const& names, Alignment alignment) {
+    Names const free = movable(level, names);
+    std::vector<Unit> const units = unitsOf(data, level, free);
+    if (units.size() < 2) {
+        throw CommandError("aligning needs at least two objects that are not in one group");
+    }
+    Box const all = extentOfObjects(data, level, free).value_or(Box{});
+    bool const horizontal =
+        alignment == Alignment::left || alignment == Alignment::right || alignment == Alignment::centresX;
+    Axis const axis = horizontal ? Axis::x : Axis::y;
+    Unit const whole{free, all};
+    Shifts shifts;
+    for (Unit const& unit : units) {
+        double way = whole.middle(axis) - unit.middle(axis);
+        if (alignment == Alignment::left || alignment == Alignment::bottom) {
+            way = whole.low(axis) - unit.low(axis);
+        } else if (alignment == Alignment::right || alignment == Alignment::top) {
+            way = whole.low(axis) + whole.size(axis) - unit.low(axis) - unit.size(axis);
+        }
+        for (std::string const& name : unit.names) {
+            shifts[name] = along(axis, way);
+        }
+    }
+    return shifted(fmt::format("Align {} of {}", wordsOf(alignment), objectsInWords(free)), std::move(shifts),
+                   free);
+}
+
+Command distributeObjects(GameData const& data, Json const& level, Names const& names, Axis axis) {
+    Names const free = movable(level, names);
+    std::vector<Unit> units = unitsOf(data, level, free);
+    if (units.size() < 3) {
+        throw CommandError("distributing needs at least three objects that are not in one group");
+    }
+    std::stable_sort(units.begin(), units.end(),
+                     [&](Unit const& a, Unit const& b) { return a.middle(axis) < b.middle(axis); });
+    double gaps = units.back().low(axis) - units.front().low(axis) - units.front().size(axis);
+    for (std::size_t i = 1; i + 1 < units.size(); ++i) {
+        gaps -= units[i].size(axis);
+    }
+    double const gap = gaps / static_cast<double>(units.size() - 1);
+    double next = units.front().low(axis) + units.front().size(axis) + gap;
+    Shifts shifts;
+    for (std::size_t i = 1; i + 1 < units.size(); ++i) {
+        for (std::string const& name : units[i].names) {
+            shifts[name] = along(axis, next - units[i].low(axis));
+        }
+        next += units[i].size(axis) + gap;
+    }
+    return shifted(fmt::format("Distribute {}", objectsInWords(free)), std::move(shifts), free);
+}
+
+} // namespace trembler::edit

@@ -1,0 +1,187 @@
+#include "puzzle/edit/commands/connect.hpp"
+
+#include "puzzle/edit/commands/properties.hpp"
+#include "puzzle/edit/tree/references.hpp"
+#include "puzzle/edit/tree/subset.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace trembler::edit {
+namespace {
+
+constexpr std::array<std::string_view, 4> formsWithTwoEnds{"distance", "rope", "spring", "pulley"};
+
+bool statesTwoEnds(std::string_view form) {
+    return std::find(formsWithTwoEnds.begin(), formsWithTwoEnds.end(), form) != formsWithTwoEnds.end();
+}
+
+void mustBeEnds(Json const& level, std::string const& a, std::string const& b) {
+    mustHaveObjects(level, {a, b});
+    if (a == b) {
+        throw CommandError(fmt::format("'{}' cannot be connected with itself", a));
+    }
+}
+
+void mustBeNew(Json const& level, std::string const& a, std::string const& b, std::string const& kind,
+               std::optional<std::size_t> except) {
+    for (ConnectionEntry const& other : connectionsOf(level)) {
+        bool const same = (other.a == a && other.b == b) || (other.a == b && other.b == a);
+        if (same && other.kind == kind && other.index != except) {
+            throw CommandError(fmt::format("'{}' and '{}' are connected already", a, b));
+        }
+    }
+}
+
+Json connectionJson(std::string const& a, std::string const& b, std::string const& kind) {
+    Json pair = Json::array({a, b});
+    return kind.empty() ? pair : Json{{"between", std::move(pair)}, {"kind", kind}};
+}
+
+std::string countInWords(std::size_t count, std::string_view what) {
+    return count == 1 ? std::string(what) : fmt::format("{} {}s", count, what);
+}
+
+} // namespace
+
+std::vector<JointEntry> jointsOf(Json const& level) {
+    std::vector<JointEntry> joints;
+    Json const* const list = findList(level, "joints");
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        Json const& joint = (*list)[i];
+        if (!joint.is_object()) {
+            continue;
+        }
+        auto const pointUnder = [&](char const* key) {
+            auto const found = joint.find(key);
+            return found == joint.end() ? std::nullopt : pointOf(*found);
+        };
+        JointEntry entry{i,
+                         textOf(joint, "name"),
+                         textOf(joint, "form"),
+                         textOf(joint, "a"),
+                         textOf(joint, "b"),
+                         pointUnder("at").value_or(Vec2{}),
+                         {}};
+        entry.atB = statesTwoEnds(entry.form) ? pointUnder("at_b").value_or(Vec2{}) : entry.at;
+        if (entry.name.empty()) {
+            entry.name = fmt::format("joint {}", i + 1);
+        }
+        joints.push_back(std::move(entry));
+    }
+    return joints;
+}
+
+std::vector<ConnectionEntry> connectionsOf(Json const& level) {
+    std::vector<ConnectionEntry> connections;
+    Json const* const list = findList(level, "connections");
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        if (Json const* const ends = endsOf((*list)[i])) {
+            connections.push_back({i, (*ends)[0].get<std::string>(), (*ends)[1].get<std::string>(),
+                                   textOf((*list)[i], "kind")});
+        }
+    }
+    return connections;
+}
+
+Command addJoint(GameData const& data, Json const& level, std::string const& form, std::string const& a,
+                 std::string const& b, Vec2 at, Vec2 atB) {
+    mustHaveObjects(level, {a});
+    if (!b.empty()) {
+        mustBeEnds(level, a, b);
+    }
+    Json joint{{"name", untaken(takenNames(level), form.empty() ? "joint" : form + " of " + a)},
+               {"form", form},
+               {"a", a}};
+    if (!b.empty()) {
+        joint["b"] = b;
+    }
+    joint["at"] = pointJson(at);
+    if (statesTwoEnds(form)) {
+        joint["at_b"] = pointJson(atB);
+    }
+    if (form == "pulley") { // its wheels hang above the ends until the author moves them
+        double const top = std::max(at.y, atB.y) + 1;
+        joint["ground_a"] = pointJson({at.x, top});
+        joint["ground_b"] = pointJson({atB.x, top});
+    }
+    mustBeJoint(data, joint);
+    return {fmt::format("Add {} of {}", form, b.empty() ? a : a + " and " + b),
+            [joint](Json& tree) { listIn(tree, "joints").push_back(joint); }};
+}
+
+Command removeJoints(Json const& level, std::vector<std::size_t> const& joints) {
+    if (joints.empty()) {
+        throw CommandError("no joint is selected");
+    }
+    for (std::size_t const joint : joints) {
+        mustHaveEntry(level, "joints", joint, "joint");
+    }
+    std::set<std::size_t> const gone(joints.begin(), joints.end());
+    return {fmt::format("Remove {}", countInWords(gone.size(), "joint")), [gone](Json& tree) {
+                mustHaveEntry(tree, "joints", *gone.rbegin(), "joint");
+                std::vector<std::string> names;
+                Json kept = Json::array();
+                Json& list = tree["joints"];
+                for (std::size_t i = 0; i < list.size(); ++i) {
+                    if (!gone.contains(i)) {
+                        kept.push_back(std::move(list[i]));
+                    } else if (std::string name = textOf(list[i], "name"); !name.empty()) {
+                        names.push_back(std::move(name));
+                    }
+                }
+                list = std::move(kept);
+                dropIfEmpty(tree, "joints");
+                removeEntries(tree, names); // the gears that refer to them
+            }};
+}
+
+Command moveJointPoint(Json const& level, std::size_t joint, std::string const& field, Vec2 to) {
+    mustHaveEntry(level, "joints", joint, "joint");
+    if (field != "at" && field != "at_b" && field != "ground_a" && field != "ground_b") {
+        throw CommandError(fmt::format("a joint has no point '{}'", field));
+    }
+    return {"Move joint", [joint, field, point = pointJson(to)](Json& tree) {
+                entryIn(tree, "joints", joint)[field] = point;
+            }};
+}
+
+Command addConnection(Json const& level, std::string const& a, std::string const& b,
+                      std::string const& kind) {
+    mustBeEnds(level, a, b);
+    mustBeNew(level, a, b, kind, {});
+    return {fmt::format("Connect {} and {}", a, b),
+            [made = connectionJson(a, b, kind)](Json& tree) { listIn(tree, "connections").push_back(made); }};
+}
+
+Command removeConnections(Json const& level, std::vector<std::size_t> const& connections) {
+    if (connections.empty()) {
+        throw CommandError("no connection is selected");
+    }
+    for (std::size_t const connection : connections) {
+        mustHaveEntry(level, "connections", connection, "connection");
+    }
+    std::set<std::size_t> const gone(connections.begin(), connections.end());
+    return {fmt::format("Remove {}", countInWords(gone.size(), "connection")), [gone](Json& tree) {
+                mustHaveEntry(tree, "connections", *gone.rbegin(), "connection");
+                for (auto index = gone.rbegin(); index != gone.rend(); ++index) {
+                    tree["connections"].erase(*index);
+                }
+                dropIfEmpty(tree, "connections");
+            }};
+}
+
+Command changeConnection(Json const& level, std::size_t connection, std::string const& a,
+                         std::string const& b, std::string const& kind) {
+    mustHaveEntry(level, "connections", connection, "connection");
+    mustBeEnds(level, a, b);
+    mustBeNew(level, a, b, kind, connection);
+    return {"Change connection", [connection, made = connectionJson(a, b, kind)](Json& tree) {
+                entryIn(tree, "connections", connection) = made;
+            }};
+}
+
+} // namespace trembler::edit

@@ -1,0 +1,30 @@
+// Shapes drawn by hand, as the value of the property "shape".
+#pragma once
+
+#include "puzzle/edit/document/command.hpp"
+#include "runtime/math/vec2.hpp"
+
+#include <span>
+
+namespace trembler::edit {
+
+/// A shape with its place: what addObject() needs of a drawing.
+struct DrawnShape {
+    Vec2 at;                 ///< m: the object's centre
+    double angleDegrees = 0; ///< the object's angle
+    Json shape;              ///< the value of "shape": pieces around the centre
+};
+
+// They throw CommandError if the drawing is too small or too large, in words for the author.
+
+/// A box with these opposite corners, m.
+[[nodiscard]] DrawnShape drawnBox(Vec2 from, Vec2 to);
+/// A disc around a centre, up to a point on its edge, m.
+[[nodiscard]] DrawnShape drawnDisc(Vec2 centre, Vec2 edge);
+/// A capsule whose round ends have their centres there, m.
+[[nodiscard]] DrawnShape drawnCapsule(Vec2 from, Vec2 to, double radius);
+/// A polygon with these corners, m, in either direction, at least three; it may be concave, and is then made
+/// of several convex pieces of at most eight corners. Its edges must not cross.
+[[nodiscard]] DrawnShape drawnPolygon(std::span<Vec2 const> corners);
+
+} // namespace trembler::edit

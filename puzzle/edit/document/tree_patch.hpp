@@ -1,0 +1,46 @@
+// The difference between two trees, small enough to keep one for every step of a history.
+#pragma once
+
+#include "puzzle/edit/document/command.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace trembler::edit {
+
+/// The places where two trees differ, with both values. Applied forwards and backwards any number of times it
+/// gives exactly the two trees, the order of keys included.
+class TreePatch {
+public:
+    TreePatch() = default;
+    /// What leads from one tree to the other. Takes time in proportion to the trees, memory to the
+    /// difference.
+    TreePatch(Json const& before, Json const& after);
+
+    [[nodiscard]] bool empty() const { return changes_.empty(); }
+    /// Turns the tree `before` into `after`, and back. The tree must be that one.
+    void apply(Json& tree) const;
+    void revert(Json& tree) const;
+
+private:
+    using Path = std::vector<std::size_t>; // of positions, in lists and in objects
+    struct Value {                         // one value is another
+        Path path;
+        Json before;
+        Json after;
+    };
+    struct Entries { // of a list or an object: some entries in a row are others
+        Path path;
+        std::size_t first = 0;
+        Json before; // a list or an object of these entries
+        Json after;
+    };
+    using Change = std::variant<Value, Entries>;
+
+    void compare(Path& path, Json const& before, Json const& after);
+
+    std::vector<Change> changes_;
+};
+
+} // namespace trembler::edit

@@ -1,0 +1,241 @@
+#include "puzzle/edit/recovery/autosave.hpp"
+
+#include "puzzle/edit/tree/tree_access.hpp"
+#include "runtime/file/output_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace trembler::edit {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int recoveryVersion = 1;
+
+fs::path lockFileOf(fs::path const& file) {
+    fs::path lock = file;
+    return lock.replace_extension(".lock");
+}
+
+/// Opens and locks a file; -1 if another program holds the lock, or it cannot be opened.
+int lockedFile(fs::path const& path, int flags) {
+    int const descriptor = ::open(path.c_str(), flags | O_CLOEXEC, 0600);
+    if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        ::close(descriptor);
+        return -1;
+    }
+    return descriptor;
+}
+
+/// Whether a living program holds the lock of a recovery file.
+bool isHeld(fs::path const& file) {
+    int const descriptor = ::open(lockFileOf(file).c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        return false;
+    }
+    bool const held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
+    ::close(descriptor);
+    return held;
+}
+
+std::optional<std::string> textInFile(fs::path const& path) {
+    std::error_code error;
+    if (path.empty() || !fs::exists(path, error)) {
+        return std::nullopt;
+    }
+    try {
+        return JsonDocument::readText(path);
+    } catch (InputError const&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<Recovery> readRecovery(fs::path const& file) {
+    auto const stored = textInFile(file);
+    Json const all = stored ? Json::parse(*stored, nullptr, false) : Json();
+    if (!all.is_object() || all.value("recovery", Json()) != recoveryVersion || !all.contains("text") ||
+        !all["text"].is_string()) {
+        return std::nullopt;
+    }
+    Recovery found;
+    found.file = file;
+    found.level = textOf(all, "level");
+    found.text = all["text"].get<std::string>();
+    if (all.contains("on_disk") && all["on_disk"].is_string()) {
+        found.onDisk = all["on_disk"].get<std::string>();
+    }
+    found.title = textOf(Json::parse(found.text, nullptr, false), "title");
+    found.changedSince = textInFile(found.level) != found.onDisk;
+    return found;
+}
+
+} // namespace
+
+fs::path recoveryFolder() {
+    if (char const* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
+        return fs::path(data) / "trembler" / "recovery";
+    }
+    if (char const* const home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+        return fs::path(home) / ".local" / "share" / "trembler" / "recovery";
+    }
+    return {};
+}
+
+Autosave::Autosave(fs::path folder) : folder_(std::move(folder)) {}
+
+Autosave::~Autosave() {
+    close();
+}
+
+void Autosave::tick(LevelDocument const& document, double seconds) {
+    since_ += seconds;
+    if (since_ < interval) {
+        return;
+    }
+    flush(document);
+}
+
+void Autosave::flush(LevelDocument const& document) {
+    if (folder_.empty()) {
+        return;
+    }
+    since_ = 0;
+    if (!document.modified()) {
+        close();
+        return;
+    }
+    if (!file_.empty() && written_ == document.revision()) {
+        return;
+    }
+    try {
+        write(document);
+        written_ = document.revision();
+        error_.reset();
+    } catch (std::exception const& error) {
+        error_ = error.what();
+    }
+}
+
+void Autosave::write(LevelDocument const& document) {
+    if (file_.empty()) {
+        takeLock();
+    }
+    std::error_code ignored;
+    fs::path const level =
+        document.path().empty() ? fs::path() : fs::absolute(document.path(), ignored).lexically_normal();
+    Json all{{"recovery", recoveryVersion}, {"level", level.string()}, {"text", document.text()}};
+    if (document.onDisk()) {
+        all["on_disk"] = *document.onDisk();
+    }
+    writeFile(file_, all.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void Autosave::takeLock() {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) {
+        throw OutputError(fmt::format("{}: cannot be made: {}", folder_.string(), error.message()));
+    }
+    // The number makes the names of several documents, and of programs before this one, differ.
+    for (int number = 1; number < 10000; ++number) {
+        fs::path const file = folder_ / fmt::format("{}-{}.json", ::getpid(), number);
+        fs::path const lock = lockFileOf(file);
+        if (fs::exists(file, error)) {
+            continue;
+        }
+        lock_ = lockedFile(lock, O_RDWR | O_CREAT | O_EXCL);
+        if (lock_ >= 0) {
+            file_ = file;
+            lockFile_ = lock;
+            return;
+        }
+        if (errno != EEXIST && errno != EWOULDBLOCK) {
+            throw OutputError(
+                fmt::format("{}: cannot be made: {}", lock.string(), std::generic_category().message(errno)));
+        }
+    }
+    throw OutputError(fmt::format("{}: has too many recovery files", folder_.string()));
+}
+
+void Autosave::close() {
+    if (!file_.empty()) {
+        std::error_code ignored;
+        fs::remove(file_, ignored);
+        fs::remove(lockFile_, ignored);
+    }
+    abandon();
+}
+
+void Autosave::abandon() {
+    if (lock_ >= 0) {
+        ::close(lock_);
+    }
+    lock_ = -1;
+    file_.clear();
+    lockFile_.clear();
+    written_.reset();
+}
+
+std::vector<Recovery> findRecoveries(fs::path const& folder) {
+    std::vector<std::pair<fs::file_time_type, Recovery>> found;
+    std::error_code error;
+    if (folder.empty()) {
+        return {};
+    }
+    for (auto at = fs::directory_iterator(folder, error); !error && at != fs::directory_iterator();
+         at.increment(error)) {
+        fs::path const file = at->path();
+        if (file.extension() != ".json" || isHeld(file)) {
+            continue;
+        }
+        auto recovery = readRecovery(file);
+        if (!recovery) {
+            continue;
+        }
+        if (textInFile(recovery->level) == recovery->text) {
+            discard(*recovery);
+            continue;
+        }
+        std::error_code ignored;
+        found.emplace_back(fs::last_write_time(file, ignored), std::move(*recovery));
+    }
+    std::sort(found.begin(), found.end(), [](auto const& a, auto const& b) {
+        return a.first != b.first ? a.first > b.first : a.second.file < b.second.file;
+    });
+    std::vector<Recovery> recoveries;
+    for (auto& [time, recovery] : found) {
+        recoveries.push_back(std::move(recovery));
+    }
+    return recoveries;
+}
+
+std::optional<Recovery> findRecovery(fs::path const& folder, fs::path const& level) {
+    std::error_code ignored;
+    fs::path const wanted = level.empty() ? fs::path() : fs::absolute(level, ignored).lexically_normal();
+    for (Recovery& recovery : findRecoveries(folder)) {
+        if (recovery.level == wanted) {
+            return std::move(recovery);
+        }
+    }
+    return std::nullopt;
+}
+
+LevelDocument recover(GameData const& data, Recovery const& recovery) {
+    return LevelDocument::fromText(data, recovery.text, recovery.level, recovery.onDisk);
+}
+
+void discard(Recovery const& recovery) {
+    std::error_code ignored;
+    fs::remove(recovery.file, ignored);
+    fs::remove(lockFileOf(recovery.file), ignored);
+}
+
+} // namespace trembler::edit

@@ -1,0 +1,83 @@
+// Keeps unsaved work safe from crashes, in files beside the settings.
+#pragma once
+
+#include "puzzle/edit/document/level_document.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::edit {
+
+/// The folder for recovery files, beside the profile with the settings: $XDG_DATA_HOME/trembler/recovery or
+/// ~/.local/share/trembler/recovery. Empty if neither is known: then nothing is kept.
+[[nodiscard]] std::filesystem::path recoveryFolder();
+
+/// Writes one document's unsaved text to a recovery file of its own, completely or not at all. The file is
+/// removed when the document is saved or closed in order; it stays if the program dies. While the program
+/// lives, a lock file tells other programs not to offer it.
+class Autosave {
+public:
+    /// Work older than this is on the disk, s, if tick() is called for every picture.
+    static constexpr double interval = 1.0;
+
+    /// Nothing is written before the first change. An empty folder switches it off.
+    explicit Autosave(std::filesystem::path folder);
+    /// Ends in order, like close().
+    ~Autosave();
+    Autosave(Autosave const&) = delete;
+    Autosave& operator=(Autosave const&) = delete;
+
+    /// `seconds` have passed. Writes the file if the document has changed and the interval is over; removes
+    /// it if the document is as it was saved. Never throws: see error().
+    void tick(LevelDocument const& document, double seconds);
+    /// Writes at once what has changed, whatever the interval: before something risky, such as a test play.
+    void flush(LevelDocument const& document);
+    /// Removes the file: the author saved, or does not want the changes.
+    void close();
+    /// Ends without removing the file, as if the program had been killed. For tests.
+    void abandon();
+    /// Why the last writing failed, for people; nothing if it did not. tick() tries again after the interval.
+    [[nodiscard]] std::optional<std::string> const& error() const { return error_; }
+    /// Of the recovery file; empty before the first one was written.
+    [[nodiscard]] std::filesystem::path const& file() const { return file_; }
+
+private:
+    void write(LevelDocument const& document);
+    void takeLock();
+
+    std::filesystem::path folder_;
+    std::filesystem::path file_;
+    std::filesystem::path lockFile_;
+    int lock_ = -1;
+    double since_ = 0;                     // s, since the last writing
+    std::optional<std::uint64_t> written_; // the revision in the file
+    std::optional<std::string> error_;
+};
+
+/// Work that was left behind by a program that ended without closing it.
+struct Recovery {
+    std::filesystem::path file;        ///< the recovery file
+    std::filesystem::path level;       ///< the level's own file; empty for a new level
+    std::string title;                 ///< of the level, for people; may be empty
+    std::string text;                  ///< of the level
+    std::optional<std::string> onDisk; ///< the text of the level's file when it was opened or saved last
+    /// Whether the level's file has changed since: saving the recovered document will be a conflict.
+    bool changedSince = false;
+};
+
+/// All recoveries of a folder that no living program holds, the newest first. Files that are no recoveries
+/// are left out; one whose text is that of the level's file is removed, as nothing would be lost. Throws
+/// nothing.
+[[nodiscard]] std::vector<Recovery> findRecoveries(std::filesystem::path const& folder);
+/// The newest one of a level; of new levels, if `level` is empty.
+[[nodiscard]] std::optional<Recovery> findRecovery(std::filesystem::path const& folder,
+                                                   std::filesystem::path const& level);
+/// The recovered document, modified and writable, whatever problems it has. Throws InputError if its text is
+/// not JSON. The recovery file stays until discard(); call it once the document's own Autosave has written.
+[[nodiscard]] LevelDocument recover(GameData const& data, Recovery const& recovery);
+/// Removes the file, with its lock.
+void discard(Recovery const& recovery);
+
+} // namespace trembler::edit

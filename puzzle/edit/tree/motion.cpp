@@ -1,0 +1,107 @@
+#include "puzzle/edit/tree/motion.hpp"
+
+#include "puzzle/edit/tree/subset.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
+
+#include <utility>
+
+namespace trembler::edit {
+namespace {
+
+bool hasTwoEnds(Json const& joint) {
+    std::string const form = textOf(joint, "form");
+    return form == "distance" || form == "rope" || form == "spring" || form == "pulley";
+}
+
+/// The second ends of such a joint to the world stay where they are: they are hooks in a wall.
+void shiftJointOf(Json& joint, Shifts const& shifts) {
+    auto const shiftOf = [&](std::string const& name) {
+        auto const found = shifts.find(name);
+        return found == shifts.end() ? Vec2{} : found->second;
+    };
+    std::string const b = textOf(joint, "b");
+    Vec2 const shiftA = shiftOf(textOf(joint, "a"));
+    if (hasTwoEnds(joint)) {
+        shiftJoint(joint, shiftA, b.empty() ? Vec2{} : shiftOf(b));
+    } else if (b.empty() || shiftOf(b) == shiftA) {
+        shiftJoint(joint, shiftA, shiftA);
+    }
+}
+
+void movePointOf(Json& joint, char const* key, std::function<Vec2(Vec2)> const& motion) {
+    if (auto const found = joint.find(key); found != joint.end()) {
+        if (auto const point = pointOf(*found)) {
+            *found = pointJson(motion(*point));
+        }
+    }
+}
+
+/// The limits and the speed of a hinge or a wheel, seen in a mirror.
+void turnRound(Json& joint) {
+    auto const take = [&](char const* key) -> std::optional<double> {
+        auto const found = joint.find(key);
+        return found == joint.end() || !found->is_number() ? std::nullopt : std::optional(numberOf(*found));
+    };
+    auto const put = [&](char const* key, std::optional<double> value) {
+        if (value) {
+            joint[key] = numberJson(-*value);
+        } else {
+            joint.erase(key);
+        }
+    };
+    auto const lower = take("lower_deg");
+    auto const upper = take("upper_deg");
+    if (lower || upper) {
+        put("lower_deg", upper);
+        put("upper_deg", lower);
+    }
+    if (auto const speed = take("motor_speed_deg")) {
+        put("motor_speed_deg", speed);
+    }
+}
+
+} // namespace
+
+void shiftObjects(Json& level, Shifts const& shifts) {
+    for (auto const& [name, shift] : shifts) {
+        Json& entry = objectEntry(level, name);
+        setPlace(entry, placeOf(entry) + shift);
+    }
+    if (findList(level, "joints") != nullptr) {
+        for (Json& joint : level["joints"]) {
+            shiftJointOf(joint, shifts);
+        }
+    }
+}
+
+void moveJoints(Json& level, std::set<std::string> const& objects, Motion const& motion) {
+    if (findList(level, "joints") == nullptr) {
+        return;
+    }
+    for (Json& joint : level["joints"]) {
+        if (!joint.is_object()) {
+            continue;
+        }
+        std::string const b = textOf(joint, "b");
+        bool const first = objects.contains(textOf(joint, "a"));
+        bool const second = b.empty() ? first : objects.contains(b);
+        if (first && (second || hasTwoEnds(joint))) {
+            movePointOf(joint, "at", motion.point);
+        }
+        if (second && (hasTwoEnds(joint) ? !b.empty() : first)) {
+            movePointOf(joint, "at_b", motion.point);
+        }
+        if (first && second) {
+            if (!hasTwoEnds(joint) || !b.empty()) {
+                movePointOf(joint, "ground_a", motion.point);
+                movePointOf(joint, "ground_b", motion.point);
+            }
+            movePointOf(joint, "axis", motion.direction);
+            if (motion.mirrors) {
+                turnRound(joint);
+            }
+        }
+    }
+}
+
+} // namespace trembler::edit

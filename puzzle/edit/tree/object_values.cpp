@@ -1,0 +1,114 @@
+#include "puzzle/edit/tree/object_values.hpp"
+
+#include "puzzle/edit/tree/tree_access.hpp"
+#include "runtime/level/property/field_outline.hpp"
+#include "runtime/level/property/property_reader.hpp"
+#include "runtime/level/property/property_writer.hpp"
+
+#include <fmt/format.h>
+
+namespace trembler::edit {
+
+std::unique_ptr<PropertyValue> readValue(PropertyInfo const& info, Json const& json, NameTable& names,
+                                         std::string* why) {
+    try {
+        auto const document =
+            JsonDocument::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace), "value");
+        Problems problems;
+        auto value = readProperty(info, JsonNode(*document, document->root(), "", problems), &names);
+        problems.throwIfAny();
+        return value;
+    } catch (InputError const& error) {
+        if (why != nullptr) {
+            Diagnostic const& first = error.diagnostics().front();
+            std::string const at = first.path.empty() ? "" : first.path.substr(1) + " ";
+            *why = at + first.message + (first.expected.empty() ? "" : "; expected " + first.expected);
+        }
+        return nullptr;
+    }
+}
+
+Json const* ownStatement(Json const& entry, PropertyInfo const& info) {
+    Json const* around = &entry;
+    if (info.text.place == PropertyPlace::properties) {
+        auto const properties = entry.is_object() ? entry.find("properties") : entry.end();
+        if (properties == entry.end()) {
+            return nullptr;
+        }
+        around = &*properties;
+    }
+    if (!around->is_object()) {
+        return nullptr;
+    }
+    auto const found = around->find(std::string(info.text.key));
+    return found == around->end() ? nullptr : &*found;
+}
+
+Json partStatement(GameData const& data, Json const& entry, PropertyInfo const& info) {
+    PartDefinition const* const part = data.parts.find(textOf(entry, "part"));
+    PropertyValue const* const value = part == nullptr ? nullptr : part->properties.find(info);
+    return value == nullptr ? Json() : writeProperty(*value);
+}
+
+Json effectiveStatement(GameData const& data, Json const& entry, PropertyInfo const& info) {
+    if (Json const* const own = ownStatement(entry, info)) {
+        return *own == false && falseRemoves(info) ? Json() : *own;
+    }
+    return partStatement(data, entry, info);
+}
+
+bool falseRemoves(PropertyInfo const& info) {
+    auto const value = info.makeValue();
+    auto const fields = outlineOf(*value);
+    return !isBare(fields) || fields.front().type != FieldType::boolean;
+}
+
+std::optional<Shape> shapeOf(GameData const& data, Json const& entry) {
+    PropertyInfo const& info = propertyInfo<Shape>();
+    if (Json const* const own = ownStatement(entry, info)) {
+        NameTable names;
+        auto const value = readValue(info, *own, names);
+        return value ? std::optional(static_cast<ValueOf<Shape> const&>(*value).value) : std::nullopt;
+    }
+    PartDefinition const* const part = data.parts.find(textOf(entry, "part"));
+    Shape const* const shape = part == nullptr ? nullptr : part->properties.find<Shape>();
+    return shape == nullptr ? std::nullopt : std::optional(*shape);
+}
+
+void setStatement(Json& entry, PropertyInfo const& info, Json value) {
+    std::string const key(info.text.key);
+    if (info.text.place == PropertyPlace::placement) {
+        if (value.is_null()) {
+            entry.erase(key);
+        } else {
+            setObjectMember(entry, key, std::move(value));
+        }
+        return;
+    }
+    if (!entry.contains("properties")) {
+        if (value.is_null()) {
+            return;
+        }
+        setObjectMember(entry, "properties", Json::object());
+    }
+    Json& properties = entry["properties"];
+    if (!properties.is_object()) {
+        throw CommandError("the properties of an object are no object");
+    }
+    if (value.is_null()) {
+        properties.erase(key);
+        dropIfEmpty(entry, "properties");
+    } else {
+        properties[key] = std::move(value);
+    }
+}
+
+PropertyInfo const& propertyNamed(GameData const& data, std::string const& key) {
+    PropertyInfo const* const info = data.registry.objectProperty(key);
+    if (info == nullptr || info->text.place == PropertyPlace::hidden) {
+        throw CommandError(fmt::format("there is no property '{}'", key));
+    }
+    return *info;
+}
+
+} // namespace trembler::edit

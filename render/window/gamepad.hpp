@@ -1,0 +1,61 @@
+// Gamepads: their buttons arrive as keys, so that whatever a key can do a button can do, and can be bound.
+#pragma once
+
+#include <SDL_events.h>
+#include <SDL_gamecontroller.h>
+#include <SDL_keycode.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler::render {
+
+/// Directions of the left stick count as further buttons behind SDL's: it acts like the directional pad.
+inline constexpr SDL_Keycode firstPadKey = 1 << 28; // SDL's own keys are below, or have bit 30 set
+
+/// The key that stands for a button of any gamepad.
+[[nodiscard]] constexpr SDL_Keycode padKey(SDL_GameControllerButton button) {
+    return firstPadKey + static_cast<SDL_Keycode>(button);
+}
+/// The keys of the two triggers, which SDL counts as axes.
+inline constexpr SDL_Keycode padLeftTrigger = firstPadKey + SDL_CONTROLLER_BUTTON_MAX;
+inline constexpr SDL_Keycode padRightTrigger = padLeftTrigger + 1;
+[[nodiscard]] constexpr bool isPadKey(SDL_Keycode key) {
+    return key >= firstPadKey && key <= padRightTrigger;
+}
+
+/// "Pad A": the name of such a key, in profiles and on the screen; "" for other keys.
+[[nodiscard]] std::string_view nameOfPadKey(SDL_Keycode key);
+/// The inverse, ignoring case.
+[[nodiscard]] std::optional<SDL_Keycode> padKeyFrom(std::string_view name);
+
+/// All gamepads that are plugged in, also while the program runs; without any nothing happens. Window thread
+/// only; SDL's video part must be running.
+class Gamepads {
+public:
+    Gamepads();
+    ~Gamepads();
+    Gamepads(Gamepads const&) = delete;
+    Gamepads& operator=(Gamepads const&) = delete;
+
+    /// Takes an event of SDL's; returns the key events that it stands for. The left stick gives those of
+    /// the directional pad, when it passes half of its way, and back at a third.
+    std::vector<SDL_Event> take(SDL_Event const& event);
+    [[nodiscard]] std::size_t count() const { return pads_.size(); }
+
+private:
+    void plug(int device);
+    void unplug(SDL_JoystickID pad, std::vector<SDL_Event>& events);
+    void press(SDL_Keycode key, bool down, std::vector<SDL_Event>& events);
+    void moveAxis(SDL_ControllerAxisEvent const& axis, std::vector<SDL_Event>& events);
+
+    bool started_ = false;
+    std::map<SDL_JoystickID, SDL_GameController*> pads_;
+    std::vector<SDL_Keycode> held_;
+};
+
+} // namespace trembler::render

@@ -1,0 +1,164 @@
+// The editor's panel and commands: every page, every command, every size of the window.
+#include "game/ui/edit/commands/edit_commands.hpp"
+#include "game/ui/edit/panels/command_palette.hpp"
+#include "tests/game/ui/edit/editor_kit.hpp"
+
+namespace trembler::ui::test {
+namespace panels_test {
+namespace {
+
+auto const firstContact = levelsFolder() / "first/1-first-contact.json";
+
+void expectNoOverlap(Layout const& layout, std::string const& where) {
+    auto const& cards = layout.cards();
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+        for (std::size_t j = i + 1; j < cards.size(); ++j) {
+            EXPECT_FALSE(cards[i].rect.overlaps(cards[j].rect))
+                << cards[i].name << " overlaps " << cards[j].name << " " << where;
+        }
+    }
+}
+
+TEST(EditorPanels, NothingOverlapsAtAnySize) {
+    for (render::Size const size : {render::Size{800, 600}, render::Size{1280, 720}, render::Size{1024, 768},
+                                    render::Size{2560, 1440}}) {
+        Designer designer(size);
+        designer.editCopyOf(firstContact);
+        for (SDL_Keycode const page : {SDLK_F2, SDLK_F3, SDLK_F4, SDLK_F5, SDLK_F6, SDLK_F7, SDLK_F8}) {
+            designer.key(page);
+            designer.frames(2);
+            expectNoOverlap(designer.layout(),
+                            std::to_string(size.width) + " page " + std::to_string(page - SDLK_F2 + 2));
+        }
+        designer.look("edit-size-" + std::to_string(size.width));
+    }
+}
+
+TEST(EditorPanels, PagesShowTheLevel) {
+    Designer designer;
+    designer.editCopyOf(firstContact);
+    designer.key(SDLK_F2);
+    designer.look("edit-page-parts");
+    designer.key(SDLK_F3);
+    designer.frames(2);
+    designer.clickItem("object beam");
+    EXPECT_EQ(designer.parts().selected(), std::vector<std::string>{"beam"});
+    designer.look("edit-page-outline");
+    designer.key(SDLK_F4);
+    designer.frames(2);
+    designer.look("edit-page-properties");
+    designer.key(SDLK_F5);
+    designer.frames(2);
+    designer.clickItem("goal /all/1");
+    designer.frames(2);
+    designer.look("edit-page-goals");
+    designer.key(SDLK_F6);
+    designer.frames(2);
+    designer.look("edit-page-level");
+    designer.key(SDLK_F7);
+    designer.frames(2);
+    designer.look("edit-page-solutions");
+}
+
+TEST(EditorPanels, TheInspectorChangesAPropertyByDragging) {
+    Designer designer;
+    designer.editCopyOf(firstContact);
+    designer.select({1.7, 0.15});
+    designer.key(SDLK_F4);
+    designer.frames(2);
+    Point const field = designer.item("at x");
+    std::size_t const steps = designer.parts().document.done();
+    designer.drag(field, field + Point{60, 0});
+    EXPECT_NE(designer.placeOf("iron ball").x, 1.7);
+    EXPECT_EQ(designer.parts().document.done(), steps + 1) << "one use of a widget is one step";
+    EXPECT_EQ(designer.parts().selected().size(), 1U);
+}
+
+TEST(EditorPanels, ADeletedObjectIsAProblemWhoseClickLeadsToTheGoal) {
+    Designer designer;
+    designer.editCopyOf(firstContact);
+    designer.select({1.7, 0.15});
+    designer.key(SDLK_DELETE);
+    designer.frames(40);
+    ASSERT_FALSE(designer.parts().problems.empty());
+    designer.key(SDLK_F8);
+    designer.frames(2);
+    designer.look("edit-problems");
+    designer.clickItem("problem 0");
+    EXPECT_EQ(designer.parts().tab, Tab::goals);
+}
+
+TEST(EditorPanels, EveryCommandRunsByItsKeyAndUndoBringsTheFileBack) {
+    Designer designer;
+    designer.editCopyOf(firstContact);
+    std::string const before = designer.parts().document.text();
+    for (Command<EditParts> const& command : editCommands()) {
+        if (command.info.keys[0].key == SDLK_UNKNOWN || command.info.fixed ||
+            command.info.id == "fullscreen") {
+            continue;
+        }
+        SCOPED_TRACE(std::string(command.info.id));
+        designer.parts().selection.set({"iron ball", "left post", "right post"});
+        Chord const& chord = command.info.keys[0];
+        unsigned modifiers = KMOD_NONE;
+        modifiers |= chord.ctrl ? unsigned{KMOD_LCTRL} : 0U;
+        modifiers |= chord.shift ? unsigned{KMOD_LSHIFT} : 0U;
+        modifiers |= chord.alt ? unsigned{KMOD_LALT} : 0U;
+        designer.key(chord.key, modifiers);
+        designer.frames(2);
+        for (int i = 0; i < 3 && (designer.parts().dialogOpen() || designer.parts().panelKeys ||
+                                  designer.screen().test() != nullptr || designer.app().menu().isOpen());
+             ++i) {
+            designer.key(SDLK_ESCAPE);
+            designer.frames(1);
+        }
+        ASSERT_FALSE(designer.parts().dialogOpen());
+    }
+    designer.parts().document.goTo(0);
+    EXPECT_EQ(designer.parts().document.text(), before);
+}
+
+TEST(EditorPanels, ThePaletteFindsCommandsByWords) {
+    EXPECT_TRUE(fitsSearch("Align left edges", "left ali"));
+    EXPECT_FALSE(fitsSearch("Align left edges", "right"));
+    Designer designer;
+    designer.editCopyOf(firstContact);
+    designer.ctrl(SDLK_p);
+    designer.frames(2);
+    designer.typeText("solutions");
+    designer.frames(1);
+    designer.look("edit-palette");
+    designer.key(SDLK_RETURN);
+    EXPECT_EQ(designer.parts().tab, Tab::solutions);
+}
+
+TEST(EditorPanels, AFileWithErrorsOpensReadOnlyWithTheListOfThem) {
+    Designer designer;
+    auto const file = testFolder() / "wrong.json";
+    std::ofstream(file) << R"({"version": 2, "title": "Wrong", "objects": [{"name": "a", "part": 3}]})";
+    designer.app().edit(file);
+    designer.frames(4);
+    EXPECT_TRUE(designer.parts().document.readOnly());
+    EXPECT_TRUE(designer.showsCard("read only"));
+    designer.look("edit-read-only");
+    designer.clickItem("understood");
+    designer.frames(2);
+    EXPECT_FALSE(designer.showsCard("read only"));
+}
+
+TEST(EditorPanels, TheBrowserOpensAndSaves) {
+    Designer designer;
+    auto const file = designer.editCopyOf(firstContact);
+    designer.key(SDLK_s, KMOD_LCTRL | KMOD_LSHIFT);
+    designer.frames(2);
+    EXPECT_TRUE(designer.showsCard("file browser"));
+    designer.look("edit-browser");
+    std::filesystem::remove(file);
+    designer.clickItem("choose file");
+    designer.frames(2);
+    EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+} // namespace
+} // namespace panels_test
+} // namespace trembler::ui::test

@@ -1,0 +1,109 @@
+// What was built is there again; and the level of free play.
+#include "puzzle/campaign/free_play.hpp"
+#include "puzzle/campaign/kept_builds.hpp"
+#include "puzzle/data/game_data.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace trembler {
+namespace {
+
+namespace fs = std::filesystem;
+
+class KeptBuild : public testing::Test {
+protected:
+    KeptBuild() { fs::remove_all(folder); }
+
+    static GameData const& data() {
+        static GameData const all;
+        return all;
+    }
+    [[nodiscard]] static LevelFile level() {
+        return loadLevel(data().registry,
+                         fs::path(TREMBLER_SOURCE_DIR) / "levels/first/1-first-contact.json");
+    }
+
+    fs::path const folder = fs::path(TREMBLER_BINARY_DIR) / "kept-builds" /
+                            testing::UnitTest::GetInstance()->current_test_info()->name();
+    KeptBuilds builds{folder};
+};
+
+TEST_F(KeptBuild, IsThereAgainInTheNextSession) {
+    Placement const bar{"steel bar", {-1.8, 1.3}, 0.1, ""};
+    {
+        Session session(data().registry, data().parts, level());
+        BuildKeeper keeper(builds, "first/1");
+        EXPECT_EQ(keeper.restore(session), 0);
+        ASSERT_TRUE(session.place(bar));
+        EXPECT_TRUE(keeper.pass(session, 0.1));
+        EXPECT_FALSE(fs::exists(builds.fileOf("first/1"))) << "not yet";
+        EXPECT_TRUE(keeper.pass(session, BuildKeeper::delay));
+        EXPECT_TRUE(fs::exists(builds.fileOf("first/1")));
+        session.start();
+        session.step();
+        EXPECT_TRUE(keeper.finish(session)) << "a run changes nothing of it";
+    }
+    Session session(data().registry, data().parts, level());
+    BuildKeeper keeper(builds, "first/1");
+    EXPECT_EQ(keeper.restore(session), 0);
+    ASSERT_EQ(session.placed().size(), 1U);
+    EXPECT_EQ(session.placed()[0].placement.at, bar.at);
+    EXPECT_NEAR(session.placed()[0].placement.angle, bar.angle, 1e-12);
+    EXPECT_EQ(session.mode(), SessionMode::building);
+    session.putAllBack();
+    EXPECT_TRUE(keeper.finish(session));
+    EXPECT_FALSE(fs::exists(builds.fileOf("first/1"))) << "nothing built, nothing kept";
+}
+
+TEST_F(KeptBuild, WhatNoLongerFitsIsLeftOut) {
+    fs::create_directories(folder);
+    std::ofstream(builds.fileOf("x")) << R"({"name": "my build", "placements": [
+        {"part": "steel bar", "at": [-1.8, 1.3]}, {"part": "no such part", "at": [0, 1]},
+        {"part": "spanner", "at": [40, 1]}]})";
+    Session session(data().registry, data().parts, level());
+    EXPECT_EQ(builds.restore("x", session), 2);
+    EXPECT_EQ(session.placed().size(), 1U);
+    for (char const* damaged : {"", "{", "[]", "{\"placements\": 7}"}) {
+        std::ofstream(builds.fileOf("y")) << damaged;
+        Session other(data().registry, data().parts, level());
+        EXPECT_EQ(builds.restore("y", other), 0) << damaged;
+        EXPECT_TRUE(other.placed().empty()) << damaged;
+    }
+}
+
+TEST_F(KeptBuild, LevelsHaveFilesOfTheirOwn) {
+    EXPECT_NE(builds.fileOf("a/b.json"), builds.fileOf("a-b.json"));
+    EXPECT_NE(builds.fileOf("ä"), builds.fileOf("ö"));
+    EXPECT_EQ(builds.fileOf("../../etc").parent_path(), folder);
+    EXPECT_LT(builds.fileOf(std::string(5000, 'x')).filename().string().size(), 200U);
+}
+
+TEST_F(KeptBuild, ThatCannotBeWrittenIsReportedOnce) {
+    fs::create_directories(folder.parent_path());
+    std::ofstream(folder) << "a file where the folder should be";
+    Session session(data().registry, data().parts, level());
+    BuildKeeper keeper(builds, "x");
+    keeper.restore(session);
+    ASSERT_TRUE(session.place({"steel bar", {-1.8, 1.3}, 0, ""}));
+    EXPECT_FALSE(keeper.finish(session));
+    EXPECT_FALSE(keeper.why().empty());
+    EXPECT_TRUE(keeper.finish(session));
+}
+
+TEST_F(KeptBuild, FreePlayOffersEveryPart) {
+    LevelFile const free =
+        readLevel(data().registry, JsonDocument::parse(freePlayLevel(data().parts, "Free", ""), "free.json"));
+    EXPECT_EQ(free.toolbox.size(), data().parts.names().size());
+    Session session(data().registry, data().parts, free);
+    for (std::string const& part : data().parts.names()) {
+        EXPECT_TRUE(session.place({part, {0, 2.5}, 0, ""})) << part;
+        session.putAllBack();
+    }
+    EXPECT_FALSE(session.solved());
+}
+
+} // namespace
+} // namespace trembler

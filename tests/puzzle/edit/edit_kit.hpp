@@ -1,0 +1,25 @@
+// What the tests of the editor's document share.
+#pragma once
+
+#include "puzzle/edit/document/level_document.hpp"
+
+#include <functional>
+#include <string>
+
+namespace trembler::edit {
+
+[[nodiscard]] GameData const& editData();
+[[nodiscard]] std::string fileText(std::filesystem::path const& path);
+void writeText(std::filesystem::path const& path, std::string const& text);
+/// A new empty folder of the running test.
+[[nodiscard]] std::filesystem::path testFolder();
+/// A level with a table, two crates, a ball of a part, a hinge, a rope, a wire, goals and a solution.
+[[nodiscard]] std::string const& smallLevel();
+[[nodiscard]] LevelDocument smallDocument();
+/// The message with which a command is refused; "" if it is not.
+[[nodiscard]] std::string refusalOf(std::function<void()> const& what);
+/// A command out of all kinds, as the numbers say, which `next` gives: 0 to its argument, exclusive. Throws
+/// CommandError for one that is not possible here.
+[[nodiscard]] Command anyCommand(LevelDocument const& document, std::function<int(int)> const& next);
+
+} // namespace trembler::edit

@@ -1,0 +1,110 @@
+// Live problems: the same as verify's, with the thing to select; and what they add to the file's checks.
+#include "puzzle/checks/level_checks.hpp"
+#include "puzzle/edit/commands/arrange.hpp"
+#include "puzzle/edit/commands/contents.hpp"
+#include "puzzle/edit/commands/goals.hpp"
+#include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/problems/live_problems.hpp"
+#include "puzzle/solutions/verify.hpp"
+#include "tests/puzzle/edit/edit_kit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace trembler::edit {
+namespace {
+
+std::vector<Problem> problemsAfter(std::function<void(LevelDocument&)> const& change) {
+    LevelDocument document = smallDocument();
+    change(document);
+    LiveProblems problems;
+    EXPECT_TRUE(problems.refresh(document));
+    EXPECT_FALSE(problems.refresh(document));
+    return problems.all();
+}
+
+TEST(LiveProblems, FindNothingInLevelsThatAreRight) {
+    for (auto const& path : editData().levels()) {
+        LevelCheckup const checkup = checkWholeLevel(editData(), JsonDocument::load(path));
+        EXPECT_TRUE(checkup.playable) << path;
+        EXPECT_TRUE(checkup.problems.empty()) << path << ": " << checkup.problems.front().print();
+    }
+    EXPECT_TRUE(problemsAfter([](LevelDocument&) {}).empty());
+}
+
+TEST(LiveProblems, LeadToTheCulprit) {
+    auto const removed = problemsAfter(
+        [](LevelDocument& document) { document.run(removeObjects(document.tree(), {"ball"})); });
+    ASSERT_FALSE(removed.empty());
+    EXPECT_EQ(removed.front().about, Problem::About::solution);
+    EXPECT_EQ(removed.front().name, "wait");
+    auto const goal = problemsAfter([](LevelDocument& document) {
+        document.run(
+            changeGoal(document.tree(), "/all/1", Json{{"moved", {{"object", "table"}, {"by", 1}}}}));
+    });
+    ASSERT_EQ(goal.size(), 1U);
+    EXPECT_EQ(goal.front().about, Problem::About::goal);
+    EXPECT_EQ(goal.front().name, "/all/1");
+    EXPECT_NE(goal.front().words().find("never"), std::string::npos);
+    auto const part = problemsAfter(
+        [](LevelDocument& document) { document.run(setPart(document.tree(), {"ball"}, "unheard")); });
+    ASSERT_EQ(part.size(), 1U);
+    EXPECT_EQ(part.front().name, "ball");
+    EXPECT_EQ(part.front().index, 3U);
+}
+
+TEST(LiveProblems, FindWhatIsOutOfReach) {
+    auto const away = problemsAfter([](LevelDocument& document) {
+        document.run(moveObjects(document.tree(), {"ball"}, {50, 0}));
+    });
+    ASSERT_EQ(away.size(), 1U);
+    EXPECT_EQ(away.front().name, "ball");
+    EXPECT_EQ(away.front().inside, "/at");
+    auto const area = problemsAfter([](LevelDocument& document) {
+        document.run(setPlacingArea(document.tree(), 0, Area{Box{{60, 0}, {1, 1}}, {}}));
+    });
+    ASSERT_EQ(area.size(), 1U);
+    EXPECT_EQ(area.front().about, Problem::About::placing);
+    auto const goalArea = problemsAfter([](LevelDocument& document) {
+        document.run(setGoalArea(document.tree(), "/all/1", Area{Box{{60, 0}, {1, 1}}, {}}));
+    });
+    ASSERT_EQ(goalArea.size(), 1U);
+    EXPECT_EQ(goalArea.front().name, "/all/1");
+    auto const full = problemsAfter([](LevelDocument& document) { // inside the table
+        document.run(setPlacingArea(document.tree(), 0, Area{Box{{-1, -0.4}, {2, 0.2}}, {}}));
+    });
+    ASSERT_EQ(full.size(), 1U);
+    EXPECT_EQ(full.front().about, Problem::About::tool);
+    auto const none =
+        problemsAfter([](LevelDocument& document) { document.run(removePlacingArea(document.tree(), 0)); });
+    ASSERT_EQ(none.size(), 1U);
+    EXPECT_EQ(none.front().about, Problem::About::placing);
+}
+
+TEST(LiveProblems, AreThoseOfVerify) {
+    auto const file = testFolder() / "level.json";
+    writeText(file, smallLevel());
+    LevelDocument document = LevelDocument::open(editData(), file);
+    document.run(moveObjects(document.tree(), {"ball"}, {50, 0}));
+    ASSERT_TRUE(document.save().ok());
+    LiveProblems problems;
+    problems.refresh(document);
+    auto const failures = verifyLevel(editData(), file);
+    for (Problem const& problem : problems.all()) {
+        EXPECT_NE(std::find(failures.begin(), failures.end(), problem.diagnostic.print()), failures.end());
+    }
+    EXPECT_FALSE(problems.empty());
+}
+
+TEST(LiveProblems, OfAReadOnlyFileAreItsFaults) {
+    auto const file = testFolder() / "level.json";
+    writeText(file, "{");
+    LiveProblems problems;
+    problems.refresh(LevelDocument::open(editData(), file));
+    EXPECT_EQ(problems.all().size(), 1U);
+    EXPECT_FALSE(problems.playable());
+}
+
+} // namespace
+} // namespace trembler::edit
