@@ -122,9 +122,16 @@ private:
             }
             return true;
         }
-        if (keyword == "additionalProperties" && expected == false) {
+        if (keyword == "additionalProperties") {
             for (auto const& [key, member] : value.items()) {
-                demand(!object || schema.at("properties").contains(key), path + "/" + key, "unknown");
+                bool const named = schema.contains("properties") && schema["properties"].contains(key);
+                if (!object || named) {
+                    continue;
+                }
+                demand(expected != false, path + "/" + key, "unknown");
+                if (expected.is_object()) {
+                    check(expected, member, path + "/" + key);
+                }
             }
             return true;
         }

@@ -22,7 +22,7 @@ struct Air {
     double density = 1.2; ///< kg/m³: of the Earth at sea level and 20 °C
     double linearDrag = 0.5;
     double quadraticDrag = 1;
-    Vec2 wind;
+    Vec2 wind{};
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {

@@ -21,10 +21,10 @@ struct Joint {
                                        "Connects two objects, or one object and the world."};
 
     JointForm form = JointForm::hinge;
-    ObjectId a;
-    ObjectId b;            ///< invalid: the world
-    Vec2 at;               ///< m, in the world at the start: the pin, or the end at `a`
-    Vec2 atB;              ///< m, in the world at the start: the end at `b` (distance, rope, spring, pulley)
+    ObjectId a{};
+    ObjectId b{};          ///< invalid: the world
+    Vec2 at{};             ///< m, in the world at the start: the pin, or the end at `a`
+    Vec2 atB{};            ///< m, in the world at the start: the end at `b` (distance, rope, spring, pulley)
     Vec2 axis{1, 0};       ///< direction in the world at the start (slider, wheel)
     bool limited = false;  ///< hinge, slider, wheel (along its axis): keep between lower and upper
     double lower = 0;      ///< rad or m
@@ -36,13 +36,13 @@ struct Joint {
     double stiffness = 0;     ///< N/m (spring, wheel)
     double dampingRate = 0;   ///< N s/m (spring, wheel)
     double ratio = 1;         ///< pulley: rope of a + ratio * rope of b, gear: a + ratio * b stays constant
-    Vec2 groundA;             ///< m, pulley: the wheel of the rope of `a`
-    Vec2 groundB;             ///< m, pulley: the wheel of the rope of `b`
-    ObjectId jointA;          ///< gear: the hinge or slider joint of `a`
-    ObjectId jointB;          ///< gear: the hinge or slider joint of `b`
+    Vec2 groundA{};           ///< m, pulley: the wheel of the rope of `a`
+    Vec2 groundB{};           ///< m, pulley: the wheel of the rope of `b`
+    ObjectId jointA{};        ///< gear: the hinge or slider joint of `a`
+    ObjectId jointB{};        ///< gear: the hinge or slider joint of `b`
     bool collide = false;     ///< whether the connected objects can collide
     double breakForce = 0;    ///< N at which it breaks; 0: never
-    JointLook look;
+    JointLook look{};
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {

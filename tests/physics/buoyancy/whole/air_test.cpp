@@ -14,8 +14,8 @@ constexpr double rounding = 2e-5; // m/s: Box2D computes in single precision
 constexpr double earth = 9.81;
 constexpr double moon = 1.62;
 constexpr double radius = 0.25;
-constexpr double displaced = std::numbers::pi * radius * radius * worldDepth; // m³
-constexpr double skin = 0.4;                                                  // kg/m³
+constexpr double balloonVolume = std::numbers::pi * radius * radius * worldDepth; // m³
+constexpr double skin = 0.4;                                                      // kg/m³
 
 void stateAir(Pool& pool, Air air) {
     pool.give(pool.world->store().find("world"), air);
@@ -41,8 +41,8 @@ TEST(Air, RisesAgainstGravityWhicheverWayItPoints) {
     ObjectId const balloon = balloonIn(pool);
     pool.run(1);
     Vec2 const force = pool.force(balloon);
-    EXPECT_NEAR(force.x, -3 * 1.2 * displaced, 1e-12);
-    EXPECT_NEAR(force.y, -4 * 1.2 * displaced, 1e-12);
+    EXPECT_NEAR(force.x, -3 * 1.2 * balloonVolume, 1e-12);
+    EXPECT_NEAR(force.y, -4 * 1.2 * balloonVolume, 1e-12);
 }
 
 TEST(Air, LiftsWithoutGravityAndWithoutAirNothing) {
@@ -62,16 +62,16 @@ TEST(Air, DragEndsTheAcceleration) {
     ObjectId const balloon = balloonIn(pool);
     pool.seconds(20);
     // c1 m v + c2 ½ ρ w d v² = (ρ - skin) g V, w the side of the rectangle with the disc's second moment.
-    double const linear = 0.5 * 1.2 * displaced;
+    double const linear = 0.5 * 1.2 * balloonVolume;
     double const quadratic = 1.2 / 2 * std::sqrt(3) * radius * worldDepth;
-    double const lift = (1.2 - skin) * earth * displaced;
+    double const lift = (1.2 - skin) * earth * balloonVolume;
     double const speed = (std::sqrt(linear * linear + 4 * quadratic * lift) - linear) / (2 * quadratic);
     EXPECT_NEAR(pool.velocity(balloon).y, speed, rounding);
     EXPECT_LT(speed, 5);
 }
 
 TEST(Air, ABalloonHoversWithTheWeightThatItCarries) {
-    double const carried = (1.2 - skin) * displaced; // kg
+    double const carried = (1.2 - skin) * balloonVolume; // kg
     struct Case {
         double share; // of that
         double least; // m that the weight moves in 5 s
