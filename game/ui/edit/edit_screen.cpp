@@ -41,7 +41,8 @@ bool reachesScreen(SDL_Event const& event) {
 } // namespace
 
 EditScreen::EditScreen(UiContext& context, std::filesystem::path const& file, EditOptions options)
-    : parts_(context, std::move(options)), commands_(editCommands(), parts_) {
+    : parts_(context, std::move(options)), commands_(editCommands(), parts_),
+      testCommands_(testCommands(), parts_) {
     if (!file.empty()) {
         parts_.openFile(file);
     }
@@ -80,9 +81,10 @@ void EditScreen::drawTestCard() {
     bool const back = bigButton(words::testBack, {.icon = Icon::Back, .look = ButtonLook::Primary});
     context.layout.item("back to editor");
     context.layout.endCard();
-    bool const byKey = context.input.keyPressed(SDLK_r) && context.controlHeld();
-    if (record || byKey) {
+    if (record) {
         actions::recordSolution(parts_);
+    } else if (!context.gui.wantsKeyboard()) {
+        carryOutKeys(context.input.events(), context.keys, testCommands_);
     }
     if (back) {
         actions::endTest(parts_);
@@ -120,7 +122,7 @@ void EditScreen::drawDialogs() {
                 actions::saveTo(parts_, *file, edit::LevelDocument::Overwrite::yes);
             }
         } else if (!parts_.browser.isOpen()) {
-            parts_.leaving.reset();
+            parts_.giveUpLeaving();
         }
     } else if (parts_.palette.isOpen()) {
         if (auto const chosen = parts_.palette.draw(context, commands_)) {
@@ -186,7 +188,7 @@ std::optional<ScreenRequest> EditScreen::update(double seconds) {
             mouse_.update(parts_);
         }
     }
-    parts_.follow(seconds);
+    parts_.follow(seconds, mouse_.doing() != EditMouse::Doing::nothing);
     return std::exchange(parts_.request, std::nullopt);
 }
 
@@ -222,8 +224,9 @@ bool EditScreen::mayLeaveFor(ScreenRequest const& asked) {
     if (!parts_.document.modified() || parts_.document.readOnly()) {
         return true;
     }
-    if (parts_.leaving && asked.index() == parts_.leaving->index() && leaveAgreed_) {
-        return true;
+    if (parts_.leaving && asked.index() == parts_.leaving->index() && std::exchange(leaveAgreed_, false)) {
+        parts_.leaving.reset();
+        return true; // a level that then cannot be opened leaves the question to be asked again
     }
     actions::endTest(parts_);
     parts_.leaving = asked;
