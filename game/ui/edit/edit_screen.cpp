@@ -2,6 +2,7 @@
 
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/commands/carry_out_keys.hpp"
+#include "game/ui/commands/key_bindings.hpp"
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/commands/edit_commands.hpp"
 #include "game/ui/edit/edit_words.hpp"
@@ -73,8 +74,9 @@ std::span<Gesture const> EditScreen::gestures() const {
 void EditScreen::drawTestCard() {
     UiContext& context = parts_.context;
     context.layout.beginCard("test", "", {.anchor = Anchor::BottomRight, .bare = true});
-    bool const record = iconButton("record solution", Icon::Save,
-                                   parts_.recordsOver.empty() ? words::recordIt : words::recordAgainIt, false,
+    std::string const tip = withKey(parts_.recordsOver.empty() ? words::recordIt : words::recordAgainIt,
+                                    "edit-record", context.keys);
+    bool const record = iconButton("record solution", Icon::Save, tip.c_str(), false,
                                    parts_.test->session().mode() != SessionMode::building);
     context.layout.item("record solution");
     ImGui::SameLine(0, scaled(7));
@@ -97,13 +99,20 @@ void EditScreen::updateTest(double seconds) {
     parts_.goals.follow(parts_.test->session());
     parts_.autosave->tick(parts_.document, seconds);
     if (asked && std::holds_alternative<request::OpenMenu>(*asked) &&
-        std::get<request::OpenMenu>(*asked).page == MenuPage::main) {
-        asked.reset(); // Esc and the menu's button lead back
+        (std::get<request::OpenMenu>(*asked).page == MenuPage::main ||
+         std::get<request::OpenMenu>(*asked).page == MenuPage::ending)) {
+        asked.reset(); // Esc, the menu's button and what follows a solved level lead back
+        return actions::endTest(parts_);
+    }
+    if (asked && std::holds_alternative<request::OpenLevel>(*asked)) {
+        asked.reset(); // "next level" of a test: there is none but this one
         return actions::endTest(parts_);
     }
     parts_.request = asked;
     bool const running = parts_.test->session().mode() != SessionMode::building;
-    if (running && !parts_.test->inspector().open()) {
+    // The card of success comes to the same corner and says the same.
+    bool const success = parts_.context.layout.card("success").has_value();
+    if (running && !success && !parts_.test->inspector().open()) {
         drawLiveGoals(parts_, cornerRow);
     }
     drawTestCard();
