@@ -17,3 +17,12 @@ void fuzzCallArguments(std::string_view bytes);
 [[nodiscard]] std::string scriptOfCalls(std::string_view bytes);
 
 } // namespace trembler::lua
+
+namespace trembler::edit {
+
+/// Takes the bytes up to the first zero for the text of a level, and the rest for commands of the editor.
+/// Runs them, looks for problems, and undoes and redoes everything. Throws std::logic_error if that does not
+/// give the same files.
+void fuzzLevelEdit(std::string_view bytes);
+
+} // namespace trembler::edit

@@ -9,7 +9,11 @@
 namespace trembler::ui {
 
 std::vector<CommandList> commandLists() {
-    return {listOf(playCommands()), listOf(titleCommands()), listOf(editCommands())};
+    // A test play in the editor has both kinds.
+    CommandList tests = listOf(playCommands());
+    CommandList const more = listOf(testCommands());
+    tests.commands.insert(tests.commands.end(), more.commands.begin(), more.commands.end());
+    return {listOf(playCommands()), listOf(titleCommands()), listOf(editCommands()), tests};
 }
 
 std::span<Gesture const> allGestures() {

@@ -15,6 +15,9 @@ namespace {
 
 /// The problems of a level are looked for when the designer pauses for this time, s.
 constexpr double pauseBeforeChecking = 0.25;
+/// At once if the last check took less than this, s, and nothing is being dragged: a step of a drag already
+/// builds the world.
+constexpr double quickCheck = 0.004;
 
 } // namespace
 
@@ -152,11 +155,12 @@ void EditParts::read() {
     view.setSubject(extent());
 }
 
-void EditParts::follow(double seconds) {
+void EditParts::follow(double seconds, bool dragging) {
     std::uint64_t const before = readRevision_.value_or(0);
     read();
     sinceChange_ = before == document.revision() ? sinceChange_ + seconds : 0;
-    if (sinceChange_ > pauseBeforeChecking || problems.lastSeconds() < 0.004) {
+    bool const quick = !dragging && problems.lastSeconds() < quickCheck;
+    if (sinceChange_ > pauseBeforeChecking || quick) {
         problems.refresh(document);
     }
     autosave->tick(document, seconds);

@@ -84,6 +84,7 @@ struct EditParts {
     Pointer pointer;                      ///< of this picture
     std::optional<ScreenRequest> request; ///< what this picture asks of the program
     std::optional<ScreenRequest> leaving; ///< asked for once the changes are saved or given up
+    std::function<void(EditParts&)> afterSaving; ///< what waits for it; empty: nothing
 
     [[nodiscard]] edit::Json const& tree() const { return document.tree(); }
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
@@ -94,6 +95,10 @@ struct EditParts {
     /// told the designer. Returns whether it was done.
     bool run(std::function<edit::Command(edit::Json const&)> const& make,
              std::optional<edit::Gesture> gesture = {});
+    void giveUpLeaving() {
+        leaving.reset();
+        afterSaving = {};
+    }
     void tell(std::string text, render::ToastKind kind = render::ToastKind::News);
 
     /// Shows another document. The old one's changes are gone.
@@ -106,7 +111,8 @@ struct EditParts {
     /// Reads the parts anew, those of the designer included: after one was made.
     void reloadParts();
     /// To be called once per picture: follows the document's changes and keeps unsaved work.
-    void follow(double seconds);
+    /// `dragging`: the next picture is likely to bring another change.
+    void follow(double seconds, bool dragging = false);
     /// The smallest rectangle around the level, m.
     [[nodiscard]] render::Extent extent() const;
     /// The middle of the view, on the grid, m.

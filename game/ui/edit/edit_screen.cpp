@@ -2,6 +2,7 @@
 
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/commands/carry_out_keys.hpp"
+#include "game/ui/commands/key_bindings.hpp"
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/commands/edit_commands.hpp"
 #include "game/ui/edit/edit_words.hpp"
@@ -41,7 +42,8 @@ bool reachesScreen(SDL_Event const& event) {
 } // namespace
 
 EditScreen::EditScreen(UiContext& context, std::filesystem::path const& file, EditOptions options)
-    : parts_(context, std::move(options)), commands_(editCommands(), parts_) {
+    : parts_(context, std::move(options)), commands_(editCommands(), parts_),
+      testCommands_(testCommands(), parts_) {
     if (!file.empty()) {
         parts_.openFile(file);
     }
@@ -72,17 +74,19 @@ std::span<Gesture const> EditScreen::gestures() const {
 void EditScreen::drawTestCard() {
     UiContext& context = parts_.context;
     context.layout.beginCard("test", "", {.anchor = Anchor::BottomRight, .bare = true});
-    bool const record = iconButton("record solution", Icon::Save,
-                                   parts_.recordsOver.empty() ? words::recordIt : words::recordAgainIt, false,
+    std::string const tip = withKey(parts_.recordsOver.empty() ? words::recordIt : words::recordAgainIt,
+                                    "edit-record", context.keys);
+    bool const record = iconButton("record solution", Icon::Save, tip.c_str(), false,
                                    parts_.test->session().mode() != SessionMode::building);
     context.layout.item("record solution");
     ImGui::SameLine(0, scaled(7));
     bool const back = bigButton(words::testBack, {.icon = Icon::Back, .look = ButtonLook::Primary});
     context.layout.item("back to editor");
     context.layout.endCard();
-    bool const byKey = context.input.keyPressed(SDLK_r) && context.controlHeld();
-    if (record || byKey) {
+    if (record) {
         actions::recordSolution(parts_);
+    } else if (!context.gui.wantsKeyboard()) {
+        carryOutKeys(context.input.events(), context.keys, testCommands_);
     }
     if (back) {
         actions::endTest(parts_);
@@ -95,13 +99,20 @@ void EditScreen::updateTest(double seconds) {
     parts_.goals.follow(parts_.test->session());
     parts_.autosave->tick(parts_.document, seconds);
     if (asked && std::holds_alternative<request::OpenMenu>(*asked) &&
-        std::get<request::OpenMenu>(*asked).page == MenuPage::main) {
-        asked.reset(); // Esc and the menu's button lead back
+        (std::get<request::OpenMenu>(*asked).page == MenuPage::main ||
+         std::get<request::OpenMenu>(*asked).page == MenuPage::ending)) {
+        asked.reset(); // Esc, the menu's button and what follows a solved level lead back
+        return actions::endTest(parts_);
+    }
+    if (asked && std::holds_alternative<request::OpenLevel>(*asked)) {
+        asked.reset(); // "next level" of a test: there is none but this one
         return actions::endTest(parts_);
     }
     parts_.request = asked;
     bool const running = parts_.test->session().mode() != SessionMode::building;
-    if (running && !parts_.test->inspector().open()) {
+    // The card of success comes to the same corner and says the same.
+    bool const success = parts_.context.layout.card("success").has_value();
+    if (running && !success && !parts_.test->inspector().open()) {
         drawLiveGoals(parts_, cornerRow);
     }
     drawTestCard();
@@ -120,7 +131,7 @@ void EditScreen::drawDialogs() {
                 actions::saveTo(parts_, *file, edit::LevelDocument::Overwrite::yes);
             }
         } else if (!parts_.browser.isOpen()) {
-            parts_.leaving.reset();
+            parts_.giveUpLeaving();
         }
     } else if (parts_.palette.isOpen()) {
         if (auto const chosen = parts_.palette.draw(context, commands_)) {
@@ -186,7 +197,7 @@ std::optional<ScreenRequest> EditScreen::update(double seconds) {
             mouse_.update(parts_);
         }
     }
-    parts_.follow(seconds);
+    parts_.follow(seconds, mouse_.doing() != EditMouse::Doing::nothing);
     return std::exchange(parts_.request, std::nullopt);
 }
 
@@ -222,8 +233,9 @@ bool EditScreen::mayLeaveFor(ScreenRequest const& asked) {
     if (!parts_.document.modified() || parts_.document.readOnly()) {
         return true;
     }
-    if (parts_.leaving && asked.index() == parts_.leaving->index() && leaveAgreed_) {
-        return true;
+    if (parts_.leaving && asked.index() == parts_.leaving->index() && std::exchange(leaveAgreed_, false)) {
+        parts_.leaving.reset();
+        return true; // a level that then cannot be opened leaves the question to be asked again
     }
     actions::endTest(parts_);
     parts_.leaving = asked;

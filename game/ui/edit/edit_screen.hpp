@@ -39,6 +39,7 @@ private:
 
     EditParts parts_;
     CommandsOf<EditParts> commands_;
+    CommandsOf<EditParts> testCommands_; ///< besides those of the test play
     PointerReader reader_;
     EditMouse mouse_;
     bool popupWasOpen_ = false; // in the last picture

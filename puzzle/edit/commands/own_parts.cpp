@@ -2,6 +2,7 @@
 
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/text/lay_out.hpp"
+#include "puzzle/edit/tree/entry_pieces.hpp"
 #include "puzzle/edit/tree/object_values.hpp"
 #include "puzzle/edit/tree/references.hpp"
 #include "puzzle/edit/tree/subset.hpp"
@@ -63,7 +64,7 @@ Json partFrom(GameData const& data, Json const& level, std::vector<std::string> 
     if (!partNames.text.empty()) {
         part["text"] = partNames.text;
     }
-    if (names.size() == 1) {
+    if (names.size() == 1 && !isComposite(data, *findObject(level, main))) {
         part["properties"] = allProperties(data, *findObject(level, main));
         return part;
     }
@@ -93,14 +94,15 @@ fs::path writePart(fs::path const& folder, Json const& part) {
     return file;
 }
 
-Command replaceByPart(Json const& level, std::vector<std::string> const& names, std::string const& main,
-                      std::string const& part) {
+Command replaceByPart(GameData const& data, Json const& level, std::vector<std::string> const& names,
+                      std::string const& main, std::string const& part) {
     mustHaveObjects(level, names);
     if (std::find(names.begin(), names.end(), main) == names.end()) {
         throw CommandError("the main object must be one of those that are replaced");
     }
+    bool const ofPieces = names.size() > 1 || isComposite(data, *findObject(level, main));
     return {fmt::format("Replace {} by {}", objectsInWords(names), part),
-            [names, main, part](Json& tree) {
+            [names, main, part, ofPieces](Json& tree) {
                 // What holds only among the objects is in the part now.
                 Json const inside = subsetOf(tree, names);
                 for (char const* const key : {"joints", "connections"}) {
@@ -123,8 +125,10 @@ Command replaceByPart(Json const& level, std::vector<std::string> const& names, 
                 Json& entry = objectEntry(tree, main);
                 setObjectMember(entry, "part", part);
                 entry.erase("properties");
-                if (!others.empty()) { // a composite part keeps the angles of its objects
+                if (ofPieces) { // a composite part keeps how its objects lie
                     setAngle(entry, 0);
+                    entry.erase("flipped");
+                    entry.erase("pieces");
                 }
             },
             {main}};

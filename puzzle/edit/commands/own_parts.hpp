@@ -29,7 +29,8 @@ struct PartNames {
 std::filesystem::path writePart(std::filesystem::path const& folder, Json const& part);
 /// Replaces objects by one made from the part, at the place and with the name of the main one; references to
 /// it stay valid. For after a part was made from them and the library has it.
-[[nodiscard]] Command replaceByPart(Json const& level, std::vector<std::string> const& names,
-                                    std::string const& main, std::string const& part);
+[[nodiscard]] Command replaceByPart(GameData const& data, Json const& level,
+                                    std::vector<std::string> const& names, std::string const& main,
+                                    std::string const& part);
 
 } // namespace trembler::edit

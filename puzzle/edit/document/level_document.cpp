@@ -209,12 +209,14 @@ void LevelDocument::run(Command const& command, std::optional<Gesture> gesture) 
         return;
     }
     steps_.resize(joins ? done_ - 1 : done_);
+    // Not `after` itself: 1 and 1.0 are no difference, and redoing must give this tree again.
+    patch.apply(before);
     if (!patch.empty()) {
         steps_.push_back({command.name, std::move(patch), ++lastState_, gesture ? gesture->number : 0});
     }
     done_ = steps_.size();
     gestureOpen_ = gesture.has_value();
-    tree_ = std::move(after);
+    tree_ = std::move(before);
     changed();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "puzzle/edit/document/level_document.hpp"
+#include "tests/puzzle/edit/any_command.hpp"
 
 #include <functional>
 #include <string>
@@ -18,8 +19,4 @@ void writeText(std::filesystem::path const& path, std::string const& text);
 [[nodiscard]] LevelDocument smallDocument();
 /// The message with which a command is refused; "" if it is not.
 [[nodiscard]] std::string refusalOf(std::function<void()> const& what);
-/// A command out of all kinds, as the numbers say, which `next` gives: 0 to its argument, exclusive. Throws
-/// CommandError for one that is not possible here.
-[[nodiscard]] Command anyCommand(LevelDocument const& document, std::function<int(int)> const& next);
-
 } // namespace trembler::edit

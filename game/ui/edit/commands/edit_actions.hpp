@@ -32,6 +32,7 @@ void testPlay(EditParts& parts);
 void playSolution(EditParts& parts, std::string const& name, bool again);
 void endTest(EditParts& parts);
 void recordSolution(EditParts& parts);
+[[nodiscard]] bool isTesting(EditParts const& parts);
 
 // Changes.
 void undo(EditParts& parts);

@@ -10,6 +10,8 @@
 namespace trembler::ui {
 namespace {
 
+using render::Icon;
+
 constexpr Command<EditParts> unlisted[] = {
     {.info = {.id = "edit-back",
               .keys = {{{SDLK_ESCAPE}}},
@@ -20,6 +22,18 @@ constexpr Command<EditParts> unlisted[] = {
               .help = "let go, deselect, menu"},
      .run = actions::back},
     {.info = common::fullscreen, .run = actions::switchFullscreen},
+};
+
+constexpr Command<EditParts> whileTesting[] = {
+    {.info = {.id = "edit-record",
+              .keys = {{withCtrl(SDLK_r)}},
+              .icon = Icon::Save,
+              .group = CommandGroup::editing,
+              .name = "Record solution",
+              .tip = "Keep this run as a solution of the level",
+              .help = "keep a test run as a solution"},
+     .run = actions::recordSolution,
+     .available = actions::isTesting},
 };
 
 std::vector<Command<EditParts>> joinedMenus() {
@@ -50,6 +64,10 @@ constexpr Gesture gesturesOfEditor[] = {
 std::span<Command<EditParts> const> editCommands() {
     static std::vector<Command<EditParts>> const table = joinedMenus();
     return table;
+}
+
+std::span<Command<EditParts> const> testCommands() {
+    return whileTesting;
 }
 
 std::span<Gesture const> editGestures() {

@@ -11,6 +11,8 @@ namespace trembler::ui {
 struct EditParts;
 
 [[nodiscard]] std::span<Command<EditParts> const> editCommands();
+/// Those besides the commands of playing while a level is test-played.
+[[nodiscard]] std::span<Command<EditParts> const> testCommands();
 /// The editor's mouse actions.
 [[nodiscard]] std::span<Gesture const> editGestures();
 

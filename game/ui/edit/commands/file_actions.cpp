@@ -32,9 +32,9 @@ bool saveTo(EditParts& parts, std::filesystem::path const& path, edit::LevelDocu
         path.empty() ? parts.document.save(overwrite) : parts.document.saveAs(path, overwrite);
     if (result.ok()) {
         parts.autosave->close();
-        parts.tell(words::savedTo(parts.document.name()), ToastKind::Success);
-        if (parts.leaving) {
-            parts.request = std::exchange(parts.leaving, std::nullopt);
+        parts.tell(words::savedTo(parts.document.path().filename().string()), ToastKind::Success);
+        if (auto const next = std::exchange(parts.afterSaving, {})) {
+            next(parts);
         }
         return true;
     }
@@ -42,6 +42,7 @@ bool saveTo(EditParts& parts, std::filesystem::path const& path, edit::LevelDocu
         parts.dialogs.askConflict(result.message, path);
     } else {
         parts.tell(result.message, ToastKind::Trouble);
+        parts.giveUpLeaving();
     }
     return false;
 }

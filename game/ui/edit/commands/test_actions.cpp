@@ -76,6 +76,10 @@ void endTest(EditParts& parts) {
     }
 }
 
+bool isTesting(EditParts const& parts) {
+    return parts.test != nullptr;
+}
+
 void recordSolution(EditParts& parts) {
     if (parts.test == nullptr) {
         return;

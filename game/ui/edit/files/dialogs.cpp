@@ -63,15 +63,14 @@ void Dialogs::drawUnsaved(EditParts& parts) {
     auto const then = then_;
     if (stay) {
         close();
-        parts.leaving.reset();
+        parts.giveUpLeaving();
     } else if (drop) {
         close();
         then(parts);
     } else if (save) {
         close();
-        if (actions::saveNow(parts)) {
-            then(parts);
-        }
+        parts.afterSaving = then; // also after a question about the file
+        actions::saveNow(parts);
     }
 }
 
@@ -169,13 +168,14 @@ void Dialogs::drawConflict(EditParts& parts) {
         actions::saveAs(parts);
     } else if (cancelled) {
         close();
+        parts.giveUpLeaving();
     }
 }
 
 void Dialogs::draw(EditParts& parts) {
     if (parts.context.input.keyPressed(SDLK_ESCAPE)) {
         close();
-        parts.leaving.reset();
+        parts.giveUpLeaving();
         return;
     }
     switch (shown_) {

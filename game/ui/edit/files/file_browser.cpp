@@ -171,6 +171,7 @@ std::optional<fs::path> FileBrowser::draw(UiContext& context) {
     caption(folder_.string().c_str());
     ImGui::PopFont();
     drawEntries(context, chosen);
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(words::fileName);
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);

@@ -110,9 +110,9 @@ void drawLevelName(EditParts& parts) {
     ImGui::TextWrapped("%s%s", name.c_str(), parts.document.modified() ? " *" : "");
     ImGui::PopFont();
     ImGui::PushFont(theme().fonts.small);
-    char const* const state = parts.document.readOnly()   ? words::readOnlyShort
-                              : parts.document.modified() ? words::notSaved
-                                                          : words::allSaved;
+    char const* const state = parts.document.readOnly() ? words::readOnlyShort
+                              : parts.document.modified() || parts.document.path().empty() ? words::notSaved
+                                                                                           : words::allSaved;
     caption(state);
     ImGui::PopFont();
     layout.endCard();

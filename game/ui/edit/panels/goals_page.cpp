@@ -171,9 +171,11 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
         }
         ImGui::SameLine();
     }
+    ImGui::NewLine(); // one more would not fit
     if (smallButton(parts, words::unwrap, "unwrap", words::unwrapTip)) {
         parts.run([&](Json const& level) { return edit::unwrapGoal(level, line.place); });
     }
+    ImGui::SameLine();
     std::size_t const index = indexOfPath(line.place);
     if (!line.place.empty() && index > 0) {
         if (smallButton(parts, words::upIt, "goal up")) {

@@ -84,6 +84,7 @@ void drawHeading(edit::InspectedProperty const& property) {
                      property.origin == edit::ValueOrigin::changed ||
                      property.origin == edit::ValueOrigin::removed;
     ImGui::PushFont(theme().fonts.strong);
+    ImGui::AlignTextToFramePadding(); // buttons may follow
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(own ? palette::ink : palette::inkSoft));
     ImGui::TextUnformatted(property.name.c_str());
     ImGui::PopStyleColor();
@@ -103,7 +104,8 @@ void drawObjectProperty(EditParts& parts, edit::InspectedProperty const& propert
     ImGui::PushID(property.key.c_str());
     ImGui::Dummy({0, scaled(1)});
     drawHeading(property);
-    if (property.canReset) {
+    // What only the object states cannot go back to a value of its part.
+    if (property.canReset && property.origin != edit::ValueOrigin::own) {
         ImGui::SameLine();
         if (smallButton(parts, words::reset, "reset " + property.key, words::resetTip)) {
             runWidget(

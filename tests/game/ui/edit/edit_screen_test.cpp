@@ -126,6 +126,33 @@ TEST(Editor, PlacesPartsOfTheCatalogueAndDrawsAreas) {
     designer.look("edit-areas");
 }
 
+TEST(Editor, DrawsAreasOfManyCorners) {
+    Designer designer;
+    designer.editCopyOf(firstContact);
+    std::size_t const areas = designer.count("placing");
+    designer.key(SDLK_8);
+    for (Vec2 const corner : {Vec2{0.2, 0.6}, Vec2{1, 0.6}, Vec2{0.6, 1.2}, Vec2{0.2, 0.6}}) {
+        designer.click(designer.on(corner));
+    }
+    ASSERT_EQ(designer.count("placing"), areas + 1);
+    EXPECT_EQ(designer.tree()["placing"].back().size(), 3U);
+    EXPECT_TRUE(designer.parts().tool == Tool::select);
+}
+
+TEST(Editor, GoesOnAfterSaving) {
+    Designer designer;
+    auto const file = designer.editCopyOf(firstContact);
+    designer.select(ball);
+    designer.key(SDLK_LEFT);
+    designer.ctrl(SDLK_n);
+    designer.frames(2);
+    ASSERT_TRUE(designer.showsCard("unsaved"));
+    designer.clickItem("save and go");
+    designer.frames(2);
+    EXPECT_TRUE(designer.parts().document.path().empty()) << "a new level";
+    EXPECT_NE(textOfFile(file), textOfFile(firstContact));
+}
+
 TEST(Editor, RecordsASolutionByPlaying) {
     Designer designer;
     designer.editCopyOf(firstContact);
@@ -156,7 +183,8 @@ TEST(Editor, AsksBeforeChangesAreLost) {
     designer.key(SDLK_ESCAPE); // deselects
     designer.key(SDLK_ESCAPE);
     ASSERT_TRUE(designer.app().menu().isOpen());
-    designer.clickItem("Title screen");
+    designer.frames(2);
+    designer.clickItem("menu.title");
     designer.frames(2);
     EXPECT_TRUE(designer.showsCard("unsaved"));
     designer.look("edit-unsaved");

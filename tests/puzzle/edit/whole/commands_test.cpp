@@ -10,6 +10,7 @@
 #include "puzzle/edit/commands/properties.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
+#include "puzzle/edit/tree/entry_pieces.hpp"
 #include "tests/puzzle/edit/edit_kit.hpp"
 
 #include <gtest/gtest.h>
@@ -100,11 +101,12 @@ TEST(ArrangeCommands, MirrorTwiceIsNothing) {
         Command const once = mirrorObjects(editData(), level, {"left", "right"}, mirror, {0, 1});
         Json const mirrored = done(level, once);
         EXPECT_NE(mirrored, level);
+        EXPECT_EQ(entry(mirrored, "left")["flipped"], true);
         EXPECT_EQ(mirrored["joints"][0]["lower_deg"], -30);
         EXPECT_EQ(mirrored["joints"][0]["upper_deg"], 10);
         Json const back =
             done(mirrored, mirrorObjects(editData(), mirrored, {"left", "right"}, mirror, {0, 1}));
-        EXPECT_EQ(entry(back, "left")["at"], entry(level, "left")["at"]);
+        EXPECT_EQ(entry(back, "left"), entry(level, "left"));
         EXPECT_EQ(back["joints"], level["joints"]);
         Box const before = *extentOfObjects(editData(), level, {"left"});
         Box const after = *extentOfObjects(editData(), back, {"left"});
@@ -113,6 +115,21 @@ TEST(ArrangeCommands, MirrorTwiceIsNothing) {
     // A symmetric shape of a part is not overridden.
     Json const ball = done(small(), mirrorObjects(editData(), small(), {"ball"}, Mirror::leftRight, {1, 0}));
     EXPECT_EQ(entry(ball, "ball"), (Json{{"name", "ball"}, {"part", "rubber ball"}, {"at", {2, 3}}}));
+}
+
+TEST(ArrangeCommands, MeasureAllPiecesOfAPart) {
+    Json level = done(small(), addObject(small(), {.part = "doorbell", .at = {0, 5}}));
+    std::string const bell = level["objects"].back()["name"];
+    Box const box = *extentOfObjects(editData(), level, {bell});
+    EXPECT_GT(box.size.x, 0.2);
+    EXPECT_FALSE(mayScale(editData(), level, {bell}, {2, 2}));
+    Vec2 const centre{box.corner.x + box.size.x, 5};
+    level = done(level, mirrorObjects(editData(), level, {bell}, Mirror::leftRight, centre));
+    Box const after = *extentOfObjects(editData(), level, {bell});
+    EXPECT_NEAR(after.corner.x, centre.x, 1e-9);
+    EXPECT_NEAR(after.size.x, box.size.x, 1e-9);
+    EXPECT_EQ(entryOfObject(editData(), level, bell + " bell"), bell);
+    EXPECT_EQ(entryOfObject(editData(), level, "left"), "left");
 }
 
 TEST(ArrangeCommands, ScaleWhatCanBeScaled) {
@@ -246,7 +263,8 @@ TEST(OwnParts, AreMadeFromObjects) {
                   static_cast<void>(partFrom(editData(), small(), {"left"}, "left", {"plank", "", ""}));
               }),
               "");
-    Json const replaced = done(small(), replaceByPart(small(), {"left", "right"}, "left", "pair"));
+    Json const replaced =
+        done(small(), replaceByPart(editData(), small(), {"left", "right"}, "left", "pair"));
     EXPECT_EQ(objectNames(replaced), (std::vector<std::string>{"table", "left", "ball"}));
     EXPECT_FALSE(replaced.contains("joints"));
 }

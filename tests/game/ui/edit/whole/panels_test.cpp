@@ -92,6 +92,9 @@ TEST(EditorPanels, EveryCommandRunsByItsKeyAndUndoBringsTheFileBack) {
     Designer designer;
     designer.editCopyOf(firstContact);
     std::string const before = designer.parts().document.text();
+    // With a change, a new level is not begun before a question.
+    designer.parts().selection.set({"iron ball"});
+    designer.key(SDLK_LEFT);
     for (Command<EditParts> const& command : editCommands()) {
         if (command.info.keys[0].key == SDLK_UNKNOWN || command.info.fixed ||
             command.info.id == "fullscreen") {
