@@ -227,6 +227,14 @@ Playback Session::done() const {
 void Session::play(Playback playback) {
     if (!building()) {
         played_ = std::move(playback);
+        takenOver_ = false;
+    }
+}
+
+void Session::takeOver() {
+    if (played_) {
+        played_ = Playback();
+        takenOver_ = true;
     }
 }
 

@@ -118,8 +118,10 @@ public:
     /// Feeds the playback to the current run until the run ends, in place of a loaded solution. Does nothing
     /// while building.
     void play(Playback playback);
+    /// Ends what play() began: the rest of the run gets its inputs from feed() alone.
+    void takeOver();
     /// Whether play() feeds this run.
-    [[nodiscard]] bool playing() const { return played_.has_value(); }
+    [[nodiscard]] bool playing() const { return played_.has_value() && !takenOver_; }
 
     /// Changes the world as it is now in a way that no level and no solution can state, see
     /// LevelRun::alter(). It is not done again in other worlds of the session.
@@ -186,6 +188,7 @@ private:
     std::optional<WorldOptions> lastBegunWith_; // the initial options of the last run
     Playback solution_;                         // of a loaded solution
     std::optional<Playback> played_;            // for this run, in place of solution_
+    bool takenOver_ = false;                    // played_ is empty since takeOver()
 };
 
 } // namespace trembler

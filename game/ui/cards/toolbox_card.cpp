@@ -101,10 +101,11 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
         ToolboxSlot const& slot = slots[i];
         bool const inHand = carrying && carried->landing.part == slot.part;
         std::string const title = catalog.titleOf(slot.part);
+        int const rest = slot.left - (inHand && !carried->number ? 1 : 0); // that one is in the hand
         auto const pixels = static_cast<int>(std::lround(scaled(tileSide - 12)));
         TileUse const use = toolboxTile({.id = slot.part.c_str(),
                                          .name = title.c_str(),
-                                         .count = slot.left,
+                                         .count = rest,
                                          .picture = catalog.picture(slot.part, pixels),
                                          .selected = inHand,
                                          .side = tileSide});

@@ -52,7 +52,11 @@ constexpr Command<PlayParts> levelTable[] = {
               .name = words::keepPlaying,
               .tip = "Close the card and keep playing",
               .help = "keep playing"},
-     .run = [](PlayParts& parts) { parts.celebration.dismiss(); },
+     .run =
+         [](PlayParts& parts) {
+             parts.celebration.dismiss();
+             parts.run.takeOver(); // the hand is the player's again, also in a run that was watched
+         },
      .available = [](PlayParts const& parts) { return parts.celebration.showing(); }},
 };
 

@@ -103,6 +103,10 @@ void RunControl::stop() {
     events_.newWorld();
 }
 
+void RunControl::takeOver() {
+    session_.takeOver();
+}
+
 void RunControl::watchAgain() {
     Playback done = session_.done();
     stop();

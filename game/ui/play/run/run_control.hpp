@@ -44,6 +44,8 @@ public:
     /// Begins the last run again and repeats what the player did in it, with the detail levels and periods
     /// that it had.
     void watchAgain();
+    /// From here on a run that is watched again is the player's own.
+    void takeOver();
 
     [[nodiscard]] bool building() const { return session_.mode() == SessionMode::building; }
     [[nodiscard]] bool running() const { return session_.mode() == SessionMode::running; }

@@ -157,6 +157,20 @@ TEST(Running, TheSwitchIsLiftedByMouseAndTheRunCanBeWatchedAgain) {
     EXPECT_EQ(world().stateHash(), hash);
 }
 
+TEST(Running, AWatchedRunIsThePlayersOwnAfterKeepPlaying) {
+    Player player;
+    player.open(experiment);
+    player.key(SDLK_SPACE);
+    player.simulate(120);
+    ASSERT_TRUE(player.session().solved());
+    player.play().commands().run("watch-again");
+    player.simulate(120);
+    ASSERT_TRUE(player.session().playing());
+    player.clickItem("keep playing");
+    EXPECT_FALSE(player.session().playing());
+    EXPECT_EQ(player.session().mode(), SessionMode::running);
+}
+
 TEST(Running, AWireIsCut) {
     Player player;
     player.open(experiment);
