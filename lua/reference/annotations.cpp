@@ -22,6 +22,12 @@ std::string className(std::string_view key) {
     return name;
 }
 
+/// As an annotation names it: a word of Lua's own is put in brackets.
+std::string fieldName(std::string_view key) {
+    std::string const member = memberOf("", key);
+    return member.front() == '.' ? member.substr(1) : member;
+}
+
 /// In one line: an annotation ends with it.
 std::string note(ReferenceField const& field) {
     std::string const range = rangeText(field);
@@ -75,7 +81,7 @@ void addClass(std::string& text, std::string const& name, std::string_view meani
     text += fmt::format("--- {}\n---@class {}\n", meaning, name);
     for (ReferenceField const& field : fields) {
         bool const optional = field.kind == FieldKind::object;
-        text += fmt::format("---@field {}{} {} {}\n", field.info.key, optional ? "?" : "",
+        text += fmt::format("---@field {}{} {} {}\n", fieldName(field.info.key), optional ? "?" : "",
                             typeName(field, fmt::format("{}.{}", name, field.info.key)), note(field));
     }
     text += "\n";

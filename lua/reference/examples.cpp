@@ -41,7 +41,7 @@ std::string reading(ReferenceField const& field, std::string const& expression, 
         std::string inner;
         for (ReferenceField const& part : field.entry) {
             bool const value = !field.entriesHaveFields;
-            inner += reading(part, value ? name : fmt::format("{}.{}", name, part.info.key), depth + 1);
+            inner += reading(part, value ? name : memberOf(name, part.info.key), depth + 1);
         }
         return fmt::format("for _, {} in ipairs({} or {{}}) do\n{}end\n", name, expression,
                            indented(inner, 2));
@@ -121,7 +121,7 @@ std::string propertyExampleBody(ReferenceProperty const& property) {
     std::string const expression = expressionOf(property);
     std::string body;
     for (ReferenceField const& field : property.fields) {
-        body += reading(field, fmt::format("{}.{}", expression, field.info.key), 0);
+        body += reading(field, memberOf(expression, field.info.key), 0);
     }
     if (body.empty()) {
         body = fmt::format("log({} ~= nil)\n", expression);

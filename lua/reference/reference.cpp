@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 #include <functional>
@@ -123,12 +124,18 @@ ReferenceFunction functionOf(RoleInfo const& role, CallDescription const& call) 
     return made;
 }
 
+constexpr std::array<std::string_view, 22> keywords{
+    "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
+    "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
+
 bool needsNoQuotes(std::string_view name) {
     return !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
-           std::all_of(name.begin(), name.end(), [](char c) {
-               return c == '_' || (static_cast<unsigned char>(c) < 0x80 &&
-                                   std::isalnum(static_cast<unsigned char>(c)) != 0);
-           });
+           std::all_of(name.begin(), name.end(),
+                       [](char c) {
+                           return c == '_' || (static_cast<unsigned char>(c) < 0x80 &&
+                                               std::isalnum(static_cast<unsigned char>(c)) != 0);
+                       }) &&
+           std::find(keywords.begin(), keywords.end(), name) == keywords.end();
 }
 
 ReferenceProperty propertyOf(PropertyInfo const& info) {
@@ -191,6 +198,10 @@ std::string_view scriptName(PropertyInfo const& info) {
 std::string expressionOf(ReferenceProperty const& property) {
     std::string_view const name = scriptName(*property.info);
     std::string_view const of = property.home == PropertyHome::objects ? "object" : "world";
+    return memberOf(of, name);
+}
+
+std::string memberOf(std::string_view of, std::string_view name) {
     return needsNoQuotes(name) ? fmt::format("{}.{}", of, name) : fmt::format("{}[\"{}\"]", of, name);
 }
 

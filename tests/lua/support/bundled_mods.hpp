@@ -41,7 +41,7 @@ inline std::unique_ptr<World> worldOf(GameData const& game, std::string const& o
         mods += fmt::format("{}\"{}\"", mods.empty() ? "" : ", ", mod.name);
     }
     std::string const text = fmt::format(
-        R"({{"version": 2, "title": "test", "mods": [{}], "world": {{"gravity": {}}}, "objects": [{}],
+        R"({{"version": 2, "title": "test", "mods": [{}], "world": {{"gravity": {}, "air": {{"density": 0}}}}, "objects": [{}],
             "connections": [{}]}})",
         mods, gravity, objects, connections);
     LevelFile const level = readLevel(game.registry, JsonDocument::parse(text, "test.json"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/buoyancy/core/liquid_drag.hpp"
+#include "physics/buoyancy/properties/air.hpp"
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/buoyancy/properties/results.hpp"
 #include "physics/buoyancy/properties/settings.hpp"
@@ -56,6 +57,8 @@ public:
     void give(ObjectId id, P property) {
         world->store().column<P>().set(id, std::move(property));
     }
+    /// Lets no air act on the bodies; without it light ones rise in that of the Earth.
+    void withoutAir() { give(world->store().find("world"), Air{.density = 0}); }
     /// Runs frames; the first call starts the world.
     void run(int frames);
     void seconds(double time) { run(static_cast<int>(std::lround(time * 60))); }

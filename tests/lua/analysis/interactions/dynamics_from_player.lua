@@ -61,34 +61,44 @@ local function quarter(v)
   return vec2(-v.y, v.x)
 end
 
+-- The pull of one hand; `both`: the other hand holds the same object.
+local function pull(world, hand, both, out)
+  local held = hand.object
+  if not alive(held) or held.fixed or not (held.shape and held.Position and held.Rotation and held.velocity
+      and held["Angular Velocity"] and held.mass) or #held.shape.value == 0 then
+    return
+  end
+  local centre, gyration = massProperties(held.shape.value)
+  local angle, mass, spin = held.Rotation.value, held.mass.value, held["Angular Velocity"].value
+  local point = held.Position.value + hand.local_point:turned(angle)
+  local arm = (hand.local_point - centre):turned(angle)
+  local pointVelocity = held.velocity.value + spin * quarter(arm)
+  local wanted = frequency * frequency * (hand.target - point) - 2 * frequency * pointVelocity
+  local across = quarter(arm)
+  local force = mass * (wanted - across:dot(wanted) / (gyration + arm:dot(arm)) * across)
+  local limit, size = strongest * mass, force:length()
+  if world.hands then
+    limit = math.min(limit, world.hands.strength)
+  end
+  if size > limit then
+    force = force * (limit / size)
+  end
+  out.addForceToPoint(held, point, force)
+  out.tellRate(held, both and math.sqrt(2) * frequency or frequency)
+  out.addTorque(held, -turnDamping * mass * gyration * spin)
+end
+
 return interaction {
   name = "Dynamics <- Player",
-  text = "Pulls the held point of the object in the hand to where the hand is, like a critically damped spring, and "
+  text = "Pulls the held point of each held object to where the hand is, like a critically damped spring, and "
     .. "damps its turning.",
   calls = "Dynamics",
-  reads = { "hand", "Position", "Rotation", "velocity", "Angular Velocity", "mass", "shape", "fixed" },
+  reads = { "hand", "second_hand", "hands", "Position", "Rotation", "velocity", "Angular Velocity", "mass", "shape",
+    "fixed" },
   once = true,
   apply = function(world, params, out)
-    local hand = world.hand
-    local held = hand.object
-    if not alive(held) or held.fixed or not (held.shape and held.Position and held.Rotation and held.velocity
-        and held["Angular Velocity"] and held.mass) or #held.shape.value == 0 then
-      return
-    end
-    local centre, gyration = massProperties(held.shape.value)
-    local angle, mass, spin = held.Rotation.value, held.mass.value, held["Angular Velocity"].value
-    local point = held.Position.value + hand.local_point:turned(angle)
-    local arm = (hand.local_point - centre):turned(angle)
-    local pointVelocity = held.velocity.value + spin * quarter(arm)
-    local wanted = frequency * frequency * (hand.target - point) - 2 * frequency * pointVelocity
-    local across = quarter(arm)
-    local force = mass * (wanted - across:dot(wanted) / (gyration + arm:dot(arm)) * across)
-    local limit, size = strongest * mass, force:length()
-    if size > limit then
-      force = force * (limit / size)
-    end
-    out.addForceToPoint(held, point, force)
-    out.tellRate(held, frequency)
-    out.addTorque(held, -turnDamping * mass * gyration * spin)
+    local both = world.hand.object == world.second_hand.object
+    pull(world, world.hand, both, out)
+    pull(world, world.second_hand, both, out)
   end,
 }
