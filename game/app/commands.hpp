@@ -23,6 +23,7 @@ void addComponentsCommand(CLI::App& program, int& result);
 void addSchemaCommand(CLI::App& program, int& result);
 void addAccuracyCommand(CLI::App& program, int& result);
 void addScreenshotCommand(CLI::App& program, int& result);
+void addClipCommand(CLI::App& program, int& result);
 void addKeysCommand(CLI::App& program, int& result);
 void addModCommand(CLI::App& program, int& result);
 

@@ -18,6 +18,7 @@ int runCommand(int argc, char** argv) {
         "  trembler run LEVEL --solution NAME                     replay a recorded solution, no window\n"
         "  trembler run LEVEL --trace account.jsonl               write every event with its causes\n"
         "  trembler run LEVEL --sound it.wav                      write its sound\n"
+        "  trembler clip LEVEL --solution NAME --out it.webp      a moving picture of a run\n"
         "  trembler verify                                        check every level\n"
         "  trembler components                                    all components and their schedule\n"
         "  trembler accuracy                                      errors and times of all detail levels\n"
@@ -33,6 +34,7 @@ int runCommand(int argc, char** argv) {
     trembler::addSchemaCommand(program, result);
     trembler::addAccuracyCommand(program, result);
     trembler::addScreenshotCommand(program, result);
+    trembler::addClipCommand(program, result);
     trembler::addKeysCommand(program, result);
     trembler::addModCommand(program, result);
     try {

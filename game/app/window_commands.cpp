@@ -3,6 +3,7 @@
 #include "game/app/mods/mods.hpp"
 #include "game/app/number_options.hpp"
 #include "game/app/outputs.hpp"
+#include "game/app/picture_size.hpp"
 #include "game/app/progress.hpp"
 #include "runtime/level/json/limits.hpp"
 
@@ -12,8 +13,6 @@
 #include "game/ui/headless/screenshot.hpp"
 #include "render/gl/png.hpp"
 #endif
-
-#include <fmt/format.h>
 
 #include <iostream>
 #include <memory>
@@ -31,10 +30,6 @@ struct PlayArguments {
     bool fullscreen = false;
     std::vector<std::string> mods; // folders in which mods are looked for
 };
-
-constexpr std::int64_t smallestSide = 16;         // pixels
-constexpr std::int64_t largestSide = 16384;       // pixels
-constexpr std::int64_t mostPixels = 8192L * 8192; // an image of a quarter of a gigabyte
 
 struct ScreenshotArguments {
     std::string level;
@@ -104,28 +99,14 @@ int editLevels(PlayArguments const& arguments) {
     return ui::playInWindow(gameData, options);
 }
 
-render::Size sizeFrom(std::string const& text) {
-    std::size_t const cross = text.find('x');
-    // Without an x the height is empty, which is not a number and is refused below.
-    std::string const behind = cross == std::string::npos ? "" : text.substr(cross + 1);
-    auto const width = wholeNumber(text.substr(0, cross), smallestSide, largestSide);
-    auto const height = wholeNumber(behind, smallestSide, largestSide);
-    if (!width || !height || *width * *height > mostPixels) {
-        throw std::invalid_argument(fmt::format(
-            "--size {}: expected WIDTHxHEIGHT in pixels, {} to {} each and at most {} together, like "
-            "1280x720",
-            text, smallestSide, largestSide, mostPixels));
-    }
-    return {static_cast<int>(*width), static_cast<int>(*height)};
-}
-
 int takeScreenshot(ScreenshotArguments const& arguments) {
     auto const data = gameDataFor(arguments.level, arguments.mods);
     GameData const& gameData = *data;
     ui::ScreenshotOptions options;
     options.level = arguments.level;
     options.frame = arguments.frame;
-    options.size = sizeFrom(arguments.size);
+    PictureSize const size = pictureSizeFrom(arguments.size);
+    options.size = {size.width, size.height};
     options.solution = arguments.solution;
     options.picture.overlays.electricity = arguments.electricity;
     options.picture.overlays.forces = arguments.forces;
@@ -192,11 +173,7 @@ void addScreenshotCommand(CLI::App& program, int& result) {
               "Frames to compute first, 60 are one second")
         ->default_str("0");
     addFile(*command, "--out", arguments->out, "The PNG file to write")->required();
-    command
-        ->add_option("--size", arguments->size,
-                     fmt::format("Pixels, {} to {} each way and at most {} in all", smallestSide, largestSide,
-                                 mostPixels))
-        ->capture_default_str();
+    addPictureSize(*command, arguments->size);
     command->add_option("--solution", arguments->solution, "Recorded solution, by name or file");
     addModFolders(*command, arguments->mods);
     command->add_flag("--electricity", arguments->electricity, "Also draw the electricity graph");

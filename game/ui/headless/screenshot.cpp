@@ -1,6 +1,7 @@
 #include "game/ui/headless/screenshot.hpp"
 
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/headless/scene_painter.hpp"
 #include "game/ui/play/view/goal_areas.hpp"
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/shared/scene_words.hpp"
@@ -28,9 +29,7 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
     bool const goals = options.card && !session.level().title.empty();
     CameraControl view;
     GoalAreas areas(session.level());
-    Extent subject = sceneFocus(world);
-    subject.add(areas.extent());
-    view.setSubject(subject.empty() ? subject : subject.widened(0.05 * length(subject.half())));
+    view.setSubject(pictureSubject(session, areas));
     double const left = goals ? scale * (goalCardWidth + 2 * static_cast<double>(cardGap)) : scale * cardGap;
     double const rest = scale * static_cast<double>(cardGap);
     view.setView(window.size(), {left, rest, rest, rest});

@@ -257,7 +257,7 @@ TEST_F(Outputs, HaveOneConvention) {
 TEST_F(Outputs, AreExplainedWhereThereAreAny) {
     std::string const explained = "FILE can be \"-\"";
     for (char const* const command :
-         {"run", "verify", "components", "schema", "accuracy", "screenshot", "keys"}) {
+         {"run", "verify", "components", "schema", "accuracy", "screenshot", "clip", "keys"}) {
         EXPECT_TRUE(contains(runProgram({command, "--help"}).out, explained)) << command;
     }
     EXPECT_FALSE(contains(runProgram({"play", "--help"}).out, explained));

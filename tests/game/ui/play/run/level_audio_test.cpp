@@ -87,8 +87,10 @@ TEST(SoundInTheWindow, EveryTouchIsHeardUnlessThatIsSwitchedOff) {
     EXPECT_EQ(heard.touches, 2) << "placed";
     player.clickItem("run");
     EXPECT_EQ(heard.touches, 3);
+    player.frames(2);
     player.clickItem("stop");
     EXPECT_EQ(heard.touches, 4);
+    player.frames(2);
     Settings settings = player.app().context().profile.settings();
     settings.touches = 0;
     changeSettings(player.app().context(), settings);
