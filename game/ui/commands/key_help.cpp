@@ -116,9 +116,8 @@ std::string keysMarkdown(KeyBindings const& bindings) {
 
 std::string gesturesMarkdown(std::span<Gesture const> gestures) {
     std::string text;
-    for (CommandGroup const group :
-         {CommandGroup::building, CommandGroup::running, CommandGroup::looking, CommandGroup::program,
-          CommandGroup::editing}) {
+    for (CommandGroup const group : {CommandGroup::building, CommandGroup::running, CommandGroup::looking,
+                                     CommandGroup::program, CommandGroup::editing}) {
         std::string rows;
         for (Gesture const& gesture : gestures) {
             if (gesture.group == group) {

@@ -13,7 +13,7 @@ namespace {
 constexpr Colour ropeTint = rgb(0xB79B6C);
 constexpr Colour beltTint = rgb(0x45434A);
 constexpr double linkPitch = 0.075; // m, from one link of a chain to the next
-constexpr double beltPitch = 0.12; // m, between a belt's marks
+constexpr double beltPitch = 0.12;  // m, between a belt's marks
 constexpr double mostLinks = 600;
 constexpr int piecesAround = 24; // of a belt around a wheel
 

@@ -68,7 +68,8 @@ public:
         }
         Pair const wire = inOrder(input.object, input.other);
         auto const words = [&] { return fmt::format("between '{}' and '{}'", input.object, input.other); };
-        if (!wires_.contains(wire) && !laid_.contains(wire) && (isPiece(wire.first) || isPiece(wire.second))) {
+        if (!wires_.contains(wire) && !laid_.contains(wire) &&
+            (isPiece(wire.first) || isPiece(wire.second))) {
             return; // a wire inside a composite part, or one that names the same piece in another way
         }
         if (!wires_.contains(wire) && !laid_.contains(wire)) {

@@ -174,7 +174,9 @@ void makePart(EditParts& parts, std::string const& name, bool putHere) {
     }
     parts.reloadParts();
     if (putHere && parts.data->parts.find(name) != nullptr) {
-        parts.run([&](Json const& level) { return edit::replaceByPart(*parts.data, level, names, names.front(), name); });
+        parts.run([&](Json const& level) {
+            return edit::replaceByPart(*parts.data, level, names, names.front(), name);
+        });
     }
 }
 

@@ -19,7 +19,8 @@ TEST_F(ProgramKeys, ArePrintedForPeopleAndForThePage) {
     EXPECT_NE(text.out.find("Ctrl+Shift+Z, Ctrl+Y"), std::string::npos) << text.out;
     Ran const page = runProgram({"keys", "--markdown"});
     EXPECT_EQ(page.status, 0) << page.err;
-    EXPECT_NE(page.out.find("| Redo | `Ctrl+Shift+Z`, `Ctrl+Y`, `Pad R1` | `redo` |"), std::string::npos) << page.out;
+    EXPECT_NE(page.out.find("| Redo | `Ctrl+Shift+Z`, `Ctrl+Y`, `Pad R1` | `redo` |"), std::string::npos)
+        << page.out;
     EXPECT_EQ(runProgram({"keys", "--markdown", at("keys.md")}).status, 0);
     EXPECT_EQ(contentsOf(at("keys.md")), page.out);
     Ran const mouse = runProgram({"keys", "--mouse"});
