@@ -59,7 +59,8 @@ TEST(Order, OfPlacingNeverMatters) {
             for (int way = 0; way < 2; ++way) {
                 Session session(gameData().registry, gameData().parts, level);
                 for (Placement const& placement : placements) {
-                    ASSERT_TRUE(session.place(placement)) << session.check(placement).why;
+                    ASSERT_TRUE(session.place(placement))
+                        << path << ", " << solution.name << ": " << session.check(placement).why;
                 }
                 for (std::uint64_t frame = 0; frame < 120; ++frame) {
                     session.step();

@@ -1,5 +1,6 @@
 // Every level of the thesis on every engine: recorded solutions solve it, recorded failures fail.
 #include "puzzle/solutions/verify.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "tests/support/experiment.hpp"
 #include "tests/support/motor_kit.hpp"
 
@@ -32,6 +33,9 @@ std::vector<OnEngine> everyCase() {
     GameData const gameData;
     for (std::string const& engine : otherEngines()) {
         for (std::filesystem::path const& level : gameData.levels()) {
+            if (loadLevel(gameData.registry, level).detail.contains("dynamics")) {
+                continue; // the level states its engine, as it depends on how that one computes contacts
+            }
             cases.push_back({engine, gameData.shortName(level)});
         }
     }

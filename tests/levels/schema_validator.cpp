@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <set>
 #include <stdexcept>
 
@@ -122,9 +123,24 @@ private:
             }
             return true;
         }
+        if (keyword == "patternProperties") {
+            for (auto const& [pattern, member] : expected.items()) {
+                std::regex const form(pattern, std::regex::ECMAScript);
+                for (auto const& [key, one] : value.items()) {
+                    if (object && std::regex_search(key, form)) {
+                        check(member, one, path + "/" + key);
+                    }
+                }
+            }
+            return true;
+        }
         if (keyword == "additionalProperties") {
             for (auto const& [key, member] : value.items()) {
-                bool const named = schema.contains("properties") && schema["properties"].contains(key);
+                bool named = schema.contains("properties") && schema["properties"].contains(key);
+                for (auto const& [pattern, form] :
+                     schema.value("patternProperties", Json::object()).items()) {
+                    named = named || std::regex_search(key, std::regex(pattern, std::regex::ECMAScript));
+                }
                 if (!object || named) {
                     continue;
                 }

@@ -176,6 +176,16 @@ public:
         render::pushWheel(window(), notches);
         frame();
     }
+    /// Scrolls a card down by the wheel until an item of it is in sight.
+    void scrollTo(std::string const& card, std::string const& item) {
+        auto const shown = layout().card(card);
+        ASSERT_TRUE(shown) << "there is no card \"" << card << "\"";
+        moveTo(shown->middle());
+        for (int notches = 0; notches < 60 && !shows(item); ++notches) {
+            wheel(-1);
+        }
+        frames(2);
+    }
     void key(SDL_Keycode key, unsigned modifiers = KMOD_NONE) {
         render::pushKey(window(), key, true, modifiers);
         frame();

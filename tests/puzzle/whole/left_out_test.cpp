@@ -1,16 +1,38 @@
 // Any effect may be left out, and the others still work: simulations do not depend on each other.
+#include "physics/dynamics/properties/body.hpp"
 #include "puzzle/data/effects.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/model/part_library.hpp"
+#include "runtime/placement.hpp"
 #include "tests/support/experiment.hpp"
 
 #include <algorithm>
+#include <string>
+#include <tuple>
+#include <vector>
 
 namespace trembler {
 namespace {
 
+/// Where everything is and how fast it moves, object by object.
+using Motion = std::vector<std::tuple<std::string, Vec2, double, Vec2>>;
+
+Motion motionOf(World const& world) {
+    Motion motion;
+    for (ObjectId const id : world.store().column<Position>().owners()) {
+        auto const* const turned = world.find<Rotation>(id);
+        auto const* const velocity = world.find<Velocity>(id);
+        motion.emplace_back(world.store().nameOf(id), world.find<Position>(id)->value,
+                            turned != nullptr ? turned->angle : 0,
+                            velocity != nullptr ? velocity->value : Vec2{});
+    }
+    std::sort(motion.begin(), motion.end(),
+              [](auto const& a, auto const& b) { return std::get<0>(a) < std::get<0>(b); });
+    return motion;
+}
+
 struct Outcome {
-    std::uint64_t hash = 0;
+    Motion motion;
     std::set<std::string> atWork; ///< effects
 };
 
@@ -21,7 +43,7 @@ Outcome play(LevelFile const& level, Registry const& registry, PartLibrary const
     for (int frame = 0; frame < 240; ++frame) {
         session.step();
     }
-    outcome.hash = session.world().stateHash();
+    outcome.motion = motionOf(session.world());
     for (ComponentStatus const& status : session.world().status()) {
         if (status.activity != Activity::absent) {
             outcome.atWork.emplace(status.info->text.effect);
@@ -45,7 +67,9 @@ TEST_P(LeftOut, EveryLevelLoadsAndLevelsWithoutTheEffectEndInTheSameState) {
         EXPECT_FALSE(rest.atWork.contains(GetParam())) << path;
         EXPECT_TRUE(rest.atWork.contains("dynamics")) << path;
         if (!whole.atWork.contains(GetParam())) {
-            EXPECT_EQ(whole.hash, rest.hash) << path;
+            // The state hash may differ: the level may state properties of the effect, such as a
+            // susceptibility.
+            EXPECT_EQ(whole.motion, rest.motion) << path;
             ++untouched;
         }
     }

@@ -58,6 +58,7 @@ protected:
 
 TEST_F(AssigningKeys, ByMouse) {
     openByMouse();
+    player->scrollTo("key bindings", "key of undo");
     player->clickItem("key of undo");
     EXPECT_TRUE(keysPage().waiting());
     player->look("changing-a-key-720");
@@ -75,6 +76,7 @@ TEST_F(AssigningKeys, ByMouse) {
     player->key(SDLK_k, KMOD_LCTRL);
     EXPECT_TRUE(player->session().placed().empty());
     openByMouse();
+    player->scrollTo("key bindings", "no key for undo");
     player->clickItem("no key for undo");
     EXPECT_EQ(keysOf("undo"), "");
     player->clickItem("reset keys");
@@ -87,6 +89,7 @@ TEST_F(AssigningKeys, ByMouse) {
 
 TEST_F(AssigningKeys, AKeyOfAnotherCommandIsRefused) {
     openByMouse();
+    player->scrollTo("key bindings", "key of undo");
     player->clickItem("key of undo");
     player->key(SDLK_SPACE);
     EXPECT_TRUE(keysPage().waiting()) << "it still waits for a key";

@@ -35,17 +35,6 @@ lua::Value speedOf(Player& player) {
     return player.play().workshop()->users(0).front().values.at("speed");
 }
 
-/// Scrolls the panel down until an item of a script is in sight.
-void scrollTo(Player& player, std::string const& item) {
-    auto const card = player.layout().card("mods");
-    ASSERT_TRUE(card);
-    player.moveTo(card->middle());
-    for (int notches = 0; notches < 20 && !player.shows(item); ++notches) {
-        player.wheel(-1);
-    }
-    player.frames(2);
-}
-
 class ModsPanelSizes : public testing::TestWithParam<render::Size> {};
 
 TEST_P(ModsPanelSizes, ShowsEachScriptWithItsBoxAndItsParameters) {
@@ -65,7 +54,7 @@ TEST_P(ModsPanelSizes, ShowsEachScriptWithItsBoxAndItsParameters) {
         EXPECT_TRUE(player.shows(item)) << item;
     }
     expectTidy(player, "building");
-    scrollTo(player, "speed of Dynamics <- Breeze");
+    player.scrollTo("mods", "speed of Dynamics <- Breeze");
     EXPECT_TRUE(player.shows("speed of Dynamics <- Breeze"));
     expectTidy(player, "scrolled");
     player.look("mods-building-" + std::to_string(GetParam().height));
@@ -104,7 +93,7 @@ TEST(ModsPanel, ASliderChangesTheScriptWhileTheWorldRunsAndTheRunCountsNoMore) {
     player.simulate(16);
     lua::Value const before = speedOf(player);
     EXPECT_FALSE(player.session().altered());
-    scrollTo(player, "speed of Dynamics <- Breeze");
+    player.scrollTo("mods", "speed of Dynamics <- Breeze");
     auto const slider = player.layout().item("speed of Dynamics <- Breeze");
     ASSERT_TRUE(slider);
     player.click({slider->high.x - 0.1 * (slider->high.x - slider->low.x), slider->middle().y});
@@ -115,7 +104,7 @@ TEST(ModsPanel, ASliderChangesTheScriptWhileTheWorldRunsAndTheRunCountsNoMore) {
     player.simulate(320);
     EXPECT_TRUE(player.session().solved());
     EXPECT_FALSE(player.showsCard("success")) << "that run does not count";
-    scrollTo(player, "as stated, Dynamics <- Breeze");
+    player.scrollTo("mods", "as stated, Dynamics <- Breeze");
     EXPECT_TRUE(player.shows("as stated, Dynamics <- Breeze"));
     player.look("mods-tuned");
     player.clickItem("as stated, Dynamics <- Breeze");

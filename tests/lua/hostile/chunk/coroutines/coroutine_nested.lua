@@ -1,4 +1,4 @@
 -- tries to nest coroutines until the stack of C overflows
--- expect: error
+-- expect: limit
 local function f() return coroutine.wrap(f)() end
 f()
