@@ -19,7 +19,7 @@ using Motion = std::vector<std::tuple<std::string, Vec2, double, Vec2>>;
 
 Motion motionOf(World const& world) {
     Motion motion;
-    for (ObjectId const id : world.store().column<Position>().owners()) {
+    for (ObjectId const id : world.store().findColumn<Position>()->owners()) {
         auto const* const turned = world.find<Rotation>(id);
         auto const* const velocity = world.find<Velocity>(id);
         motion.emplace_back(world.store().nameOf(id), world.find<Position>(id)->value,
