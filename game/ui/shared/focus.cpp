@@ -80,11 +80,7 @@ void Focus::move(int by) {
     visible_ = moved_ = true;
 }
 
-void Focus::moveTowards(int x, int y) {
-    auto const count = static_cast<int>(lastAreas_.size());
-    if (!visible_ || index_ >= count) {
-        return move(0);
-    }
+int Focus::nearest(int x, int y, bool within) const {
     Area const& here = lastAreas_[static_cast<std::size_t>(index_)];
     auto const dx = static_cast<float>(x);
     auto const dy = static_cast<float>(y);
@@ -94,8 +90,12 @@ void Focus::moveTowards(int x, int y) {
     };
     int best = -1;
     float least = 0;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < static_cast<int>(lastAreas_.size()); ++i) {
         Area const& there = lastAreas_[static_cast<std::size_t>(i)];
+        // What a list has scrolled out of sight lies behind items elsewhere.
+        if (there.list != here.list && (within || !there.seen)) {
+            continue;
+        }
         float const ahead = dx * (there.low.x + there.high.x - here.low.x - here.high.x) / 2 +
                             dy * (there.low.y + there.high.y - here.low.y - here.high.y) / 2;
         float const across = x != 0 ? gap(here.low.y, here.high.y, there.low.y, there.high.y)
@@ -111,6 +111,20 @@ void Focus::moveTowards(int x, int y) {
             least = cost;
         }
     }
+    return best;
+}
+
+void Focus::moveTowards(int x, int y) {
+    if (!visible_ || index_ >= static_cast<int>(lastAreas_.size())) {
+        return move(0);
+    }
+    int best = -1;
+    if (y != 0 && lastAreas_[static_cast<std::size_t>(index_)].scrolls) {
+        best = nearest(x, y, true);
+    }
+    if (best < 0) {
+        best = nearest(x, y, false);
+    }
     if (best < 0) {
         return move(x + y);
     }
@@ -120,7 +134,8 @@ void Focus::moveTowards(int x, int y) {
 
 bool Focus::item(bool adjusts) {
     ++count_;
-    areas_.push_back({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+    areas_.push_back({ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), ImGui::GetWindowDrawList(),
+                      ImGui::GetScrollMaxY() > 0, ImGui::IsItemVisible()});
     if (!here()) {
         return false;
     }

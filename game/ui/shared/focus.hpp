@@ -35,11 +35,17 @@ private:
     struct Area {
         ImVec2 low;
         ImVec2 high;
+        void const* list; ///< identifies the window, or the scrolled part of one, that has the item
+        bool scrolls;     ///< that list shows only some of its items
+        bool seen;        ///< this one among them
     };
     /// To the next or the previous item in their order.
     void move(int by);
-    /// To the nearest item in a direction (one of both is 0, y down), else as move().
+    /// To the nearest item in a direction (one of both is 0, y down), else as move(). Up and down pass
+    /// through a whole scrolled list before they leave it.
     void moveTowards(int x, int y);
+    /// The nearest one, or -1. `within`: of the list of the present item only.
+    [[nodiscard]] int nearest(int x, int y, bool within) const;
     void take(SDL_KeyboardEvent const& event);
 
     std::string page_;
