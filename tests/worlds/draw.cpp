@@ -193,6 +193,9 @@ Json Draw::object(Json const& schema, double share) {
     std::size_t const least = schema.value("minProperties", std::size_t{0});
     std::size_t const most = schema.value("maxProperties", std::size_t{1000});
     std::vector<std::string> optional;
+    if (!schema.contains("properties")) {
+        return made; // its members have any names, such as those of other objects
+    }
     for (auto const& [key, member] : schema.at("properties").items()) {
         if (std::find(required.begin(), required.end(), key) != required.end()) {
             made[key] = value(member, key);

@@ -52,6 +52,7 @@ Json objectOf(Draw& draw, Json const& definitions, Manner const& manner, std::st
     made["properties"] = std::move(properties);
     for (auto const& [key, schema] : definitions.at("object").at("properties").items()) {
         if (key != "name" && key != "part" && key != "at" && key != "angle_deg" && key != "properties" &&
+            key != "pieces" && // of composite parts, of which these levels have none
             draw.chance(manner.properties)) {
             made[key] = draw.value(schema, key);
         }

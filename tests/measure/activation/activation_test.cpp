@@ -76,12 +76,21 @@ std::map<std::string, std::set<std::string>> const& triggers() {
     static std::map<std::string, std::set<std::string>> const all{
         {"magnetism", {"magnet", "magnetic_poles", "electromagnet"}},
         {"electricity", {"conductor"}},
-        {"buoyancy", {"liquid"}},
+        {"buoyancy", {"liquid", "air", "in_air"}},
         {"motor", {"electric_motor", "generator"}},
         {"sound", {"sound_sensor", "ear"}}, // here nothing outside the world listens
         {"loudness", {"sound_sensor", "ear"}},
     };
     return all;
+}
+
+constexpr std::uint64_t mostParts = 8; // of a frame
+
+/// Whether it was made to be measured; in puzzles balls may roll and wheels turn for ever.
+bool isMeasured(std::string const& level) {
+    return level.find("levels/experiments/") != std::string::npos ||
+           level.find("levels/sound/") != std::string::npos ||
+           level.find("1-first-contact") != std::string::npos;
 }
 
 class Activation : public Experiment {
@@ -117,8 +126,9 @@ TEST_F(Activation, AllLevelsAreInTheTable) {
         std::uint64_t last = 0;
         for (ComponentUse const& each : one.components) {
             last += each.updatesInLastSecond;
-            EXPECT_LE(each.updatesInLastSecond, framesPerSecond);
-            EXPECT_LE(each.updates, one.frames) << title(*each.info) << ": more turns than frames";
+            // A turn for each part of a frame; there are more than one where strong magnets need them.
+            EXPECT_LE(each.updatesInLastSecond, mostParts * framesPerSecond);
+            EXPECT_LE(each.updates, mostParts * one.frames) << title(*each.info) << ": too many turns";
         }
         EXPECT_EQ(last, one.lastSecond);
         EXPECT_LE(one.lastSecond, one.busiestSecond);
@@ -189,6 +199,9 @@ TEST_F(Activation, ALevelAtRestHasAtMostATwentiethOfTheTurnsOfMotion) {
     int atRest = 0;
     std::set<std::string> restless;
     for (LevelUse const& one : plays()) {
+        if (!isMeasured(one.level)) {
+            continue;
+        }
         if (!one.atRest) {
             restless.insert(one.level + ", " + one.solution);
             continue;
