@@ -137,8 +137,8 @@ private:
         if (keyword == "additionalProperties") {
             for (auto const& [key, member] : value.items()) {
                 bool named = schema.contains("properties") && schema["properties"].contains(key);
-                for (auto const& [pattern, form] :
-                     schema.value("patternProperties", Json::object()).items()) {
+                Json const patterns = schema.value("patternProperties", Json::object());
+                for (auto const& [pattern, form] : patterns.items()) {
                     named = named || std::regex_search(key, std::regex(pattern, std::regex::ECMAScript));
                 }
                 if (!object || named) {
