@@ -2,8 +2,8 @@
 # Shared by ./play and ./check: paths, and functions that configure and build a build folder.
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
-# One job per processor, but no more than memory allows at 2.2 GB each.
-jobs=$(awk -v most="$(nproc)" '/^MemAvailable/ { n = int($2 / 2.2e6) } END { print n < 1 ? 1 : n < most ? n : most }' \
+# One job per processor, but no more than memory allows at 3 GB each.
+jobs=$(awk -v most="$(nproc)" '/^MemAvailable/ { n = int($2 / 3e6) } END { print n < 1 ? 1 : n < most ? n : most }' \
     /proc/meminfo)
 unset CXXFLAGS CPPFLAGS LDFLAGS # flags such as -march=native would change the simulation's bits
 export NINJA_STATUS='[%f/%t] '

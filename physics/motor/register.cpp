@@ -10,21 +10,14 @@
 namespace trembler {
 namespace {
 
-template <class P>
-P const* find(Store const& store, ObjectId id) {
-    auto const* const column = store.findColumn<P>();
-    return column == nullptr ? nullptr : column->find(id);
-}
-
 // The object must be a conductor and a movable body.
 std::optional<std::string> checkTurns(Store const& store, ObjectId id, PropertyText const& text) {
-    if (find<Conductor>(store, id) == nullptr) {
+    if (!store.has<Conductor>(id)) {
         return fmt::format("'{}' is no conductor, so no current can flow through it; expected the property "
                            "'{}' beside '{}'",
                            store.nameOf(id), Conductor::text.key, text.key);
     }
-    if (find<Shape>(store, id) == nullptr || find<Position>(store, id) == nullptr ||
-        find<Fixed>(store, id) != nullptr) {
+    if (!store.has<Shape>(id) || !store.has<Position>(id) || store.has<Fixed>(id)) {
         return fmt::format("'{}' cannot turn; expected an object with a shape and a place that is not fixed",
                            store.nameOf(id));
     }
@@ -32,7 +25,7 @@ std::optional<std::string> checkTurns(Store const& store, ObjectId id, PropertyT
 }
 
 std::optional<std::string> checkMotor(Store const& store, ObjectId id) {
-    ObjectId const against = find<ElectricMotor>(store, id)->against;
+    ObjectId const against = store.findColumn<ElectricMotor>()->find(id)->against;
     if (against == id) {
         return fmt::format("'{}' turns against itself; expected another object, or none for the world",
                            store.nameOf(id));
@@ -41,8 +34,8 @@ std::optional<std::string> checkMotor(Store const& store, ObjectId id) {
 }
 
 std::optional<std::string> checkGenerator(Store const& store, ObjectId id) {
-    ObjectId const source = find<Generator>(store, id)->source;
-    if (source == id || find<ElectricalSource>(store, source) == nullptr) {
+    ObjectId const source = store.findColumn<Generator>()->find(id)->source;
+    if (source == id || !store.has<ElectricalSource>(source)) {
         return fmt::format(
             "the source of '{}' is not an electrical source; expected another object with the property '{}'",
             store.nameOf(id), ElectricalSource::text.key);

@@ -11,30 +11,30 @@
 namespace trembler {
 namespace {
 
-struct Range {
+struct CodeRange {
     char32_t first;
     char32_t last;
 };
 
 /// Unicode 15: Cc; the invisible characters of Cf; the separators Zl and Zp. Ascending.
-constexpr std::array<Range, 13> unseen{{{0x00, 0x1F},
-                                        {0x7F, 0x9F},
-                                        {0xAD, 0xAD},         // soft hyphen
-                                        {0x61C, 0x61C},       // Arabic letter mark
-                                        {0x180E, 0x180E},     // Mongolian vowel separator
-                                        {0x200B, 0x200F},     // zero-width characters; marks of direction
-                                        {0x2028, 0x202E},     // separators, embeddings, overrides
-                                        {0x2060, 0x206F},     // joiners, isolates, deprecated formats
-                                        {0xFEFF, 0xFEFF},     // byte order mark
-                                        {0xFFF9, 0xFFFB},     // annotations
-                                        {0x13430, 0x1343F},   // hieroglyph formats
-                                        {0x1D173, 0x1D17A},   // musical formats
-                                        {0xE0000, 0xE007F}}}; // tags; private use is drawn by the font
+constexpr std::array<CodeRange, 13> unseen{{{0x00, 0x1F},
+                                            {0x7F, 0x9F},
+                                            {0xAD, 0xAD},         // soft hyphen
+                                            {0x61C, 0x61C},       // Arabic letter mark
+                                            {0x180E, 0x180E},     // Mongolian vowel separator
+                                            {0x200B, 0x200F},     // zero-width characters; marks of direction
+                                            {0x2028, 0x202E},     // separators, embeddings, overrides
+                                            {0x2060, 0x206F},     // joiners, isolates, deprecated formats
+                                            {0xFEFF, 0xFEFF},     // byte order mark
+                                            {0xFFF9, 0xFFFB},     // annotations
+                                            {0x13430, 0x1343F},   // hieroglyph formats
+                                            {0x1D173, 0x1D17A},   // musical formats
+                                            {0xE0000, 0xE007F}}}; // tags; private use is drawn by the font
 
 bool isUnseen(char32_t c) {
     auto const after =
         std::upper_bound(unseen.begin(), unseen.end(), c,
-                         [](char32_t wanted, Range const& range) { return wanted < range.first; });
+                         [](char32_t wanted, CodeRange const& range) { return wanted < range.first; });
     return after != unseen.begin() && c <= std::prev(after)->last;
 }
 

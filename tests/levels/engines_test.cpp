@@ -1,11 +1,14 @@
 // Every level of the thesis on every engine: recorded solutions solve it, recorded failures fail.
 #include "puzzle/solutions/verify.hpp"
-#include "runtime/level/read/read_level.hpp"
 #include "tests/support/experiment.hpp"
 #include "tests/support/motor_kit.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <fstream>
 
 namespace trembler {
 namespace {
@@ -28,13 +31,20 @@ struct OnEngine {
     std::string level;
 };
 
+/// Only looks at the JSON: this is asked for each level in each process of this program.
+bool statesItsEngine(std::filesystem::path const& level) {
+    std::ifstream file(level);
+    nlohmann::json const read = nlohmann::json::parse(file);
+    return read.contains(nlohmann::json::json_pointer("/world/detail/dynamics"));
+}
+
 std::vector<OnEngine> everyCase() {
     std::vector<OnEngine> cases;
     GameData const gameData;
     for (std::string const& engine : otherEngines()) {
         for (std::filesystem::path const& level : gameData.levels()) {
-            if (loadLevel(gameData.registry, level).detail.contains("dynamics")) {
-                continue; // the level states its engine, as it depends on how that one computes contacts
+            if (statesItsEngine(level)) {
+                continue; // it depends on how that engine computes contacts
             }
             cases.push_back({engine, gameData.shortName(level)});
         }

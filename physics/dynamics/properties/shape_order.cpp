@@ -40,7 +40,7 @@ std::tuple<double, double, double> measuresOf(ShapePiece const& piece) {
 
 // From left to right; of pieces above one another, the one nearer to the middle first. Pieces that are equal
 // in all of this may be in any order.
-bool before(ShapePiece const& a, ShapePiece const& b) {
+bool precedes(ShapePiece const& a, ShapePiece const& b) {
     auto const key = [](ShapePiece const& piece) {
         return std::tuple{piece.at.x, std::abs(piece.at.y), -piece.at.y, static_cast<int>(piece.form)};
     };
@@ -58,7 +58,7 @@ bool before(ShapePiece const& a, ShapePiece const& b) {
 bool goesFirst(ShapePiece const& a, ShapePiece const& b) {
     double const areaA = areaOf(a);
     double const areaB = areaOf(b);
-    return areaA != areaB ? areaA > areaB : before(a, b);
+    return areaA != areaB ? areaA > areaB : precedes(a, b);
 }
 
 } // namespace
@@ -67,7 +67,7 @@ bool isInOrder(Shape const& shape) {
     std::vector<ShapePiece> const& pieces = shape.pieces;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!beginsLowest(pieces[i]) || (i > 0 && goesFirst(pieces[i], pieces[0])) ||
-            (i > 1 && before(pieces[i], pieces[i - 1]))) {
+            (i > 1 && precedes(pieces[i], pieces[i - 1]))) {
             return false;
         }
     }
@@ -87,7 +87,7 @@ Shape inOrder(Shape shape) {
         }
     }
     std::iter_swap(pieces.begin(), std::min_element(pieces.begin(), pieces.end(), goesFirst));
-    std::sort(pieces.begin() + 1, pieces.end(), before);
+    std::sort(pieces.begin() + 1, pieces.end(), precedes);
     return shape;
 }
 

@@ -11,7 +11,7 @@
 namespace trembler {
 namespace {
 
-struct Pieces {
+struct CrowdPieces {
     std::vector<Bounds> boxes;
     std::vector<ObjectId> bodies; // the body of each piece
 };
@@ -26,8 +26,8 @@ std::size_t pieceCount(Store const& store) {
     return count;
 }
 
-Pieces piecesOf(Store const& store) {
-    Pieces pieces;
+CrowdPieces piecesOf(Store const& store) {
+    CrowdPieces pieces;
     auto const* const shapes = store.findColumn<Shape>();
     auto const* const positions = store.findColumn<Position>();
     auto const* const rotations = store.findColumn<Rotation>();
@@ -61,7 +61,7 @@ std::vector<ObjectFault> checkCrowds(Store const& store, std::size_t most) {
     if (std::size_t const count = pieceCount(store); count * (count / 2 + 1) <= most) {
         return {}; // too few pieces to exceed the limit
     }
-    Pieces const pieces = piecesOf(store);
+    CrowdPieces const pieces = piecesOf(store);
     BoxTree const tree(pieces.boxes);
     std::size_t sum = 0; // number of pairs, each counted twice
     std::size_t nearest = 0;

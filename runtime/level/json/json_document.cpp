@@ -12,11 +12,9 @@
 namespace trembler {
 namespace {
 
-using Json = nlohmann::json;
-
 /// Builds the tree. Unlike the library's own builder it reports repeated keys, and stops early if there are
 /// too many problems.
-class TreeBuilder : public nlohmann::json_sax<Json> {
+class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 public:
     struct Flaw {
         std::string path;
@@ -25,7 +23,7 @@ public:
         std::optional<std::size_t> offset;
         Spot spot = Spot::value;
     };
-    [[nodiscard]] Json take() { return std::move(root_); }
+    [[nodiscard]] nlohmann::json take() { return std::move(root_); }
     [[nodiscard]] std::vector<Flaw> const& flaws() const { return flaws_; }
 
     bool null() override { return put(nullptr); }
@@ -35,8 +33,8 @@ public:
     bool number_float(number_float_t value, string_t const&) override { return put(value); }
     bool string(string_t& value) override { return put(std::move(value)); }
     bool binary(binary_t&) override { return false; }
-    bool start_object(std::size_t) override { return open(Json::object()); }
-    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool start_object(std::size_t) override { return open(nlohmann::json::object()); }
+    bool start_array(std::size_t) override { return open(nlohmann::json::array()); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
     bool key(string_t& name) override {
@@ -53,8 +51,9 @@ public:
     bool parse_error(std::size_t position, std::string const&,
                      nlohmann::detail::exception const& error) override {
         // The message quotes the text, which may not be UTF-8. Such a message could not be printed or stored.
-        std::string const quoted = Json(error.what()).dump(-1, ' ', false, Json::error_handler_t::replace);
-        std::string message = Json::parse(quoted).get<std::string>();
+        std::string const quoted =
+            nlohmann::json(error.what()).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+        std::string message = nlohmann::json::parse(quoted).get<std::string>();
         if (std::size_t const at = message.find("syntax error"); at != std::string::npos) {
             message = message.substr(at);
         } else if (std::size_t const bracket = message.find("] "); bracket != std::string::npos) {
@@ -71,7 +70,7 @@ public:
 
 private:
     struct Level {
-        Json* node;
+        nlohmann::json* node;
         std::string key; // of the next member
     };
 
@@ -93,7 +92,7 @@ private:
         }
         return true;
     }
-    Json* place(Json value) {
+    nlohmann::json* place(nlohmann::json value) {
         if (open_.empty()) {
             root_ = std::move(value);
             return &root_;
@@ -103,7 +102,7 @@ private:
             level.node->push_back(std::move(value));
             return &level.node->back();
         }
-        Json& member = (*level.node)[level.key];
+        nlohmann::json& member = (*level.node)[level.key];
         member = std::move(value);
         return &member;
     }
@@ -112,10 +111,10 @@ private:
         if (!mayGrow()) {
             return false;
         }
-        place(Json(std::forward<T>(value)));
+        place(nlohmann::json(std::forward<T>(value)));
         return true;
     }
-    bool open(Json container) {
+    bool open(nlohmann::json container) {
         if (open_.size() == limits::depth) {
             flaws_.push_back({pathOfNext(), "nested too deeply",
                               fmt::format("at most {} lists and objects inside one another", limits::depth),
@@ -133,7 +132,7 @@ private:
         return true;
     }
 
-    Json root_;
+    nlohmann::json root_;
     std::size_t values_ = 0;
     std::vector<Level> open_; // pointers stay valid: only the innermost container grows
     std::vector<Flaw> flaws_;
@@ -173,7 +172,7 @@ JsonDocument::JsonDocument(std::string text, std::string file)
         refuseSize(file_, text_.size());
     }
     TreeBuilder builder;
-    bool const whole = Json::sax_parse(text_, &builder);
+    bool const whole = nlohmann::json::sax_parse(text_, &builder);
     if (whole && builder.flaws().empty()) {
         root_ = builder.take();
         return;

@@ -62,7 +62,7 @@ bool crossEachOther(Vec2 p, Vec2 q, Vec2 r, Vec2 s) {
     return cross(q - p, r - p) * cross(q - p, s - p) < 0 && cross(s - r, p - r) * cross(s - r, q - r) < 0;
 }
 
-bool overlap(std::vector<Vec2> const& a, std::vector<Vec2> const& b) {
+bool cornersOverlap(std::vector<Vec2> const& a, std::vector<Vec2> const& b) {
     for (auto const& [x, y] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
         for (Vec2 const corner : *x) {
             if (contains(*y, corner)) {
@@ -112,7 +112,7 @@ double wayOut(std::vector<Vec2> const& a, std::vector<Vec2> const& b) {
 
 double gap(Rounded const& a, Rounded const& b) {
     double const cores =
-        overlap(a.corners, b.corners) ? -wayOut(a.corners, b.corners) : distance(a.corners, b.corners);
+        cornersOverlap(a.corners, b.corners) ? -wayOut(a.corners, b.corners) : distance(a.corners, b.corners);
     return cores - a.radius - b.radius;
 }
 

@@ -4,6 +4,7 @@
 #include "physics/dynamics/properties/body.hpp"
 #include "runtime/placement.hpp"
 #include "tests/game/ui/player.hpp"
+#include "tests/game/ui/tidy.hpp"
 
 #include <chrono>
 #include <fstream>
@@ -14,22 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 auto const breezeLevel = dataFolder() / "breeze.json";
-
-/// Everything fits onto its card and onto the screen.
-void expectTidy(Player& player, std::string const& what) {
-    render::Size const size = window().size();
-    for (Placed const& card : player.layout().cards()) {
-        EXPECT_GE(card.rect.low.x, 0) << what << ": " << card.name;
-        EXPECT_GE(card.rect.low.y, 0) << what << ": " << card.name;
-        EXPECT_LE(card.rect.high.x, size.width) << what << ": " << card.name;
-        EXPECT_LE(card.rect.high.y, size.height) << what << ": " << card.name;
-        EXPECT_LE(card.overflow, 1.0) << what << ": the content of " << card.name << " is cut off";
-        for (Placed const& other : player.layout().cards()) {
-            EXPECT_TRUE(&card == &other || !card.rect.overlaps(other.rect))
-                << what << ": " << card.name << " lies on " << other.name;
-        }
-    }
-}
 
 lua::Value speedOf(Player& player) {
     return player.play().workshop()->users(0).front().values.at("speed");
