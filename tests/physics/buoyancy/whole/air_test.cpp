@@ -15,14 +15,14 @@ constexpr double earth = 9.81;
 constexpr double moon = 1.62;
 constexpr double radius = 0.25;
 constexpr double balloonVolume = std::numbers::pi * radius * radius * worldDepth; // m³
-constexpr double skin = 0.4;                                                      // kg/m³
+constexpr double balloonDensity = 0.4;                                            // kg/m³
 
 void stateAir(Pool& pool, Air air) {
     pool.give(pool.world->store().find("world"), air);
 }
 
 ObjectId balloonIn(Pool& pool, Vec2 at = {0, 0}) {
-    return pool.body("balloon", circlePiece(radius), at, skin);
+    return pool.body("balloon", circlePiece(radius), at, balloonDensity);
 }
 
 TEST(Air, AcceleratesALightBodyAsArchimedesSays) {
@@ -31,7 +31,7 @@ TEST(Air, AcceleratesALightBodyAsArchimedesSays) {
         stateAir(pool, {.density = 1.2, .linearDrag = 0, .quadraticDrag = 0});
         ObjectId const balloon = balloonIn(pool);
         pool.run(31); // forces act from the second frame on
-        EXPECT_NEAR(pool.velocity(balloon).y, gravity * (1.2 / skin - 1) * 0.5, rounding);
+        EXPECT_NEAR(pool.velocity(balloon).y, gravity * (1.2 / balloonDensity - 1) * 0.5, rounding);
         EXPECT_NEAR(pool.velocity(balloon).x, 0, 1e-12);
     }
 }
@@ -61,17 +61,18 @@ TEST(Air, DragEndsTheAcceleration) {
     Pool pool;
     ObjectId const balloon = balloonIn(pool);
     pool.seconds(20);
-    // c1 m v + c2 ½ ρ w d v² = (ρ - skin) g V, w the side of the rectangle with the disc's second moment.
+    // c1 m v + c2 ½ ρ w d v² = (ρ - balloonDensity) g V, w the side of the rectangle with the disc's second
+    // moment.
     double const linear = 0.5 * 1.2 * balloonVolume;
     double const quadratic = 1.2 / 2 * std::sqrt(3) * radius * worldDepth;
-    double const lift = (1.2 - skin) * earth * balloonVolume;
+    double const lift = (1.2 - balloonDensity) * earth * balloonVolume;
     double const speed = (std::sqrt(linear * linear + 4 * quadratic * lift) - linear) / (2 * quadratic);
     EXPECT_NEAR(pool.velocity(balloon).y, speed, rounding);
     EXPECT_LT(speed, 5);
 }
 
 TEST(Air, ABalloonHoversWithTheWeightThatItCarries) {
-    double const carried = (1.2 - skin) * balloonVolume; // kg
+    double const carried = (1.2 - balloonDensity) * balloonVolume; // kg
     struct Case {
         double share; // of that
         double least; // m that the weight moves in 5 s
