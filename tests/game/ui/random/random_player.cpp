@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using render::Point;
 
-constexpr int drawnEvery = 40; // pictures, as drawing takes a hundred times as long as the rest
+constexpr int drawnEvery = 60; // pictures, as drawing takes a hundred times as long as the rest
 
 } // namespace
 
@@ -174,9 +174,19 @@ void RandomPlayer::frame(double seconds) {
         seen_.insert(card.name);
     }
     keepInside();
+    endFilm();
     if (!going) { // the player has quit; the next one begins
         app_.reset();
         begin();
+    }
+}
+
+void RandomPlayer::endFilm() {
+    constexpr int enough = 3; // pictures; each is a file of a megabyte, and nobody looks at them
+    filmed_ = app_->screen().keepsPicture() ? filmed_ + 1 : 0;
+    if (filmed_ > enough && app_->screen().commands().has("record")) {
+        app_->screen().commands().run("record");
+        filmed_ = 0;
     }
 }
 

@@ -69,7 +69,9 @@ private:
     [[nodiscard]] std::filesystem::path anyLevel();
     void pressKey(SDL_Keycode key, unsigned modifiers);
     void frame(double seconds = 1.0 / 60);
+    /// Nothing is opened or written outside the player's folder.
     void keepInside();
+    void endFilm();
 
     render::Window& window_;
     GameData const& data_;
@@ -79,6 +81,7 @@ private:
     std::vector<std::filesystem::path> levels_;
     std::set<std::string> seen_;
     std::uint64_t pictures_ = 0;
+    int filmed_ = 0; // pictures, one after another
     render::Point mouse_;
     bool held_ = false; // the left button
 };

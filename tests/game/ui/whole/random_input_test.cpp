@@ -7,7 +7,7 @@ namespace trembler::ui::test {
 namespace {
 
 TEST(RandomInput, DoesNoHarmToTheProgramOrItsFiles) {
-    int const acts = trembler::test::underSanitizer ? 40 : 150;
+    int const acts = trembler::test::underSanitizer ? 20 : 60;
     std::vector<std::string> done;
     for (std::uint64_t const seed : {1U, 2U, 3U}) {
         RandomPlayer player(window(), gameData(), testFolder() / "player", seed);
