@@ -18,6 +18,7 @@
 #include <fstream>
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -210,6 +211,7 @@ int main(int argc, char** argv) {
         std::fflush(stdout);
         pid_t const player = fork();
         if (player == 0) {
+            prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody would watch it
             int const status = work(arguments, first, folder, end, tally);
             std::fflush(stdout);
             _exit(status);
