@@ -7,6 +7,7 @@
 #include "runtime/level/read/read_level.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +16,9 @@ namespace {
 
 /// The problems of a level are looked for when the designer pauses for this time, s.
 constexpr double pauseBeforeChecking = 0.25;
+/// A level that takes longer to be read, s, is read when the changes pause.
+constexpr double quickRead = 0.004;
+constexpr double pauseBeforeReading = 0.1; // s
 /// At once if the last check took less than this, s, and nothing is being dragged: a step of a drag already
 /// builds the world.
 constexpr double quickCheck = 0.004;
@@ -84,6 +88,9 @@ void EditParts::reloadParts() {
     } catch (InputError const& error) {
         return tell(error.what(), render::ToastKind::Trouble);
     }
+    if (options.partsMade) {
+        options.partsMade(plain_);
+    }
     setData(dataFor(document.path()));
     document.setData(*data);
     problems = {};
@@ -91,13 +98,6 @@ void EditParts::reloadParts() {
     readRevision_.reset();
     read();
     problems.refresh(document);
-    tellPartFaults();
-}
-
-void EditParts::tellPartFaults() {
-    for (Diagnostic const& fault : data->ownPartFaults) {
-        tell(fault.print(), render::ToastKind::Trouble);
-    }
 }
 
 void EditParts::openFile(std::filesystem::path const& path) {
@@ -134,7 +134,9 @@ void EditParts::read() {
     if (readRevision_ == document.revision()) {
         return;
     }
-    readRevision_ = document.revision();
+    auto const begun = std::chrono::steady_clock::now();
+    readRevision_ = seenRevision_ = document.revision();
+    sinceRead_ = 0;
     try {
         Problems faults; // shown by the list of problems
         LevelFile now = readLevel(data->registry, document.json(), faults);
@@ -144,7 +146,7 @@ void EditParts::read() {
     LevelFile shown = level;
     std::erase_if(shown.objects,
                   [&](LevelObject const& object) { return edit::isHidden(document.tree(), object.name); });
-    world.build(data->registry, data->parts, shown);
+    world.build(*data, shown, document.tree());
     scene.start();
     std::vector<std::string> const all = edit::objectNames(document.tree());
     for (std::string const& name : std::vector<std::string>(selection.objects())) {
@@ -153,14 +155,32 @@ void EditParts::read() {
         }
     }
     view.setSubject(extent());
+    readTook_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+void EditParts::followChanges(bool dragging) {
+    bool const changed = std::exchange(seenRevision_, document.revision()) != document.revision();
+    bool const soonAgain = dragging || readTook_ > quickRead;
+    if (soonAgain && sinceChange_ < pauseBeforeReading) {
+        if (!changed || world.follow(document.tree())) {
+            return;
+        }
+        if (readTook_ > quickRead && sinceRead_ < pauseBeforeReading) {
+            return; // what the world cannot follow is seen a little later
+        }
+    }
+    read();
 }
 
 void EditParts::follow(double seconds, bool dragging) {
-    std::uint64_t const before = readRevision_.value_or(0);
-    read();
-    sinceChange_ = before == document.revision() ? sinceChange_ + seconds : 0;
+    sinceChange_ = seenRevision_ == document.revision() ? sinceChange_ + seconds : 0;
+    sinceRead_ += seconds;
+    if (readRevision_ != document.revision()) {
+        followChanges(dragging);
+    }
+    bool const current = readRevision_ == document.revision();
     bool const quick = !dragging && problems.lastSeconds() < quickCheck;
-    if (sinceChange_ > pauseBeforeChecking || quick) {
+    if (current && (sinceChange_ > pauseBeforeChecking || quick)) {
         problems.refresh(document);
     }
     autosave->tick(document, seconds);

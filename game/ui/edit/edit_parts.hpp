@@ -7,7 +7,6 @@
 #include "game/ui/edit/tools/selection.hpp"
 #include "game/ui/edit/tools/snapping.hpp"
 #include "game/ui/edit/tools/tool.hpp"
-#include "game/ui/edit/view/edited_world.hpp"
 #include "game/ui/edit/view/live_goals.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "game/ui/shared/screen.hpp"
@@ -16,6 +15,7 @@
 #include "puzzle/edit/document/level_document.hpp"
 #include "puzzle/edit/problems/live_problems.hpp"
 #include "puzzle/edit/recovery/autosave.hpp"
+#include "puzzle/edit/world/edited_world.hpp"
 #include "render/scene/scene_view.hpp"
 
 #include <functional>
@@ -31,6 +31,8 @@ struct EditOptions {
     std::shared_ptr<GameData const> data;
     /// What a level that names mods is edited with, see GameOptions; may be empty.
     std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> levelData{};
+    /// Called with the new data when the designer has made a part: the game is to know it at once.
+    std::function<void(std::shared_ptr<GameData const>)> partsMade{};
     WorldOptions world{};
     std::filesystem::path recovery{}; ///< folder for unsaved work; empty: none is kept
 };
@@ -51,8 +53,10 @@ struct EditParts {
     std::unique_ptr<edit::Autosave> autosave;
 
     Selection selection;
-    EditedWorld world;
-    LevelFile level; ///< of the document, as much of it as can be read
+    edit::EditedWorld world;
+    /// Of the document, as much of it as can be read. While one drags, its objects, joints, areas and goals
+    /// are those from before the drag.
+    LevelFile level;
     CameraControl view;
     render::SceneView scene;
 
@@ -111,7 +115,7 @@ struct EditParts {
     /// Reads the parts anew, those of the designer included: after one was made.
     void reloadParts();
     /// To be called once per picture: follows the document's changes and keeps unsaved work.
-    /// `dragging`: the next picture is likely to bring another change.
+    /// `dragging`: the next picture is likely to bring another change, so now only the world is moved.
     void follow(double seconds, bool dragging = false);
     /// The smallest rectangle around the level, m.
     [[nodiscard]] render::Extent extent() const;
@@ -122,13 +126,15 @@ struct EditParts {
 
 private:
     void read();
+    void followChanges(bool dragging);
     void setData(std::shared_ptr<GameData const> next);
-    /// Told once per fault: a file that is wrong.
-    void tellPartFaults();
     std::shared_ptr<GameData const> plain_;     // options.data, or what was read anew
     std::shared_ptr<GameData const> former_;    // what the world that is seen may still be made of
     std::optional<std::uint64_t> readRevision_; // of the document in `level` and `world`
+    std::optional<std::uint64_t> seenRevision_; // that `world` shows, or tried to show
     double sinceChange_ = 0;                    // s
+    double sinceRead_ = 0;                      // s
+    double readTook_ = 0;                       // s, the last time
 };
 
 } // namespace trembler::ui

@@ -138,12 +138,16 @@ std::string_view wordsOf(Alignment alignment) {
 
 std::optional<Box> extentOfObjects(GameData const& data, Json const& level, Names const& names) {
     std::optional<std::pair<Vec2, Vec2>> all;
-    for (std::string const& name : names) {
-        Json const* const entry = findObject(level, name);
-        if (entry == nullptr) {
+    std::set<std::string> const wanted(names.begin(), names.end());
+    Json const* const list = findList(level, "objects");
+    if (list == nullptr) {
+        return {};
+    }
+    for (Json const& entry : *list) {
+        if (!wanted.contains(textOf(entry, "name"))) {
             continue;
         }
-        auto const [low, high] = extentOfEntry(data, *entry);
+        auto const [low, high] = extentOfEntry(data, entry);
         if (!all) {
             all = {low, high};
             continue;
@@ -190,8 +194,9 @@ Command rotateObjects(Json const& level, Names const& names, double degreesToTur
                 double const turn = radians(degreesToTurn);
                 Motion const motion{[=](Vec2 point) { return centre + rotated(point - centre, turn); },
                                     [=](Vec2 way) { return rotated(way, turn); }};
+                ObjectEntries const entries(tree);
                 for (std::string const& name : free) {
-                    Json& entry = objectEntry(tree, name);
+                    Json& entry = entries.of(name);
                     setPlace(entry, motion.point(placeOf(entry)));
                     setAngle(entry, angleOf(entry) + degreesToTurn);
                 }
@@ -214,8 +219,9 @@ Command scaleObjects(GameData const& data, Json const& level, Names const& names
                                         return centre + Vec2{way.x * factors.x, way.y * factors.y};
                                     },
                                     [](Vec2 way) { return way; }};
+                ObjectEntries const entries(tree);
                 for (std::string const& name : free) {
-                    Json& entry = objectEntry(tree, name);
+                    Json& entry = entries.of(name);
                     scaleEntry(data, entry, factors);
                     setPlace(entry, motion.point(placeOf(entry)));
                 }
@@ -246,8 +252,9 @@ Command mirrorObjects(GameData const& data, Json const& level, Names const& name
                     return atVertical ? Vec2{-way.x, way.y} : Vec2{way.x, -way.y};
                 };
                 Motion const motion{[=](Vec2 point) { return centre + flip(point - centre); }, flip, true};
+                ObjectEntries const entries(tree);
                 for (std::string const& name : free) {
-                    Json& entry = objectEntry(tree, name);
+                    Json& entry = entries.of(name);
                     setPlace(entry, motion.point(placeOf(entry)));
                     mirrorEntry(data, entry, atVertical);
                 }

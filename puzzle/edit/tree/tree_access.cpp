@@ -97,6 +97,26 @@ Json& objectEntry(Json& level, std::string const& name) {
     throw CommandError(fmt::format("there is no object '{}'", name));
 }
 
+ObjectEntries::ObjectEntries(Json& level) {
+    if (findList(level, "objects") == nullptr) {
+        return;
+    }
+    for (Json& entry : level["objects"]) {
+        auto const name = entry.is_object() ? entry.find("name") : entry.end();
+        if (name != entry.end() && name->is_string()) {
+            entries_.emplace(name->get_ref<std::string const&>(), &entry); // the first of that name
+        }
+    }
+}
+
+Json& ObjectEntries::of(std::string const& name) const {
+    auto const found = entries_.find(name);
+    if (found == entries_.end()) {
+        throw CommandError(fmt::format("there is no object '{}'", name));
+    }
+    return *found->second;
+}
+
 void mustHaveObjects(Json const& level, std::vector<std::string> const& names) {
     if (names.empty()) {
         throw CommandError("no object is selected");

@@ -43,14 +43,7 @@ void outline(Canvas& canvas, std::vector<Point> corners, Stroke const& stroke) {
     }
 }
 
-void drawMarkOf(Canvas& canvas, EditParts const& parts, std::string const& name, Stroke const& stroke) {
-    World const& world = *parts.world.world();
-    ObjectId const id = world.store().find(name);
-    if (!id.valid()) {
-        return;
-    }
-    Facts const facts = FactsReader(world).of(id);
-    Pose const pose = parts.scene.poseOf(world, id);
+void outlineObject(Canvas& canvas, Facts const& facts, Pose const& pose, Stroke const& stroke) {
     if (facts.shape == nullptr) {
         canvas.ring(pose.at, innerSize(facts) + canvas.metres(4), stroke);
         return;
@@ -61,6 +54,17 @@ void drawMarkOf(Canvas& canvas, EditParts const& parts, std::string const& name,
             corner = toWorld(pose, corner);
         }
         outline(canvas, corners, stroke);
+    }
+}
+
+/// An outline around an object; of a composite part, around each of its pieces.
+void drawMarkOf(Canvas& canvas, EditParts const& parts, std::string const& name, Stroke const& stroke) {
+    World const& world = *parts.world.world();
+    FactsReader const reader(world);
+    for (ObjectId const id : parts.world.objectsOf(name)) {
+        if (Facts const facts = reader.of(id); facts.visible()) {
+            outlineObject(canvas, facts, poseOf(facts), stroke);
+        }
     }
 }
 
@@ -215,11 +219,13 @@ void drawEditedScene(EditParts& parts, EditMouse const& mouse) {
     canvas.paper();
     drawGrid(canvas, parts);
     World const* const world = parts.world.world();
-    std::vector<Area> const placing = parts.level.placing.value_or(std::vector<Area>());
+    std::vector<Area> placing; // not of the level, which is read after a drag
     std::vector<GoalRegion> goals;
     for (SceneArea const& area : sceneAreas(parts)) {
         if (area.kind == EntryKind::goalArea) {
             goals.push_back({area.area, false});
+        } else {
+            placing.push_back(area.area);
         }
     }
     if (world != nullptr) {

@@ -1,12 +1,13 @@
-#include "game/ui/edit/view/edited_world.hpp"
+#include "puzzle/edit/world/edited_world.hpp"
 
 #include "runtime/level/json/diagnostic.hpp"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace trembler::ui {
+namespace trembler::edit {
 namespace {
 
 /// How often entries are left out before all joints and connections are.
@@ -34,15 +35,18 @@ std::size_t leaveOut(LevelFile& level, std::vector<Diagnostic> const& faults) {
 
 } // namespace
 
-void EditedWorld::build(Registry const& registry, PartLibrary const& parts, LevelFile const& level) {
+void EditedWorld::build(GameData const& data, LevelFile const& level, Json const& tree) {
     LevelFile reduced = level;
+    displacement_.reset();
     // What the world does not consist of: faults in it are none of the world.
     reduced.solutions.clear();
     reduced.goals = nullptr;
     leftOut_ = 0;
     for (int attempt = 0;; ++attempt) {
         try {
-            world_ = buildWorld(registry, reduced, parts);
+            world_ = buildWorld(data.registry, reduced, data.parts);
+            displacement_.emplace(data, tree, reduced, *world_);
+            noteObjects(reduced.objects.size());
             return;
         } catch (InputError const& error) {
             std::size_t const dropped = leaveOut(reduced, error.diagnostics());
@@ -67,4 +71,31 @@ void EditedWorld::build(Registry const& registry, PartLibrary const& parts, Leve
     }
 }
 
-} // namespace trembler::ui
+void EditedWorld::noteObjects(std::size_t entries) {
+    objects_.assign(entries, {});
+    Store const& store = std::as_const(*world_).store();
+    for (std::uint32_t number = 0; number < store.objects().indexBound(); ++number) {
+        ObjectId const id = store.objects().at(number);
+        Origin const origin = store.originOf(id);
+        if (origin.kind == Origin::Kind::object && !store.has<Joint>(id)) {
+            objects_[origin.number].push_back(id);
+        }
+    }
+}
+
+std::span<ObjectId const> EditedWorld::objectsOf(std::string const& name) const {
+    if (world_ == nullptr) {
+        return {};
+    }
+    ObjectId const id = std::as_const(*world_).store().find(name);
+    Origin const origin = std::as_const(*world_).store().originOf(id);
+    return id.valid() && origin.kind == Origin::Kind::object
+               ? std::span<ObjectId const>(objects_[origin.number])
+               : std::span<ObjectId const>();
+}
+
+bool EditedWorld::follow(Json const& tree) {
+    return displacement_ && displacement_->follow(tree, *world_);
+}
+
+} // namespace trembler::edit
