@@ -123,11 +123,13 @@ void moveJoints(Json& level, std::set<std::string> const& objects, Motion const&
         if (first && (second || hasTwoEnds(joint))) {
             movePointOf(joint, "at", motion.point);
         }
-        if (second && (hasTwoEnds(joint) ? !b.empty() : first)) {
+        // A hook in the wall stays where it is, but is part of a mirror image.
+        bool const endsAtWall = hasTwoEnds(joint) && b.empty() && !motion.mirrors;
+        if (second && !endsAtWall && (first || hasTwoEnds(joint))) {
             movePointOf(joint, "at_b", motion.point);
         }
         if (first && second) {
-            if (!hasTwoEnds(joint) || !b.empty()) {
+            if (!endsAtWall) {
                 movePointOf(joint, "ground_a", motion.point);
                 movePointOf(joint, "ground_b", motion.point);
             }
