@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace trembler::edit {
 namespace {
@@ -232,9 +233,18 @@ Command scaleObjects(GameData const& data, Json const& level, Names const& names
 
 bool mayScale(GameData const& data, Json const& level, Names const& names, Vec2 factors) {
     try {
-        Command const command = scaleObjects(data, level, names, factors, {});
-        Json copy = level;
-        command.change(copy);
+        // Only of these objects: a copy of a large level takes longer than scaling one of them.
+        std::set<std::string> const wanted(names.begin(), names.end());
+        Json copy{{"objects", Json::array()}};
+        if (Json const* const list = findList(level, "objects")) {
+            std::copy_if(list->begin(), list->end(),
+                         std::back_inserter(copy["objects"].get_ref<Json::array_t&>()),
+                         [&](Json const& entry) { return wanted.contains(textOf(entry, "name")); });
+        }
+        if (auto const editor = level.find("editor"); editor != level.end()) {
+            copy["editor"] = *editor;
+        }
+        scaleObjects(data, copy, names, factors, {}).change(copy);
         return true;
     } catch (CommandError const&) {
         return false;

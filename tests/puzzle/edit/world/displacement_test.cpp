@@ -12,6 +12,7 @@
 #include <cmath>
 
 namespace trembler::edit {
+namespace displacement_test {
 namespace {
 
 void expectNear(Vec2 a, Vec2 b, std::string const& what) {
@@ -124,4 +125,5 @@ TEST(Displacement, RefusesWhatIsNoPlaceOrSize) {
 }
 
 } // namespace
+} // namespace displacement_test
 } // namespace trembler::edit
