@@ -7,7 +7,8 @@
 #include "runtime/level/read/read_level.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -79,6 +80,8 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
 
 void EditParts::setData(std::shared_ptr<GameData const> next) {
     former_ = std::exchange(data, std::move(next));
+    about = {};
+    inspected = {};
     dataParts.emplace(data->parts, context.canvas);
 }
 
@@ -134,7 +137,7 @@ void EditParts::read() {
     if (readRevision_ == document.revision()) {
         return;
     }
-    auto const begun = std::chrono::steady_clock::now();
+    std::clock_t const begun = std::clock(); // not the time of day: the machine may be busy
     readRevision_ = seenRevision_ = document.revision();
     sinceRead_ = 0;
     try {
@@ -149,13 +152,14 @@ void EditParts::read() {
     world.build(*data, shown, document.tree());
     scene.start();
     std::vector<std::string> const all = edit::objectNames(document.tree());
+    std::set<std::string> const there(all.begin(), all.end());
     for (std::string const& name : std::vector<std::string>(selection.objects())) {
-        if (std::find(all.begin(), all.end(), name) == all.end()) {
+        if (!there.contains(name)) {
             selection.remove(name);
         }
     }
     view.setSubject(extent());
-    readTook_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    readTook_ = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
 }
 
 void EditParts::followChanges(bool dragging) {

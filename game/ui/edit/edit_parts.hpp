@@ -13,12 +13,15 @@
 #include "game/ui/shared/ui_context.hpp"
 #include "game/ui/tools/camera_control.hpp"
 #include "puzzle/edit/document/level_document.hpp"
+#include "puzzle/edit/inspect/inspector.hpp"
 #include "puzzle/edit/problems/live_problems.hpp"
 #include "puzzle/edit/recovery/autosave.hpp"
 #include "puzzle/edit/world/edited_world.hpp"
 #include "render/scene/scene_view.hpp"
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +38,22 @@ struct EditOptions {
     std::function<void(std::shared_ptr<GameData const>)> partsMade{};
     WorldOptions world{};
     std::filesystem::path recovery{}; ///< folder for unsaved work; empty: none is kept
+};
+
+/// What takes long to find out about many selected objects, of a state of the document.
+struct AboutSelection {
+    std::uint64_t revision = 0;
+    std::vector<std::string> names;
+    std::optional<Box> box; ///< around those that are not locked, m
+    bool scales = false;    ///< alike in both directions
+    bool stretches = false; ///< in one direction
+    bool known = false;
+};
+struct InspectedSelection {
+    std::uint64_t revision = 0;
+    std::vector<std::string> names;
+    std::vector<edit::InspectedProperty> properties;
+    bool known = false;
 };
 
 /// Each part keeps its own state; here is what concerns several. Window thread only; the context must outlive
@@ -72,12 +91,14 @@ struct EditParts {
     bool panelKeys = false;          ///< the panel has the keyboard
     std::optional<Tab> panelHadKeys; ///< the page that had it in the last picture
     std::string searched;            ///< in the catalogue of parts
+    mutable AboutSelection about;    ///< see edit_geometry.hpp
+    InspectedSelection inspected;    ///< of the page of properties
     std::string goalPlace;           ///< of the chosen condition
     bool goalChosen = false;
 
-    edit::Gesture widget;  ///< of the widget that is being used: all its values are one step of undo
-    std::string typedItem; ///< the text field that is being used
-    std::string typedText; ///< and its text, until it is left
+    edit::Gesture widget; ///< of the widget that is being used: all its values are one step of undo
+    std::map<std::string, std::string>
+        typed; ///< texts of the fields that are being used, until they are left
 
     FileBrowser browser;
     CommandPalette palette;
@@ -93,6 +114,8 @@ struct EditParts {
     [[nodiscard]] edit::Json const& tree() const { return document.tree(); }
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
     [[nodiscard]] PartCatalog& catalog() { return *dataParts; }
+    /// Whether the document changed a moment ago, as it does in every picture of a drag.
+    [[nodiscard]] bool changing() const { return sinceChange_ < 0.1; }
     [[nodiscard]] bool dialogOpen() const { return browser.isOpen() || palette.isOpen() || dialogs.isOpen(); }
 
     /// Makes a command from the present tree and runs it; what it made is selected. What cannot be done is

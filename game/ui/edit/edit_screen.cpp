@@ -170,6 +170,7 @@ void EditScreen::handleKeys() {
 
 std::optional<ScreenRequest> EditScreen::update(double seconds) {
     parts_.request.reset();
+    words::followLanguage();
     if (parts_.test != nullptr) {
         updateTest(seconds);
         return std::exchange(parts_.request, std::nullopt);

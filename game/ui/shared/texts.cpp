@@ -10,6 +10,8 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <system_error>
+#include <vector>
 
 namespace trembler::ui {
 namespace {
@@ -23,8 +25,8 @@ struct TextsInUse {
     TextMap texts;
 };
 
-void addTexts(TextMap& texts, std::string_view language) {
-    std::ifstream in(homeFolder() / "assets" / "text" / (std::string(language) + ".json"));
+void addTextsOf(TextMap& texts, std::filesystem::path const& file) {
+    std::ifstream in(file);
     auto const all = nlohmann::json::parse(in, nullptr, false);
     if (!all.is_object()) {
         return;
@@ -33,6 +35,23 @@ void addTexts(TextMap& texts, std::string_view language) {
         if (value.is_string()) {
             texts[id] = value.get<std::string>();
         }
+    }
+}
+
+/// LANGUAGE.json, whose texts have ids, and the files of the folder LANGUAGE, whose texts have their English
+/// text for it.
+void addTexts(TextMap& texts, std::string_view language) {
+    auto const path = homeFolder() / "assets" / "text" / std::string(language);
+    addTextsOf(texts, path.string() + ".json");
+    std::error_code ignored;
+    std::vector<std::filesystem::path> files;
+    for (std::filesystem::directory_iterator at(path, ignored), end; !ignored && at != end;
+         at.increment(ignored)) {
+        files.push_back(at->path());
+    }
+    std::sort(files.begin(), files.end());
+    for (auto const& file : files) {
+        addTextsOf(texts, file);
     }
 }
 

@@ -58,9 +58,8 @@ void outlineObject(Canvas& canvas, Facts const& facts, Pose const& pose, Stroke 
 }
 
 /// An outline around an object; of a composite part, around each of its pieces.
-void drawMarkOf(Canvas& canvas, EditParts const& parts, std::string const& name, Stroke const& stroke) {
-    World const& world = *parts.world.world();
-    FactsReader const reader(world);
+void drawMarkOf(Canvas& canvas, EditParts const& parts, FactsReader const& reader, std::string const& name,
+                Stroke const& stroke) {
     for (ObjectId const id : parts.world.objectsOf(name)) {
         if (Facts const facts = reader.of(id); facts.visible()) {
             outlineObject(canvas, facts, poseOf(facts), stroke);
@@ -84,9 +83,10 @@ void drawSelection(Canvas& canvas, EditParts const& parts, EditMouse const& mous
     auto const near = [&](Vec2 at) {
         return trembler::length(parts.pointer.world - at) < 12 * parts.pointer.pixel;
     };
+    FactsReader const reader(*parts.world.world());
     for (std::string const& name : parts.selected()) {
         bool const locked = edit::isLocked(parts.tree(), name);
-        drawMarkOf(canvas, parts, name,
+        drawMarkOf(canvas, parts, reader, name,
                    {.colour = locked ? palette::inkSoft : palette::accent, .pixels = 3, .alpha = 0.95F});
     }
     bool const dragging = mouse.doing() == EditMouse::Doing::moving;
@@ -157,7 +157,7 @@ void drawPreview(Canvas& canvas, EditParts& parts, EditMouse const& mouse) {
         canvas.line(toPoint(from), toPoint(to), stroke);
         canvas.circle({toPoint(from), 0}, canvas.metres(5), {.tint = palette::accent});
         if (!mouse.hovered().empty()) {
-            drawMarkOf(canvas, parts, mouse.hovered(), stroke);
+            drawMarkOf(canvas, parts, FactsReader(*parts.world.world()), mouse.hovered(), stroke);
         }
     } else if (mouse.doing() == Doing::drawing) {
         if (parts.tool == Tool::disc) {
