@@ -229,7 +229,9 @@ void setAngle(Json& entry, double degrees) {
     constexpr double unit = 1e6;
     double const rounded = std::round(degrees * unit) / unit;
     if (rounded == 0) {
-        entry.erase("angle_deg");
+        if (angleOf(entry) != 0) { // a 0 that the author wrote stays
+            entry.erase("angle_deg");
+        }
     } else {
         setObjectMember(entry, "angle_deg", numberJson(rounded));
     }

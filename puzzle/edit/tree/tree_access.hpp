@@ -68,7 +68,7 @@ void setLevelMember(Json& level, std::string const& key, Json value);
 /// Where an object is, m, and its angle in degrees; 0 if it does not state them.
 [[nodiscard]] Vec2 placeOf(Json const& entry);
 [[nodiscard]] double angleOf(Json const& entry);
-/// Set them; an angle of 0 is removed.
+/// Set them; an angle that becomes 0 is removed.
 void setPlace(Json& entry, Vec2 at);
 void setAngle(Json& entry, double degrees);
 
