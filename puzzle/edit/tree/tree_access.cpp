@@ -11,9 +11,10 @@ namespace {
 constexpr std::size_t longestName = 100; // bytes
 
 std::vector<std::string> const& levelOrder() {
-    static std::vector<std::string> const keys{
-        "$schema", "version",     "title",   "text",    "demonstration", "mods",  "world",     "objects",
-        "joints",  "connections", "placing", "toolbox", "goals",         "hints", "solutions", "editor"};
+    static std::vector<std::string> const keys{"$schema",  "version", "title",     "text",   "demonstration",
+                                               "mods",     "world",   "objects",   "joints", "connections",
+                                               "placing",  "toolbox", "goals",     "task",   "hints",
+                                               "teaching", "texts",   "solutions", "editor"};
     return keys;
 }
 
