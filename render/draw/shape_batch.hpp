@@ -19,6 +19,8 @@ struct BatchView {
     float metresPerPixel = 0.01F;
     float uiScale = 1.F;
     float time = 0.F; ///< s, moves the water
+    std::array<float, 2> flatAt{}; ///< metres from the middle of the view: see flagFlattened
+    std::array<float, 2> flatBy{1.F, 1.F};
 };
 
 /// Window thread only.

@@ -14,6 +14,8 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <cfloat>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace trembler::render {
 
@@ -116,10 +118,38 @@ void Gui::beginFrame(InputEvents const& input, double seconds) {
     ImGui::NewFrame();
 }
 
-void Gui::endFrame() {
+namespace {
+
+/// Draws only the list beneath all panels, or only the others.
+void renderLists(ImDrawData& all, bool beneath) {
+    ImDrawList const* const lowest = ImGui::GetBackgroundDrawList();
+    std::vector<std::pair<ImDrawList*, ImVector<ImDrawCmd>>> hidden;
+    for (int i = 0; i < all.CmdListsCount; ++i) {
+        if ((all.CmdLists[i] == lowest) != beneath) {
+            hidden.emplace_back(all.CmdLists[i], ImVector<ImDrawCmd>());
+            hidden.back().first->CmdBuffer.swap(hidden.back().second);
+        }
+    }
+    ImGui_ImplOpenGL3_RenderDrawData(&all);
+    for (auto& [list, commands] : hidden) {
+        list->CmdBuffer.swap(commands);
+    }
+}
+
+} // namespace
+
+void Gui::endFrame(std::function<void()> const& beneath) {
     ImGui::Render();
     window_.bind();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    ImDrawData& all = *ImGui::GetDrawData();
+    if (!beneath) {
+        ImGui_ImplOpenGL3_RenderDrawData(&all);
+        return;
+    }
+    renderLists(all, true);
+    beneath();
+    window_.bind();
+    renderLists(all, false);
 }
 
 void Gui::dropFrame() {
