@@ -17,6 +17,9 @@ enum class KeyUse : std::uint8_t {
     held,    ///< the command acts as long as the key is held, see isHeld()
 };
 
+/// When the button of a gamepad means a command: the same button may mean another one at another time.
+enum class PadPhase : std::uint8_t { always, building, running };
+
 /// The section of the page of keys in which a command is listed.
 enum class CommandGroup : std::uint8_t { building, running, looking, program, editing };
 
@@ -45,6 +48,7 @@ struct CommandInfo {
     WhenOn whenOn{};
     /// The id of a command whose key has the same effect, for tips; "" if there is none.
     std::string_view alsoBy{};
+    PadPhase padPhase = PadPhase::always;
 };
 
 /// A row of a screen's table. `Context` is the object that the screen's commands act on.
@@ -64,6 +68,8 @@ public:
     [[nodiscard]] virtual CommandInfo const& info(std::size_t index) const = 0;
     [[nodiscard]] virtual bool available(std::size_t index) const = 0;
     [[nodiscard]] virtual bool on(std::size_t index) const = 0;
+    /// What buttons of gamepads mean at present.
+    [[nodiscard]] virtual PadPhase phase() const { return PadPhase::always; }
     /// Does nothing if the command is not available.
     virtual void run(std::size_t index) = 0;
 
@@ -92,6 +98,13 @@ public:
     [[nodiscard]] bool on(std::size_t index) const override {
         auto* const on = table_[index].on;
         return on != nullptr && on(context_);
+    }
+    [[nodiscard]] PadPhase phase() const override {
+        if constexpr (requires { context_.phase(); }) {
+            return context_.phase();
+        } else {
+            return PadPhase::always;
+        }
     }
     void run(std::size_t index) override {
         if (available(index)) {

@@ -163,7 +163,8 @@ void EditScreen::handleKeys() {
         std::vector<SDL_Event> events;
         std::copy_if(context.input.events().begin(), context.input.events().end(), std::back_inserter(events),
                      reachesScreen);
-        return carryOutKeys(events, context.keys, commands_);
+        carryOutKeys(events, context.keys, commands_);
+        return;
     }
     carryOutKeys(context.input.events(), context.keys, commands_);
 }
