@@ -48,6 +48,9 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                   .kinds = {},
                                   .keys = KeyBindings(commandLists()),
                                   .recorder = Recorder(options.pictures),
+                                  .solutions = SavedSolutions(
+                                      options.profile.empty() ? options.pictures / "solutions"
+                                                              : besideProfile(options.profile, "solutions")),
                                   .loudspeaker = options.loudspeaker},
       screen_(std::make_unique<TitleScreen>(context_)) {
     applySettings(context_);
@@ -176,6 +179,10 @@ bool GameApp::lively() const {
 }
 
 bool GameApp::frame(double seconds, bool seen) {
+    using render::PadUse;
+    bool const two = screen_->hasSecondHand() && !menu_.isOpen();
+    bool const last = context_.profile.settings().padIsSecond;
+    context_.pads.setUse(!two ? PadUse::together : last ? PadUse::lastApart : PadUse::secondApart);
     context_.input.poll();
     context_.pictures.beginFrame();
     takeKinds();
@@ -190,8 +197,12 @@ bool GameApp::frame(double seconds, bool seen) {
     }
     context_.toasts.draw(seconds); // seen or not, they grow older
     if (drawn) {
-        context_.gui.endFrame();
-        screen_->pictureComplete();
+        if (screen_->keepsPicture()) {
+            context_.gui.endFrame([this] { screen_->pictureComplete(); });
+        } else {
+            context_.gui.endFrame();
+            screen_->pictureComplete();
+        }
         context_.window.present();
     } else {
         context_.gui.dropFrame();

@@ -18,7 +18,7 @@ using LevelData = std::function<std::shared_ptr<GameData const>(std::filesystem:
 
 struct GameOptions {
     std::filesystem::path levels;         ///< folder of the levels to choose from
-    std::filesystem::path pictures = "."; ///< folder for films and pictures
+    std::filesystem::path pictures = "."; ///< folder for clips and pictures
     std::filesystem::path profile;        ///< file of settings and progress; empty: nothing is kept
     WorldOptions world;
     Loudspeaker* loudspeaker = nullptr;        ///< must outlive the game; nullptr: it is silent

@@ -4,6 +4,7 @@
 #include "game/ui/app/app.hpp"
 #include "game/ui/headless/run_sound.hpp"
 #include "game/ui/headless/screenshot.hpp"
+#include "game/ui/shared/user_folders.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -133,7 +134,7 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
         [](std::string const& text) { std::cout << text << std::endl; });
     GameApp app(window, gameData.registry, gameData.parts,
                 {.levels = gameData.home / "levels",
-                 .pictures = options.pictures,
+                 .pictures = options.pictures.empty() ? usualPicturesFolder() : options.pictures,
                  .profile = Profile::usualFile(),
                  .world = options.world,
                  .loudspeaker = &loudspeaker,

@@ -124,6 +124,7 @@ bool drawRows(UiContext& context, Settings& settings) {
     smallCaption(text("settings.shadows_tip"));
     touched = check(context, text("settings.motion"), "reduced motion", settings.reducedMotion) || touched;
     smallCaption(text("settings.motion_tip"));
+    touched = check(context, text("settings.pad_second"), "pad is second", settings.padIsSecond) || touched;
     std::string const fullscreen = withKey(text("settings.fullscreen"), "fullscreen", context.keys);
     return check(context, fullscreen.c_str(), "fullscreen", settings.fullscreen) || touched;
 }

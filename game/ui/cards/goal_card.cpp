@@ -1,4 +1,6 @@
+#include "game/ui/cards/goal_counts.hpp"
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
@@ -24,11 +26,16 @@ void smallHeading(std::string const& text) {
     ImGui::PopFont();
 }
 
-std::vector<GoalLine> linesOf(Session const& session) {
+std::vector<GoalLine> linesOf(Session const& session, std::span<int const> counts) {
     std::vector<GoalLine> lines;
     for (GoalStatus const& goal : session.judge().status()) {
         bool const underWay = !goal.met && goal.progress > 0 && goal.progress < 1;
-        lines.push_back({words::capital(goal.text), goal.met ? GoalLine::State::Met : GoalLine::State::Open,
+        std::string words = words::capital(goal.text);
+        int const count = lines.size() < counts.size() ? counts[lines.size()] : 0;
+        if (count > 1 && session.mode() != SessionMode::building) {
+            words += " (" + textWith("goal.counted", reachedOf(goal, count), count) + ")";
+        }
+        lines.push_back({std::move(words), goal.met ? GoalLine::State::Met : GoalLine::State::Open,
                          underWay ? static_cast<float>(goal.progress) : -1.F});
     }
     return lines;
@@ -66,12 +73,12 @@ void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& lo
         caption(level.text.c_str());
         rule();
     }
-    std::vector<GoalLine> const lines = linesOf(session);
+    std::vector<GoalLine> const lines = linesOf(session, look.counts);
     if (lines.empty()) {
         caption(words::noGoal);
     } else {
         if (!look.brief) {
-            smallHeading(words::goal);
+            smallHeading(look.task ? text("goal.task") : words::goal);
         }
         goalLines(lines);
     }

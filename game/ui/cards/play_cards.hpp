@@ -7,6 +7,7 @@
 #include "puzzle/session/session.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 
 namespace trembler::ui {
@@ -25,12 +26,16 @@ inline constexpr float cornerRow = 74; ///< height of the buttons in the top rig
 
 struct GoalCardLook {
     std::size_t hintsShown = 0;
-    bool brief = false; ///< only the goals, without the story: another card needs the room
+    bool brief = false;            ///< only the goals, without the story: another card needs the room
+    bool task = false;             ///< of a demonstration
+    std::span<int const> counts{}; ///< see goalCounts()
 };
 
 struct SuccessLook {
-    bool narrow = false;   ///< in the toolbox's place, so that it covers nothing of the machine
-    bool confetti = false; ///< the player has done something for it
+    bool narrow = false;        ///< in the toolbox's place, so that it covers nothing of the machine
+    bool confetti = false;      ///< something may move for decoration
+    char const* next = nullptr; ///< the words of the button that leads on; nullptr: "Next level"
+    bool last = false;          ///< every puzzle is solved now
 };
 
 // Each function draws its card between Gui::beginFrame and endFrame. Commands that the player asks for are

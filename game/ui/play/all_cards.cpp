@@ -1,7 +1,11 @@
 #include "game/ui/play/all_cards.hpp"
 
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/theme.hpp"
 
 #include <algorithm>
 
@@ -54,6 +58,40 @@ void drawPanels(PlayParts& parts, float screen) {
     }
 }
 
+/// While a clip is being recorded: how long it is.
+void drawRecording(PlayParts const& parts) {
+    if (!parts.film.recording()) {
+        return;
+    }
+    using namespace render;
+    std::string const words = textWith("clip.goes_on", parts.film.seconds());
+    ImFont* const font = theme().fonts.strong;
+    ImVec2 const size = font->CalcTextSizeA(font->FontSize, 1e9F, 0, words.c_str());
+    float const left = 0.5F * (ImGui::GetIO().DisplaySize.x - size.x);
+    float const top = scaled(20);
+    auto& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled({left - scaled(30), top - scaled(6)},
+                       {left + size.x + scaled(12), top + size.y + scaled(6)},
+                       imColour(faded(palette::paperLight, 0.95F)), scaled(9));
+    list.AddCircleFilled({left - scaled(15), top + 0.5F * size.y}, scaled(6), imColour(palette::warning));
+    list.AddText(font, font->FontSize, {left, top}, imColour(palette::ink), words.c_str());
+}
+
+SuccessLook successLook(PlayParts const& parts, bool narrow) {
+    SuccessLook look{.narrow = narrow, .confetti = !parts.context.profile.settings().reducedMotion};
+    if (!parts.celebration.showing()) {
+        return look;
+    }
+    AfterLevel const after = afterThis(parts);
+    look.last = after == AfterLevel::end;
+    if (after == AfterLevel::gallery) {
+        look.next = text("success.gallery");
+    } else if (after == AfterLevel::levels) {
+        look.next = text("success.levels");
+    }
+    return look;
+}
+
 } // namespace
 
 std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& commands) {
@@ -61,8 +99,13 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     Layout& layout = context.layout;
     Session const& session = parts.session;
     CommandButtons buttons(layout, context.keys, commands);
+    // While it runs the card covers as little as possible, unless hints are being read.
+    bool const inPlay = !parts.run.building() && parts.hintsShown == 0;
     drawGoalCard(layout, session,
-                 {.hintsShown = parts.hintsShown, .brief = parts.components.open() || parts.modsPanel.open()},
+                 {.hintsShown = parts.hintsShown,
+                  .brief = parts.components.open() || parts.modsPanel.open() || inPlay,
+                  .task = parts.ofGallery,
+                  .counts = parts.goalCounts},
                  &buttons);
     drawCorner(buttons);
     if (parts.run.building() && !parts.inspector.open()) {
@@ -76,13 +119,11 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     drawTransport(buttons, parts.run);
     drawTools(buttons, session, parts.hasMods());
     bool const boxed = !session.level().toolbox.empty() || session.level().wires > 0;
-    bool const done = !session.placed().empty() || !session.wires().empty() || !session.inputs().empty();
-    drawSuccess(buttons, session, parts.celebration,
-                {.narrow = boxed && !parts.inspector.open(),
-                 .confetti = done && !context.profile.settings().reducedMotion});
+    drawSuccess(buttons, session, parts.celebration, successLook(parts, boxed && !parts.inspector.open()));
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
     parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
     drawPanels(parts, screen);
+    drawRecording(parts);
     return buttons.asked();
 }
 

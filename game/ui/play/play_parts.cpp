@@ -1,11 +1,13 @@
 #include "game/ui/play/play_parts.hpp"
 
+#include "game/ui/cards/goal_counts.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
 #include "render/scene/areas.hpp"
 #include "runtime/level/read/read_level.hpp"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -25,7 +27,8 @@ std::string buildId(LevelCatalog const& levels, std::filesystem::path const& fil
 PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
                      std::shared_ptr<GameData const> levelData, WorldOptions const& options,
                      LevelFile const* stated)
-    : context(uiContext), file(std::move(levelFile)), data(std::move(levelData)),
+    : context(uiContext), file(std::move(levelFile)), id(buildId(context.levels, file)),
+      ofGallery(context.levels.inGallery(file)), data(std::move(levelData)),
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
       session(data ? data->registry : context.registry, data ? data->parts : context.parts,
               stated != nullptr ? *stated
@@ -34,9 +37,13 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
               options),
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session), secondHand(session, 1),
-      budget(data ? data->registry : context.registry), goals(session.level()), audio(context.loudspeaker),
-      touches(context.loudspeaker), run(session, placing, hand, budget, audio, view, runEvents()),
-      keeper(context.builds, buildId(context.levels, file)), film(context.recorder, context.toasts),
+      budget(data ? data->registry : context.registry), goals(session.level()),
+      goalCounts(ui::goalCounts(session.level())), audio(context.loudspeaker), touches(context.loudspeaker),
+      run(session, placing, hand, budget, audio, view, runEvents()),
+      lesson(session, !context.profile.solved(id)), keeper(context.builds, id),
+      film(context.recorder, context.toasts),
+      shelf(context.solutions, id, data ? data->registry : context.registry, session,
+            context.profile.progress(), [this](Solution const& solution) { load(solution); }),
       picking(session, inspector), mouse(session, placing, group, wires, hand, secondHand, view, picking),
       workshop(data ? std::make_unique<Workshop>(*data, session) : nullptr) {
     inspector.setScripts(data ? data->scripts.get() : nullptr);
@@ -75,6 +82,7 @@ RunEvents PlayParts::runEvents() {
                 [this] {
                     secondHand.reset();
                     sparks.reset();
+                    cuts.reset();
                     celebration.reset();
                     reportedAltered_ = false;
                     film.end();
@@ -98,7 +106,7 @@ void PlayParts::stepped() {
 
 void PlayParts::solvedLevel(std::string const& id) {
     context.profile.markSolved(id);
-    if (session.whyNotRecorded() || session.level().demonstration) {
+    if (session.whyNotRecorded() || ofGallery) {
         return; // only solutions of puzzles have kinds
     }
     context.kinds.look(id, data, data ? data->registry : context.registry, data ? data->parts : context.parts,
@@ -131,6 +139,17 @@ void PlayParts::newWorld() {
     picking.forget();
 }
 
+void PlayParts::load(Solution const& solution) {
+    run.stop();
+    placing.reset();
+    group.reset();
+    wires.reset();
+    inspector.close();
+    session.load(solution);
+    newWorld();
+    context.toasts.add(textWith("solutions.loaded", solution.name), render::ToastKind::News, 5);
+}
+
 void PlayParts::restart() {
     run.stop();
     placing.reset();
@@ -139,6 +158,7 @@ void PlayParts::restart() {
     inspector.close();
     session.putAllBack();
     hintsShown = 0;
+    lesson.restart();
     newWorld();
     view.fit();
 }
@@ -156,6 +176,44 @@ render::Extent PlayParts::subject() const {
         all.add(render::Point{2, 2});
     }
     return all.widened(0.06 * render::length(all.half()));
+}
+
+void PlayParts::showCut() {
+    render::Link const wire = hand.takeCut();
+    if (!wire.a.valid() || context.profile.settings().reducedMotion) {
+        return;
+    }
+    World const& world = session.world();
+    render::FactsReader const reader(world);
+    cuts.add(render::cablePath(reader.of(wire.a), scene.poseOf(world, wire.a), reader.of(wire.b),
+                               scene.poseOf(world, wire.b)));
+}
+
+std::vector<render::Extent> PlayParts::extents() const {
+    constexpr double gap = 0.06; // m, around each
+    render::Extent const focus = render::sceneFocus(session.world());
+    std::vector<render::Extent> all;
+    for (render::Facts const& facts : render::FactsReader(session.world()).drawOrder()) {
+        render::Extent const own = render::extentOf(facts, render::poseOf(facts));
+        if (own.empty() || !own.overlaps(focus)) {
+            continue;
+        }
+        render::Extent seen; // of a floor without end only the part that matters
+        for (render::Point const corner : {own.lower, own.upper}) {
+            seen.add(render::Point{std::clamp(corner.x, focus.lower.x, focus.upper.x),
+                                   std::clamp(corner.y, focus.lower.y, focus.upper.y)});
+        }
+        all.push_back(seen.widened(gap));
+    }
+    if (session.level().placing) {
+        for (Area const& area : *session.level().placing) {
+            all.push_back(render::extentOf(area).widened(gap));
+        }
+    }
+    if (render::Extent const goal = goals.extent(); !goal.empty()) {
+        all.push_back(goal.widened(gap));
+    }
+    return all;
 }
 
 std::optional<TurnHandle> PlayParts::handle() {

@@ -47,6 +47,7 @@ CatalogEntry entryFor(DataOfLevels& data, fs::path const& file, std::string id) 
     try {
         LevelFile const level = loadLevel(data.registryOf(file), file);
         entry.demonstration = level.demonstration;
+        entry.task = level.demonstration && !level.task.is_null();
         entry.texts = level.texts;
         if (!level.title.empty()) {
             entry.title = level.title;
@@ -240,6 +241,11 @@ CatalogEntry const* LevelCatalog::next(CampaignProgress const& progress, fs::pat
         }
     }
     return first;
+}
+
+bool LevelCatalog::inGallery(fs::path const& file) const {
+    CatalogGroup const* const home = groupOf(find(file));
+    return home != nullptr && home->gallery;
 }
 
 std::size_t LevelCatalog::puzzles() const {

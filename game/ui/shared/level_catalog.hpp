@@ -21,6 +21,7 @@ struct CatalogEntry {
     std::string title;          ///< from the file; the file's name if it cannot be read
     std::string trouble;        ///< why it cannot be played, as a sentence for the player; empty if it can
     bool demonstration = false; ///< reaches its goals by itself
+    bool task = false;          ///< a demonstration with something to do
     Translations texts{};       ///< its title in further languages
 };
 
@@ -62,6 +63,8 @@ public:
     /// of a gallery the same as after().
     [[nodiscard]] CatalogEntry const* next(CampaignProgress const& progress,
                                            std::filesystem::path const& file = {}) const;
+    /// Whether the file is a level of a gallery of demonstrations.
+    [[nodiscard]] bool inGallery(std::filesystem::path const& file) const;
     /// How many playable puzzles there are, demonstrations of galleries and levels of mods not among them.
     [[nodiscard]] std::size_t puzzles() const;
 

@@ -76,12 +76,6 @@ std::string solutionSaved(std::string const& path) {
     return "Saved as " + path + ". \"trembler run\" plays it with --solution.";
 }
 
-std::string recordingTo(std::string const& folder) {
-    return "Recording every frame into " + folder;
-}
-std::string recorded(int frames, std::string const& folder) {
-    return fmt::format("{} in {}", count(frames, "frame", "frames"), folder);
-}
 std::string modLine(std::string const& name, std::string const& version, std::string const& author,
                     std::string const& licence) {
     return fmt::format("{} {}, by {}, {}", name, version, author, licence);

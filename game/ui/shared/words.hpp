@@ -183,8 +183,6 @@ inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 [[nodiscard]] std::string cannotWrite(std::string const& path, std::string const& why);
 [[nodiscard]] std::string pictureTaken(std::string const& path);
 [[nodiscard]] std::string solutionSaved(std::string const& path);
-[[nodiscard]] std::string recordingTo(std::string const& folder);
-[[nodiscard]] std::string recorded(int frames, std::string const& folder);
 [[nodiscard]] std::string andMore(std::size_t count);
 /// Of a mod: "wind 1.0, by the Trembler project, MIT"
 [[nodiscard]] std::string modLine(std::string const& name, std::string const& version,

@@ -6,7 +6,7 @@
 
 namespace trembler::ui {
 
-void saveSolution(Session const& session, std::string const& level, Recorder& recorder,
+void saveSolution(Session const& session, std::string const& levelId, SavedSolutions const& saved,
                   render::Toasts& toasts) {
     if (session.mode() == SessionMode::building || session.world().frame() == 0) {
         toasts.add(words::runBeforeSaving, render::ToastKind::News, 5);
@@ -17,7 +17,9 @@ void saveSolution(Session const& session, std::string const& level, Recorder& re
         return;
     }
     try {
-        auto const path = recorder.solution(session.record(words::mySolution), level);
+        auto const number = saved.of(levelId).size() + 1;
+        std::string const name = words::mySolution + (" " + std::to_string(number));
+        auto const path = saved.save(levelId, session.record(name));
         toasts.add(words::solutionSaved(path.string()), render::ToastKind::News, 6);
     } catch (std::runtime_error const& error) {
         toasts.add(error.what(), render::ToastKind::Trouble, 6);

@@ -1,8 +1,6 @@
 // The program holds one screen of any type; menus over it can be used with the keyboard alone.
 #include "tests/game/ui/player.hpp"
-
-#include <SDL_gamecontroller.h>
-#include <SDL_joystick.h>
+#include "tests/game/ui/virtual_pad.hpp"
 
 #include <optional>
 #include <utility>
@@ -146,8 +144,8 @@ TEST(KeyboardAlone, SettingsAreChanged) {
     player.key(SDLK_ESCAPE);
     player.frames(2);
     player.key(SDLK_DOWN);
-    for (int i = 0; i < 3; ++i) {
-        player.key(SDLK_DOWN); // resume, again, levels, settings
+    for (int i = 0; i < 4; ++i) {
+        player.key(SDLK_DOWN); // resume, again, solutions, levels, settings
     }
     player.key(SDLK_RETURN);
     player.frames(2);
@@ -168,45 +166,6 @@ TEST(KeyboardAlone, SettingsAreChanged) {
     player.key(SDLK_RETURN);
     EXPECT_EQ(player.app().menu().page(), MenuPage::settings);
 }
-
-/// A gamepad that is plugged in while the program runs.
-class VirtualPad {
-public:
-    VirtualPad()
-        : device_(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
-                                            SDL_CONTROLLER_BUTTON_MAX, 0)) {
-        joystick_ = device_ < 0 ? nullptr : SDL_JoystickOpen(device_);
-        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1"); // no window has the focus here
-    }
-    ~VirtualPad() {
-        SDL_JoystickClose(joystick_);
-        SDL_JoystickDetachVirtual(device_);
-    }
-    VirtualPad(VirtualPad const&) = delete;
-    VirtualPad& operator=(VirtualPad const&) = delete;
-
-    [[nodiscard]] bool works() const {
-        return joystick_ != nullptr && SDL_IsGameController(device_) == SDL_TRUE;
-    }
-    void press(Player& player, SDL_GameControllerButton button) const {
-        for (Uint8 const state : {Uint8{SDL_PRESSED}, Uint8{SDL_RELEASED}}) {
-            SDL_JoystickSetVirtualButton(joystick_, button, state);
-            SDL_JoystickUpdate();
-            player.frames(2);
-        }
-    }
-    void push(Player& player, SDL_GameControllerAxis axis, Sint16 value) const {
-        for (Sint16 const way : {value, Sint16{0}}) {
-            SDL_JoystickSetVirtualAxis(joystick_, axis, way);
-            SDL_JoystickUpdate();
-            player.frames(2);
-        }
-    }
-
-private:
-    int device_;
-    SDL_Joystick* joystick_ = nullptr;
-};
 
 TEST(GamepadAlone, MenusAreUsedAndALevelIsOpened) {
     Player player;
