@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 auto const breezeLevel = dataFolder() / "breeze.json";
 
 /// Everything fits onto its card and onto the screen.
-void expectTidy(Player& player, std::string const& what) {
+void expectModsTidy(Player& player, std::string const& what) {
     render::Size const size = window().size();
     for (Placed const& card : player.layout().cards()) {
         EXPECT_GE(card.rect.low.x, 0) << what << ": " << card.name;
@@ -46,21 +46,21 @@ TEST_P(ModsPanelSizes, ShowsEachScriptWithItsBoxAndItsParameters) {
     ASSERT_TRUE(player.showsCard("mods"));
     EXPECT_TRUE(player.shows("script Dynamics <- Calm"));
     EXPECT_FALSE(player.shows("speed of Dynamics <- Breeze")) << "folded";
-    expectTidy(player, "folded");
+    expectModsTidy(player, "folded");
     player.clickItem("script Dynamics <- Breeze");
     player.frames(3);
     for (char const* const item :
          {"switch of Dynamics <- Breeze", "script Dynamics <- Breeze", "object of Dynamics <- Breeze"}) {
         EXPECT_TRUE(player.shows(item)) << item;
     }
-    expectTidy(player, "building");
+    expectModsTidy(player, "building");
     player.scrollTo("mods", "speed of Dynamics <- Breeze");
     EXPECT_TRUE(player.shows("speed of Dynamics <- Breeze"));
-    expectTidy(player, "scrolled");
+    expectModsTidy(player, "scrolled");
     player.look("mods-building-" + std::to_string(GetParam().height));
     player.key(SDLK_SPACE);
     player.simulate(64);
-    expectTidy(player, "running");
+    expectModsTidy(player, "running");
     player.look("mods-running-" + std::to_string(GetParam().height));
     player.key(SDLK_c);
     player.frames(3);
@@ -197,7 +197,7 @@ TEST_F(SavedScripts, WithAMistakeLeaveTheOldOneAndTheMessageIsOnThePanel) {
     WorkshopScript const& script = player.play().workshop()->scripts().front();
     ASSERT_EQ(script.refused.size(), 1U);
     EXPECT_NE(script.refused.front().find("push.lua:6:"), std::string::npos) << script.refused.front();
-    expectTidy(player, "a file that is not used");
+    expectModsTidy(player, "a file that is not used");
     player.look("mods-refused");
     double const then = speedOfBox(player);
     player.simulate(16);
@@ -205,7 +205,7 @@ TEST_F(SavedScripts, WithAMistakeLeaveTheOldOneAndTheMessageIsOnThePanel) {
     save("error(\"no such thing\")");
     player.frames(40);
     ASSERT_TRUE(script.failure);
-    expectTidy(player, "a script that fails");
+    expectModsTidy(player, "a script that fails");
     player.look("mods-failed");
 }
 

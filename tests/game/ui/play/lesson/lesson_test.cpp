@@ -115,9 +115,14 @@ TEST(FirstLesson, ComesToRestAndIsNotRepeatedOnceTheLevelIsSolved) {
 TEST(Lessons, FollowWhatIsDone) {
     Session session(gameData().registry, gameData().parts, [] {
         LevelFile level = loadLevel(gameData().registry, dataFolder() / "wires.json");
-        TeachingStep wire{.kind = Kind::wire, .object = "plus", .other = "lamp"};
-        TeachingStep const run{.kind = Kind::run};
-        TeachingStep cut{.kind = Kind::cut, .object = "lamp", .other = "plus"};
+        TeachingStep wire;
+        wire.kind = Kind::wire;
+        wire.object = "plus";
+        wire.other = "lamp";
+        TeachingStep run;
+        run.kind = Kind::run;
+        TeachingStep cut = wire;
+        cut.kind = Kind::cut;
         level.teaching = {wire, run, cut};
         return level;
     }());
