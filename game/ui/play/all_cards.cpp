@@ -68,7 +68,7 @@ void drawRecording(PlayParts const& parts) {
     ImFont* const font = theme().fonts.strong;
     ImVec2 const size = font->CalcTextSizeA(font->FontSize, 1e9F, 0, words.c_str());
     float const left = 0.5F * (ImGui::GetIO().DisplaySize.x - size.x);
-    float const top = scaled(20);
+    float const top = ImGui::GetIO().DisplaySize.y - scaled(bottomRow + 36); // toasts are at the top
     auto& list = *ImGui::GetForegroundDrawList();
     list.AddRectFilled({left - scaled(30), top - scaled(6)},
                        {left + size.x + scaled(12), top + size.y + scaled(6)},

@@ -116,13 +116,20 @@ std::string keysFor(PlayParts const& parts, std::string_view command) {
     return {};
 }
 
+/// The keys that move things, in words if they are the arrows.
 std::string arrowsFor(PlayParts const& parts) {
+    if (parts.lesson.device() == InputDevice::pad) {
+        return text("lesson.pad_arrows");
+    }
+    auto const left = parts.context.keys.keysOf("move-left");
+    if (!left.empty() && left.front() == Chord{SDLK_LEFT}) {
+        return text("lesson.arrows");
+    }
     std::string all;
     for (char const* const command : {"move-left", "move-right", "move-up", "move-down"}) {
-        std::string const key = keysFor(parts, command);
-        all += (all.empty() || key.size() < 4 ? "" : ", ") + key;
+        all += (all.empty() ? "" : ", ") + keysFor(parts, command);
     }
-    return parts.lesson.device() == InputDevice::pad ? text("lesson.pad_arrows") : all;
+    return all;
 }
 
 /// Where an object is on the screen; nothing if it is not in the world.
