@@ -120,18 +120,27 @@ void Gui::beginFrame(InputEvents const& input, double seconds) {
 
 namespace {
 
-/// Draws only the list beneath all panels, or only the others.
+/// Draws only the words beneath all panels, or only everything else. Those words are the commands of the
+/// lowest list from a reset of the render state on; before it are the shadows of cards.
 void renderLists(ImDrawData& all, bool beneath) {
     ImDrawList const* const lowest = ImGui::GetBackgroundDrawList();
-    std::vector<std::pair<ImDrawList*, ImVector<ImDrawCmd>>> hidden;
+    std::vector<std::pair<ImDrawList*, ImVector<ImDrawCmd>>> whole;
     for (int i = 0; i < all.CmdListsCount; ++i) {
-        if ((all.CmdLists[i] == lowest) != beneath) {
-            hidden.emplace_back(all.CmdLists[i], ImVector<ImDrawCmd>());
-            hidden.back().first->CmdBuffer.swap(hidden.back().second);
+        ImDrawList* const list = all.CmdLists[i];
+        ImVector<ImDrawCmd> seen;
+        bool words = false;
+        for (ImDrawCmd const& command : list->CmdBuffer) {
+            words = words || (list == lowest && command.UserCallback == ImDrawCallback_ResetRenderState);
+            if (words == beneath) {
+                seen.push_back(command);
+            }
         }
+        list->CmdBuffer.swap(seen);
+        whole.emplace_back(list, ImVector<ImDrawCmd>());
+        whole.back().second.swap(seen);
     }
     ImGui_ImplOpenGL3_RenderDrawData(&all);
-    for (auto& [list, commands] : hidden) {
+    for (auto& [list, commands] : whole) {
         list->CmdBuffer.swap(commands);
     }
 }

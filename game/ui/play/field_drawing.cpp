@@ -6,6 +6,8 @@
 #include "render/panels/world_label.hpp"
 #include "render/scene/objects/part.hpp"
 
+#include <imgui.h>
+
 namespace trembler::ui {
 namespace {
 
@@ -122,6 +124,9 @@ void drawBlades(PlayParts const& parts) {
 void drawWords(PlayParts const& parts, bool bare) {
     World const& world = parts.session.world();
     Camera const& camera = parts.camera();
+    if (bare) { // Gui::endFrame draws what follows before everything else
+        ImGui::GetBackgroundDrawList()->AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+    }
     drawSceneWords(camera, world, parts.scene, parts.run.alpha(), parts.shown.names);
     parts.goals.drawWords(camera);
     if (bare) {
