@@ -54,8 +54,12 @@ void Canvas::end() {
     newSheet();
     double const scale = camera_.pixelsPerMetre;
     batch_.draw(done_, corners_,
-                {narrow(0.5 * camera_.viewport.width / scale), narrow(0.5 * camera_.viewport.height / scale),
-                 narrow(1 / scale), options_.uiScale, narrow(std::fmod(options_.time, 3600.0)), relative(options_.flattening.about),
+                {narrow(0.5 * camera_.viewport.width / scale),
+                 narrow(0.5 * camera_.viewport.height / scale),
+                 narrow(1 / scale),
+                 options_.uiScale,
+                 narrow(std::fmod(options_.time, 3600.0)),
+                 relative(options_.flattening.about),
                  {narrow(options_.flattening.x), narrow(options_.flattening.y)}});
     sent_ = done_.size();
 }

@@ -20,9 +20,9 @@ struct Flattening {
 };
 
 struct CanvasOptions {
-    float uiScale = 1.F; ///< the factor on all lengths in pixels; take Window::uiScale
-    double time = 0;     ///< s; moves water, nothing else
-    bool shadows = true; ///< leave them out on software OpenGL: they double the cost of a frame
+    float uiScale = 1.F;     ///< the factor on all lengths in pixels; take Window::uiScale
+    double time = 0;         ///< s; moves water, nothing else
+    bool shadows = true;     ///< leave them out on software OpenGL: they double the cost of a frame
     Flattening flattening{}; ///< of what is drawn between flatten(true) and flatten(false)
 };
 
