@@ -110,7 +110,13 @@ void GameApp::openFreePlay() {
     }
     try {
         fs::create_directories(file.parent_path());
-        writeFile(file, freePlayLevel(context_.parts, text("free.title"), text("free.text")));
+        // In every language, as the player may choose another one while it is played.
+        Translations texts;
+        for (Language const& language : languages()) {
+            texts[std::string(language.id)] = {
+                textOfLanguage(language.id, "free.title"), textOfLanguage(language.id, "free.text"), {}, {}};
+        }
+        writeFile(file, freePlayLevel(context_.parts, text("free.title"), text("free.text"), texts));
     } catch (std::exception const& error) {
         context_.toasts.add(error.what(), render::ToastKind::Trouble, 10);
         return;

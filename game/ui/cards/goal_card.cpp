@@ -1,4 +1,5 @@
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/play/view/level_text.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
@@ -24,18 +25,19 @@ void smallHeading(std::string const& text) {
     ImGui::PopFont();
 }
 
-std::vector<GoalLine> linesOf(Session const& session) {
+std::vector<GoalLine> linesOf(Session const& session, LevelText const* said) {
     std::vector<GoalLine> lines;
     for (GoalStatus const& goal : session.judge().status()) {
+        bool const known = said != nullptr && lines.size() < said->goals().size();
+        std::string const& text = known ? said->goals()[lines.size()] : goal.text;
         bool const underWay = !goal.met && goal.progress > 0 && goal.progress < 1;
-        lines.push_back({words::capital(goal.text), goal.met ? GoalLine::State::Met : GoalLine::State::Open,
+        lines.push_back({words::capital(text), goal.met ? GoalLine::State::Met : GoalLine::State::Open,
                          underWay ? static_cast<float>(goal.progress) : -1.F});
     }
     return lines;
 }
 
-void drawHints(Session const& session, std::size_t hintsShown, CommandButtons& buttons) {
-    auto const& hints = session.level().hints;
+void drawHints(std::vector<std::string> const& hints, std::size_t hintsShown, CommandButtons& buttons) {
     std::size_t const shown = std::min(hintsShown, hints.size());
     for (std::size_t i = 0; i < shown; ++i) {
         smallHeading(words::hintOf(i + 1, hints.size()));
@@ -53,20 +55,23 @@ void drawHints(Session const& session, std::size_t hintsShown, CommandButtons& b
 
 void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons) {
     LevelFile const& level = session.level();
+    std::string const& title = look.said != nullptr ? look.said->title() : level.title;
+    std::string const& text = look.said != nullptr ? look.said->text() : level.text;
+    std::vector<std::string> const& hints = look.said != nullptr ? look.said->hints() : level.hints;
     layout.beginCard("goal", "", {.anchor = Anchor::TopLeft, .width = goalCardWidth});
     ImGui::PushFont(theme().fonts.heading);
-    ImGui::TextWrapped("%s", level.title.c_str());
+    ImGui::TextWrapped("%s", title.c_str());
     ImGui::PopFont();
     ImVec2 const low = ImGui::GetItemRectMin();
     float const y = ImGui::GetItemRectMax().y + scaled(2);
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, y}, {low.x + scaled(36), y + scaled(3)},
                                               imColour(palette::accent), scaled(1.5F));
     ImGui::Dummy({0, scaled(3)});
-    if (!look.brief && !level.text.empty()) {
-        caption(level.text.c_str());
+    if (!look.brief && !text.empty()) {
+        caption(text.c_str());
         rule();
     }
-    std::vector<GoalLine> const lines = linesOf(session);
+    std::vector<GoalLine> const lines = linesOf(session, look.said);
     if (lines.empty()) {
         caption(words::noGoal);
     } else {
@@ -75,9 +80,9 @@ void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& lo
         }
         goalLines(lines);
     }
-    if (!look.brief && buttons != nullptr && !level.hints.empty()) {
+    if (!look.brief && buttons != nullptr && !hints.empty()) {
         rule();
-        drawHints(session, look.hintsShown, *buttons);
+        drawHints(hints, look.hintsShown, *buttons);
     }
     layout.endCard();
 }

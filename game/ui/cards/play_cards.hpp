@@ -13,6 +13,7 @@ namespace trembler::ui {
 
 class AskedTwice;
 class Celebration;
+class LevelText;
 class PlacingTool;
 class RunControl;
 
@@ -24,6 +25,7 @@ inline constexpr float bottomRow = 74; ///< height of the cards at the bottom
 inline constexpr float cornerRow = 74; ///< height of the buttons in the top right corner
 
 struct GoalCardLook {
+    LevelText const* said = nullptr; ///< nullptr: as the level's file says it
     std::size_t hintsShown = 0;
     bool brief = false; ///< only the goals, without the story: another card needs the room
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/commands/chord.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "render/panels/icons.hpp"
 
 #include <array>
@@ -23,12 +24,12 @@ enum class CommandGroup : std::uint8_t { building, running, looking, program, ed
 /// Name and look of a switch while it is on; nullptr or None: the same as while it is off.
 struct WhenOn {
     render::Icon icon = render::Icon::None;
-    char const* name = nullptr;
-    char const* tip = nullptr;
+    Phrase name = nullptr;
+    Phrase tip = nullptr;
 };
 
-/// The public description of a command, independent of the screen that runs it. The texts are British English
-/// in static storage.
+/// The public description of a command, independent of the screen that runs it. The texts are stated in
+/// British English and read in the player's language.
 struct CommandInfo {
     /// The name in profiles; lower-case letters and hyphens. Never changes once published.
     std::string_view id;
@@ -38,10 +39,10 @@ struct CommandInfo {
     bool fixed = false; ///< the player cannot change its keys; modifiers are ignored
     render::Icon icon = render::Icon::None;
     CommandGroup group = CommandGroup::program;
-    char const* name = ""; ///< on buttons and in the list of keys
-    char const* tip = "";  ///< one line, without the key
+    Phrase name = ""; ///< on buttons and in the list of keys
+    Phrase tip = "";  ///< one line, without the key
     /// Description on the page of keys, as short as possible. Adjacent commands with equal texts share a row.
-    char const* help = "";
+    Phrase help = "";
     WhenOn whenOn{};
     /// The id of a command whose key has the same effect, for tips; "" if there is none.
     std::string_view alsoBy{};

@@ -80,11 +80,11 @@ void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, dou
     bool const absent = status.activity == Activity::absent;
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(absent ? palette::inkSoft : palette::ink));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextWrapped("%s", name.c_str());
+    ImGui::TextWrapped("%s", translated(name).c_str());
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) {
         ImGui::PushTextWrapPos(0);
-        ImGui::SetTooltip("%s", words::wrapped(std::string(status.info->text.work), 60).c_str());
+        ImGui::SetTooltip("%s", words::wrapped(translated(std::string(status.info->text.work)), 60).c_str());
         ImGui::PopTextWrapPos();
     }
     ImGui::TableNextColumn();
@@ -114,7 +114,8 @@ void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, dou
     if (!absent) {
         double const now = smooth_[name];
         float const share = slowest > 0 ? static_cast<float>(now / slowest) : 0.F;
-        drawTimeBar({.share = share > 0.005F ? share : 0.F, .text = fmt::format("{:.1f}", now)});
+        drawTimeBar(
+            {.share = share > 0.005F ? share : 0.F, .text = fmt::format(numberLocale(), "{:.1Lf}", now)});
     }
 }
 

@@ -1,11 +1,32 @@
 #include "game/ui/panels/notation_card.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+
+#include <algorithm>
 
 namespace trembler::ui {
 
 using namespace render;
+
+namespace {
+
+/// A row's text in the player's language; of a set "{Position, Shape}" each name.
+std::string shownRow(std::string const& text) {
+    if (!text.starts_with('{') || !text.ends_with('}')) {
+        return translated(text);
+    }
+    std::string shown;
+    for (std::size_t at = 1; at + 1 < text.size();) {
+        std::size_t const end = std::min(text.find(", ", at), text.size() - 1);
+        shown += (shown.empty() ? "{" : ", ") + translated(text.substr(at, end - at));
+        at = end + 2;
+    }
+    return shown + "}";
+}
+
+} // namespace
 
 void drawNotationBox(NotationBox const& box) {
     float const padding = scaled(9);
@@ -18,7 +39,7 @@ void drawNotationBox(NotationBox const& box) {
     ImGui::BeginGroup();
     ImGui::PushFont(theme().fonts.strong);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 2 * padding);
-    ImGui::TextUnformatted(box.title.c_str());
+    ImGui::TextUnformatted(translated(box.title).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     float const line = ImGui::GetCursorScreenPos().y;
@@ -32,10 +53,10 @@ void drawNotationBox(NotationBox const& box) {
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::inkSoft));
-            ImGui::TextWrapped("%s", row.label.c_str());
+            ImGui::TextWrapped("%s", translated(row.label).c_str());
             ImGui::PopStyleColor();
             ImGui::TableNextColumn();
-            ImGui::TextWrapped("%s", row.text.c_str());
+            ImGui::TextWrapped("%s", shownRow(row.text).c_str());
         }
         ImGui::EndTable();
     }

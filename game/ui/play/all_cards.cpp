@@ -58,11 +58,14 @@ void drawPanels(PlayParts& parts, float screen) {
 
 std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& commands) {
     UiContext& context = parts.context;
+    parts.said.follow();
     Layout& layout = context.layout;
     Session const& session = parts.session;
     CommandButtons buttons(layout, context.keys, commands);
     drawGoalCard(layout, session,
-                 {.hintsShown = parts.hintsShown, .brief = parts.components.open() || parts.modsPanel.open()},
+                 {.said = &parts.said,
+                  .hintsShown = parts.hintsShown,
+                  .brief = parts.components.open() || parts.modsPanel.open()},
                  &buttons);
     drawCorner(buttons);
     if (parts.run.building() && !parts.inspector.open()) {

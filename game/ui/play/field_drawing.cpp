@@ -121,10 +121,10 @@ void drawWords(PlayParts const& parts) {
     };
     auto const& carried = parts.placing.carried();
     if (carried && !carried->verdict.ok && !parts.pointer.overCard) {
-        chip(carried->landing.at, carried->verdict.why, palette::warning, 40);
+        chip(carried->landing.at, translated(carried->verdict.why), palette::warning, 40);
     }
     if (parts.group.dragging() && !parts.group.verdict().ok && !parts.pointer.overCard) {
-        chip(parts.pointer.world, parts.group.verdict().why, palette::warning, 40);
+        chip(parts.pointer.world, translated(parts.group.verdict().why), palette::warning, 40);
     }
     if (carried && carried->turning) {
         auto const degrees = static_cast<int>(std::lround(carried->landing.angle * 180 / pi));
@@ -132,7 +132,7 @@ void drawWords(PlayParts const& parts) {
     }
     if (parts.wires.laying() && !parts.pointer.overCard) {
         if (!parts.wires.why().empty()) {
-            chip(parts.pointer.world, parts.wires.why(), palette::warning, 28);
+            chip(parts.pointer.world, translated(parts.wires.why()), palette::warning, 28);
         } else if (parts.wires.from().valid() && !parts.wires.to().valid()) {
             chip(parts.pointer.world, words::wireFromHere, palette::accent, 28);
         }

@@ -29,13 +29,13 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
       session(data ? data->registry : context.registry, data ? data->parts : context.parts,
               stated != nullptr ? *stated
-                                : asPlayed(loadLevel(data ? data->registry : context.registry, file),
-                                           std::string(languageInUse())),
+                                : asPlayed(loadLevel(data ? data->registry : context.registry, file), ""),
               options),
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session), secondHand(session, 1),
-      budget(data ? data->registry : context.registry), goals(session.level()), audio(context.loudspeaker),
-      touches(context.loudspeaker), run(session, placing, hand, budget, audio, view, runEvents()),
+      budget(data ? data->registry : context.registry), goals(session.level()), said(session),
+      audio(context.loudspeaker), touches(context.loudspeaker),
+      run(session, placing, hand, budget, audio, view, runEvents()),
       keeper(context.builds, buildId(context.levels, file)), film(context.recorder, context.toasts),
       picking(session, inspector), mouse(session, placing, group, wires, hand, secondHand, view, picking),
       workshop(data ? std::make_unique<Workshop>(*data, session) : nullptr) {
@@ -107,7 +107,8 @@ void PlayParts::solvedLevel(std::string const& id) {
 
 void PlayParts::keepBuild(double seconds) {
     if (!keeper.pass(session, seconds)) {
-        context.toasts.add(textWith("builds.not_kept", keeper.why()), render::ToastKind::Trouble, 8);
+        context.toasts.add(textWith("builds.not_kept", translated(keeper.why())), render::ToastKind::Trouble,
+                           8);
     }
 }
 
@@ -118,7 +119,8 @@ void PlayParts::passMods(double seconds) {
     auto const world = &session.world();
     workshop->pass(seconds);
     for (WorkshopNews const& news : workshop->takeNews()) {
-        context.toasts.add(news.text, news.trouble ? render::ToastKind::Trouble : render::ToastKind::News,
+        context.toasts.add(translated(news.text),
+                           news.trouble ? render::ToastKind::Trouble : render::ToastKind::News,
                            news.trouble ? 10 : 4);
     }
     if (&session.world() != world) { // a script was replaced while building
@@ -129,6 +131,7 @@ void PlayParts::passMods(double seconds) {
 void PlayParts::newWorld() {
     scene.start();
     picking.forget();
+    said.newWorld();
 }
 
 void PlayParts::restart() {

@@ -15,6 +15,7 @@
 #include "game/ui/play/run/run_control.hpp"
 #include "game/ui/play/run/touch_sounds.hpp"
 #include "game/ui/play/view/goal_areas.hpp"
+#include "game/ui/play/view/level_text.hpp"
 #include "game/ui/play/view/shown.hpp"
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/play/view/spark_view.hpp"
@@ -60,6 +61,7 @@ struct PlayParts {
     SoundView sounds;
     SparkView sparks;
     GoalAreas goals;
+    LevelText said; ///< what the level says
     LevelAudio audio;
     TouchSounds touches;
     RunControl run;

@@ -117,7 +117,7 @@ void PlacingTool::follow(Pointer const& pointer) {
 void PlacingTool::drop() {
     if (!carried_->verdict.ok) {
         carried_->dragging = carried_->turning = false; // it stays in the hand and shows the reason
-        toasts_.add(carried_->verdict.why, render::ToastKind::Trouble, 2.5);
+        toasts_.add(translated(carried_->verdict.why), render::ToastKind::Trouble, 2.5);
         return;
     }
     Placement const landing = carried_->landing;
@@ -144,7 +144,7 @@ void PlacingTool::tryMove(int number, Placement const& wanted) {
     if (verdict.ok) {
         moveTo(number, wanted);
     } else {
-        toasts_.add(verdict.why, render::ToastKind::Trouble, 2.5);
+        toasts_.add(translated(verdict.why), render::ToastKind::Trouble, 2.5);
     }
 }
 

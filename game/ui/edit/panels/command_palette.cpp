@@ -85,7 +85,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
         }
         context.layout.item("run " + std::string(info.id));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", info.tip);
+            ImGui::SetTooltip("%s", static_cast<char const*>(info.tip));
         }
         if (row == chosen_ && moved) {
             ImGui::SetScrollHereY();

@@ -14,7 +14,7 @@ void Film::toggle() {
         recording_ = true;
         toasts_.add(words::recordingTo(recorder_.film().string()), render::ToastKind::News, 5);
     } catch (render::RenderError const& error) {
-        toasts_.add(error.what(), render::ToastKind::Trouble);
+        toasts_.add(translated(error.what()), render::ToastKind::Trouble);
     }
 }
 
@@ -39,7 +39,7 @@ void Film::take(std::function<render::Image()> const& pixels, bool stepped) {
         }
     } catch (render::RenderError const& error) {
         recording_ = false;
-        toasts_.add(error.what(), render::ToastKind::Trouble, 6);
+        toasts_.add(translated(error.what()), render::ToastKind::Trouble, 6);
     }
 }
 

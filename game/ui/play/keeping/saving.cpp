@@ -13,14 +13,14 @@ void saveSolution(Session const& session, std::string const& level, Recorder& re
         return;
     }
     if (auto const whyNot = session.whyNotRecorded()) {
-        toasts.add(*whyNot, render::ToastKind::Trouble, 6);
+        toasts.add(translated(*whyNot), render::ToastKind::Trouble, 6);
         return;
     }
     try {
         auto const path = recorder.solution(session.record(words::mySolution), level);
         toasts.add(words::solutionSaved(path.string()), render::ToastKind::News, 6);
     } catch (std::runtime_error const& error) {
-        toasts.add(error.what(), render::ToastKind::Trouble, 6);
+        toasts.add(translated(error.what()), render::ToastKind::Trouble, 6);
     }
 }
 
