@@ -111,7 +111,7 @@ protected:
     void look(std::string const& screen, bool data = true) {
         static std::set<std::string> const english = englishWords();
         static std::set<std::string> const allowed = wordsOfData();
-        player.frames(2);
+        player.frames(12);
         expectTidy(player, screen);
         player.look("german-" + screen + "-" + std::to_string(GetParam().height));
         std::vector<std::string> const lines = DrawnWords().lines();
@@ -131,6 +131,7 @@ protected:
         player.app().openMenu(which);
         look(page, which == MenuPage::levels || which == MenuPage::gallery);
         player.key(SDLK_ESCAPE);
+        player.frames(2);
     }
 
     Player player;
@@ -153,6 +154,7 @@ TEST_P(German, BuildingAndInspecting) {
     player.app().openMenu(MenuPage::help);
     look("help-of-a-level", false);
     player.key(SDLK_ESCAPE);
+    player.frames(12);
     player.moveTo(player.item("part steel bar"));
     player.press();
     player.moveTo(player.at({1.7, 1.8}));
