@@ -12,18 +12,20 @@ using namespace render;
 
 namespace {
 
-/// A row's text in the player's language; of a set "{Position, Shape}" each name.
+/// A row's text in the player's language; of a set in it, "{Position, Shape}", each name.
 std::string shownRow(std::string const& text) {
-    if (!text.starts_with('{') || !text.ends_with('}')) {
+    std::size_t const begin = text.find('{');
+    std::size_t const end = text.find('}', begin);
+    if (begin == std::string::npos || end == std::string::npos) {
         return translated(text);
     }
-    std::string shown;
-    for (std::size_t at = 1; at + 1 < text.size();) {
-        std::size_t const end = std::min(text.find(", ", at), text.size() - 1);
-        shown += (shown.empty() ? "{" : ", ") + translated(text.substr(at, end - at));
-        at = end + 2;
+    std::string shown = translated(text.substr(0, begin)) + "{";
+    for (std::size_t at = begin + 1; at < end;) {
+        std::size_t const next = std::min(text.find(", ", at), end);
+        shown += (at == begin + 1 ? "" : ", ") + translated(text.substr(at, next - at));
+        at = next + 2;
     }
-    return shown + "}";
+    return shown + "}" + translated(text.substr(end + 1));
 }
 
 } // namespace
