@@ -194,8 +194,9 @@ TEST_P(German, Components) {
     player.key(SDLK_c);
     player.frames(4);
     look("components");
-    player.clickItem("show absent components");
     player.clickItem("budget");
+    player.scrollTo("components", "show absent components");
+    player.clickItem("show absent components");
     player.frames(90);
     look("all-components");
 }
