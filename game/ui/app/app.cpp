@@ -50,6 +50,8 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                                   .recorder = Recorder(options.pictures),
                                   .loudspeaker = options.loudspeaker},
       screen_(std::make_unique<TitleScreen>(context_)) {
+    // A cursor that blinks would have the window drawn all the time.
+    ImGui::GetIO().ConfigInputTextCursorBlink = false;
     applySettings(context_);
     std::vector<std::string> troubles = context_.profile.troubles();
     for (std::string& trouble : context_.keys.load(context_.profile.keys())) {

@@ -105,8 +105,7 @@ void showTip(CatalogEntry const& entry, std::string const& title, bool cut) {
 } // namespace
 
 bool drawLevelCard(UiContext& context, CatalogEntry const& entry, LevelCardOptions const& options) {
-    bool clicked =
-        ImGui::InvisibleButton(entry.id.c_str(), {scaled(levelCardWidth), scaled(levelCardHeight)});
+    bool clicked = ImGui::InvisibleButton(entry.id.c_str(), {scaled(options.width), scaled(levelCardHeight)});
     context.layout.item("level " + entry.id);
     bool const hovered = ImGui::IsItemHovered();
     ImVec2 const low = ImGui::GetItemRectMin();

@@ -3,6 +3,9 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace trembler::ui {
 namespace {
 
@@ -47,6 +50,11 @@ void drawHints(Session const& session, std::size_t hintsShown, CommandButtons& b
     if (shown < hints.size()) {
         buttons.big("hint", {.label = shown == 0 ? words::hint : words::nextHint});
     }
+    // A new hint is seen at once, also on a card that scrolls.
+    int& seen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("hints seen"), 0);
+    if (std::exchange(seen, static_cast<int>(shown)) != static_cast<int>(shown)) {
+        ImGui::SetScrollHereY(1.F);
+    }
 }
 
 } // namespace
@@ -54,6 +62,17 @@ void drawHints(Session const& session, std::size_t hintsShown, CommandButtons& b
 void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons) {
     LevelFile const& level = session.level();
     layout.beginCard("goal", "", {.anchor = Anchor::TopLeft, .width = goalCardWidth});
+    // What does not fit above the buttons scrolls: its height is that of the last picture.
+    ImGuiID const heightId = ImGui::GetID("height of the content");
+    float const height = ImGui::GetStateStorage()->GetFloat(heightId);
+    float const most = ImGui::GetIO().DisplaySize.y - scaled(2 * cardGap + bottomRow) -
+                       2 * ImGui::GetStyle().WindowPadding.y;
+    bool const scrolls = height > most;
+    if (scrolls) {
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
+        ImGui::BeginChild("content", {0, most});
+    }
+    float const top = ImGui::GetCursorPosY();
     ImGui::PushFont(theme().fonts.heading);
     ImGui::TextWrapped("%s", level.title.c_str());
     ImGui::PopFont();
@@ -79,6 +98,12 @@ void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& lo
         rule();
         drawHints(session, look.hintsShown, *buttons);
     }
+    float const drawn = ImGui::GetCursorPosY() - top;
+    if (scrolls) {
+        ImGui::EndChild();
+        ImGui::PopStyleColor();
+    }
+    ImGui::GetStateStorage()->SetFloat(heightId, drawn);
     layout.endCard();
 }
 

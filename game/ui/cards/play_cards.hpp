@@ -20,8 +20,9 @@ class RunControl;
 inline constexpr float goalCardWidth = 316;
 inline constexpr float toolboxWidth = 236;
 inline constexpr float cardGap = 16;
-inline constexpr float bottomRow = 74; ///< height of the cards at the bottom
-inline constexpr float cornerRow = 74; ///< height of the buttons in the top right corner
+inline constexpr float bottomRow = 74;    ///< height of the cards at the bottom
+inline constexpr float cornerRow = 74;    ///< height of the buttons in the top right corner
+inline constexpr float roomyWidth = 1200; ///< of a window in which wide cards stand beside the others
 
 struct GoalCardLook {
     std::size_t hintsShown = 0;

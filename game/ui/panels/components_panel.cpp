@@ -5,6 +5,7 @@
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <fmt/format.h>
@@ -176,7 +177,7 @@ void ComponentsPanel::draw(Layout& layout, Session& session, budget::BudgetMode&
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
     ImGui::BeginChild("table", {0, std::max(scaled(height) - used, scaled(120))});
     costs_.drawRows(layout, session, mode, toasts, all_);
-    ImGui::Checkbox(words::showAbsent, &all_);
+    render::checkBox(words::showAbsent, &all_);
     layout.item("show absent components");
     drawTable(layout, session, toasts);
     ImGui::EndChild();

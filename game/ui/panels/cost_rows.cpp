@@ -5,6 +5,7 @@
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/cards.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ void CostRows::drawBudget(Layout& layout, budget::BudgetMode& mode) {
         wanted_ = static_cast<float>(*mode.budget() / 1000);
     }
     ImGui::AlignTextToFramePadding();
-    if (ImGui::Checkbox(words::keepToBudget, &on)) {
+    if (render::checkBox(words::keepToBudget, &on)) {
         mode.setBudget(on ? std::optional(1000.0 * static_cast<double>(wanted_)) : std::nullopt);
     }
     layout.item("budget");

@@ -4,9 +4,15 @@
 #include "game/ui/shared/words.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace trembler::ui {
 namespace {
+
+// Pixels at UI scale 1.
+constexpr float panelsWidth = 620;
+constexpr float inspectorWidth = 324;
+constexpr float leastForGoalAndPanel = 600; ///< height of the window
 
 void takeFromToolbox(PlayParts& parts, std::string const& part) {
     auto const& carried = parts.placing.carried();
@@ -23,11 +29,45 @@ std::string keyOf(KeyBindings const& bindings, std::string_view command) {
     return keys.empty() ? std::string() : labelOf(keys.front());
 }
 
+/// Which cards there is room for at the same time.
+struct Beside {
+    bool goal = true;
+    bool toolbox = true;
+    bool panels = true; ///< of components or of mods, if one is open
+    bool success = false;
+    bool narrow = false;        ///< the window
+    bool narrowSuccess = false; ///< at the right and not in the middle
+};
+
+/// In a small window a panel takes the place of the goal or the toolbox, and gives way to what the player
+/// must see or has asked for last.
+Beside cardsBeside(PlayParts const& parts) {
+    render::Window const& window = parts.context.window;
+    float const width = static_cast<float>(window.size().width) / window.uiScale();
+    float const height = static_cast<float>(window.size().height) / window.uiScale();
+    bool const panel = parts.components.open() || (parts.hasMods() && parts.modsPanel.open());
+    LevelFile const& level = parts.session.level();
+    bool const boxed = !level.toolbox.empty() || level.wires > 0;
+    Beside beside;
+    beside.narrow = width < roomyWidth;
+    beside.success = parts.celebration.showing();
+    beside.narrowSuccess = beside.narrow || (boxed && !parts.inspector.open());
+    bool const atRight = parts.inspector.open() || (beside.success && beside.narrowSuccess);
+    bool const roomForBoth = width >= panelsWidth + inspectorWidth + 3 * cardGap;
+    beside.panels = panel && (roomForBoth || !atRight);
+    beside.goal = !beside.panels || height >= leastForGoalAndPanel;
+    beside.toolbox = parts.run.building() && !parts.inspector.open() && (roomForBoth || !beside.panels);
+    return beside;
+}
+
 /// The components panel or that of mods, between the cards at the top of the screen and the row of tools.
-void drawPanels(PlayParts& parts, float screen) {
+void drawPanels(PlayParts& parts, float screen, Beside const& beside) {
     UiContext& context = parts.context;
-    float top = 150;
+    float top = beside.goal ? 150 : cornerRow;
     for (char const* above : {"goal", "success"}) {
+        if (beside.narrowSuccess && above == std::string_view("success")) {
+            continue;
+        }
         if (auto const card = context.layout.card(above)) {
             top = std::max(top, static_cast<float>(card->high.y) / context.window.uiScale() + cardGap);
         }
@@ -61,11 +101,15 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     Layout& layout = context.layout;
     Session const& session = parts.session;
     CommandButtons buttons(layout, context.keys, commands);
-    drawGoalCard(layout, session,
-                 {.hintsShown = parts.hintsShown, .brief = parts.components.open() || parts.modsPanel.open()},
-                 &buttons);
+    Beside const beside = cardsBeside(parts);
+    if (beside.goal) {
+        drawGoalCard(
+            layout, session,
+            {.hintsShown = parts.hintsShown, .brief = parts.components.open() || parts.modsPanel.open()},
+            &buttons);
+    }
     drawCorner(buttons);
-    if (parts.run.building() && !parts.inspector.open()) {
+    if (beside.toolbox) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
         if (auto const part = drawToolbox(buttons, session, parts.catalog(), parts.placing, hint,
@@ -75,14 +119,17 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     }
     drawTransport(buttons, parts.run);
     drawTools(buttons, session, parts.hasMods());
-    bool const boxed = !session.level().toolbox.empty() || session.level().wires > 0;
     bool const done = !session.placed().empty() || !session.wires().empty() || !session.inputs().empty();
-    drawSuccess(buttons, session, parts.celebration,
-                {.narrow = boxed && !parts.inspector.open(),
-                 .confetti = done && !context.profile.settings().reducedMotion});
+    drawSuccess(
+        buttons, session, parts.celebration,
+        {.narrow = beside.narrowSuccess, .confetti = done && !context.profile.settings().reducedMotion});
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
-    parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
-    drawPanels(parts, screen);
+    if (!(beside.success && beside.narrow)) {
+        parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
+    }
+    if (beside.panels) {
+        drawPanels(parts, screen, beside);
+    }
     return buttons.asked();
 }
 

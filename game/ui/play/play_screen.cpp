@@ -34,8 +34,13 @@ void PlayScreen::setView() {
     auto const scale = static_cast<double>(parts_.context.window.uiScale());
     LevelFile const& level = parts_.session.level();
     bool const boxed = !level.toolbox.empty() || level.wires > 0;
-    Margins const margins{scale * (goalCardWidth + 2 * cardGap), scale * cardGap,
-                          scale * (boxed ? toolboxWidth + 2 * cardGap : cardGap), scale * (bottomRow + 6)};
+    double const right = boxed ? toolboxWidth + 2 * cardGap : cardGap;
+    // Beside an open panel, too, the whole machine is seen, unless there is hardly any room.
+    auto const card = parts_.context.layout.card(parts_.components.open() ? "components" : "mods");
+    double const panel = card ? card->high.x / scale + cardGap : 0;
+    double const rest = parts_.context.window.size().width / scale - panel - right;
+    double const left = panel > 0 && rest > 300 ? panel : goalCardWidth + 2 * cardGap;
+    Margins const margins{scale * left, scale * cardGap, scale * right, scale * (bottomRow + 6)};
     parts_.view.setView(parts_.context.window.size(), margins);
 }
 

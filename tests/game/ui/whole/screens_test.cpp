@@ -256,6 +256,42 @@ TEST(AtRest, NoPictureIsDrawnThatShowsNothingNew) {
     EXPECT_TRUE(player.app().resting()) << "all pictures of levels have been made";
 }
 
+/// Pictures in two seconds of which the window would draw each that may show something new.
+int newPictures(Player& player) {
+    int drawn = 0;
+    for (int i = 0; i < 120; ++i) {
+        drawn += player.app().resting() ? 0 : 1;
+        player.frame();
+    }
+    return drawn;
+}
+
+TEST(AtRest, NothingIsDrawnOnAnyScreen) {
+    Player player;
+    auto const expectRest = [&](char const* screen) {
+        player.frames(240); // what moves comes to rest, what is to be told has been told
+        EXPECT_EQ(newPictures(player), 0) << screen;
+    };
+    expectRest("title");
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    expectRest("a level before its start");
+    player.key(SDLK_SPACE);
+    player.frames(30);
+    EXPECT_EQ(newPictures(player), 120) << "a running level";
+    player.key(SDLK_p);
+    expectRest("a paused level");
+    player.key(SDLK_ESCAPE);
+    expectRest("the menu");
+    player.clickItem("menu.settings");
+    expectRest("the settings");
+    player.app().edit({});
+    expectRest("the editor");
+    player.key(SDLK_p, KMOD_LCTRL); // with a cursor in a field
+    player.frames(4);
+    ASSERT_TRUE(player.app().context().gui.wantsKeyboard());
+    expectRest("a field for letters");
+}
+
 TEST(Kept, WhatWasBuiltIsThereWhenTheLevelIsOpenedAgain) {
     auto const folder = testFolder() / "kept";
     std::filesystem::remove_all(folder);
