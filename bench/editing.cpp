@@ -1,13 +1,13 @@
-// What the level editor costs while one drags: a step of moving every object of a level, which reads the
-// level and builds its world anew, and a check for problems. In processor time, because the machine is
-// shared.
+// What the level editor costs while one drags: a step of moving one object, or all objects, of a level, with
+// the world that is drawn following it; and what comes once the mouse rests: the level read and its world
+// built, and a check for problems. In processor time, because the machine is shared.
 //
-//     bench_editing [LEVEL...]
+//     bench_editing [LEVEL...]      without levels: made ones of 10, 100 and 1000 objects
 #include "bench/measure.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/problems/live_problems.hpp"
-#include "runtime/level/build/build_world.hpp"
+#include "puzzle/edit/world/edited_world.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <ctime>
@@ -16,9 +16,10 @@
 namespace {
 
 using namespace trembler;
+using edit::Json;
 
 constexpr int steps = 60;
-constexpr double mostPerStep = 4; // ms
+constexpr double mostPerStep = 8; // ms: half of a picture at 60 Hz
 
 template <class F>
 void timeProcessor(bench::Series& series, F&& f) {
@@ -27,37 +28,94 @@ void timeProcessor(bench::Series& series, F&& f) {
     series.add(1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
 }
 
-void measure(GameData const& data, std::filesystem::path const& file) {
-    edit::LevelDocument document = edit::LevelDocument::open(data, file);
-    edit::Json const before = document.tree();
-    std::vector<std::string> const all = edit::objectNames(before);
+/// Crates, lamps, batteries, discs and planks side by side; every fifth hangs on a rope, every fifth is
+/// wired.
+Json madeLevel(int count) {
+    Json objects = Json::array();
+    Json joints = Json::array();
+    Json connections = Json::array();
+    auto const nameOf = [](int i) { return "thing " + std::to_string(i); };
+    for (int i = 0; i < count; ++i) {
+        Json const at = Json::array({-20 + 0.625 * (i % 60), 0.5 + 0.625 * (i / 60)});
+        Json entry{{"name", nameOf(i)}, {"at", at}};
+        Json disc{{"form", "circle"}, {"radius", 0.1}};
+        Json plank{{"form", "box"}, {"width", 0.3}, {"height", 0.1}};
+        switch (i % 5) {
+        case 0:
+            entry["part"] = "crate";
+            break;
+        case 1:
+            entry["part"] = "battery";
+            break;
+        case 2:
+            entry["properties"] = {{"material", "wood"}, {"shape", Json::array({disc})}};
+            break;
+        case 3:
+            entry["part"] = "lamp";
+            connections.push_back(Json::array({nameOf(i), nameOf(i - 2) + " plus"}));
+            break;
+        default:
+            entry["properties"] = {{"material", "wood"}, {"shape", Json::array({plank})}};
+            joints.push_back(Json{{"form", "rope"}, {"a", nameOf(i)}, {"b", nameOf(i - 2)}, {"at", at}});
+        }
+        objects.push_back(std::move(entry));
+    }
+    return {{"version", 2},
+            {"title", "made"},
+            {"objects", objects},
+            {"joints", joints},
+            {"connections", connections}};
+}
+
+/// One drag of some objects.
+void drag(bench::Table& table, GameData const& data, edit::LevelDocument& document,
+          std::vector<std::string> const& names, std::string const& words) {
+    edit::EditedWorld world;
+    world.build(data, document.level(), document.tree());
+    Json const before = document.tree();
     edit::Gesture const gesture{document.newGesture(), edit::Gesture::Next::replaces};
     bench::Series command;
-    bench::Series reading;
-    bench::Series building;
-    bench::Series checking;
+    bench::Series following;
     bench::Series whole;
     for (int i = 1; i <= steps; ++i) {
         std::clock_t const begin = std::clock();
-        timeProcessor(command, [&] { document.run(edit::moveObjects(before, all, {0.01 * i, 0}), gesture); });
+        timeProcessor(command, [&] {
+            document.run(edit::moveObjects(before, names, {0.01 * i, 0}), gesture);
+        });
+        bool followed = false;
+        timeProcessor(following, [&] { followed = world.follow(document.tree()); });
+        whole.add(1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+        if (!followed) {
+            std::printf("the world did not follow\n");
+        }
+    }
+    table.row("the command, " + words, command.median(), "ms");
+    table.row("the world follows, " + words, following.median(), "ms");
+    table.row("a step of a drag, " + words, whole.median(), "ms", whole.median(), mostPerStep);
+}
+
+void measure(GameData const& data, edit::LevelDocument document, std::string const& title) {
+    std::vector<std::string> const all = edit::objectNames(document.tree());
+    bench::Table table(title + ", " + std::to_string(all.size()) + " objects");
+    drag(table, data, document, {all.back()}, "one object");
+    drag(table, data, document, all, "all objects");
+    bench::Series reading;
+    bench::Series building;
+    bench::Series checking;
+    for (int i = 0; i < 10; ++i) {
+        document.run(edit::moveObjects(document.tree(), {all.back()}, {0.01, 0}));
         LevelFile level;
         timeProcessor(reading, [&] { level = readLevel(data.registry, document.json()); });
-        timeProcessor(building, [&] {
-            auto const world = buildWorld(data.registry, level, data.parts);
-            bench::keep(world);
-        });
-        whole.add(1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+        edit::EditedWorld world;
+        timeProcessor(building, [&] { world.build(data, level, document.tree()); });
         timeProcessor(checking, [&] {
             edit::LiveProblems problems;
             problems.refresh(document);
         });
     }
-    bench::Table table(data.shortName(file) + ", " + std::to_string(all.size()) + " objects");
-    table.row("the command", command.median(), "ms");
-    table.row("reading the level", reading.median(), "ms");
-    table.row("building its world", building.median(), "ms");
-    table.row("a step of a drag", whole.median(), "ms", whole.median(), mostPerStep);
-    table.row("a check for problems, when one pauses", checking.median(), "ms");
+    table.row("reading the level, when the mouse rests", reading.median(), "ms");
+    table.row("building its world, when the mouse rests", building.median(), "ms");
+    table.row("a check for problems, when the mouse rests", checking.median(), "ms");
     table.print();
 }
 
@@ -65,9 +123,15 @@ void measure(GameData const& data, std::filesystem::path const& file) {
 
 int main(int count, char** arguments) {
     GameData const data;
-    std::vector<std::filesystem::path> files(arguments + 1, arguments + count);
-    for (auto const& file : files.empty() ? data.levels() : files) {
-        measure(data, file);
+    for (int i = 1; i < count; ++i) {
+        std::filesystem::path const file = arguments[i];
+        measure(data, edit::LevelDocument::open(data, file), data.shortName(file));
+    }
+    for (int const objects : {10, 100, 1000}) {
+        if (count == 1) {
+            measure(data, edit::LevelDocument::fromText(data, madeLevel(objects).dump(1), {}, {}),
+                    "a made level");
+        }
     }
     return 0;
 }

@@ -1,8 +1,8 @@
 // trembler accuracy: measures the error and the cost of every detail level.
 #include "game/app/commands.hpp"
-#include "game/app/inputs.hpp"
-#include "game/app/number_options.hpp"
-#include "game/app/outputs.hpp"
+#include "game/app/options/inputs.hpp"
+#include "game/app/options/number_options.hpp"
+#include "game/app/options/outputs.hpp"
 #include "game/app/progress.hpp"
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/plot.hpp"

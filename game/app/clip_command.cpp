@@ -1,14 +1,14 @@
 // trembler clip: a moving picture of a run.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/number_options.hpp"
-#include "game/app/outputs.hpp"
-#include "game/app/picture_size.hpp"
+#include "game/app/options/number_options.hpp"
+#include "game/app/options/outputs.hpp"
+#include "game/app/options/picture_size.hpp"
 #include "game/app/progress.hpp"
 #include "runtime/level/json/limits.hpp"
 
 #ifndef TREMBLER_HEADLESS
-#include "game/app/inputs.hpp"
+#include "game/app/options/inputs.hpp"
 #include "game/ui/headless/clip.hpp"
 #endif
 

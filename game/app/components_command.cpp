@@ -1,9 +1,9 @@
 // trembler components and trembler schema: descriptions of all components and properties, and the components
 // that each level's scene activates.
 #include "game/app/commands.hpp"
-#include "game/app/inputs.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/outputs.hpp"
+#include "game/app/options/inputs.hpp"
+#include "game/app/options/outputs.hpp"
 #include "measure/activation/report.hpp"
 #include "puzzle/data/effects.hpp"
 #include "puzzle/data/game_data.hpp"

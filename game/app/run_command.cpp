@@ -1,8 +1,8 @@
 // trembler run: runs a level without a window.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/number_options.hpp"
-#include "game/app/run_arguments.hpp"
+#include "game/app/options/number_options.hpp"
+#include "game/app/options/run_arguments.hpp"
 #include "runtime/level/json/limits.hpp"
 
 #include <memory>

@@ -1,8 +1,8 @@
 // trembler verify: checks whether every level is valid.
 #include "game/app/commands.hpp"
-#include "game/app/inputs.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/outputs.hpp"
+#include "game/app/options/inputs.hpp"
+#include "game/app/options/outputs.hpp"
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/file/visible_text.hpp"

@@ -1,14 +1,14 @@
 // trembler play and trembler screenshot: the commands that draw.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/number_options.hpp"
-#include "game/app/outputs.hpp"
-#include "game/app/picture_size.hpp"
+#include "game/app/options/number_options.hpp"
+#include "game/app/options/outputs.hpp"
+#include "game/app/options/picture_size.hpp"
 #include "game/app/progress.hpp"
 #include "runtime/level/json/limits.hpp"
 
 #ifndef TREMBLER_HEADLESS
-#include "game/app/inputs.hpp"
+#include "game/app/options/inputs.hpp"
 #include "game/ui/app/play.hpp"
 #include "game/ui/headless/screenshot.hpp"
 #include "render/gl/png.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 struct PlayArguments {
     std::string level;
-    std::string pictures = ".";
+    std::optional<std::string> pictures; // none: the desktop's, or without a display the current one
     bool fullscreen = false;
     std::vector<std::string> mods; // folders in which mods are looked for
 };
@@ -61,7 +61,9 @@ int takeScreenshot(ScreenshotArguments const&) {
 #else
 
 int play(PlayArguments const& arguments) {
-    checkFolderName("--pictures", arguments.pictures);
+    if (arguments.pictures) {
+        checkFolderName("--pictures", *arguments.pictures);
+    }
     // A level whose mods are missing is refused before a window opens.
     auto const data = gameDataFor(arguments.level, arguments.mods);
     // The window may show other levels, too, which have none of these mods.
@@ -76,7 +78,7 @@ int play(PlayArguments const& arguments) {
                    : std::shared_ptr<GameData const>(gameDataFor(level, arguments.mods));
     };
     options.mods = lua::listMods(lua::modFolders(arguments.mods, {}, gameData.home));
-    options.pictures = arguments.pictures;
+    options.pictures = arguments.pictures.value_or("");
     options.fullscreen = arguments.fullscreen;
     int const result = ui::play(gameData, options);
     reportScriptMessages(*data);
@@ -156,9 +158,9 @@ void addPlayCommand(CLI::App& program, int& result) {
     command->add_option("LEVEL", arguments->level, "Level file (default: the title screen)");
     command
         ->add_option("--pictures", arguments->pictures,
-                     "Folder for the pictures and films that you take, or for the one without a display")
-        ->type_name("DIR")
-        ->capture_default_str();
+                     "Folder for the pictures and clips that you take (default: Trembler in your folder of "
+                     "pictures), or for the one without a display (default: .)")
+        ->type_name("DIR");
     addModFolders(*command, arguments->mods);
     command->add_flag("--fullscreen", arguments->fullscreen, "Fill the whole screen");
     command->callback([arguments, &result] { result = guarded([&] { return play(*arguments); }); });

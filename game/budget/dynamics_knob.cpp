@@ -71,7 +71,7 @@ std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log) {
     }
     for (int const steps : usual) {
         bool const tooFew = steps < fewest && steps != settings.substeps;
-        add(fmt::format("{} step{}", steps, steps == 1 ? "" : "s"), steps, steps,
+        add(steps == 1 ? std::string("1 step") : fmt::format("{} steps", steps), steps, steps,
             tooFew ? "with so long steps joints open, and chains and stacks fall apart" : "");
     }
     return knob;

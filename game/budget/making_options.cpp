@@ -65,7 +65,7 @@ void runEvery(Option& option, std::string_view component, int period) {
     option.makes.push_back(toPeriod(component, period));
     option.work /= period;
     if (period > 1) {
-        option.name += fmt::format(", every {} frames", period);
+        option.name = fmt::format("{}, every {} frames", option.name, period);
         option.lessOften = true;
     }
 }

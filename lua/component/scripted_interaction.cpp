@@ -39,7 +39,15 @@ ScriptedInteraction::~ScriptedInteraction() = default;
 
 void ScriptedInteraction::bind(Store& store, Channels& channels) {
     store_ = &store;
+    bindReads(store);
+    targetsOf_.clear(); // the columns may be others
+    source_->attach(channels, caller());
+    sleep();
+}
+
+void ScriptedInteraction::bindReads(Store& store) {
     homes_.clear();
+    watches_.resize(script_->reads.size());
     for (DeclaredProperty const& property : script_->reads) {
         Home home;
         if (property.ofObjects()) {
@@ -47,11 +55,21 @@ void ScriptedInteraction::bind(Store& store, Channels& channels) {
         } else {
             home.slot = &store.slot(*property.info);
         }
+        watches_[homes_.size()].version = home.versionPlace();
         homes_.push_back(home);
     }
-    seen_.resize(homes_.size(), 0);
-    targetsOf_.clear(); // the columns may be others
-    source_->attach(channels, caller());
+}
+
+/// Lets the world pass it by for as long as hasWork() is false. To be called after every change of what that
+/// depends on.
+void ScriptedInteraction::sleep() {
+    if (off_ || resting_) {
+        waitFor({});
+    } else if (first_ || restless_) {
+        wake();
+    } else {
+        waitFor(watches_);
+    }
 }
 
 bool ScriptedInteraction::hasWork() const {
@@ -61,13 +79,7 @@ bool ScriptedInteraction::hasWork() const {
     if (first_ || restless_) {
         return true;
     }
-    std::uint64_t const* seen = seen_.data();
-    for (Home const& home : homes_) {
-        if (home.version() != *seen++) {
-            return true;
-        }
-    }
-    return false;
+    return std::any_of(watches_.begin(), watches_.end(), [](Watch const& w) { return w.changed(); });
 }
 
 std::size_t ScriptedInteraction::workload() const {
@@ -115,10 +127,11 @@ void ScriptedInteraction::run(FrameContext const& context) {
         switchOff(context, *failed);
     }
     source_->end();
-    for (std::size_t i = 0; i < homes_.size(); ++i) {
-        seen_[i] = homes_[i].version();
+    for (Watch& watch : watches_) {
+        watch.seen = *watch.version;
     }
     first_ = false;
+    sleep();
 }
 
 void ScriptedInteraction::switchOff(FrameContext const& context, ScriptError const& failed) {

@@ -62,9 +62,11 @@ private:
     [[nodiscard]] bool targetsStand();
     void switchOff(FrameContext const& context, ScriptError const& failed);
 
-    // What hasWork() looks at comes first, and so lies together.
-    std::vector<Home> homes_;         // of script_->reads
-    std::vector<std::uint64_t> seen_; // their versions
+    void bindReads(Store& store);
+    void sleep();
+
+    std::vector<Home> homes_;    // of script_->reads
+    std::vector<Watch> watches_; // of homes_
     bool restless_ = false;
     bool first_ = true;
     bool off_ = false;

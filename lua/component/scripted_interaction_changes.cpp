@@ -19,19 +19,10 @@ void ScriptedInteraction::replace(Store& store, std::shared_ptr<Script const> sc
     targetsOf_.clear();
     restless_ = script->manifest.restless;
     script_ = std::move(script);
-    homes_.clear();
-    for (DeclaredProperty const& property : script_->reads) {
-        Home home;
-        if (property.ofObjects()) {
-            home.column = &store.column(*property.info);
-        } else {
-            home.slot = &store.slot(*property.info);
-        }
-        homes_.push_back(home);
-    }
-    seen_.assign(homes_.size(), 0);
+    bindReads(store);
     first_ = true;
     off_ = false;
+    sleep();
 }
 
 void ScriptedInteraction::setOn(bool on) {
@@ -45,6 +36,7 @@ void ScriptedInteraction::setOn(bool on) {
         source_->withdraw();
         source_->end();
     }
+    sleep();
 }
 
 std::optional<TurnUsage> ScriptedInteraction::usage() const {

@@ -10,7 +10,8 @@ namespace trembler::lua {
 Turns::Binding::Binding(std::shared_ptr<Script const> script)
     : script_(std::move(script)), sandbox_(script_->manifest.limits, script_->manifest.trust),
       gatherer_(*script_->role) {
-    broken_ = sandbox_.load(script_->manifest.source, shortName());
+    VectorArguments const vectors = vectorArguments();
+    broken_ = sandbox_.load(script_->manifest.source, shortName(), &vectors);
     if (!broken_) {
         broken_ = sandbox_.protect([this](lua_State* L) { setUp(L); });
     }
@@ -23,6 +24,21 @@ TurnUsage Turns::Binding::usage() const {
             .bytes = sandbox_.memory().used(),
             .mostBytes = sandbox_.mostMemory(),
             .targets = lastTargets_};
+}
+
+/// apply(object, params, out), apply(a, b, params, out) or apply(world, params, out).
+VectorArguments Turns::Binding::vectorArguments() const {
+    VectorArguments made;
+    made.parameter = script_->manifest.application == Application::pairs ? 4 : 3;
+    for (CallDescription const& call : script_->role->calls) {
+        if (planOf(call).plain) {
+            std::vector<bool>& arguments = made.calls[std::string(call.text.name)];
+            for (FieldPlace const& place : call.arguments) {
+                arguments.push_back(place.kind == FieldKind::vector);
+            }
+        }
+    }
+    return made;
 }
 
 std::string Turns::Binding::shortName() const {

@@ -25,8 +25,8 @@ struct Home {
     ColumnBase const* column = nullptr;
     SlotBase const* slot = nullptr;
 
-    [[nodiscard]] std::uint64_t version() const {
-        return column != nullptr ? column->version() : slot->version();
+    [[nodiscard]] std::uint64_t const* versionPlace() const {
+        return column != nullptr ? column->versionPlace() : slot->versionPlace();
     }
 };
 

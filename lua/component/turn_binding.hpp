@@ -5,6 +5,7 @@
 #include "lua/binding/call_plan.hpp"
 #include "lua/binding/values.hpp"
 #include "lua/component/turn.hpp"
+#include "lua/sandbox/spread_vectors.hpp"
 
 #include <array>
 #include <lua.hpp>
@@ -59,6 +60,7 @@ private:
     };
 
     [[nodiscard]] std::string shortName() const;
+    [[nodiscard]] VectorArguments vectorArguments() const;
 
     // Making the tables, once: turn_tables.cpp.
     template <int (Binding::*member)(lua_State*)>

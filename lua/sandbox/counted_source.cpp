@@ -2,6 +2,7 @@
 #include "lua/sandbox/counted_source.hpp"
 
 #include "lua/sandbox/assignments.hpp"
+#include "lua/sandbox/spread_vectors.hpp"
 #include "lua/sandbox/tokens.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +17,8 @@ namespace {
 /// Walks through the tokens once and notes where counters go and how much they count.
 class Counter {
 public:
-    Counter(std::string_view text, Tokens const& tokens, bool loopsOnly)
-        : text_(text), tokens_(tokens), loopsOnly_(loopsOnly), assignments_(tokens) {}
+    Counter(std::string_view text, Tokens const& tokens, bool loopsOnly, VectorArguments const* vectors)
+        : text_(text), tokens_(tokens), loopsOnly_(loopsOnly), vectors_(vectors), assignments_(tokens) {}
 
     CountedSource count(std::optional<BlockFault>& fault) {
         bodies_.emplace_back(); // the chunk itself
@@ -201,6 +202,9 @@ private:
                 ++parameter;
                 bool const itself = ofApply && (parameter == 4 || parameter == 5);
                 assignments_.addParameter(token(at_).text, itself);
+                if (ofApply && vectors_ != nullptr && parameter == vectors_->parameter) {
+                    out_ = token(at_).text;
+                }
             }
         }
         open(Block::function, newBody());
@@ -243,21 +247,29 @@ private:
         made.parameters = applyBody_ == 0 ? CountedSource::anyNumber : parameters_;
         made.assignsFields = assignments_.ofFields();
         made.assigned = assignments_.names();
-        std::stable_sort(places_.begin(), places_.end(),
-                         [](Place const& a, Place const& b) { return a.position < b.position; });
+        std::vector<TextEdit> edits;
+        if (vectors_ != nullptr && applyBody_ != 0) {
+            edits = spreadVectors(tokens_, out_, *vectors_);
+        }
+        for (Place const& place : places_) {
+            Body const& body = bodies_[place.body];
+            std::size_t const count = instructions(body.tokens + (place.whole ? body.whole : 0));
+            edits.push_back({place.position, 0,
+                             fmt::format(" {0}={0}-{2} if {0}<0 then {1}()end ", CountedSource::counterName,
+                                         CountedSource::stopName, std::max<std::size_t>(1, count))});
+        }
+        std::stable_sort(edits.begin(), edits.end(),
+                         [](TextEdit const& a, TextEdit const& b) { return a.position < b.position; });
         made.text = fmt::format("local {0},{1}=0,... return function(...) ", CountedSource::counterName,
                                 CountedSource::stopName);
         std::size_t copied = tokens_.empty() ? text_.size() : tokens_.front().begin;
         made.text.append(static_cast<std::size_t>(std::count(
                              text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(copied), '\n')),
                          '\n');
-        for (Place const& place : places_) {
-            made.text += text_.substr(copied, place.position - copied);
-            copied = place.position;
-            Body const& body = bodies_[place.body];
-            made.text += fmt::format(
-                " {0}={0}-{2} if {0}<0 then {1}()end ", CountedSource::counterName, CountedSource::stopName,
-                std::max<std::size_t>(1, instructions(body.tokens + (place.whole ? body.whole : 0))));
+        for (TextEdit const& edit : edits) {
+            made.text += text_.substr(copied, edit.position - copied);
+            made.text += edit.inserted;
+            copied = edit.position + edit.removed;
         }
         made.text += text_.substr(copied);
         made.text += "\nend";
@@ -267,6 +279,8 @@ private:
     std::string_view text_;
     Tokens const& tokens_;
     bool loopsOnly_;
+    VectorArguments const* vectors_;
+    std::string_view out_; // the name of the parameter by which apply makes calls
     std::size_t at_ = 0;
     std::vector<Body> bodies_;
     std::vector<Open> blocks_;
@@ -284,9 +298,10 @@ private:
 
 } // namespace
 
-CountedSource countSource(std::string_view text, std::optional<BlockFault>& fault, bool loopsOnly) {
+CountedSource countSource(std::string_view text, std::optional<BlockFault>& fault, bool loopsOnly,
+                          VectorArguments const* vectors) {
     Tokens const tokens(text);
-    return Counter(text, tokens, loopsOnly).count(fault);
+    return Counter(text, tokens, loopsOnly, vectors).count(fault);
 }
 
 } // namespace trembler::lua

@@ -9,6 +9,8 @@
 
 namespace trembler::lua {
 
+struct VectorArguments;
+
 /// A script's text with counters put in, and the results of reading it.
 ///
 /// LuaJIT can count instructions by itself, by a hook; but compiled code checks no hook, and in interpreted
@@ -47,8 +49,9 @@ struct BlockFault {
 /// Puts counters into a text that faultInSource() has found nothing wrong with. A fault if blocks are not
 /// closed or closed twice, or one of the names above is used: `fault` then states it and the result is not to
 /// be used. With `loopsOnly`, functions are not counted but by their loops: for the host's own text, whose
-/// functions do not call themselves.
+/// functions do not call themselves. With `vectors`, vectors that are made for a call only are handed over as
+/// two numbers (spreadVectors()) if apply can only be called by the host; they count as before.
 [[nodiscard]] CountedSource countSource(std::string_view text, std::optional<BlockFault>& fault,
-                                        bool loopsOnly = false);
+                                        bool loopsOnly = false, VectorArguments const* vectors = nullptr);
 
 } // namespace trembler::lua

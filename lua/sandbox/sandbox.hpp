@@ -44,8 +44,9 @@ public:
     Sandbox(Sandbox const&) = delete;
     Sandbox& operator=(Sandbox const&) = delete;
 
-    /// Compiles a text; `name` stands for it in messages, "wind.lua". Once.
-    [[nodiscard]] std::optional<ScriptError> load(std::string_view text, std::string const& name);
+    /// Compiles a text; `name` stands for it in messages, "wind.lua". Once. For `vectors`, see countSource().
+    [[nodiscard]] std::optional<ScriptError> load(std::string_view text, std::string const& name,
+                                                  VectorArguments const* vectors = nullptr);
 
     /// A function that is called back in protected mode. It may call whatever raises a Lua error. What it has
     /// on its stack is taken away afterwards.

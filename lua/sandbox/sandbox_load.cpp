@@ -11,13 +11,14 @@
 
 namespace trembler::lua {
 
-std::optional<ScriptError> Sandbox::load(std::string_view text, std::string const& name) {
+std::optional<ScriptError> Sandbox::load(std::string_view text, std::string const& name,
+                                         VectorArguments const* vectors) {
     if (auto const fault = faultInSource(text)) {
         std::string const place = fault->line == 0 ? name : fmt::format("{}:{}", name, fault->line);
         return ScriptError{fmt::format("{}: {}", place, fault->message), {}, false};
     }
     std::optional<BlockFault> fault;
-    source_ = countSource(withCountedJoins(text), fault);
+    source_ = countSource(withCountedJoins(text), fault, false, vectors);
     // LuaJIT's message is better: it quotes the text at the place. If LuaJIT finds no error, the blocks are
     // wrong.
     auto failed = protect([&](lua_State* L) {

@@ -2,6 +2,7 @@
 
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/model/level.hpp"
+#include "runtime/level/read/read_texts.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -22,14 +23,15 @@ Json slab(char const* name, Vec2 at, Vec2 size) {
 
 } // namespace
 
-std::string freePlayLevel(PartLibrary const& parts, std::string const& title, std::string const& text) {
+std::string freePlayLevel(PartLibrary const& parts, std::string const& title, std::string const& text,
+                          Translations const& texts) {
     Json toolbox = Json::array();
     auto names = parts.names();
     names.resize(std::min(names.size(), limits::toolboxEntries));
     for (std::string const& name : names) {
         toolbox.push_back(Json{{"part", name}, {"count", limits::toolboxCount}});
     }
-    Json const level{
+    Json level{
         {"version", levelVersion},
         {"title", title},
         {"text", text},
@@ -39,6 +41,9 @@ std::string freePlayLevel(PartLibrary const& parts, std::string const& title, st
                       slab("right wall", {5.9, 2.75}, {0.2, 6.1})})},
         {"placing", Json::array({Json::array({-5.8, 0, 11.6, 5.8})})},
         {"toolbox", std::move(toolbox)}};
+    if (!texts.empty()) {
+        level["texts"] = writeTexts(texts);
+    }
     return level.dump(2) + "\n";
 }
 

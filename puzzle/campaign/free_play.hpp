@@ -8,8 +8,8 @@
 namespace trembler {
 
 /// The text of the level's file, with a toolbox of all parts of the library. It has no goals. `title` and
-/// `text` are for the player.
+/// `text` are for the player, and `texts` what they are in further languages.
 [[nodiscard]] std::string freePlayLevel(PartLibrary const& parts, std::string const& title,
-                                        std::string const& text);
+                                        std::string const& text, Translations const& texts = {});
 
 } // namespace trembler

@@ -22,6 +22,7 @@ LevelCheckup checkWholeLevel(GameData const& data, std::shared_ptr<JsonDocument 
         checkup.playable = true;
         Problems problems;
         complainAboutReach(data, level, *built.world, problems);
+        complainAboutHopeless(data, level, *built.world, problems);
         problems.throwIfAny();
     } catch (InputError const& error) {
         checkup.problems = error.diagnostics();

@@ -21,8 +21,8 @@ struct LevelCheckup {
 };
 
 /// Reads the level, builds its world, sets up its goals, and if all that is possible, looks for what makes it
-/// useless: things out of bounds, and a toolbox out of reach. Throws nothing but for lack of memory. `detail`
-/// overrides the detail levels that the level states.
+/// useless: things out of bounds, a toolbox out of reach, and goals that can never come true. Throws nothing
+/// but for lack of memory. `detail` overrides the detail levels that the level states.
 [[nodiscard]] LevelCheckup checkWholeLevel(GameData const& data,
                                            std::shared_ptr<JsonDocument const> const& document,
                                            std::map<std::string, std::string> const& detail = {});
@@ -32,5 +32,13 @@ struct LevelCheckup {
 /// may lie anywhere. Room is searched for on a grid, so a part that a recorded solution places is taken to
 /// have room. The world is that of the level, before its first frame.
 void complainAboutReach(GameData const& data, LevelFile const& level, World const& world, Problems& problems);
+
+/// Complains about goals that can never come true, beyond those of which GoalJudge complains because of the
+/// objects that they name: current where there is no source of it, fixed things that are to touch one
+/// another, something without a body that is to move, and a goal together with its opposite. Nothing is said
+/// about levels with mods, whose scripts may change everything. The world is that of the level, before its
+/// first frame.
+void complainAboutHopeless(GameData const& data, LevelFile const& level, World const& world,
+                           Problems& problems);
 
 } // namespace trembler

@@ -36,6 +36,7 @@ void Canvas::begin(Camera const& camera, CanvasOptions const& options) {
     shadows_.clear();
     shapes_.clear();
     corners_.clear();
+    flattens_ = false;
 }
 
 void Canvas::paper() {
@@ -53,8 +54,13 @@ void Canvas::end() {
     newSheet();
     double const scale = camera_.pixelsPerMetre;
     batch_.draw(done_, corners_,
-                {narrow(0.5 * camera_.viewport.width / scale), narrow(0.5 * camera_.viewport.height / scale),
-                 narrow(1 / scale), options_.uiScale, narrow(std::fmod(options_.time, 3600.0))});
+                {narrow(0.5 * camera_.viewport.width / scale),
+                 narrow(0.5 * camera_.viewport.height / scale),
+                 narrow(1 / scale),
+                 options_.uiScale,
+                 narrow(std::fmod(options_.time, 3600.0)),
+                 relative(options_.flattening.about),
+                 {narrow(options_.flattening.x), narrow(options_.flattening.y)}});
     sent_ = done_.size();
 }
 
@@ -85,6 +91,9 @@ bool Canvas::seen(Instance const& shape, double margin) const {
 
 void Canvas::push(Instance const& shape) {
     shapes_.push_back(shape);
+    if (flattens_) {
+        shapes_.back().flags = static_cast<std::uint8_t>(shapes_.back().flags | flagFlattened);
+    }
 }
 
 void Canvas::addShadow(Instance shape, float height, float alpha, bool onBody) {

@@ -12,10 +12,18 @@
 
 namespace trembler::render {
 
+/// Shapes that give way for a moment, like a part that has just been put down: scaled about a place.
+struct Flattening {
+    Point about; ///< m
+    double x = 1;
+    double y = 1;
+};
+
 struct CanvasOptions {
-    float uiScale = 1.F; ///< the factor on all lengths in pixels; take Window::uiScale
-    double time = 0;     ///< s; moves water, nothing else
-    bool shadows = true; ///< leave them out on software OpenGL: they double the cost of a frame
+    float uiScale = 1.F;     ///< the factor on all lengths in pixels; take Window::uiScale
+    double time = 0;         ///< s; moves water, nothing else
+    bool shadows = true;     ///< leave them out on software OpenGL: they double the cost of a frame
+    Flattening flattening{}; ///< of what is drawn between flatten(true) and flatten(false)
 };
 
 /// Collects shapes between begin and end and draws them in that order, in few calls. Only soft shadows come
@@ -37,6 +45,8 @@ public:
     void paper();
     /// Later shapes lie on top, with shadows on earlier ones (a part that is being dragged).
     void newSheet();
+    /// Whether shapes from now on are flattened as the options of the picture state; their shadows are not.
+    void flatten(bool on) { flattens_ = on; }
     /// Draws the collected shapes. Throws RenderError if the driver refuses a shader that is needed for the
     /// first time.
     void end();
@@ -95,6 +105,7 @@ private:
     std::vector<Instance> shapes_;
     std::vector<Corner> corners_;
     std::size_t sent_ = 0;
+    bool flattens_ = false;
 };
 
 } // namespace trembler::render

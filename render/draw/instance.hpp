@@ -29,6 +29,7 @@ inline constexpr std::uint8_t flagForbidden = 4;
 inline constexpr std::uint8_t flagRim = 8;
 inline constexpr std::uint8_t flagInside = 16;
 inline constexpr std::uint8_t flagHovered = 32;
+inline constexpr std::uint8_t flagFlattened = 64;
 
 /// How many values Instance::pattern has (enum Pattern).
 inline constexpr std::size_t patternCount = 9;

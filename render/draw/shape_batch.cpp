@@ -86,6 +86,8 @@ void ShapeBatch::setView(Program const& program, BatchView const& view) const {
     program.set("u_pixel", view.metresPerPixel);
     program.set("u_ui", view.uiScale);
     program.set("u_time", view.time);
+    program.set("u_flatAt", view.flatAt[0], view.flatAt[1]);
+    program.set("u_flatBy", view.flatBy[0], view.flatBy[1]);
     setColour(program, "u_accent", palette::accent);
     setColour(program, "u_warning", palette::warning);
 }

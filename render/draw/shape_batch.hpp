@@ -18,7 +18,9 @@ struct BatchView {
     float halfHeight = 1.F; ///< metres to its upper edge
     float metresPerPixel = 0.01F;
     float uiScale = 1.F;
-    float time = 0.F; ///< s, moves the water
+    float time = 0.F;              ///< s, moves the water
+    std::array<float, 2> flatAt{}; ///< metres from the middle of the view: see flagFlattened
+    std::array<float, 2> flatBy{1.F, 1.F};
 };
 
 /// Window thread only.

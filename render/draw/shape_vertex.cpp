@@ -18,6 +18,8 @@ layout(location = 8) in float a_grain;
 uniform vec2 u_viewHalf; // metres from the middle of the view to its right and upper edge
 uniform float u_pixel;   // metres per pixel
 uniform float u_ui;      // UI scale
+uniform vec2 u_flatAt;   // metres from the middle of the view: the place about which shapes are flattened
+uniform vec2 u_flatBy;   // factors to the right and up
 
 out vec2 v_local; // metres, in the shape's frame
 out vec2 v_view;  // metres, from the camera's centre
@@ -43,7 +45,8 @@ void main() {
     v_local = corner * (a_half + margin);
     v_view = a_centre + vec2(a_axis.x * v_local.x - a_axis.y * v_local.y,
                              a_axis.y * v_local.x + a_axis.x * v_local.y);
-    gl_Position = vec4(v_view / u_viewHalf, 0.0, 1.0);
+    vec2 seen = (a_bits.w & 64u) != 0u ? u_flatAt + u_flatBy * (v_view - u_flatAt) : v_view;
+    gl_Position = vec4(seen / u_viewHalf, 0.0, 1.0);
     f_axis = a_axis;
     f_half = a_half;
     f_radius = a_radiusOutline.x;

@@ -14,6 +14,8 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <cfloat>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace trembler::render {
 
@@ -116,10 +118,47 @@ void Gui::beginFrame(InputEvents const& input, double seconds) {
     ImGui::NewFrame();
 }
 
-void Gui::endFrame() {
+namespace {
+
+/// Draws only the words beneath all panels, or only everything else. Those words are the commands of the
+/// lowest list from a reset of the render state on; before it are the shadows of cards.
+void renderLists(ImDrawData& all, bool beneath) {
+    ImDrawList const* const lowest = ImGui::GetBackgroundDrawList();
+    std::vector<std::pair<ImDrawList*, ImVector<ImDrawCmd>>> whole;
+    for (int i = 0; i < all.CmdListsCount; ++i) {
+        ImDrawList* const list = all.CmdLists[i];
+        ImVector<ImDrawCmd> seen;
+        bool words = false;
+        for (ImDrawCmd const& command : list->CmdBuffer) {
+            words = words || (list == lowest && command.UserCallback == ImDrawCallback_ResetRenderState);
+            if (words == beneath) {
+                seen.push_back(command);
+            }
+        }
+        list->CmdBuffer.swap(seen);
+        whole.emplace_back(list, ImVector<ImDrawCmd>());
+        whole.back().second.swap(seen);
+    }
+    ImGui_ImplOpenGL3_RenderDrawData(&all);
+    for (auto& [list, commands] : whole) {
+        list->CmdBuffer.swap(commands);
+    }
+}
+
+} // namespace
+
+void Gui::endFrame(std::function<void()> const& beneath) {
     ImGui::Render();
     window_.bind();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    ImDrawData& all = *ImGui::GetDrawData();
+    if (!beneath) {
+        ImGui_ImplOpenGL3_RenderDrawData(&all);
+        return;
+    }
+    renderLists(all, true);
+    beneath();
+    window_.bind();
+    renderLists(all, false);
 }
 
 void Gui::dropFrame() {

@@ -5,6 +5,7 @@
 #include "render/window/input_events.hpp"
 #include "render/window/window.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace trembler::render {
@@ -28,8 +29,9 @@ public:
     /// Starts a frame with the events that `input` took last; ImGui's functions work from here to endFrame.
     /// `seconds` since the last frame: clamped to at least a millisecond and at most a second.
     void beginFrame(InputEvents const& input, double seconds);
-    /// Draws the panels over the window's contents.
-    void endFrame();
+    /// Draws the panels over the window's contents. `beneath` is called when only what lies under all panels
+    /// is drawn, such as the words in the world; it may be empty.
+    void endFrame(std::function<void()> const& beneath = {});
     /// Instead of endFrame, if the window is not visible: draws nothing. The panels have answered the
     /// player's input and are laid out all the same.
     void dropFrame();

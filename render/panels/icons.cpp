@@ -9,7 +9,7 @@ namespace trembler::render {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float halfTurn = std::numbers::pi_v<float>; // in radians
 
 /// Draws in a square from -1 to 1, y down.
 class Pen {
@@ -74,8 +74,8 @@ void script(Pen const& pen) {
 
 /// Three quarters of a circle with an arrow's head; `side` is 1 clockwise and -1 anticlockwise.
 void turn(Pen const& pen, float side) {
-    float const end = -0.5F * pi + side * 0.15F;
-    float const start = end - side * 1.55F * pi;
+    float const end = -0.5F * halfTurn + side * 0.15F;
+    float const start = end - side * 1.55F * halfTurn;
     pen.arc(0, 0.08F, 0.66F, std::min(start, end), std::max(start, end));
     pen.triangle(side * 0.10F, -0.98F, side * 0.10F, -0.18F, side * 0.66F, -0.58F);
 }
@@ -83,7 +83,7 @@ void turn(Pen const& pen, float side) {
 void gear(Pen const& pen) {
     pen.circle(0, 0, 0.50F);
     for (int i = 0; i < 8; ++i) {
-        float const angle = static_cast<float>(i) * 0.25F * pi;
+        float const angle = static_cast<float>(i) * 0.25F * halfTurn;
         float const c = std::cos(angle);
         float const s = std::sin(angle);
         pen.line(0.62F * c, 0.62F * s, 0.84F * c, 0.84F * s);
@@ -97,7 +97,7 @@ void camera(Pen const& pen) {
 }
 
 void bulb(Pen const& pen) {
-    pen.arc(0, -0.2F, 0.56F, 0.75F * pi, 2.25F * pi);
+    pen.arc(0, -0.2F, 0.56F, 0.75F * halfTurn, 2.25F * halfTurn);
     pen.line(-0.38F, 0.22F, -0.26F, 0.48F);
     pen.line(0.38F, 0.22F, 0.26F, 0.48F);
     pen.line(-0.24F, 0.56F, 0.24F, 0.56F);
@@ -105,19 +105,19 @@ void bulb(Pen const& pen) {
 }
 
 void question(Pen const& pen) {
-    pen.arc(0, -0.38F, 0.44F, -pi, 0.42F * pi);
+    pen.arc(0, -0.38F, 0.44F, -halfTurn, 0.42F * halfTurn);
     pen.line(0.12F, 0.06F, 0, 0.34F);
     pen.dot(0, 0.78F, 0.16F);
 }
 
 void eye(Pen const& pen) {
-    pen.arc(0, 0.56F, 1.06F, 1.18F * pi, 1.82F * pi);
-    pen.arc(0, -0.56F, 1.06F, 0.18F * pi, 0.82F * pi);
+    pen.arc(0, 0.56F, 1.06F, 1.18F * halfTurn, 1.82F * halfTurn);
+    pen.arc(0, -0.56F, 1.06F, 0.18F * halfTurn, 0.82F * halfTurn);
     pen.dot(0, 0, 0.28F);
 }
 
 void magnet(Pen const& pen) {
-    pen.arc(0, -0.08F, 0.56F, pi, 2 * pi);
+    pen.arc(0, -0.08F, 0.56F, halfTurn, 2 * halfTurn);
     pen.line(-0.56F, -0.08F, -0.56F, 0.36F);
     pen.line(0.56F, -0.08F, 0.56F, 0.36F);
     pen.block(-0.72F, 0.56F, -0.40F, 0.86F, 0.04F);
@@ -138,8 +138,8 @@ void curvedArrow(Pen const& pen, float side) {
     float const bend = 0.30F * -side;
     pen.line(side * 0.34F, -0.34F, bend, -0.34F);
     pen.line(side * 0.30F, 0.66F, bend, 0.66F);
-    float const from = side < 0 ? -0.5F * pi : 0.5F * pi;
-    pen.arc(bend, 0.16F, 0.50F, from, from + pi);
+    float const from = side < 0 ? -0.5F * halfTurn : 0.5F * halfTurn;
+    pen.arc(bend, 0.16F, 0.50F, from, from + halfTurn);
     pen.triangle(side * 0.92F, -0.34F, side * 0.26F, -0.82F, side * 0.26F, 0.14F);
 }
 
@@ -158,7 +158,7 @@ void contactIcon(Pen const& pen) {
 }
 
 void gauge(Pen const& pen) {
-    pen.arc(0, 0.30F, 0.82F, pi, 2 * pi);
+    pen.arc(0, 0.30F, 0.82F, halfTurn, 2 * halfTurn);
     pen.line(0, 0.30F, 0.40F, -0.16F);
     pen.line(-0.82F, 0.62F, 0.82F, 0.62F);
 }

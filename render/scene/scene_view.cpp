@@ -45,9 +45,11 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
         if ((facts.id == options.hidden && options.hidden.valid()) || isOneOf(options.alsoHidden, facts.id)) {
             continue;
         }
+        canvas.flatten(isOneOf(options.flattened, facts.id));
         drawObject(canvas, facts, pose,
                    {.selected = facts.id == options.selected || isOneOf(options.alsoSelected, facts.id),
                     .hovered = facts.id == options.hovered || isOneOf(options.alsoHovered, facts.id)});
+        canvas.flatten(false);
     }
 }
 

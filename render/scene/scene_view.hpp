@@ -30,6 +30,8 @@ struct SceneOptions {
     std::span<ObjectId const> alsoHovered{};
     /// Joints among them and wires at their ends are left out, too.
     std::span<ObjectId const> alsoHidden{};
+    /// Are drawn flattened, see Canvas::flatten.
+    std::span<ObjectId const> flattened{};
     Overlays overlays{};
     std::span<Area const> placing{};     ///< where parts may be placed
     std::span<GoalRegion const> goals{}; ///< that a goal asks about

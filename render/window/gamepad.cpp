@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <iterator>
 
 namespace trembler::render {
 namespace {
@@ -30,6 +32,10 @@ constexpr std::array padNames{
     PadName{padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER), "Pad R1"},
     PadName{padLeftTrigger, "Pad L2"},
     PadName{padRightTrigger, "Pad R2"},
+    PadName{padRightStickLeft, "Pad RS Left"},
+    PadName{padRightStickRight, "Pad RS Right"},
+    PadName{padRightStickUp, "Pad RS Up"},
+    PadName{padRightStickDown, "Pad RS Down"},
     PadName{padKey(SDL_CONTROLLER_BUTTON_DPAD_UP), "Pad Up"},
     PadName{padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN), "Pad Down"},
     PadName{padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT), "Pad Left"},
@@ -83,6 +89,8 @@ void Gamepads::unplug(SDL_JoystickID id, std::vector<SDL_Event>& events) {
     }
     SDL_GameControllerClose(found->second);
     pads_.erase(found);
+    secondHeld_ = {};
+    secondX_ = secondY_ = 0;
     for (SDL_Keycode const key : std::vector<SDL_Keycode>(held_)) { // nobody will let them go
         press(key, false, events);
     }
@@ -120,6 +128,14 @@ void Gamepads::moveAxis(SDL_ControllerAxisEvent const& axis, std::vector<SDL_Eve
         direction(padKey(SDL_CONTROLLER_BUTTON_DPAD_UP), -axis.value);
         direction(padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN), axis.value);
         break;
+    case SDL_CONTROLLER_AXIS_RIGHTX:
+        direction(padRightStickLeft, -axis.value);
+        direction(padRightStickRight, axis.value);
+        break;
+    case SDL_CONTROLLER_AXIS_RIGHTY:
+        direction(padRightStickUp, -axis.value);
+        direction(padRightStickDown, axis.value);
+        break;
     case SDL_CONTROLLER_AXIS_TRIGGERLEFT:
         direction(padLeftTrigger, axis.value);
         break;
@@ -131,8 +147,80 @@ void Gamepads::moveAxis(SDL_ControllerAxisEvent const& axis, std::vector<SDL_Eve
     }
 }
 
+void Gamepads::setUse(PadUse use) {
+    if (use != use_) {
+        use_ = use;
+        secondHeld_ = {};
+        secondX_ = secondY_ = 0;
+    }
+}
+
+bool Gamepads::isSecond(SDL_JoystickID pad) const {
+    if (use_ == PadUse::together || pads_.empty()) {
+        return false;
+    }
+    if (use_ == PadUse::lastApart) {
+        return std::prev(pads_.end())->first == pad;
+    }
+    return pads_.size() > 1 && std::next(pads_.begin())->first == pad; // by the order of plugging in
+}
+
+std::optional<SecondPad> Gamepads::second() const {
+    bool const there =
+        use_ == PadUse::lastApart ? !pads_.empty() : use_ == PadUse::secondApart && pads_.size() > 1;
+    if (!there) {
+        return std::nullopt;
+    }
+    auto const held = [&](SDL_GameControllerButton button) {
+        return secondHeld_[static_cast<std::size_t>(button)] ? 1.0 : 0.0;
+    };
+    double const x = held(SDL_CONTROLLER_BUTTON_DPAD_RIGHT) - held(SDL_CONTROLLER_BUTTON_DPAD_LEFT);
+    double const y = held(SDL_CONTROLLER_BUTTON_DPAD_UP) - held(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    return SecondPad{std::clamp(x + secondX_, -1.0, 1.0), std::clamp(y + secondY_, -1.0, 1.0),
+                     held(SDL_CONTROLLER_BUTTON_A) > 0};
+}
+
+bool Gamepads::takeSecond(SDL_Event const& event, std::vector<SDL_Event>& events) {
+    if (event.type == SDL_CONTROLLERAXISMOTION && isSecond(event.caxis.which)) {
+        constexpr double atRest = 0.2; // sticks do not come back to their middle exactly
+        double const way = event.caxis.value / 32767.0;
+        double const value = std::abs(way) < atRest ? 0 : way;
+        if (event.caxis.axis == SDL_CONTROLLER_AXIS_LEFTX) {
+            secondX_ = value;
+        } else if (event.caxis.axis == SDL_CONTROLLER_AXIS_LEFTY) {
+            secondY_ = -value;
+        } else {
+            return false;
+        }
+        return true;
+    }
+    bool const button = event.type == SDL_CONTROLLERBUTTONDOWN || event.type == SDL_CONTROLLERBUTTONUP;
+    if (!button || !isSecond(event.cbutton.which)) {
+        return false;
+    }
+    switch (event.cbutton.button) {
+    case SDL_CONTROLLER_BUTTON_A:
+    case SDL_CONTROLLER_BUTTON_DPAD_UP:
+    case SDL_CONTROLLER_BUTTON_DPAD_DOWN:
+    case SDL_CONTROLLER_BUTTON_DPAD_LEFT:
+    case SDL_CONTROLLER_BUTTON_DPAD_RIGHT:
+        break;
+    default:
+        return false;
+    }
+    bool const down = event.type == SDL_CONTROLLERBUTTONDOWN;
+    secondHeld_[event.cbutton.button] = down;
+    if (!down) { // it may have gone down while it still gave keys
+        press(padKey(static_cast<SDL_GameControllerButton>(event.cbutton.button)), false, events);
+    }
+    return true;
+}
+
 std::vector<SDL_Event> Gamepads::take(SDL_Event const& event) {
     std::vector<SDL_Event> events;
+    if (takeSecond(event, events)) {
+        return events;
+    }
     switch (event.type) {
     case SDL_CONTROLLERDEVICEADDED:
         plug(event.cdevice.which);

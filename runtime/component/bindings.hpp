@@ -16,24 +16,28 @@ class Bindings;
 template <template <class...> class List, class... P>
 class Bindings<List<P...>> {
 public:
-    void bind(Store& store) { homes_ = {&store.home<P>()...}; }
+    void bind(Store& store) {
+        homes_ = {&store.home<P>()...};
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            ((watches_[I].version = std::get<I>(homes_)->versionPlace()), ...);
+        }
+        (std::index_sequence_for<P...>{});
+    }
 
     template <class Q>
     [[nodiscard]] Home<Q>& get() const {
         return *std::get<Home<Q>*>(homes_);
     }
     [[nodiscard]] bool changed() const {
-        return [&]<std::size_t... I>(std::index_sequence<I...>) {
-            return ((std::get<I>(homes_)->version() != seen_[I]) || ...);
-        }
-        (std::index_sequence_for<P...>{});
+        return std::any_of(watches_.begin(), watches_.end(), [](Watch const& w) { return w.changed(); });
     }
     void markSeen() {
-        [&]<std::size_t... I>(std::index_sequence<I...>) {
-            ((seen_[I] = std::get<I>(homes_)->version()), ...);
+        for (Watch& watch : watches_) {
+            watch.seen = *watch.version;
         }
-        (std::index_sequence_for<P...>{});
     }
+    /// One for each property; they stay where they are.
+    [[nodiscard]] std::span<Watch const> watches() const { return watches_; }
     /// The total number of rows of all object properties.
     [[nodiscard]] std::size_t rows() const {
         return (std::size_t{0} + ... + rowsOf(std::get<Home<P>*>(homes_)));
@@ -44,7 +48,7 @@ private:
     static std::size_t rowsOf(SlotBase const*) { return 0; }
 
     std::tuple<Home<P>*...> homes_;
-    std::array<std::uint64_t, sizeof...(P)> seen_{};
+    std::array<Watch, sizeof...(P)> watches_{};
 };
 
 /// The number of chunks of [0, count); depends only on count and rows.

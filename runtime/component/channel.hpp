@@ -27,6 +27,7 @@ class Channel final : public ChannelBase {
 public:
     void add(CallSource<Role>* source) {
         sources_.push_back(source);
+        cleared_.push_back(0);
         callers_.push_back(source->caller);
         ++changes_;
     }
@@ -34,6 +35,7 @@ public:
     void attachResolver() { resolverThere_ = true; }
     void clearSources() override {
         sources_.clear();
+        cleared_.clear();
         callers_.clear();
         resolverThere_ = false;
         ++changes_;
@@ -78,8 +80,11 @@ public:
         return sum;
     }
     void clearOnce() override {
-        for (CallSource<Role>* source : sources_) {
-            source->clearOnce();
+        for (std::size_t i = 0; i < sources_.size(); ++i) {
+            if (sources_[i]->version != cleared_[i]) { // otherwise it has made no call since
+                cleared_[i] = sources_[i]->version;
+                sources_[i]->clearOnce();
+            }
         }
     }
     /// Hashes every recorded call with its caller's name, independently of the order of registration.
@@ -111,7 +116,8 @@ public:
 
 private:
     std::vector<CallSource<Role>*> sources_;
-    std::vector<CallerId> callers_; // of sources_
+    std::vector<CallerId> callers_;      // of sources_
+    std::vector<std::uint64_t> cleared_; // of sources_: their versions when their calls were cleared last
     std::unique_ptr<CallSource<Role>> outside_;
     bool resolverThere_ = false;
     std::uint64_t changes_ = 1;

@@ -6,7 +6,10 @@
 #include "runtime/schedule/executor.hpp"
 #include "runtime/trace/tracer.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <deque>
+#include <span>
 
 namespace trembler {
 
@@ -35,6 +38,13 @@ struct FrameContext {
     std::uint32_t component = 0; ///< its index: resolvers, then derived property sets, then interactions
 };
 
+/// The version of a column or slot that a component reads, and the version that it has seen.
+struct Watch {
+    std::uint64_t const* version = nullptr;
+    std::uint64_t seen = 0;
+    [[nodiscard]] bool changed() const { return *version != seen; }
+};
+
 class Component {
 public:
     explicit Component(ComponentInfo const& info) : info_(info) {}
@@ -47,6 +57,13 @@ public:
     virtual void bind(Store& store, Channels& channels) = 0;
     /// Whether running it now could have any effect.
     [[nodiscard]] virtual bool hasWork() const = 0;
+    /// Whether it certainly has no work: it has stated for what it waits, and none of that has changed. The
+    /// world asks it of every component in every part of a frame, so it is not virtual and looks at little
+    /// memory. If false, hasWork() decides.
+    [[nodiscard]] bool sleeps() const {
+        return waiting_ &&
+               std::none_of(awaited_.begin(), awaited_.end(), [](Watch const& w) { return w.changed(); });
+    }
     /// The number of rows that it reads, by which the world judges whether threads are worth their overhead.
     [[nodiscard]] virtual std::size_t workload() const = 0;
     virtual void run(FrameContext const& context) = 0;
@@ -56,11 +73,24 @@ public:
     [[nodiscard]] std::deque<EventSink>& sinks() { return sinks_; }
 
 protected:
+    /// States that it has no work until one of these has changed, or until wake(). They must stay where they
+    /// are until then. Without any, it waits for wake().
+    void waitFor(std::span<Watch const> awaited) {
+        awaited_ = awaited;
+        waiting_ = true;
+    }
+    void wake() { waiting_ = false; }
+
     void openSinks(FrameContext const& context, std::size_t chunks, Phase phase);
 
     /// Its identity as a caller; an interaction's only.
     [[nodiscard]] CallerId caller() const { return caller_; }
 
+private:
+    std::span<Watch const> awaited_; // first, so that what sleeps() looks at lies together
+    bool waiting_ = false;
+
+protected:
     ComponentInfo const& info_;
     std::deque<EventSink> sinks_; // a deque: references to sinks stay valid while more are added
 

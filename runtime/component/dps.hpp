@@ -77,7 +77,7 @@ public:
         reads_.bind(store);
         derives_.bind(store);
     }
-    [[nodiscard]] bool hasWork() const override { return first_ || reads_.changed(); }
+    [[nodiscard]] bool hasWork() const final { return first_ || reads_.changed(); }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
     void run(FrameContext const& context) final {
         openSinks(context, 1, Phase::dps);
@@ -85,6 +85,7 @@ public:
         static_cast<Self&>(*this).update(access);
         reads_.markSeen();
         first_ = false;
+        this->waitFor(reads_.watches());
     }
     void hashState([[maybe_unused]] StateHash& hash) const final {
         if constexpr (detail::hashesMemory<Self>) {

@@ -13,7 +13,8 @@ namespace trembler {
 /// a `void apply(Access&)`.
 ///
 /// It is applied whenever a property that it reads has changed. Otherwise its held calls stay in effect, so
-/// applying it again would change nothing. With `static constexpr bool inSetup = true` it is also applied in
+/// applying it again would change nothing. `Self` may have `bool restless() const`: while true, it is applied
+/// all the same. With `static constexpr bool inSetup = true` it is also applied in
 /// frame 0, the setup before the first advance (6.8.3: "global properties, such as the gravity vector, will
 /// also be set"); it then reads object properties only.
 template <class Self, ResolverRole RoleType, class ReadsList>
@@ -119,7 +120,14 @@ public:
         source_.caller = this->caller();
         channels.of<Role>().add(&source_);
     }
-    [[nodiscard]] bool hasWork() const override { return first_ || reads_.changed(); }
+    [[nodiscard]] bool hasWork() const final {
+        if constexpr (requires(Self const& self) { self.restless(); }) {
+            if (static_cast<Self const&>(*this).restless()) {
+                return true;
+            }
+        }
+        return first_ || reads_.changed();
+    }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
     void run(FrameContext const& context) final {
         bool const stood = !source_.empty();
@@ -136,6 +144,9 @@ public:
         }
         reads_.markSeen();
         first_ = false;
+        if constexpr (!requires(Self const& self) { self.restless(); }) {
+            this->waitFor(reads_.watches());
+        }
     }
     void hashState([[maybe_unused]] StateHash& hash) const final {
         if constexpr (detail::hashesMemory<Self>) {

@@ -47,6 +47,8 @@ public:
     /// Increases whenever a value may have changed. While it is the same as before, a reader has seen all
     /// values.
     [[nodiscard]] std::uint64_t version() const { return version_; }
+    /// Where it is kept, for its life.
+    [[nodiscard]] std::uint64_t const* versionPlace() const { return &version_; }
     /// Increases when rows are added or removed.
     [[nodiscard]] std::uint64_t structureVersion() const { return structureVersion_; }
     void touch() { ++version_; }

@@ -20,6 +20,8 @@ public:
 
     [[nodiscard]] PropertyInfo const& info() const { return info_; }
     [[nodiscard]] std::uint64_t version() const { return version_; }
+    /// Where it is kept, for its life.
+    [[nodiscard]] std::uint64_t const* versionPlace() const { return &version_; }
     void touch() { ++version_; }
     /// How many constructed components and subscriptions read it. At 0, its provider need not compute it.
     [[nodiscard]] int readers() const { return ownReaders_ + onlookers_; }

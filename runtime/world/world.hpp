@@ -162,6 +162,15 @@ private:
         std::uint64_t ranTick = 0;  // at the end of its last turn
     };
 
+    /// The turn of an entry that has separate turns.
+    struct Turn {
+        Component const* component = nullptr;
+        std::uint32_t entry = 0;
+        /// It slept through its last turn, and its status says so. While it sleeps on, its entry is not
+        /// looked at, and Entry::lastTick is brought up to date by wake().
+        bool quiet = false;
+    };
+
     [[nodiscard]] bool readHere(PropertyInfo const& property) const;
     void addEntries();
     void linkShortcuts();
@@ -178,6 +187,7 @@ private:
     [[nodiscard]] bool anybodyRan() const;
     void runPhase(ComponentKind kind);
     void giveTurn(Entry& entry);
+    void wake(Turn& turn);
     void runEntry(Entry& entry);
     [[nodiscard]] bool due(Entry const& entry) const;
     [[nodiscard]] bool runsInside(Entry const& entry) const;
@@ -191,14 +201,15 @@ private:
     Executor executor_;
     std::unique_ptr<Tracer> tracer_;
     std::shared_ptr<Wants> wants_ = std::make_shared<Wants>(); // not part of the world's state
-    /// By kind, ascending: the entries that have separate turns.
-    std::array<std::vector<std::size_t>, 3> turns_;
+    std::array<std::vector<Turn>, 3> turns_;                   // by kind, ascending by entry
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each
     ComponentGraph graph_;       // of the entries: component n is entry n
     std::optional<std::size_t> divider_; // the entry that decides the number of parts of a frame
     std::vector<SlotBase*> news_;        // the slots of properties that report news
     Moment now_;
     std::uint64_t ticks_ = 0; // at the end of the current or last part
+    std::uint64_t settledTicks_ =
+        0;                    // at the end of the last part, or of the parts that were skipped after it
     bool underWay_ = false;   // during step()
     std::uint32_t notes_ = 0; // events that note() has added in this part
     std::uint64_t knownStructure_ = 0;

@@ -68,7 +68,10 @@ int countOf(std::map<std::string_view, int> const& counts, std::string_view key)
 
 void World::bindAll() {
     channels_.clearSources();
-    for (std::vector<std::size_t>& turns : turns_) {
+    for (std::vector<Turn>& turns : turns_) {
+        for (Turn& turn : turns) {
+            wake(turn);
+        }
         turns.clear();
     }
     std::map<std::string_view, int> own; // readers by property: components constructed without subscriptions
@@ -79,7 +82,8 @@ void World::bindAll() {
         }
         entry.component->bind(store_, channels_);
         if (!runsInside(entry)) { // an interaction inside a derived property set has its turn with it
-            turns_[static_cast<std::size_t>(entry.status.info->kind)].push_back(entry.index);
+            turns_[static_cast<std::size_t>(entry.status.info->kind)].push_back(
+                {entry.component.get(), entry.index});
         }
         for (PropertyInfo const* read : entry.status.info->reads) {
             ++(entry.own ? own : others)[read->text.key];

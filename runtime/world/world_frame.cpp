@@ -38,6 +38,7 @@ void World::step(PartLook const& look) {
     for (;;) {
         ticks_ = (now_.frame - 1) * ticksPerFrame + now_.part * (ticksPerFrame / now_.parts);
         runPart();
+        settledTicks_ = ticks_;
         if (now_.parts > 1) {
             gatherNews();
         }
@@ -59,6 +60,7 @@ void World::step(PartLook const& look) {
             for (Entry& entry : entries_) {
                 entry.lastTick += entry.component && entry.lastTick == ticks_ ? skipped : 0;
             }
+            settledTicks_ += skipped;
             now_.part = now_.parts;
         }
         ++now_.step;

@@ -71,6 +71,11 @@ void World::setPeriod(std::string const& componentTitle, int period) {
         throw std::invalid_argument(fmt::format("there is no component '{}'; the components are: {}",
                                                 componentTitle, fmt::join(titles, ", ")));
     }
+    for (std::vector<Turn>& turns : turns_) {
+        for (Turn& turn : turns) {
+            wake(turn); // a component with a period does not have a turn in every part
+        }
+    }
     named.front()->status.period = period;
     options_.periods[title(*named.front()->status.info)] = period;
 }

@@ -52,12 +52,24 @@ void World::giveTurn(Entry& entry) {
     entry.lastTick = ticks_; // time that it sleeps through is not part of its next turn
 }
 
+// Sleeping through a turn costs no more than finding that out; what that leaves undone is done here.
+void World::wake(Turn& turn) {
+    if (turn.quiet) {
+        entries_[turn.entry].lastTick = settledTicks_;
+        turn.quiet = false;
+    }
+}
+
 void World::runPhase(ComponentKind kind) {
     auto const hasTurn = [this](Entry const& entry) { return entry.component && due(entry); };
     std::vector<std::size_t> running;
     std::size_t rows = 0;
-    for (std::size_t const i : turns_[static_cast<std::size_t>(kind)]) {
-        Entry& entry = entries_[i];
+    for (Turn& turn : turns_[static_cast<std::size_t>(kind)]) {
+        if (turn.quiet && turn.component->sleeps()) {
+            continue;
+        }
+        wake(turn);
+        Entry& entry = entries_[turn.entry];
         bool runs = false;
         auto const consider = [&](Entry& candidate) {
             if (!hasTurn(candidate)) {
@@ -77,10 +89,13 @@ void World::runPhase(ComponentKind kind) {
             consider(entries_[inner]);
         }
         if (runs) {
-            running.push_back(i);
+            running.push_back(turn.entry);
+        } else {
+            turn.quiet = entry.status.activity == Activity::asleep && entry.status.period == 1 &&
+                         entry.shortcuts.empty();
         }
     }
-    auto const turn = [&](std::size_t n) {
+    auto const takeTurn = [&](std::size_t n) {
         Entry& entry = entries_[running[n]];
         if (hasTurn(entry)) {
             giveTurn(entry);
@@ -93,7 +108,7 @@ void World::runPhase(ComponentKind kind) {
     };
     if (executor_.threads() == 1 || running.size() <= 1 || rows < options_.rowsWorthThreads) {
         for (std::size_t n = 0; n < running.size(); ++n) {
-            turn(n);
+            takeTurn(n);
         }
         return;
     }
@@ -103,9 +118,9 @@ void World::runPhase(ComponentKind kind) {
         for (std::size_t const i : running) {
             infos.push_back(entries_[i].status.info);
         }
-        executor_.runGraph(running.size(), deriveEdges(infos), turn);
+        executor_.runGraph(running.size(), deriveEdges(infos), takeTurn);
     } else {
-        executor_.forIndices(running.size(), turn);
+        executor_.forIndices(running.size(), takeTurn);
     }
 }
 

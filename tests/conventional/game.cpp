@@ -26,7 +26,7 @@ public:
 
     ScriptRunner(ScriptSet scripts, std::vector<Setting::Cut> cuts, std::shared_ptr<Game> game)
         : scripts_(std::move(scripts)), cuts_(std::move(cuts)), game_(std::move(game)) {}
-    [[nodiscard]] bool hasWork() const override { return true; }
+    [[nodiscard]] bool restless() const { return true; }
 
     void apply(Access& access) {
         Game& game = *game_;

@@ -26,3 +26,20 @@ namespace trembler::edit {
 void fuzzLevelEdit(std::string_view bytes);
 
 } // namespace trembler::edit
+
+/// Each takes the bytes for a file, and throws std::logic_error if something is not as it must be. What is
+/// wrong with the file must be told in words.
+namespace trembler::files {
+
+/// A level: read, and run on one and two threads.
+void fuzzLevel(std::string_view bytes);
+/// A part: read, and used as an object of a level.
+void fuzzPart(std::string_view bytes);
+/// A solution in a file of its own, for the doorbell: played, recorded and played again.
+void fuzzReplay(std::string_view bytes);
+/// The player's settings, keys and progress: read, bound, written and read again.
+void fuzzSettings(std::string_view bytes);
+/// A mod's mod.json up to the first zero, then the text of a script of it.
+void fuzzModManifest(std::string_view bytes);
+
+} // namespace trembler::files

@@ -2,7 +2,7 @@
 #include "game/app/commands.hpp"
 #include "game/app/mods/mod_reference_command.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/outputs.hpp"
+#include "game/app/options/outputs.hpp"
 #include "lua/mods/lint.hpp"
 #include "runtime/file/visible_text.hpp"
 

@@ -2,7 +2,7 @@
 #include "game/app/mods/mod_reference_command.hpp"
 
 #include "game/app/commands.hpp"
-#include "game/app/outputs.hpp"
+#include "game/app/options/outputs.hpp"
 #include "lua/reference/annotations.hpp"
 #include "lua/reference/page.hpp"
 #include "puzzle/data/effects.hpp"

@@ -28,28 +28,33 @@ fs::path besideProfile(fs::path const& profile, char const* name) {
 
 GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary const& parts,
                  GameOptions const& options)
-    : options_(options), context_{.window = window,
-                                  .registry = registry,
-                                  .parts = parts,
-                                  .gui = render::Gui(window, {.steady = options.steady}),
-                                  .pads = {},
-                                  .input = render::InputEvents(window, context_.pads),
-                                  .canvas = {},
-                                  .toasts = {},
-                                  .layout = {},
-                                  .focus = {},
-                                  .catalog = PartCatalog(parts, context_.canvas),
-                                  .levels = LevelCatalog(registry, options.levels,
-                                                         {.data = options.levelData, .mods = options.mods}),
-                                  .pictures =
-                                      LevelPictures(registry, parts, context_.canvas, options.levelData),
-                                  .profile = Profile(options.profile),
-                                  .builds = KeptBuilds(besideProfile(options.profile, "builds")),
-                                  .kinds = {},
-                                  .keys = KeyBindings(commandLists()),
-                                  .recorder = Recorder(options.pictures),
-                                  .loudspeaker = options.loudspeaker},
+    : options_(withNewParts(options)),
+      context_{.window = window,
+               .registry = registry,
+               .parts = parts,
+               .gui = render::Gui(window, {.steady = options.steady}),
+               .pads = {},
+               .input = render::InputEvents(window, context_.pads),
+               .canvas = {},
+               .toasts = {},
+               .layout = {},
+               .focus = {},
+               .catalog = PartCatalog(parts, context_.canvas),
+               .levels =
+                   LevelCatalog(registry, options.levels, {.data = options_.levelData, .mods = options.mods}),
+               .pictures = LevelPictures(registry, parts, context_.canvas, options_.levelData),
+               .profile = Profile(options.profile),
+               .builds = KeptBuilds(besideProfile(options.profile, "builds")),
+               .kinds = {},
+               .keys = KeyBindings(commandLists()),
+               .recorder = Recorder(options.pictures),
+               .solutions =
+                   SavedSolutions(options.profile.empty() ? options.pictures / "solutions"
+                                                          : besideProfile(options.profile, "solutions")),
+               .loudspeaker = options.loudspeaker},
       screen_(std::make_unique<TitleScreen>(context_)) {
+    // A cursor that blinks would have the window drawn all the time.
+    ImGui::GetIO().ConfigInputTextCursorBlink = false;
     applySettings(context_);
     std::vector<std::string> troubles = context_.profile.troubles();
     for (std::string& trouble : context_.keys.load(context_.profile.keys())) {
@@ -58,6 +63,14 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
     for (std::string const& trouble : troubles) {
         context_.toasts.add(trouble, render::ToastKind::Trouble, 12);
     }
+}
+
+GameOptions GameApp::withNewParts(GameOptions options) const {
+    options.levelData = [this, stated = options.levelData](fs::path const& level) {
+        auto data = stated ? stated(level) : nullptr;
+        return data != nullptr ? data : newest_;
+    };
+    return options;
 }
 
 GameApp::~GameApp() {
@@ -80,13 +93,14 @@ void GameApp::edit(std::filesystem::path const& level) {
         plain_ = std::make_shared<GameData const>();
     }
     // Without a profile nothing is kept, recoveries included.
-    show(std::make_unique<EditScreen>(context_, level,
-                                      EditOptions{.data = plain_,
-                                                  .levelData = options_.levelData,
-                                                  .world = options_.world,
-                                                  .recovery = options_.profile.empty()
-                                                                  ? std::filesystem::path()
-                                                                  : edit::recoveryFolder()}));
+    show(std::make_unique<EditScreen>(
+        context_, level,
+        EditOptions{
+            .data = plain_,
+            .levelData = options_.levelData,
+            .partsMade = [this](std::shared_ptr<GameData const> data) { newest_ = plain_ = std::move(data); },
+            .world = options_.world,
+            .recovery = options_.profile.empty() ? std::filesystem::path() : edit::recoveryFolder()}));
     menu_.close();
 }
 
@@ -110,7 +124,14 @@ void GameApp::openFreePlay() {
     }
     try {
         fs::create_directories(file.parent_path());
-        writeFile(file, freePlayLevel(context_.parts, text("free.title"), text("free.text")));
+        // In every language, as the player may choose another one while it is played.
+        Translations texts;
+        for (Language const& language : languages()) {
+            texts[std::string(language.id)] = {
+                textOfLanguage(language.id, "free.title"), textOfLanguage(language.id, "free.text"), {}, {}};
+        }
+        writeFile(file, freePlayLevel(newest_ ? newest_->parts : context_.parts, text("free.title"),
+                                      text("free.text"), texts));
     } catch (std::exception const& error) {
         context_.toasts.add(error.what(), render::ToastKind::Trouble, 10);
         return;
@@ -176,6 +197,10 @@ bool GameApp::lively() const {
 }
 
 bool GameApp::frame(double seconds, bool seen) {
+    using render::PadUse;
+    bool const two = screen_->hasSecondHand() && !menu_.isOpen();
+    bool const last = context_.profile.settings().padIsSecond;
+    context_.pads.setUse(!two ? PadUse::together : last ? PadUse::lastApart : PadUse::secondApart);
     context_.input.poll();
     context_.pictures.beginFrame();
     takeKinds();
@@ -190,8 +215,12 @@ bool GameApp::frame(double seconds, bool seen) {
     }
     context_.toasts.draw(seconds); // seen or not, they grow older
     if (drawn) {
-        context_.gui.endFrame();
-        screen_->pictureComplete();
+        if (screen_->keepsPicture()) {
+            context_.gui.endFrame([this] { screen_->pictureComplete(); });
+        } else {
+            context_.gui.endFrame();
+            screen_->pictureComplete();
+        }
         context_.window.present();
     } else {
         context_.gui.dropFrame();

@@ -18,7 +18,7 @@ using LevelData = std::function<std::shared_ptr<GameData const>(std::filesystem:
 
 struct GameOptions {
     std::filesystem::path levels;         ///< folder of the levels to choose from
-    std::filesystem::path pictures = "."; ///< folder for films and pictures
+    std::filesystem::path pictures = "."; ///< folder for clips and pictures
     std::filesystem::path profile;        ///< file of settings and progress; empty: nothing is kept
     WorldOptions world;
     Loudspeaker* loudspeaker = nullptr;        ///< must outlive the game; nullptr: it is silent
@@ -63,6 +63,8 @@ public:
     [[nodiscard]] Menu const& menu() const { return menu_; }
 
 private:
+    /// Levels get the data with the parts made in the editor, unless they need others.
+    [[nodiscard]] GameOptions withNewParts(GameOptions options) const;
     void update(double seconds);
     void follow(ScreenRequest const& request);
     void tryOpen(std::filesystem::path const& level);
@@ -72,6 +74,7 @@ private:
     void takeKinds();
     void toggleFullscreen();
 
+    std::shared_ptr<GameData const> newest_; // with the parts made in the editor; nullptr: none was made
     GameOptions options_;
     UiContext context_;
     Menu menu_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace trembler::ui {
 namespace {
@@ -33,15 +34,13 @@ void ChaptersPage::open(UiContext const& context, std::filesystem::path const& c
     if (wanted == nullptr) {
         wanted = context.levels.next(context.profile.progress());
     }
-    chapter_ = 0;
+    chapter_ = chapters.size();
     for (std::size_t i = 0; i < chapters.size(); ++i) {
         auto const& levels = chapters[i].levels;
-        bool const here = gallery ? chapters[i].gallery
-                                  : std::any_of(levels.begin(), levels.end(),
-                                                [&](CatalogEntry const& entry) { return &entry == wanted; });
-        if (here) {
-            chapter_ = i;
-            return;
+        bool const here = std::any_of(levels.begin(), levels.end(),
+                                      [&](CatalogEntry const& entry) { return &entry == wanted; });
+        if (chapters[i].gallery == gallery && (here || chapter_ == chapters.size())) {
+            chapter_ = i; // the first, unless another has the wanted level
         }
     }
 }
@@ -50,12 +49,16 @@ void ChaptersPage::drawTabs(UiContext& context) {
     auto const& chapters = context.levels.groups();
     std::string const language(languageInUse());
     float const right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    bool first = true;
     for (std::size_t i = 0; i < chapters.size(); ++i) {
+        if (chapters[i].gallery != chapters[chapter_].gallery) { // demonstrations have a page of their own
+            continue;
+        }
         std::string const label =
             titleIn(chapters[i].texts, language, chapters[i].title) + "  " + countOf(context, chapters[i]);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(scaled(11), scaled(7)));
         float const width = ImGui::CalcTextSize(label.c_str()).x + scaled(22);
-        if (i > 0 && ImGui::GetItemRectMax().x + scaled(8) + width <= right) {
+        if (!std::exchange(first, false) && ImGui::GetItemRectMax().x + scaled(8) + width <= right) {
             ImGui::SameLine(0, scaled(8));
         }
         bool const on = i == chapter_;
@@ -81,18 +84,21 @@ CatalogEntry const* ChaptersPage::drawCards(UiContext& context, CatalogGroup con
     CatalogEntry const* const next = context.levels.next(context.profile.progress());
     float const step = levelCardWidth + cardGapHere;
     float const width = ImGui::GetContentRegionAvail().x / theme().scale;
-    auto const columns = static_cast<std::size_t>(std::max((width + cardGapHere - 4) / step, 1.F));
-    ImGui::Indent(scaled(3)); // room for the ring of the focus
+    constexpr float ring = 3; // room for that of the focus
+    auto const columns = static_cast<std::size_t>(std::max((width + cardGapHere - 2 * ring) / step, 1.F));
+    float const share = (width - 2 * ring + cardGapHere) / static_cast<float>(columns) - cardGapHere;
+    ImGui::Indent(scaled(ring));
     for (std::size_t i = 0; i < chapter.levels.size(); ++i) {
         if (i % columns != 0) {
             ImGui::SameLine(0, scaled(cardGapHere));
         }
         CatalogEntry const& entry = chapter.levels[i];
-        if (drawLevelCard(context, entry, {.current = &entry == here, .next = &entry == next})) {
+        if (drawLevelCard(context, entry,
+                          {.current = &entry == here, .next = &entry == next, .width = share})) {
             chosen = &entry;
         }
     }
-    ImGui::Unindent(scaled(3));
+    ImGui::Unindent(scaled(ring));
     return chosen;
 }
 
@@ -101,12 +107,17 @@ ChaptersPage::Choice ChaptersPage::draw(UiContext& context, std::filesystem::pat
     auto const& chapters = context.levels.groups();
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
     float const width = std::min(screen.x / theme().scale - 32, mostWidth);
-    context.layout.beginCard("level list", text("levels.title"), {.anchor = Anchor::Middle, .width = width});
-    if (chapters.empty()) {
+    bool const none = chapter_ >= chapters.size();
+    bool const gallery = !none && chapters[chapter_].gallery;
+    context.layout.beginCard("level list", text(gallery ? "title.gallery" : "levels.title"),
+                             {.anchor = Anchor::Middle, .width = width});
+    if (none) {
         caption(text("levels.none"));
     } else {
-        chapter_ = std::min(chapter_, chapters.size() - 1);
-        drawTabs(context);
+        auto const alike = [&](CatalogGroup const& chapter) { return chapter.gallery == gallery; };
+        if (std::count_if(chapters.begin(), chapters.end(), alike) > 1) {
+            drawTabs(context);
+        }
         CatalogGroup const& chapter = chapters[chapter_];
         if (std::string const about = textIn(chapter.texts, std::string(languageInUse()), chapter.text);
             !about.empty()) {

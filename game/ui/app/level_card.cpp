@@ -71,8 +71,14 @@ std::vector<std::string> inTwoLines(std::string const& text, float width) {
 void drawStars(UiContext const& context, CatalogEntry const& entry, ImVec2 low, ImVec2 high) {
     auto& list = *ImGui::GetWindowDrawList();
     int const stars = context.profile.progress().of(entry.id).stars();
-    int const shown = entry.demonstration ? 1 : std::max(stars, shownStars);
+    int const shown = entry.demonstration ? (entry.task ? 1 : 0) : std::max(stars, shownStars);
     float const y = high.y - scaled(15);
+    if (entry.task) {
+        char const* const words = text(stars > 0 ? "levels.task_done" : "levels.task");
+        ImFont* const font = theme().fonts.small;
+        list.AddText(font, font->FontSize, {low.x + scaled(34), y - 0.5F * font->FontSize},
+                     imColour(palette::inkSoft), words);
+    }
     for (int i = 0; i < shown; ++i) {
         drawStar(list, {low.x + scaled(19 + 20 * static_cast<float>(i)), y}, scaled(8.5F), i < stars);
     }
@@ -105,8 +111,7 @@ void showTip(CatalogEntry const& entry, std::string const& title, bool cut) {
 } // namespace
 
 bool drawLevelCard(UiContext& context, CatalogEntry const& entry, LevelCardOptions const& options) {
-    bool clicked =
-        ImGui::InvisibleButton(entry.id.c_str(), {scaled(levelCardWidth), scaled(levelCardHeight)});
+    bool clicked = ImGui::InvisibleButton(entry.id.c_str(), {scaled(options.width), scaled(levelCardHeight)});
     context.layout.item("level " + entry.id);
     bool const hovered = ImGui::IsItemHovered();
     ImVec2 const low = ImGui::GetItemRectMin();

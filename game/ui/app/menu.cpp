@@ -36,6 +36,8 @@ char const* pageName(MenuPage page) {
         return "gallery";
     case MenuPage::ending:
         return "ending";
+    case MenuPage::solutions:
+        return "solutions";
     case MenuPage::help:
         return "help";
     case MenuPage::closed:
@@ -55,6 +57,7 @@ bool wide(UiContext& context, char const* id, Icon icon, ButtonLook look = Butto
 
 void Menu::back() {
     keys_.cancel();
+    solutions_.cancel();
     if (!pages_.empty()) {
         pages_.pop_back();
     }
@@ -67,6 +70,9 @@ std::optional<ScreenRequest> Menu::drawMain(UiContext& context, Screen& behind) 
     ImGui::Dummy({0, scaled(4)});
     bool const resume = wide(context, "menu.resume", Icon::Play, ButtonLook::Primary);
     bool const restart = behind.commands().has("restart") && wide(context, "menu.restart", Icon::Reset);
+    if (behind.shelf() != nullptr && wide(context, "menu.solutions", Icon::Save)) {
+        pages_.push_back(MenuPage::solutions);
+    }
     if (wide(context, "menu.levels", Icon::List)) {
         pages_.push_back(MenuPage::levels);
     }
@@ -135,9 +141,29 @@ std::optional<ScreenRequest> Menu::drawEnding(UiContext& context) {
     return asked;
 }
 
+void Menu::drawSolutions(UiContext& context, Screen& behind) {
+    SolutionShelf* const shelf = behind.shelf();
+    if (shelf == nullptr) {
+        return back();
+    }
+    if (drawn_ != page()) {
+        solutions_.open(*shelf);
+    }
+    switch (solutions_.draw(context, *shelf)) {
+    case SolutionsPage::Choice::stay:
+        break;
+    case SolutionsPage::Choice::back:
+        back();
+        break;
+    case SolutionsPage::Choice::loaded:
+        close();
+        break;
+    }
+}
+
 std::optional<ScreenRequest> Menu::draw(UiContext& context, Screen& behind) {
     bool const padBack = context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B)) && !keys_.waiting();
-    if (padBack || (context.input.keyPressed(SDLK_ESCAPE) && !keys_.cancel())) {
+    if (padBack || (context.input.keyPressed(SDLK_ESCAPE) && !keys_.cancel() && !solutions_.cancel())) {
         back();
         return {};
     }
@@ -147,11 +173,12 @@ std::optional<ScreenRequest> Menu::draw(UiContext& context, Screen& behind) {
                std::find(chords.begin(), chords.end(), chordOf(event.key.keysym)) != chords.end();
     };
     auto const pressed = context.input.events();
-    if (!keys_.waiting() && std::any_of(pressed.begin(), pressed.end(), wanted)) {
+    if (!keys_.waiting() && !solutions_.typing() && std::any_of(pressed.begin(), pressed.end(), wanted)) {
         return request::SwitchFullscreen{}; // the one command that a menu has, too
     }
     drawVeil();
-    auto const events = keys_.waiting() ? std::span<SDL_Event const>() : context.input.events();
+    auto const events =
+        keys_.waiting() || solutions_.typing() ? std::span<SDL_Event const>() : context.input.events();
     context.focus.begin(pageName(page()), events, context.input.mouseMoved() != Point{});
     context.pictures.forgetWaiting();
     MenuPage const shown = page();
@@ -183,6 +210,9 @@ std::optional<ScreenRequest> Menu::drawPage(UiContext& context, Screen& behind) 
         return drawLevels(context, behind);
     case MenuPage::ending:
         return drawEnding(context);
+    case MenuPage::solutions:
+        drawSolutions(context, behind);
+        break;
     case MenuPage::help: {
         HelpChoice const choice = drawHelp(context, behind);
         if (choice == HelpChoice::back) {

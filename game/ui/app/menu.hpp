@@ -4,6 +4,7 @@
 #include "game/ui/app/chapters_page.hpp"
 #include "game/ui/app/keys_page.hpp"
 #include "game/ui/app/settings_page.hpp"
+#include "game/ui/app/solutions_page.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
@@ -39,12 +40,14 @@ private:
     std::optional<ScreenRequest> drawMain(UiContext& context, Screen& behind);
     std::optional<ScreenRequest> drawLevels(UiContext& context, Screen& behind);
     std::optional<ScreenRequest> drawEnding(UiContext& context);
+    void drawSolutions(UiContext& context, Screen& behind);
 
     std::vector<MenuPage> pages_;       // the opened pages, the current one last; empty: closed
     MenuPage drawn_ = MenuPage::closed; // in the last picture
     KeysPage keys_;
     SettingsPage settings_;
     ChaptersPage chapters_;
+    SolutionsPage solutions_;
 };
 
 } // namespace trembler::ui

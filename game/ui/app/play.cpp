@@ -2,17 +2,17 @@
 
 #include "audio/device/loudspeaker.hpp"
 #include "game/ui/app/app.hpp"
+#include "game/ui/app/game_loop.hpp"
 #include "game/ui/headless/run_sound.hpp"
 #include "game/ui/headless/screenshot.hpp"
+#include "game/ui/shared/user_folders.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
-#include <SDL.h>
 #include <fmt/format.h>
 
 #include <chrono>
 #include <iostream>
-#include <thread>
 
 namespace trembler::ui {
 namespace {
@@ -23,8 +23,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t usualFrames = 600;
 /// Frames simulated after success, so that the picture shows the solved state and not the moment before.
 constexpr std::uint64_t encore = 45;
-
-constexpr double shortestPicture = 1.0 / 250; // s
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -133,7 +131,7 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
         [](std::string const& text) { std::cout << text << std::endl; });
     GameApp app(window, gameData.registry, gameData.parts,
                 {.levels = gameData.home / "levels",
-                 .pictures = options.pictures,
+                 .pictures = options.pictures.empty() ? usualPicturesFolder() : options.pictures,
                  .profile = Profile::usualFile(),
                  .world = options.world,
                  .loudspeaker = &loudspeaker,
@@ -152,25 +150,8 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
             app.context().toasts.add(error.what(), render::ToastKind::Trouble, 60);
         }
     }
-    auto before = Clock::now();
-    double passed = 1.0 / 60;
-    bool seen = true;
-    while (app.frame(passed, seen)) {
-        seen = (SDL_GetWindowFlags(window.handle()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
-        if (app.resting()) {
-            // Nothing new would be shown: until something happens time passes in few, undrawn pictures.
-            seen = SDL_WaitEventTimeout(nullptr, 250) != 0 && seen;
-        }
-        // Vertical sync does not limit the frame rate of a hidden window.
-        if (!seen) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(15));
-        }
-        // Without a graphics card nothing else limits how many pictures are drawn.
-        if (double const rest = shortestPicture - secondsSince(before); seen && rest > 0) {
-            std::this_thread::sleep_for(std::chrono::duration<double>(rest));
-        }
-        passed = secondsSince(before);
-        before = Clock::now();
+    GameLoop loop(app, window);
+    while (loop.turn()) {
     }
     return 0;
 }

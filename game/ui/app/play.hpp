@@ -11,8 +11,9 @@
 namespace trembler::ui {
 
 struct PlayOptions {
-    std::filesystem::path level;          ///< empty: the title screen
-    std::filesystem::path pictures = "."; ///< folder for films and pictures that the player takes
+    std::filesystem::path level; ///< empty: the title screen
+    std::filesystem::path
+        pictures; ///< folder for clips and pictures; empty: see usualPicturesFolder(), without a display "."
     std::filesystem::path
         picture; ///< file that playWithoutDisplay writes; empty: trembler-NAME.png in `pictures`
     WorldOptions world{};

@@ -4,6 +4,7 @@
 #include "game/ui/shared/texts.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -18,11 +19,7 @@ using namespace render;
 
 /// Returns whether it was changed.
 bool check(UiContext& context, char const* label, char const* item, bool& value) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, scaled(1.5F)); // an empty box is seen, too
-    ImGui::PushStyleColor(ImGuiCol_Border, imColour4(mix(palette::paperShade, palette::ink, 0.45F)));
-    bool touched = ImGui::Checkbox(label, &value);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
+    bool touched = checkBox(label, &value);
     context.layout.item(item);
     if (context.focus.item()) {
         value = !value;
@@ -37,13 +34,16 @@ void smallCaption(char const* text) {
     ImGui::PopFont();
 }
 
-/// A slider of percent with its name above it.
+/// A slider of percent; above it its name, and the number, which the knob would cover.
 bool drawVolume(UiContext& context, char const* label, char const* item, int& value) {
     ImGui::TextUnformatted(label);
+    std::string const number = value == 0 ? text("settings.off") : std::to_string(value) + " %";
+    float const width = ImGui::CalcTextSize(number.c_str()).x;
+    ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
+    ImGui::TextUnformatted(number.c_str());
     ImGui::SetNextItemWidth(-1);
-    bool touched =
-        ImGui::SliderInt((std::string("##") + item).c_str(), &value, 0, 100,
-                         value == 0 ? text("settings.off") : "%d %%", ImGuiSliderFlags_AlwaysClamp);
+    bool touched = ImGui::SliderInt((std::string("##") + item).c_str(), &value, 0, 100, "",
+                                    ImGuiSliderFlags_AlwaysClamp);
     context.layout.item(item);
     context.focus.item(true);
     if (int const steps = context.focus.adjusted(); steps != 0) {
@@ -124,6 +124,7 @@ bool drawRows(UiContext& context, Settings& settings) {
     smallCaption(text("settings.shadows_tip"));
     touched = check(context, text("settings.motion"), "reduced motion", settings.reducedMotion) || touched;
     smallCaption(text("settings.motion_tip"));
+    touched = check(context, text("settings.pad_second"), "pad is second", settings.padIsSecond) || touched;
     std::string const fullscreen = withKey(text("settings.fullscreen"), "fullscreen", context.keys);
     return check(context, fullscreen.c_str(), "fullscreen", settings.fullscreen) || touched;
 }

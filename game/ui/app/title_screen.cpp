@@ -22,10 +22,17 @@ constexpr Command<TitleScreen> titleTable[] = {
     {.info = common::help, .run = [](TitleScreen& title) { title.ask(request::OpenMenu{MenuPage::help}); }},
 };
 
-constexpr float buttonsWidth = 300; // pixels at UI scale 1
+// Pixels at UI scale 1.
+constexpr float usualButtonsWidth = 300;
+constexpr float columnsWidth = 400; ///< of two columns of buttons
 constexpr float titleMargin = 40;
 /// Height below which the buttons stand in two columns, pixels at UI scale 1.
 constexpr float roomForOneColumn = 520;
+/// Width of the card with the buttons, pixels at UI scale 1.
+float buttonsWidth() {
+    return ImGui::GetIO().DisplaySize.y / theme().scale < roomForOneColumn ? columnsWidth : usualButtonsWidth;
+}
+
 /// How often the bell rings after the title has appeared or the mouse has touched it.
 constexpr double ringingFor = 2 * titlePeriod; // s
 
@@ -38,7 +45,7 @@ std::span<Command<TitleScreen> const> titleCommands() {
 void TitleScreen::drawTitle() {
     Layout& layout = context_.layout;
     float const screen = ImGui::GetIO().DisplaySize.x / theme().scale;
-    float const width = std::min(screen - buttonsWidth - 3 * titleMargin, 520.F);
+    float const width = std::min(screen - buttonsWidth() - 3 * titleMargin, 520.F);
     layout.beginCard(
         "title", "",
         {.anchor = Anchor::TopLeft, .offset = {titleMargin, titleMargin}, .width = width, .bare = true});
@@ -65,7 +72,7 @@ void TitleScreen::drawButtons() {
     float const screen = ImGui::GetIO().DisplaySize.y / theme().scale;
     bool const narrow = screen < roomForOneColumn;
     layout.beginCard("title buttons", "",
-                     {.anchor = Anchor::Right, .offset = {titleMargin, 0}, .width = buttonsWidth});
+                     {.anchor = Anchor::Right, .offset = {titleMargin, 0}, .width = buttonsWidth()});
     CampaignProgress const& progress = context_.profile.progress();
     CatalogEntry const* const next = context_.levels.next(progress);
     if (next != nullptr) {
@@ -149,7 +156,7 @@ void TitleScreen::draw() {
     // The picture fills what the title and the buttons leave free.
     auto const title = context_.layout.card("title");
     double const left = 24 * scale;
-    double const right = size.width - static_cast<double>(buttonsWidth + 2 * titleMargin) * scale;
+    double const right = size.width - static_cast<double>(buttonsWidth() + 2 * titleMargin) * scale;
     double const top = (title ? title->high.y : 210 * scale) + 16 * scale;
     double const bottom = size.height - 24 * scale;
     camera.pixelsPerMetre =

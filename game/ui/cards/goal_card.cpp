@@ -1,7 +1,13 @@
+#include "game/ui/cards/goal_counts.hpp"
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/play/view/level_text.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace trembler::ui {
 namespace {
@@ -24,18 +30,24 @@ void smallHeading(std::string const& text) {
     ImGui::PopFont();
 }
 
-std::vector<GoalLine> linesOf(Session const& session) {
+std::vector<GoalLine> linesOf(Session const& session, LevelText const* said, std::span<int const> counts) {
     std::vector<GoalLine> lines;
     for (GoalStatus const& goal : session.judge().status()) {
+        bool const known = said != nullptr && lines.size() < said->goals().size();
+        std::string const& text = known ? said->goals()[lines.size()] : goal.text;
         bool const underWay = !goal.met && goal.progress > 0 && goal.progress < 1;
-        lines.push_back({words::capital(goal.text), goal.met ? GoalLine::State::Met : GoalLine::State::Open,
+        std::string words = words::capital(text);
+        int const count = lines.size() < counts.size() ? counts[lines.size()] : 0;
+        if (count > 1 && session.mode() != SessionMode::building) {
+            words += " (" + textWith("goal.counted", reachedOf(goal, count), count) + ")";
+        }
+        lines.push_back({std::move(words), goal.met ? GoalLine::State::Met : GoalLine::State::Open,
                          underWay ? static_cast<float>(goal.progress) : -1.F});
     }
     return lines;
 }
 
-void drawHints(Session const& session, std::size_t hintsShown, CommandButtons& buttons) {
-    auto const& hints = session.level().hints;
+void drawHints(std::vector<std::string> const& hints, std::size_t hintsShown, CommandButtons& buttons) {
     std::size_t const shown = std::min(hintsShown, hints.size());
     for (std::size_t i = 0; i < shown; ++i) {
         smallHeading(words::hintOf(i + 1, hints.size()));
@@ -47,38 +59,63 @@ void drawHints(Session const& session, std::size_t hintsShown, CommandButtons& b
     if (shown < hints.size()) {
         buttons.big("hint", {.label = shown == 0 ? words::hint : words::nextHint});
     }
+    // A new hint is seen at once, also on a card that scrolls.
+    int& seen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("hints seen"), 0);
+    if (std::exchange(seen, static_cast<int>(shown)) != static_cast<int>(shown)) {
+        ImGui::SetScrollHereY(1.F);
+    }
 }
 
 } // namespace
 
 void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons) {
     LevelFile const& level = session.level();
+    std::string const& title = look.said != nullptr ? look.said->title() : level.title;
+    std::string const& story = look.said != nullptr ? look.said->text() : level.text;
+    std::vector<std::string> const& hints = look.said != nullptr ? look.said->hints() : level.hints;
     layout.beginCard("goal", "", {.anchor = Anchor::TopLeft, .width = goalCardWidth});
+    // What does not fit above the buttons scrolls: its height is that of the last picture.
+    ImGuiID const heightId = ImGui::GetID("height of the content");
+    float const height = ImGui::GetStateStorage()->GetFloat(heightId);
+    float const most = ImGui::GetIO().DisplaySize.y - scaled(2 * cardGap + bottomRow) -
+                       2 * ImGui::GetStyle().WindowPadding.y;
+    bool const scrolls = height > most;
+    if (scrolls) {
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
+        ImGui::BeginChild("content", {0, most});
+    }
+    float const top = ImGui::GetCursorPosY();
     ImGui::PushFont(theme().fonts.heading);
-    ImGui::TextWrapped("%s", level.title.c_str());
+    ImGui::TextWrapped("%s", title.c_str());
     ImGui::PopFont();
     ImVec2 const low = ImGui::GetItemRectMin();
     float const y = ImGui::GetItemRectMax().y + scaled(2);
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, y}, {low.x + scaled(36), y + scaled(3)},
                                               imColour(palette::accent), scaled(1.5F));
     ImGui::Dummy({0, scaled(3)});
-    if (!look.brief && !level.text.empty()) {
-        caption(level.text.c_str());
+    if (!look.brief && !story.empty()) {
+        caption(story.c_str());
         rule();
     }
-    std::vector<GoalLine> const lines = linesOf(session);
+    std::vector<GoalLine> const lines = linesOf(session, look.said, look.counts);
     if (lines.empty()) {
         caption(words::noGoal);
     } else {
         if (!look.brief) {
-            smallHeading(words::goal);
+            smallHeading(look.task ? text("goal.task") : words::goal);
         }
         goalLines(lines);
     }
-    if (!look.brief && buttons != nullptr && !level.hints.empty()) {
+    if (!look.brief && buttons != nullptr && !hints.empty()) {
         rule();
-        drawHints(session, look.hintsShown, *buttons);
+        drawHints(hints, look.hintsShown, *buttons);
     }
+    float const drawn = ImGui::GetCursorPosY() - top;
+    if (scrolls) {
+        ImGui::EndChild();
+        ImGui::PopStyleColor();
+    }
+    ImGui::GetStateStorage()->SetFloat(heightId, drawn);
     layout.endCard();
 }
 

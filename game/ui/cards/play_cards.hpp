@@ -2,17 +2,19 @@
 #pragma once
 
 #include "game/ui/commands/command_buttons.hpp"
+#include "game/ui/shared/catalog/part_catalog.hpp"
 #include "game/ui/shared/layout.hpp"
-#include "game/ui/shared/part_catalog.hpp"
 #include "puzzle/session/session.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 
 namespace trembler::ui {
 
 class AskedTwice;
 class Celebration;
+class LevelText;
 class PlacingTool;
 class RunControl;
 
@@ -20,17 +22,23 @@ class RunControl;
 inline constexpr float goalCardWidth = 316;
 inline constexpr float toolboxWidth = 236;
 inline constexpr float cardGap = 16;
-inline constexpr float bottomRow = 74; ///< height of the cards at the bottom
-inline constexpr float cornerRow = 74; ///< height of the buttons in the top right corner
+inline constexpr float bottomRow = 74;    ///< height of the cards at the bottom
+inline constexpr float cornerRow = 74;    ///< height of the buttons in the top right corner
+inline constexpr float roomyWidth = 1200; ///< of a window in which wide cards stand beside the others
 
 struct GoalCardLook {
+    LevelText const* said = nullptr; ///< nullptr: as the level's file says it
     std::size_t hintsShown = 0;
-    bool brief = false; ///< only the goals, without the story: another card needs the room
+    bool brief = false;            ///< only the goals, without the story: another card needs the room
+    bool task = false;             ///< of a demonstration
+    std::span<int const> counts{}; ///< see goalCounts()
 };
 
 struct SuccessLook {
-    bool narrow = false;   ///< in the toolbox's place, so that it covers nothing of the machine
-    bool confetti = false; ///< the player has done something for it
+    bool narrow = false;        ///< in the toolbox's place, so that it covers nothing of the machine
+    bool confetti = false;      ///< something may move for decoration
+    char const* next = nullptr; ///< the words of the button that leads on; nullptr: "Next level"
+    bool last = false;          ///< every puzzle is solved now
 };
 
 // Each function draws its card between Gui::beginFrame and endFrame. Commands that the player asks for are

@@ -87,7 +87,9 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
     layout.beginCard("success", "", look.narrow ? beside : above);
     float const seal = scaled(30);
     ImVec2 const at = ImGui::GetCursorScreenPos();
-    drawSeal({at.x + seal, at.y + seal}, seal, celebration.age());
+    if (layout.card("success")) { // never alone: the card is not seen before its size is known
+        drawSeal({at.x + seal, at.y + seal}, seal, celebration.age());
+    }
     ImGui::SetCursorScreenPos({at.x + 2 * seal + scaled(16), at.y - scaled(2)});
     ImGui::BeginGroup();
     ImGui::PushFont(theme().fonts.heading);
@@ -98,8 +100,7 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
     if (!look.narrow) {
         caption(line.c_str());
     }
-    bool const another = buttons.available("next-level");
-    if (!another) {
+    if (look.last) {
         caption(words::lastLevel);
     }
     ImGui::EndGroup();
@@ -107,9 +108,8 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
     if (look.narrow) {
         caption(line.c_str());
     }
-    if (another) {
-        buttons.big("next-level", {.look = ButtonLook::Primary, .width = -1, .withTip = false});
-    }
+    buttons.big("next-level",
+                {.label = look.next, .look = ButtonLook::Primary, .width = -1, .withTip = false});
     if (look.narrow) {
         buttons.big("watch-again", {.width = -1, .withTip = false});
         buttons.big("keep-playing", {.width = -1, .withTip = false});

@@ -10,11 +10,29 @@ namespace {
 
 using namespace render;
 
-constexpr float runWidth = 168;
-constexpr float speedWidth = 60;
+/// How the buttons at the bottom share the width of the window; lengths in pixels at UI scale 1.
+struct BottomRow {
+    float gap = 7;
+    float runWidth = 168;
+    float speedWidth = 60;
+    bool runIcon = true;
+    Anchor transport = Anchor::Bottom;
+};
+
+BottomRow bottomRowHere() {
+    float const screen = ImGui::GetIO().DisplaySize.x / theme().scale;
+    BottomRow row;
+    if (screen < roomyWidth) { // the tools at the left reach the middle's buttons
+        row.transport = Anchor::BottomRight;
+    }
+    if (screen < 904) {
+        row = {4, 108, 50, false, Anchor::BottomRight};
+    }
+    return row;
+}
 
 void next() {
-    ImGui::SameLine(0, scaled(7));
+    ImGui::SameLine(0, scaled(bottomRowHere().gap));
 }
 
 /// Draws the buttons side by side.
@@ -33,12 +51,15 @@ void row(CommandButtons& buttons, std::initializer_list<char const*> ids) {
 
 void drawTransport(CommandButtons& buttons, RunControl const& run) {
     Layout& layout = buttons.layout();
-    layout.beginCard("transport", "", {.anchor = Anchor::Bottom, .bare = true});
+    BottomRow const bottom = bottomRowHere();
+    layout.beginCard("transport", "", {.anchor = bottom.transport, .bare = true});
     // Every button keeps its place, so that none comes to lie under a mouse that clicks another one twice.
     row(buttons, {"undo", "redo", "step"});
     next();
-    buttons.big("run",
-                {.item = run.building() ? "run" : "stop", .look = ButtonLook::Primary, .width = runWidth});
+    buttons.big("run", {.item = run.building() ? "run" : "stop",
+                        .look = ButtonLook::Primary,
+                        .width = bottom.runWidth,
+                        .withIcon = bottom.runIcon});
     next();
     row(buttons, {"pause", "slower"});
     next();
@@ -47,7 +68,7 @@ void drawTransport(CommandButtons& buttons, RunControl const& run) {
     bool const late = speed.onlyReached().has_value();
     buttons.big("normal-speed", {.label = label.c_str(),
                                  .look = late ? ButtonLook::Danger : ButtonLook::Quiet,
-                                 .width = speedWidth,
+                                 .width = bottom.speedWidth,
                                  .withIcon = false});
     next();
     row(buttons, {"faster"});

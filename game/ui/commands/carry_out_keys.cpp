@@ -5,8 +5,10 @@
 
 namespace trembler::ui {
 
-void carryOutKeys(std::span<SDL_Event const> events, KeyBindings const& bindings, CommandSet& commands) {
+std::optional<std::size_t> carryOutKeys(std::span<SDL_Event const> events, KeyBindings const& bindings,
+                                        CommandSet& commands) {
     std::vector<std::size_t> done;
+    std::optional<std::size_t> refused;
     for (SDL_Event const& event : events) {
         if (event.type != SDL_KEYDOWN) {
             continue;
@@ -20,11 +22,16 @@ void carryOutKeys(std::span<SDL_Event const> events, KeyBindings const& bindings
             continue;
         }
         done.push_back(*index);
+        if (!commands.available(*index)) {
+            refused = index;
+        }
         commands.run(*index);
         if (info.fixed) {
-            return; // it leaves this page: later keys of this picture were meant for the page that is left
+            return refused; // it leaves this page: later keys of this picture were meant for the page that is
+                            // left
         }
     }
+    return refused;
 }
 
 bool isHeld(render::InputEvents const& input, KeyBindings const& bindings, std::string_view id) {

@@ -1,5 +1,6 @@
 #include "game/ui/commands/chord.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "render/window/gamepad.hpp"
 
 #include <array>
@@ -27,6 +28,12 @@ bool takePrefix(std::string_view& text, std::string_view prefix) {
     }
     text.remove_prefix(prefix.size());
     return true;
+}
+
+/// The same in the player's language.
+std::string shownModifiers(Chord const& chord) {
+    return std::string(chord.ctrl ? text("Ctrl+") : "") + (chord.alt ? text("Alt+") : "") +
+           (chord.shift ? text("Shift+") : "");
 }
 
 } // namespace
@@ -103,10 +110,13 @@ std::string labelOf(Chord const& chord) {
     }};
     for (auto const& [key, label] : shorter) {
         if (chord.key == key) {
-            return modifiersOf(chord) + label;
+            return shownModifiers(chord) + text(label);
         }
     }
-    return nameOf(chord);
+    if (render::isPadKey(chord.key)) {
+        return translated(nameOf(chord));
+    }
+    return chord.any() ? shownModifiers(chord) + translated(SDL_GetKeyName(chord.key)) : std::string();
 }
 
 } // namespace trembler::ui

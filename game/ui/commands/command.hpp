@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/commands/chord.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "render/panels/icons.hpp"
 
 #include <array>
@@ -17,18 +18,21 @@ enum class KeyUse : std::uint8_t {
     held,    ///< the command acts as long as the key is held, see isHeld()
 };
 
+/// When the button of a gamepad means a command: the same button may mean another one at another time.
+enum class PadPhase : std::uint8_t { always, building, running };
+
 /// The section of the page of keys in which a command is listed.
 enum class CommandGroup : std::uint8_t { building, running, looking, program, editing };
 
 /// Name and look of a switch while it is on; nullptr or None: the same as while it is off.
 struct WhenOn {
     render::Icon icon = render::Icon::None;
-    char const* name = nullptr;
-    char const* tip = nullptr;
+    Phrase name = nullptr;
+    Phrase tip = nullptr;
 };
 
-/// The public description of a command, independent of the screen that runs it. The texts are British English
-/// in static storage.
+/// The public description of a command, independent of the screen that runs it. The texts are stated in
+/// British English and read in the player's language.
 struct CommandInfo {
     /// The name in profiles; lower-case letters and hyphens. Never changes once published.
     std::string_view id;
@@ -38,13 +42,14 @@ struct CommandInfo {
     bool fixed = false; ///< the player cannot change its keys; modifiers are ignored
     render::Icon icon = render::Icon::None;
     CommandGroup group = CommandGroup::program;
-    char const* name = ""; ///< on buttons and in the list of keys
-    char const* tip = "";  ///< one line, without the key
+    Phrase name = ""; ///< on buttons and in the list of keys
+    Phrase tip = "";  ///< one line, without the key
     /// Description on the page of keys, as short as possible. Adjacent commands with equal texts share a row.
-    char const* help = "";
+    Phrase help = "";
     WhenOn whenOn{};
     /// The id of a command whose key has the same effect, for tips; "" if there is none.
     std::string_view alsoBy{};
+    PadPhase padPhase = PadPhase::always;
 };
 
 /// A row of a screen's table. `Context` is the object that the screen's commands act on.
@@ -64,6 +69,8 @@ public:
     [[nodiscard]] virtual CommandInfo const& info(std::size_t index) const = 0;
     [[nodiscard]] virtual bool available(std::size_t index) const = 0;
     [[nodiscard]] virtual bool on(std::size_t index) const = 0;
+    /// What buttons of gamepads mean at present.
+    [[nodiscard]] virtual PadPhase phase() const { return PadPhase::always; }
     /// Does nothing if the command is not available.
     virtual void run(std::size_t index) = 0;
 
@@ -92,6 +99,13 @@ public:
     [[nodiscard]] bool on(std::size_t index) const override {
         auto* const on = table_[index].on;
         return on != nullptr && on(context_);
+    }
+    [[nodiscard]] PadPhase phase() const override {
+        if constexpr (requires { context_.phase(); }) {
+            return context_.phase();
+        } else {
+            return PadPhase::always;
+        }
     }
     void run(std::size_t index) override {
         if (available(index)) {

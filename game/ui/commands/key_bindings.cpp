@@ -25,6 +25,11 @@ bool holds(std::vector<Chord> const& keys, Chord const& chord) {
     return std::find(keys.begin(), keys.end(), chord) != keys.end();
 }
 
+/// Whether the two could mean the same button of a gamepad at the same time.
+bool phasesMeet(CommandInfo const& a, CommandInfo const& b) {
+    return a.padPhase == b.padPhase || a.padPhase == PadPhase::always || b.padPhase == PadPhase::always;
+}
+
 } // namespace
 
 KeyBindings::KeyBindings(std::vector<CommandList> screens) : screens_(std::move(screens)) {
@@ -56,7 +61,8 @@ bool KeyBindings::shareAScreen(CommandInfo const& a, CommandInfo const& b) const
 CommandInfo const* KeyBindings::owner(CommandInfo const& asking, Chord const& chord) const {
     for (CommandInfo const* command : commands_) {
         if (command->id != asking.id && holds(keys_.at(command->id), chord) &&
-            shareAScreen(*command, asking)) {
+            shareAScreen(*command, asking) &&
+            (!render::isPadKey(chord.key) || phasesMeet(*command, asking))) {
             return command;
         }
     }
@@ -187,6 +193,10 @@ std::optional<std::size_t> KeyBindings::find(CommandSet const& commands, SDL_Key
     int most = -1;
     for (std::size_t i = 0; i < commands.size(); ++i) {
         CommandInfo const& info = commands.info(i);
+        if (render::isPadKey(pressed.sym) && info.padPhase != PadPhase::always &&
+            commands.phase() != PadPhase::always && info.padPhase != commands.phase()) {
+            continue; // the button means something else now
+        }
         for (Chord const& chord : keysOf(info.id)) {
             if (chord.key != asked.key || info.use == KeyUse::held) {
                 continue;

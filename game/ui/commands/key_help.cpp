@@ -84,7 +84,7 @@ std::vector<HelpLine> helpLines(CommandSet const& commands, std::span<Gesture co
         auto const gesturesHere = [&](bool shared) {
             for (Gesture const& gesture : gestures) {
                 if (gesture.beside == command.id &&
-                    (command.help == std::string_view(gesture.does)) == shared) {
+                    (command.help.english() == std::string_view(gesture.does.english())) == shared) {
                     append(lines, gesture.with, gesture.does);
                 }
             }

@@ -12,8 +12,8 @@ namespace trembler::ui {
 
 /// A mouse action or modifier that has a fixed meaning.
 struct Gesture {
-    char const* with = ""; ///< wheel, click, a modifier
-    char const* does = ""; ///< shares a row with a command whose help is the same
+    Phrase with = ""; ///< wheel, click, a modifier
+    Phrase does = ""; ///< shares a row with a command whose help is the same
     /// Id of the command in whose row or after which the page on the screen lists it; empty: only
     /// docs/players.md does.
     std::string_view beside{};

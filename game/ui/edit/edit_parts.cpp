@@ -7,6 +7,8 @@
 #include "runtime/level/read/read_level.hpp"
 
 #include <algorithm>
+#include <ctime>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +17,9 @@ namespace {
 
 /// The problems of a level are looked for when the designer pauses for this time, s.
 constexpr double pauseBeforeChecking = 0.25;
+/// A level that takes longer to be read, s, is read when the changes pause.
+constexpr double quickRead = 0.004;
+constexpr double pauseBeforeReading = 0.1; // s
 /// At once if the last check took less than this, s, and nothing is being dragged: a step of a drag already
 /// builds the world.
 constexpr double quickCheck = 0.004;
@@ -75,6 +80,8 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
 
 void EditParts::setData(std::shared_ptr<GameData const> next) {
     former_ = std::exchange(data, std::move(next));
+    about = {};
+    inspected = {};
     dataParts.emplace(data->parts, context.canvas);
 }
 
@@ -84,6 +91,9 @@ void EditParts::reloadParts() {
     } catch (InputError const& error) {
         return tell(error.what(), render::ToastKind::Trouble);
     }
+    if (options.partsMade) {
+        options.partsMade(plain_);
+    }
     setData(dataFor(document.path()));
     document.setData(*data);
     problems = {};
@@ -91,13 +101,6 @@ void EditParts::reloadParts() {
     readRevision_.reset();
     read();
     problems.refresh(document);
-    tellPartFaults();
-}
-
-void EditParts::tellPartFaults() {
-    for (Diagnostic const& fault : data->ownPartFaults) {
-        tell(fault.print(), render::ToastKind::Trouble);
-    }
 }
 
 void EditParts::openFile(std::filesystem::path const& path) {
@@ -134,7 +137,9 @@ void EditParts::read() {
     if (readRevision_ == document.revision()) {
         return;
     }
-    readRevision_ = document.revision();
+    std::clock_t const begun = std::clock(); // not the time of day: the machine may be busy
+    readRevision_ = seenRevision_ = document.revision();
+    sinceRead_ = 0;
     try {
         Problems faults; // shown by the list of problems
         LevelFile now = readLevel(data->registry, document.json(), faults);
@@ -144,23 +149,42 @@ void EditParts::read() {
     LevelFile shown = level;
     std::erase_if(shown.objects,
                   [&](LevelObject const& object) { return edit::isHidden(document.tree(), object.name); });
-    world.build(data->registry, data->parts, shown);
+    world.build(*data, shown, document.tree());
     scene.start();
     std::vector<std::string> const all = edit::objectNames(document.tree());
+    std::set<std::string> const there(all.begin(), all.end());
     for (std::string const& name : std::vector<std::string>(selection.objects())) {
-        if (std::find(all.begin(), all.end(), name) == all.end()) {
+        if (!there.contains(name)) {
             selection.remove(name);
         }
     }
     view.setSubject(extent());
+    readTook_ = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+}
+
+void EditParts::followChanges(bool dragging) {
+    bool const changed = std::exchange(seenRevision_, document.revision()) != document.revision();
+    bool const soonAgain = dragging || readTook_ > quickRead;
+    if (soonAgain && sinceChange_ < pauseBeforeReading) {
+        if (!changed || world.follow(document.tree())) {
+            return;
+        }
+        if (readTook_ > quickRead && sinceRead_ < pauseBeforeReading) {
+            return; // what the world cannot follow is seen a little later
+        }
+    }
+    read();
 }
 
 void EditParts::follow(double seconds, bool dragging) {
-    std::uint64_t const before = readRevision_.value_or(0);
-    read();
-    sinceChange_ = before == document.revision() ? sinceChange_ + seconds : 0;
+    sinceChange_ = seenRevision_ == document.revision() ? sinceChange_ + seconds : 0;
+    sinceRead_ += seconds;
+    if (readRevision_ != document.revision()) {
+        followChanges(dragging);
+    }
+    bool const current = readRevision_ == document.revision();
     bool const quick = !dragging && problems.lastSeconds() < quickCheck;
-    if (sinceChange_ > pauseBeforeChecking || quick) {
+    if (current && (sinceChange_ > pauseBeforeChecking || quick)) {
         problems.refresh(document);
     }
     autosave->tick(document, seconds);

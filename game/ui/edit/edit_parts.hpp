@@ -7,18 +7,21 @@
 #include "game/ui/edit/tools/selection.hpp"
 #include "game/ui/edit/tools/snapping.hpp"
 #include "game/ui/edit/tools/tool.hpp"
-#include "game/ui/edit/view/edited_world.hpp"
 #include "game/ui/edit/view/live_goals.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 #include "game/ui/tools/camera_control.hpp"
 #include "puzzle/edit/document/level_document.hpp"
+#include "puzzle/edit/inspect/inspector.hpp"
 #include "puzzle/edit/problems/live_problems.hpp"
 #include "puzzle/edit/recovery/autosave.hpp"
+#include "puzzle/edit/world/edited_world.hpp"
 #include "render/scene/scene_view.hpp"
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,8 +34,26 @@ struct EditOptions {
     std::shared_ptr<GameData const> data;
     /// What a level that names mods is edited with, see GameOptions; may be empty.
     std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> levelData{};
+    /// Called with the new data when the designer has made a part: the game is to know it at once.
+    std::function<void(std::shared_ptr<GameData const>)> partsMade{};
     WorldOptions world{};
     std::filesystem::path recovery{}; ///< folder for unsaved work; empty: none is kept
+};
+
+/// What takes long to find out about many selected objects, of a state of the document.
+struct AboutSelection {
+    std::uint64_t revision = 0;
+    std::vector<std::string> names;
+    std::optional<Box> box; ///< around those that are not locked, m
+    bool scales = false;    ///< alike in both directions
+    bool stretches = false; ///< in one direction
+    bool known = false;
+};
+struct InspectedSelection {
+    std::uint64_t revision = 0;
+    std::vector<std::string> names;
+    std::vector<edit::InspectedProperty> properties;
+    bool known = false;
 };
 
 /// Each part keeps its own state; here is what concerns several. Window thread only; the context must outlive
@@ -51,8 +72,10 @@ struct EditParts {
     std::unique_ptr<edit::Autosave> autosave;
 
     Selection selection;
-    EditedWorld world;
-    LevelFile level; ///< of the document, as much of it as can be read
+    edit::EditedWorld world;
+    /// Of the document, as much of it as can be read. While one drags, its objects, joints, areas and goals
+    /// are those from before the drag.
+    LevelFile level;
     CameraControl view;
     render::SceneView scene;
 
@@ -68,12 +91,14 @@ struct EditParts {
     bool panelKeys = false;          ///< the panel has the keyboard
     std::optional<Tab> panelHadKeys; ///< the page that had it in the last picture
     std::string searched;            ///< in the catalogue of parts
+    mutable AboutSelection about;    ///< see edit_geometry.hpp
+    InspectedSelection inspected;    ///< of the page of properties
     std::string goalPlace;           ///< of the chosen condition
     bool goalChosen = false;
 
-    edit::Gesture widget;  ///< of the widget that is being used: all its values are one step of undo
-    std::string typedItem; ///< the text field that is being used
-    std::string typedText; ///< and its text, until it is left
+    edit::Gesture widget; ///< of the widget that is being used: all its values are one step of undo
+    std::map<std::string, std::string>
+        typed; ///< texts of the fields that are being used, until they are left
 
     FileBrowser browser;
     CommandPalette palette;
@@ -89,6 +114,8 @@ struct EditParts {
     [[nodiscard]] edit::Json const& tree() const { return document.tree(); }
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
     [[nodiscard]] PartCatalog& catalog() { return *dataParts; }
+    /// Whether the document changed a moment ago, as it does in every picture of a drag.
+    [[nodiscard]] bool changing() const { return sinceChange_ < 0.1; }
     [[nodiscard]] bool dialogOpen() const { return browser.isOpen() || palette.isOpen() || dialogs.isOpen(); }
 
     /// Makes a command from the present tree and runs it; what it made is selected. What cannot be done is
@@ -111,7 +138,7 @@ struct EditParts {
     /// Reads the parts anew, those of the designer included: after one was made.
     void reloadParts();
     /// To be called once per picture: follows the document's changes and keeps unsaved work.
-    /// `dragging`: the next picture is likely to bring another change.
+    /// `dragging`: the next picture is likely to bring another change, so now only the world is moved.
     void follow(double seconds, bool dragging = false);
     /// The smallest rectangle around the level, m.
     [[nodiscard]] render::Extent extent() const;
@@ -122,13 +149,15 @@ struct EditParts {
 
 private:
     void read();
+    void followChanges(bool dragging);
     void setData(std::shared_ptr<GameData const> next);
-    /// Told once per fault: a file that is wrong.
-    void tellPartFaults();
     std::shared_ptr<GameData const> plain_;     // options.data, or what was read anew
     std::shared_ptr<GameData const> former_;    // what the world that is seen may still be made of
     std::optional<std::uint64_t> readRevision_; // of the document in `level` and `world`
+    std::optional<std::uint64_t> seenRevision_; // that `world` shows, or tried to show
     double sinceChange_ = 0;                    // s
+    double sinceRead_ = 0;                      // s
+    double readTook_ = 0;                       // s, the last time
 };
 
 } // namespace trembler::ui

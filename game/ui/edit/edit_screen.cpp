@@ -24,6 +24,9 @@ namespace {
 
 using namespace render;
 
+/// From the right edge of the window to the left of the buttons in its corner, pixels at UI scale 1.
+constexpr float besideCorner = 354;
+
 void drawEditVeil() {
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, ImGui::GetIO().DisplaySize,
                                                   imColour(faded(palette::paper, 0.6F)));
@@ -73,14 +76,19 @@ std::span<Gesture const> EditScreen::gestures() const {
 
 void EditScreen::drawTestCard() {
     UiContext& context = parts_.context;
-    context.layout.beginCard("test", "", {.anchor = Anchor::BottomRight, .bare = true});
+    // Where the buttons at the bottom leave no room it stands beside those at the top, without words.
+    bool const narrow = ImGui::GetIO().DisplaySize.x / theme().scale < roomyWidth;
+    CardOptions const beside{.anchor = Anchor::TopRight, .offset = {besideCorner, cardGap}, .bare = true};
+    CardOptions const below{.anchor = Anchor::BottomRight, .bare = true};
+    context.layout.beginCard("test", "", narrow ? beside : below);
     std::string const tip = withKey(parts_.recordsOver.empty() ? words::recordIt : words::recordAgainIt,
                                     "edit-record", context.keys);
     bool const record = iconButton("record solution", Icon::Save, tip.c_str(), false,
                                    parts_.test->session().mode() != SessionMode::building);
     context.layout.item("record solution");
     ImGui::SameLine(0, scaled(7));
-    bool const back = bigButton(words::testBack, {.icon = Icon::Back, .look = ButtonLook::Primary});
+    bool const back = narrow ? iconButton("back", Icon::Back, words::testBack, true)
+                             : bigButton(words::testBack, {.icon = Icon::Back, .look = ButtonLook::Primary});
     context.layout.item("back to editor");
     context.layout.endCard();
     if (record) {
@@ -163,13 +171,15 @@ void EditScreen::handleKeys() {
         std::vector<SDL_Event> events;
         std::copy_if(context.input.events().begin(), context.input.events().end(), std::back_inserter(events),
                      reachesScreen);
-        return carryOutKeys(events, context.keys, commands_);
+        carryOutKeys(events, context.keys, commands_);
+        return;
     }
     carryOutKeys(context.input.events(), context.keys, commands_);
 }
 
 std::optional<ScreenRequest> EditScreen::update(double seconds) {
     parts_.request.reset();
+    words::followLanguage();
     if (parts_.test != nullptr) {
         updateTest(seconds);
         return std::exchange(parts_.request, std::nullopt);
@@ -213,6 +223,14 @@ void EditScreen::updateBehindMenu(double seconds) {
 
 bool EditScreen::keepsPicture() const {
     return parts_.test != nullptr && parts_.test->keepsPicture();
+}
+
+bool EditScreen::still() const {
+    if (parts_.test != nullptr) {
+        return parts_.test->still();
+    }
+    // The list of problems follows a change later, but sooner than the program takes pictures to be at rest.
+    return mouse_.doing() == EditMouse::Doing::nothing;
 }
 
 void EditScreen::draw() {

@@ -18,6 +18,7 @@ public:
     [[nodiscard]] bool keepsPicture() const override;
     void draw() override;
     void pictureComplete() override;
+    [[nodiscard]] bool still() const override;
     [[nodiscard]] bool mayLeaveFor(ScreenRequest const& asked) override;
     void leave() override;
     /// Those of the test play, while it goes on.

@@ -1,177 +1,224 @@
-// The editor's texts, in one place and in British English; the names of commands are in their table.
+// The editor's texts, in one place and in British English, from which every other language is looked up:
+// assets/text/LANGUAGE/editor.json. The names of commands are in their tables.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace trembler::ui::words {
 
+/// A constant that points to a text in the language in use; see followLanguage(). `english` must be a
+/// literal.
+[[nodiscard]] char const* const& editWord(char const* english);
+/// Lets all these constants point to their texts in the language in use now. Window thread only; to be called
+/// for every picture of the editor.
+void followLanguage();
+/// The English texts of all of them, for a test.
+[[nodiscard]] std::vector<char const*> allEditWords();
+
+/// A text with "{}" replaced by the arguments.
+template <class... Arguments>
+[[nodiscard]] std::string filledIn(char const* text, Arguments const&... arguments) {
+    try {
+        return fmt::format(fmt::runtime(text), arguments...);
+    } catch (fmt::format_error const&) { // a test excludes it
+        return text;
+    }
+}
+
+// Menus.
+inline char const* const& menuFile = editWord("File");
+inline char const* const& menuEdit = editWord("Edit");
+inline char const* const& menuArrange = editWord("Arrange");
+inline char const* const& menuTools = editWord("Tools");
+inline char const* const& menuView = editWord("View");
+
 // Files.
-inline constexpr char const* openTitle = "Open a level";
-inline constexpr char const* saveAsTitle = "Save the level as";
-inline constexpr char const* fileName = "Name";
-inline constexpr char const* openFile = "Open";
-inline constexpr char const* saveFile = "Save";
-inline constexpr char const* replaceIt = "Replace it";
-inline constexpr char const* cancel = "Cancel";
-inline constexpr char const* parentFolder = "..  (the folder above)";
-inline constexpr char const* newLevel = "New level";
+inline char const* const& openTitle = editWord("Open a level");
+inline char const* const& saveAsTitle = editWord("Save the level as");
+inline char const* const& fileName = editWord("Name");
+inline char const* const& openFile = editWord("Open");
+inline char const* const& saveFile = editWord("Save");
+inline char const* const& replaceIt = editWord("Replace it");
+inline char const* const& cancel = editWord("Cancel");
+inline char const* const& parentFolder = editWord("..  (the folder above)");
+inline char const* const& newLevel = editWord("New level");
+inline char const* const& cannotReadFolderText = editWord("The folder {} cannot be read: {}");
 [[nodiscard]] inline std::string cannotReadFolder(std::string const& folder, std::string const& why) {
-    return "The folder " + folder + " cannot be read: " + why;
+    return filledIn(cannotReadFolderText, folder, why);
 }
+inline char const* const& noSuchFileText = editWord("There is no file \"{}\" here.");
 [[nodiscard]] inline std::string noSuchFile(std::string const& name) {
-    return "There is no file \"" + name + "\" here.";
+    return filledIn(noSuchFileText, name);
 }
+inline char const* const& replaceFileText = editWord("There is a file \"{}\" already. Replace it?");
 [[nodiscard]] inline std::string replaceFile(std::string const& name) {
-    return "There is a file \"" + name + "\" already. Replace it?";
+    return filledIn(replaceFileText, name);
 }
+inline char const* const& savedToText = editWord("Saved: {}");
 [[nodiscard]] inline std::string savedTo(std::string const& name) {
-    return "Saved: " + name;
+    return filledIn(savedToText, name);
 }
-inline constexpr char const* unsavedTitle = "Save your changes?";
-inline constexpr char const* unsavedText = "This level has changes that are in no file yet.";
-inline constexpr char const* saveAndGo = "Save";
-inline constexpr char const* dropChanges = "Do not save";
-inline constexpr char const* recoveryTitle = "Bring your work back?";
-inline constexpr char const* recoveryText =
-    "The editor ended without saving. What you last did is kept, and can be brought back.";
-inline constexpr char const* recover = "Bring it back";
-inline constexpr char const* forgetRecovery = "Forget it";
-inline constexpr char const* readOnlyTitle = "Only to look at";
-inline constexpr char const* readOnly = "Read-only: the file has errors, or is from a newer version";
-inline constexpr char const* understood = "Look at it";
-inline constexpr char const* editNevertheless = "Edit it nevertheless";
-inline constexpr char const* later = "Later";
-inline constexpr char const* conflictTitle = "Replace the file?";
-inline constexpr char const* makePartTitle = "Make a part";
-inline constexpr char const* makePartText =
+inline char const* const& unsavedTitle = editWord("Save your changes?");
+inline char const* const& unsavedText = editWord("This level has changes that are in no file yet.");
+inline char const* const& saveAndGo = editWord("Save");
+inline char const* const& dropChanges = editWord("Do not save");
+inline char const* const& recoveryTitle = editWord("Bring your work back?");
+inline char const* const& recoveryText =
+    editWord("The editor ended without saving. What you last did is kept, and can be brought back.");
+inline char const* const& recover = editWord("Bring it back");
+inline char const* const& forgetRecovery = editWord("Forget it");
+inline char const* const& readOnlyTitle = editWord("Only to look at");
+inline char const* const& readOnly = editWord("Read-only: the file has errors, or is from a newer version");
+inline char const* const& understood = editWord("Look at it");
+inline char const* const& editNevertheless = editWord("Edit it nevertheless");
+inline char const* const& later = editWord("Later");
+inline char const* const& conflictTitle = editWord("Replace the file?");
+inline char const* const& makePartTitle = editWord("Make a part");
+inline char const* const& makePartText = editWord(
     "The selected objects become a part with this name, for this and other levels. The first one that was "
-    "selected is its main object.";
-inline constexpr char const* makePart = "Make the part";
-inline constexpr char const* makePartHere = "Make it and put it in their place";
+    "selected is its main object.");
+inline char const* const& makePart = editWord("Make the part");
+inline char const* const& makePartHere = editWord("Make it and put it in their place");
 
 // Panels.
-inline constexpr char const* tabParts = "Parts";
-inline constexpr char const* tabOutline = "Outline";
-inline constexpr char const* tabProperties = "Properties";
-inline constexpr char const* tabGoals = "Goals";
-inline constexpr char const* tabLevel = "Level";
-inline constexpr char const* tabSolutions = "Solutions";
-inline constexpr char const* tabProblems = "Problems";
-inline constexpr char const* search = "Search";
-inline constexpr char const* nothingFound = "No part is called that.";
-inline constexpr char const* nothingSelected =
-    "Nothing is selected. Click an object, or drag a box around several.";
-inline constexpr char const* noProblems = "Nothing is wrong with this level.";
-inline constexpr char const* severalValues = "several values";
-inline constexpr char const* objectsHeading = "Objects";
-inline constexpr char const* jointsHeading = "Joints";
-inline constexpr char const* connectionsHeading = "Wires and other connections";
-inline constexpr char const* addProperty = "Add a property …";
-inline constexpr char const* resetTip = "Back to the value of the part";
-inline constexpr char const* removeTip = "Without it";
+inline char const* const& tabParts = editWord("Parts");
+inline char const* const& tabOutline = editWord("Outline");
+inline char const* const& tabProperties = editWord("Properties");
+inline char const* const& tabGoals = editWord("Goals");
+inline char const* const& tabLevel = editWord("Level");
+inline char const* const& tabSolutions = editWord("Solutions");
+inline char const* const& tabProblems = editWord("Problems");
+inline char const* const& search = editWord("Search");
+inline char const* const& nothingFound = editWord("No part is called that.");
+inline char const* const& nothingSelected =
+    editWord("Nothing is selected. Click an object, or drag a box around several.");
+inline char const* const& noProblems = editWord("Nothing is wrong with this level.");
+inline char const* const& severalValues = editWord("several values");
+inline char const* const& objectsHeading = editWord("Objects");
+inline char const* const& jointsHeading = editWord("Joints");
+inline char const* const& connectionsHeading = editWord("Wires and other connections");
+inline char const* const& addProperty = editWord("Add a property …");
+inline char const* const& resetTip = editWord("Back to the value of the part");
+inline char const* const& removeTip = editWord("Without it");
 
-inline constexpr char const* commandsTitle = "All commands";
+inline char const* const& commandsTitle = editWord("All commands");
 
-inline constexpr char const* lockedMark = "  (locked)";
-inline constexpr char const* hiddenMark = "  (hidden)";
-inline constexpr char const* nameField = "Name";
-inline constexpr char const* partField = "Part";
-inline constexpr char const* partFieldTip =
-    "The part that it is made from; its own properties take precedence";
-inline constexpr char const* severalObjects = "%zu objects";
-inline constexpr char const* fromField = "From";
-inline constexpr char const* toField = "To";
-inline constexpr char const* kindField = "Kind";
-inline constexpr char const* kindFieldTip = "Such as \"wire\"; empty: it follows from the objects";
-inline constexpr char const* cornerField = "Corner";
-inline constexpr char const* sizeField = "Size";
-inline constexpr char const* reset = "reset";
-inline constexpr char const* removeShort = "×";
-inline constexpr char const* removeIt = "Remove";
-inline constexpr char const* addEntry = "Add one more";
-inline constexpr char const* upIt = "Up";
-inline constexpr char const* fromPart = "As the part states it";
-inline constexpr char const* takenAway = "Taken away, though the part has it";
-inline constexpr char const* scriptsHeading = "Scripts";
-inline constexpr char const* addScript = "Add a script …";
+inline char const* const& lockedMark = editWord("  (locked)");
+inline char const* const& hiddenMark = editWord("  (hidden)");
+inline char const* const& nameField = editWord("Name");
+inline char const* const& partField = editWord("Part");
+inline char const* const& partFieldTip =
+    editWord("The part that it is made from; its own properties take precedence");
+inline char const* const& severalObjectsText = editWord("{} objects");
+[[nodiscard]] inline std::string severalObjects(std::size_t count) {
+    return filledIn(severalObjectsText, count);
+}
+inline char const* const& fromField = editWord("From");
+inline char const* const& toField = editWord("To");
+inline char const* const& kindField = editWord("Kind");
+inline char const* const& kindFieldTip = editWord("Such as \"wire\"; empty: it follows from the objects");
+inline char const* const& cornerField = editWord("Corner");
+inline char const* const& sizeField = editWord("Size");
+inline char const* const& reset = editWord("reset");
+inline char const* const& removeShort = editWord("×");
+inline char const* const& removeIt = editWord("Remove");
+inline char const* const& addEntry = editWord("Add one more");
+inline char const* const& upIt = editWord("Move up");
+inline char const* const& fromPart = editWord("As the part states it");
+inline char const* const& takenAway = editWord("Taken away, though the part has it");
+inline char const* const& scriptsHeading = editWord("Scripts");
+inline char const* const& addScript = editWord("Add a script …");
 
 // Goals.
-inline constexpr char const* noGoals = "There is no goal yet.";
-inline constexpr char const* addGoal = "Add a goal";
-inline constexpr char const* forSeconds = "For";
-inline constexpr char const* forSecondsTip = "How long it must hold without a break; 0: a moment is enough";
-inline constexpr char const* goalId = "Id";
-inline constexpr char const* goalText = "Text";
-inline constexpr char const* goalTextTip = "Left empty, it is made from the condition";
-inline constexpr char const* wrapTip = "Put this goal inside";
-inline constexpr char const* unwrap = "Unwrap";
-inline constexpr char const* unwrapTip = "Put the only inner goal in its place";
+inline char const* const& noGoals = editWord("There is no goal yet.");
+inline char const* const& addGoal = editWord("Add a goal");
+inline char const* const& forSeconds = editWord("For");
+inline char const* const& forSecondsTip =
+    editWord("How long it must hold without a break; 0: a moment is enough");
+inline char const* const& goalId = editWord("Id");
+inline char const* const& goalText = editWord("Text");
+inline char const* const& goalTextTip = editWord("Left empty, it is made from the condition");
+inline char const* const& wrapTip = editWord("Put this goal inside");
+inline char const* const& unwrap = editWord("Unwrap");
+inline char const* const& unwrapTip = editWord("Put the only inner goal in its place");
 
 // Level.
-inline constexpr char const* textsHeading = "Texts";
-inline constexpr char const* titleField = "Title";
-inline constexpr char const* storyField = "Text before the level";
-inline constexpr char const* demonstrationField = "Demonstration: solves itself";
-inline constexpr char const* hintsHeading = "Hints";
-inline constexpr char const* addHint = "Add a hint";
-inline constexpr char const* newHint = "A hint";
-inline constexpr char const* toolboxHeading = "Toolbox";
-inline constexpr char const* addToolTip = "Add a part to the player's toolbox";
-inline constexpr char const* worldHeading = "World";
-inline constexpr char const* boundsField = "Bounds";
-inline constexpr char const* boundsTip = "Left and lower edge; width and height";
-inline constexpr char const* noBounds = "Without bounds";
-inline constexpr char const* giveBounds = "Give it bounds";
-inline constexpr char const* anywhere = "Parts may be placed anywhere";
-inline constexpr char const* anywhereTip = "Remove all placing areas";
-inline constexpr char const* detailHeading = "Detail";
-inline constexpr char const* detailTip = "How exactly the effect is computed; –: the scene decides";
-inline constexpr char const* modsHeading = "Mods";
-inline constexpr char const* modsTip = "Mods count once the level is saved and opened again.";
+inline char const* const& textsHeading = editWord("Texts");
+inline char const* const& titleField = editWord("Title");
+inline char const* const& storyField = editWord("Text before the level");
+inline char const* const& demonstrationField = editWord("Demonstration: solves itself");
+inline char const* const& hintsHeading = editWord("Hints");
+inline char const* const& addHint = editWord("Add a hint");
+inline char const* const& newHint = editWord("A hint");
+inline char const* const& toolboxHeading = editWord("Toolbox");
+inline char const* const& addToolTip = editWord("Add a part to the player's toolbox");
+inline char const* const& worldHeading = editWord("World");
+inline char const* const& boundsField = editWord("Bounds");
+inline char const* const& boundsTip = editWord("Left and lower edge; width and height");
+inline char const* const& noBounds = editWord("Without bounds");
+inline char const* const& giveBounds = editWord("Give it bounds");
+inline char const* const& anywhere = editWord("Parts may be placed anywhere");
+inline char const* const& anywhereTip = editWord("Remove all placing areas");
+inline char const* const& detailHeading = editWord("Detail");
+inline char const* const& detailTip = editWord("How exactly the effect is computed; –: the scene decides");
+inline char const* const& modsHeading = editWord("Mods");
+inline char const* const& modsTip = editWord("Mods count once the level is saved and opened again.");
 
 // Solutions.
-inline constexpr char const* noSolutions = "No run is recorded yet. Test the level, solve it, and record it.";
-inline constexpr char const* solvesLevel = "must solve the level";
-inline constexpr char const* watch = "Watch";
-inline constexpr char const* watchTip = "Play this run";
-inline constexpr char const* again = "Re-record";
-inline constexpr char const* againTip = "Play with these parts; what you then record replaces this run";
-inline constexpr char const* recordNew = "Play to record a new one";
-inline constexpr char const* recordNewTip =
-    "Play the level; the button at the lower right records what you did";
+inline char const* const& noSolutions =
+    editWord("No run is recorded yet. Test the level, solve it, and record it.");
+inline char const* const& solvesLevel = editWord("must solve the level");
+inline char const* const& watch = editWord("Watch");
+inline char const* const& watchTip = editWord("Play this run");
+inline char const* const& again = editWord("Re-record");
+inline char const* const& againTip =
+    editWord("Play with these parts; what you then record replaces this run");
+inline char const* const& recordNew = editWord("Play to record a new one");
+inline char const* const& recordNewTip =
+    editWord("Play the level; the button at the lower right records what you did");
 
 // Tools.
-inline constexpr char const* gridStep = "Grid";
-inline constexpr char const* angleStep = "Angle";
-inline constexpr char const* radius = "Radius";
-inline constexpr char const* jointField = "Joint";
-inline constexpr char const* toolSettings = "Drawing";
-inline constexpr char const* numberTip = "Drag, or double-click to type a number";
-inline constexpr char const* snapTip = "Snap places and angles to the grid";
-inline constexpr char const* readOnlyShort = "read-only";
-inline constexpr char const* notSaved = "not saved yet";
-inline constexpr char const* allSaved = "saved";
-inline constexpr char const* testBack = "Back to the editor";
-inline constexpr char const* playing = "Test play";
-inline constexpr char const* recordIt = "Record as a solution";
-inline constexpr char const* recordAgainIt = "Record it again";
-inline constexpr char const* runFirst = "Run it first: what is recorded is what you placed and did.";
+inline char const* const& gridStep = editWord("Grid");
+inline char const* const& angleStep = editWord("Angle");
+inline char const* const& radius = editWord("Radius");
+inline char const* const& jointField = editWord("Joint");
+inline char const* const& toolSettings = editWord("Drawing");
+inline char const* const& numberTip = editWord("Drag, or double-click to type a number");
+inline char const* const& snapTip = editWord("Snap places and angles to the grid");
+inline char const* const& readOnlyShort = editWord("read-only");
+inline char const* const& notSaved = editWord("not saved yet");
+inline char const* const& allSaved = editWord("saved");
+inline char const* const& testBack = editWord("Back to the editor");
+inline char const* const& playing = editWord("Test play");
+inline char const* const& recordIt = editWord("Record as a solution");
+inline char const* const& recordAgainIt = editWord("Record it again");
+inline char const* const& runFirst = editWord("Run it first: what is recorded is what you placed and did.");
+/// In the file, so in one language.
 inline constexpr char const* newSolution = "solution";
-inline constexpr char const* recordedSolved = "Recorded: a solution that solves the level";
-inline constexpr char const* recordedUnsolved = "Recorded: a run that does not solve the level";
-inline constexpr char const* selectTwo = "Select the two objects first, or drag from one to the other.";
-inline constexpr char const* selectForGoal = "Select the object that is to come there first.";
+inline char const* const& recordedSolved = editWord("Recorded: a solution that solves the level");
+inline char const* const& recordedUnsolved = editWord("Recorded: a run that does not solve the level");
+inline char const* const& selectTwo =
+    editWord("Select the two objects first, or drag from one to the other.");
+inline char const* const& selectForGoal = editWord("Select the object that is to come there first.");
+inline char const* const& cannotTestText = editWord("This cannot be played yet: {}");
 [[nodiscard]] inline std::string cannotTest(std::string const& why) {
-    return "This cannot be played yet: " + why;
+    return filledIn(cannotTestText, why);
 }
+inline char const* const& undoneText = editWord("Undone: {}");
 [[nodiscard]] inline std::string undone(std::string const& name) {
-    return "Undone: " + name;
+    return filledIn(undoneText, name);
 }
+inline char const* const& redoneText = editWord("Redone: {}");
 [[nodiscard]] inline std::string redone(std::string const& name) {
-    return "Redone: " + name;
+    return filledIn(redoneText, name);
 }
+inline char const* const& partMadeText = editWord("The part \"{}\" is in {}");
 [[nodiscard]] inline std::string partMade(std::string const& name, std::string const& file) {
-    return "The part \"" + name + "\" is in " + file;
+    return filledIn(partMadeText, name, file);
 }
 
 } // namespace trembler::ui::words

@@ -1,6 +1,7 @@
 // Changes of a running world that may fail.
 #pragma once
 
+#include "game/ui/shared/texts.hpp"
 #include "render/panels/toasts.hpp"
 
 #include <stdexcept>
@@ -13,9 +14,9 @@ void attempt(render::Toasts& toasts, F&& change) {
     try {
         change();
     } catch (std::invalid_argument const& error) {
-        toasts.add(error.what(), render::ToastKind::Trouble);
+        toasts.add(translated(error.what()), render::ToastKind::Trouble);
     } catch (std::runtime_error const& error) {
-        toasts.add(error.what(), render::ToastKind::Trouble);
+        toasts.add(translated(error.what()), render::ToastKind::Trouble);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <fmt/format.h>
@@ -80,11 +81,11 @@ void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, dou
     bool const absent = status.activity == Activity::absent;
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(absent ? palette::inkSoft : palette::ink));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextWrapped("%s", name.c_str());
+    ImGui::TextWrapped("%s", translated(name).c_str());
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) {
         ImGui::PushTextWrapPos(0);
-        ImGui::SetTooltip("%s", words::wrapped(std::string(status.info->text.work), 60).c_str());
+        ImGui::SetTooltip("%s", words::wrapped(translated(std::string(status.info->text.work)), 60).c_str());
         ImGui::PopTextWrapPos();
     }
     ImGui::TableNextColumn();
@@ -114,7 +115,8 @@ void ComponentsPanel::drawRow(Layout& layout, ComponentStatus const& status, dou
     if (!absent) {
         double const now = smooth_[name];
         float const share = slowest > 0 ? static_cast<float>(now / slowest) : 0.F;
-        drawTimeBar({.share = share > 0.005F ? share : 0.F, .text = fmt::format("{:.1f}", now)});
+        drawTimeBar(
+            {.share = share > 0.005F ? share : 0.F, .text = fmt::format(numberLocale(), "{:.1Lf}", now)});
     }
 }
 
@@ -176,7 +178,7 @@ void ComponentsPanel::draw(Layout& layout, Session& session, budget::BudgetMode&
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
     ImGui::BeginChild("table", {0, std::max(scaled(height) - used, scaled(120))});
     costs_.drawRows(layout, session, mode, toasts, all_);
-    ImGui::Checkbox(words::showAbsent, &all_);
+    render::checkBox(words::showAbsent, &all_);
     layout.item("show absent components");
     drawTable(layout, session, toasts);
     ImGui::EndChild();

@@ -5,6 +5,7 @@
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/cards.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ void drawOptions(Layout& layout, Session& session, Toasts& toasts, budget::Knob 
         if (option.lessOften && i != knob.current) {
             continue; // the period of a component has a knob of its own
         }
-        std::string const label = option.name + "  ·  " + words::howFarOff(option.error.metres);
+        std::string const label = translated(option.name) + "  ·  " + words::howFarOff(option.error.metres);
         ImGui::BeginDisabled(!option.cannot.empty() && i != knob.current);
         if (ImGui::Selectable(label.c_str(), i == knob.current)) {
             attempt(toasts, [&] {
@@ -88,7 +89,7 @@ void CostRows::drawBudget(Layout& layout, budget::BudgetMode& mode) {
         wanted_ = static_cast<float>(*mode.budget() / 1000);
     }
     ImGui::AlignTextToFramePadding();
-    if (ImGui::Checkbox(words::keepToBudget, &on)) {
+    if (render::checkBox(words::keepToBudget, &on)) {
         mode.setBudget(on ? std::optional(1000.0 * static_cast<double>(wanted_)) : std::nullopt);
     }
     layout.item("budget");
@@ -108,7 +109,7 @@ void CostRows::drawBudget(Layout& layout, budget::BudgetMode& mode) {
     ImGui::SameLine(0, scaled(10));
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(on ? palette::ink : palette::inkSoft));
-    ImGui::Text(words::budgetFormat, static_cast<double>(wanted_));
+    ImGui::TextUnformatted(words::budgetOf(static_cast<double>(wanted_)).c_str());
     ImGui::PopStyleColor();
     drawStatus(mode);
 }
@@ -130,7 +131,7 @@ void CostRows::drawStatus(budget::BudgetMode const& mode) const {
     // All decisions of the last frame that had any.
     for (budget::Decision const& decision : mode.decisions()) {
         if (decision.frame == mode.decisions().back().frame) {
-            caption(inWords(decision).c_str());
+            caption(translated(inWords(decision)).c_str());
         }
     }
     ImGui::PopFont();
@@ -144,7 +145,7 @@ void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode cons
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(idle ? palette::inkSoft : palette::ink));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(words::capital(cost.effect).c_str());
+    ImGui::TextUnformatted(words::capital(translated(cost.effect)).c_str());
     ImGui::PopStyleColor();
     tip(session.world().why(cost.effect).empty() ? std::string()
                                                  : words::sceneNeeds(session.world().why(cost.effect)));
@@ -160,18 +161,20 @@ void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode cons
         ImGui::AlignTextToFramePadding();
         caption(cost.reason.c_str());
     } else {
-        std::string const automatic =
-            effect->working.empty() ? std::string(words::automatic) : words::automaticNow(effect->working);
+        std::string const automatic = effect->working.empty()
+                                          ? std::string(words::automatic)
+                                          : words::automaticNow(translated(effect->working));
         // The chosen level is not used because the scene does not need it; another level does the work.
         bool const elsewhere =
             !effect->chosen.empty() && !effect->working.empty() && effect->working != effect->chosen;
         std::string const asked =
-            elsewhere ? words::idleNow(effect->chosen, effect->working) : effect->chosen;
+            elsewhere ? words::idleNow(translated(effect->chosen), translated(effect->working))
+                      : translated(effect->chosen);
         std::string shown = effect->chosen.empty() ? automatic : asked;
         if (knob != nullptr && !elsewhere && (cost.effect == "dynamics" || !effect->chosen.empty())) {
-            shown = knob->options[knob->current].name;
+            shown = translated(knob->options[knob->current].name);
             if (cost.effect == "dynamics") {
-                shown = (effect->working.empty() ? effect->chosen : effect->working) + ", " + shown;
+                shown = translated(effect->working.empty() ? effect->chosen : effect->working) + ", " + shown;
             }
         }
         ImGui::SetNextItemWidth(-1);
@@ -187,12 +190,12 @@ void CostRows::drawRow(Layout& layout, Session& session, budget::BudgetMode cons
             for (std::string const& level : effect->levels) {
                 auto const whyNot = session.whyNotDetail(cost.effect, level);
                 ImGui::BeginDisabled(whyNot.has_value());
-                if (ImGui::Selectable(level.c_str(), level == effect->chosen)) {
+                if (ImGui::Selectable(translated(level).c_str(), level == effect->chosen)) {
                     attempt(toasts, [&] { session.setDetail(cost.effect, level); });
                 }
                 ImGui::EndDisabled();
                 if (whyNot && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-                    ImGui::SetTooltip("%s", words::wrapped(*whyNot, 60).c_str());
+                    ImGui::SetTooltip("%s", words::wrapped(translated(*whyNot), 60).c_str());
                 }
                 layout.item("level " + level);
             }

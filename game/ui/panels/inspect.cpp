@@ -33,11 +33,12 @@ std::string spoken(std::string_view key) {
         text.resize(text.size() - degrees.size());
     }
     std::replace(text.begin(), text.end(), '_', ' ');
-    return text == "value" ? std::string() : text;
+    return text == "value" ? std::string() : translated(text);
 }
 
 std::string pointText(Vec2 v) {
-    return readable(v.x) + ", " + readable(v.y);
+    bool const comma = localNumber(".") == ","; // then a comma is no separator
+    return readable(v.x) + (comma ? "; " : ", ") + readable(v.y);
 }
 
 /// Writes each field into a row.
@@ -66,11 +67,13 @@ public:
         add(info, value.empty() ? std::string(words::nothingStated) : value, info.unit);
     }
     void object(FieldInfo const& info, ObjectId& value) override {
-        add(info, value.valid() ? store_.nameOf(value) : std::string(words::nothingStated), {});
+        add(info, value.valid() ? shownName(store_.nameOf(value)) : std::string(words::nothingStated), {});
     }
     void choice(FieldInfo const& info, ChoiceField field) override {
         auto const index = static_cast<std::size_t>(field.index);
-        add(info, index < field.names.size() ? std::string(field.names[index]) : std::to_string(field.index),
+        add(info,
+            index < field.names.size() ? translated(std::string(field.names[index]))
+                                       : std::to_string(field.index),
             {});
     }
     void list(FieldInfo const& info, ListField& field) override {
@@ -86,7 +89,8 @@ public:
             field.visitElement(i, inner);
         }
         if (field.size() > most) {
-            rows_.push_back({name, words::andMore(field.size() - most), {}, std::string(info.meaning)});
+            rows_.push_back(
+                {name, words::andMore(field.size() - most), {}, translated(std::string(info.meaning))});
         }
     }
 
@@ -96,7 +100,8 @@ private:
         return prefix_.empty() ? own : (own.empty() ? prefix_ : prefix_ + " " + own);
     }
     void add(FieldInfo const& info, std::string value, std::string_view unit) {
-        rows_.push_back({nameOf(info), std::move(value), std::string(unit), std::string(info.meaning)});
+        rows_.push_back(
+            {nameOf(info), std::move(value), std::string(unit), translated(std::string(info.meaning))});
     }
 
     Store const& store_;
@@ -109,7 +114,7 @@ std::string namesOf(Store const& store, std::vector<ObjectId> const& objects) {
     constexpr std::size_t most = 4;
     std::string text;
     for (std::size_t i = 0; i < std::min(objects.size(), most); ++i) {
-        text += (text.empty() ? "" : ", ") + store.nameOf(objects[i]);
+        text += (text.empty() ? "" : ", ") + shownName(store.nameOf(objects[i]));
     }
     return objects.size() > most ? text + " " + words::andMore(objects.size() - most) : text;
 }
@@ -141,7 +146,7 @@ std::string forceText(Vec2 force) {
 
 /// Text for a `level` in dB(A). Levels below 0 are inaudible.
 std::string levelText(double level) {
-    return level >= 0 ? fmt::format("{:.1f} dB(A)", level) : std::string(words::silence);
+    return level >= 0 ? fmt::format(numberLocale(), "{:.1Lf} dB(A)", level) : std::string(words::silence);
 }
 
 /// A-weighted square of the sound pressure at 1 m, Pa², of all current sounds of the object.
@@ -255,7 +260,7 @@ std::string readable(double value) {
         return "0";
     }
     if (size >= 1e7 || size < 1e-3) {
-        return fmt::format("{:.3g}", value);
+        return fmt::format(numberLocale(), "{:.3Lg}", value);
     }
     std::string text =
         fmt::format("{:.{}f}", value, size >= 1000 ? 0 : (size >= 100 ? 1 : (size >= 10 ? 2 : 3)));
@@ -265,7 +270,7 @@ std::string readable(double value) {
             text.pop_back();
         }
     }
-    return text == "-0" ? "0" : text;
+    return text == "-0" ? "0" : localNumber(text);
 }
 
 std::vector<InspectorSection> inspect(World const& world, ObjectId object, lua::LiveScripts const* scripts) {
@@ -281,7 +286,8 @@ std::vector<InspectorSection> inspect(World const& world, ObjectId object, lua::
             continue;
         }
         PropertyText const& text = column->info().text;
-        InspectorSection section{std::string(text.name), std::string(text.meaning), {}};
+        InspectorSection section{
+            translated(std::string(text.name)), translated(std::string(text.meaning)), {}};
         if (column->info().type == typeid(lua::Scripts)) {
             section.rows = scriptRows(*world.find<lua::Scripts>(object), scripts);
         } else {

@@ -91,7 +91,7 @@ void Inspector::draw(Layout& layout, Session const& session, float top, float he
     float const room = ImGui::GetContentRegionAvail().x - side;
     ImVec2 const start = ImGui::GetCursorPos();
     ImGui::PushTextWrapPos(start.x + room - scaled(8));
-    ImGui::TextUnformatted(name_.c_str());
+    ImGui::TextUnformatted(shownName(name_).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     ImVec2 const after = ImGui::GetCursorPos();

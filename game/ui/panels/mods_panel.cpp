@@ -6,6 +6,7 @@
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/cards.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -201,7 +202,7 @@ void ModsPanel::drawScript(Layout& layout, Registry const& registry, Workshop& w
     WorkshopScript const& script = workshop.scripts()[number];
     std::string const& name = script.live->name();
     bool on = script.live->on();
-    if (ImGui::Checkbox("##on", &on)) {
+    if (render::checkBox("##on", &on)) {
         workshop.setOn(number, on);
     }
     layout.item("switch of " + name);

@@ -1,11 +1,34 @@
 #include "game/ui/panels/notation_card.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+
+#include <algorithm>
 
 namespace trembler::ui {
 
 using namespace render;
+
+namespace {
+
+/// A row's text in the player's language; of a set in it, "{Position, Shape}", each name.
+std::string shownRow(std::string const& text) {
+    std::size_t const begin = text.find('{');
+    std::size_t const end = text.find('}', begin);
+    if (begin == std::string::npos || end == std::string::npos) {
+        return translated(text);
+    }
+    std::string shown = translated(text.substr(0, begin)) + "{";
+    for (std::size_t at = begin + 1; at < end;) {
+        std::size_t const next = std::min(text.find(", ", at), end);
+        shown += (at == begin + 1 ? "" : ", ") + translated(text.substr(at, next - at));
+        at = next + 2;
+    }
+    return shown + "}" + translated(text.substr(end + 1));
+}
+
+} // namespace
 
 void drawNotationBox(NotationBox const& box) {
     float const padding = scaled(9);
@@ -18,7 +41,7 @@ void drawNotationBox(NotationBox const& box) {
     ImGui::BeginGroup();
     ImGui::PushFont(theme().fonts.strong);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 2 * padding);
-    ImGui::TextUnformatted(box.title.c_str());
+    ImGui::TextUnformatted(translated(box.title).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     float const line = ImGui::GetCursorScreenPos().y;
@@ -32,10 +55,10 @@ void drawNotationBox(NotationBox const& box) {
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::inkSoft));
-            ImGui::TextWrapped("%s", row.label.c_str());
+            ImGui::TextWrapped("%s", translated(row.label).c_str());
             ImGui::PopStyleColor();
             ImGui::TableNextColumn();
-            ImGui::TextWrapped("%s", row.text.c_str());
+            ImGui::TextWrapped("%s", shownRow(row.text).c_str());
         }
         ImGui::EndTable();
     }

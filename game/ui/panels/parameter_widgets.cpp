@@ -4,6 +4,7 @@
 #include "game/ui/shared/words.hpp"
 #include "lua/attach/parameter_value.hpp"
 #include "render/draw/palette.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ bool widgetFor(lua::Parameter const& parameter, lua::Value& value) {
         return numberWidget(parameter, *number);
     }
     if (bool* const on = std::get_if<bool>(&value)) {
-        return ImGui::Checkbox("##on", on);
+        return render::checkBox("##on", on);
     }
     if (Vec2* const vector = std::get_if<Vec2>(&value)) {
         std::array<double, 2> parts{vector->x, vector->y};

@@ -1,12 +1,22 @@
 #include "game/ui/play/all_cards.hpp"
 
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
+#include "render/draw/palette.hpp"
+#include "render/panels/theme.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace trembler::ui {
 namespace {
+
+// Pixels at UI scale 1.
+constexpr float panelsWidth = 620;
+constexpr float inspectorWidth = 324;
+constexpr float leastForGoalAndPanel = 600; ///< height of the window
 
 void takeFromToolbox(PlayParts& parts, std::string const& part) {
     auto const& carried = parts.placing.carried();
@@ -23,11 +33,45 @@ std::string keyOf(KeyBindings const& bindings, std::string_view command) {
     return keys.empty() ? std::string() : labelOf(keys.front());
 }
 
+/// Which cards there is room for at the same time.
+struct Beside {
+    bool goal = true;
+    bool toolbox = true;
+    bool panels = true; ///< of components or of mods, if one is open
+    bool success = false;
+    bool narrow = false;        ///< the window
+    bool narrowSuccess = false; ///< at the right and not in the middle
+};
+
+/// In a small window a panel takes the place of the goal or the toolbox, and gives way to what the player
+/// must see or has asked for last.
+Beside cardsBeside(PlayParts const& parts) {
+    render::Window const& window = parts.context.window;
+    float const width = static_cast<float>(window.size().width) / window.uiScale();
+    float const height = static_cast<float>(window.size().height) / window.uiScale();
+    bool const panel = parts.components.open() || (parts.hasMods() && parts.modsPanel.open());
+    LevelFile const& level = parts.session.level();
+    bool const boxed = !level.toolbox.empty() || level.wires > 0;
+    Beside beside;
+    beside.narrow = width < roomyWidth;
+    beside.success = parts.celebration.showing();
+    beside.narrowSuccess = beside.narrow || (boxed && !parts.inspector.open());
+    bool const atRight = parts.inspector.open() || (beside.success && beside.narrowSuccess);
+    bool const roomForBoth = width >= panelsWidth + inspectorWidth + 3 * cardGap;
+    beside.panels = panel && (roomForBoth || !atRight);
+    beside.goal = !beside.panels || height >= leastForGoalAndPanel;
+    beside.toolbox = parts.run.building() && !parts.inspector.open() && (roomForBoth || !beside.panels);
+    return beside;
+}
+
 /// The components panel or that of mods, between the cards at the top of the screen and the row of tools.
-void drawPanels(PlayParts& parts, float screen) {
+void drawPanels(PlayParts& parts, float screen, Beside const& beside) {
     UiContext& context = parts.context;
-    float top = 150;
+    float top = beside.goal ? 150 : cornerRow;
     for (char const* above : {"goal", "success"}) {
+        if (beside.narrowSuccess && above == std::string_view("success")) {
+            continue;
+        }
         if (auto const card = context.layout.card(above)) {
             top = std::max(top, static_cast<float>(card->high.y) / context.window.uiScale() + cardGap);
         }
@@ -54,18 +98,62 @@ void drawPanels(PlayParts& parts, float screen) {
     }
 }
 
+/// While a clip is being recorded: how long it is.
+void drawRecording(PlayParts const& parts) {
+    if (!parts.film.recording()) {
+        return;
+    }
+    using namespace render;
+    std::string const words = textWith("clip.goes_on", parts.film.seconds());
+    ImFont* const font = theme().fonts.strong;
+    ImVec2 const size = font->CalcTextSizeA(font->FontSize, 1e9F, 0, words.c_str());
+    float const left = 0.5F * (ImGui::GetIO().DisplaySize.x - size.x);
+    float const top = ImGui::GetIO().DisplaySize.y - scaled(bottomRow + 36); // toasts are at the top
+    auto& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled({left - scaled(30), top - scaled(6)},
+                       {left + size.x + scaled(12), top + size.y + scaled(6)},
+                       imColour(faded(palette::paperLight, 0.95F)), scaled(9));
+    list.AddCircleFilled({left - scaled(15), top + 0.5F * size.y}, scaled(6), imColour(palette::warning));
+    list.AddText(font, font->FontSize, {left, top}, imColour(palette::ink), words.c_str());
+}
+
+SuccessLook successLook(PlayParts const& parts, bool narrow) {
+    SuccessLook look{.narrow = narrow, .confetti = !parts.context.profile.settings().reducedMotion};
+    if (!parts.celebration.showing()) {
+        return look;
+    }
+    AfterLevel const after = afterThis(parts);
+    look.last = after == AfterLevel::end;
+    if (after == AfterLevel::gallery) {
+        look.next = text("success.gallery");
+    } else if (after == AfterLevel::levels) {
+        look.next = text("success.levels");
+    }
+    return look;
+}
+
 } // namespace
 
 std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& commands) {
     UiContext& context = parts.context;
+    parts.said.follow();
     Layout& layout = context.layout;
     Session const& session = parts.session;
     CommandButtons buttons(layout, context.keys, commands);
-    drawGoalCard(layout, session,
-                 {.hintsShown = parts.hintsShown, .brief = parts.components.open() || parts.modsPanel.open()},
-                 &buttons);
+    // While it runs the card covers as little as possible, unless hints are being read.
+    bool const inPlay = !parts.run.building() && parts.hintsShown == 0;
+    Beside const beside = cardsBeside(parts);
+    if (beside.goal) {
+        drawGoalCard(layout, session,
+                     {.said = &parts.said,
+                      .hintsShown = parts.hintsShown,
+                      .brief = parts.components.open() || parts.modsPanel.open() || inPlay,
+                      .task = parts.ofGallery,
+                      .counts = parts.goalCounts},
+                     &buttons);
+    }
     drawCorner(buttons);
-    if (parts.run.building() && !parts.inspector.open()) {
+    if (beside.toolbox) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
         if (auto const part = drawToolbox(buttons, session, parts.catalog(), parts.placing, hint,
@@ -75,14 +163,15 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     }
     drawTransport(buttons, parts.run);
     drawTools(buttons, session, parts.hasMods());
-    bool const boxed = !session.level().toolbox.empty() || session.level().wires > 0;
-    bool const done = !session.placed().empty() || !session.wires().empty() || !session.inputs().empty();
-    drawSuccess(buttons, session, parts.celebration,
-                {.narrow = boxed && !parts.inspector.open(),
-                 .confetti = done && !context.profile.settings().reducedMotion});
+    drawSuccess(buttons, session, parts.celebration, successLook(parts, beside.narrowSuccess));
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
-    parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
-    drawPanels(parts, screen);
+    if (!(beside.success && beside.narrow)) {
+        parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
+    }
+    if (beside.panels) {
+        drawPanels(parts, screen, beside);
+    }
+    drawRecording(parts);
     return buttons.asked();
 }
 

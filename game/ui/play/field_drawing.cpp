@@ -1,9 +1,12 @@
 #include "game/ui/play/field_drawing.hpp"
 
+#include "game/ui/play/lesson/lesson_drawing.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/world_label.hpp"
 #include "render/scene/objects/part.hpp"
+
+#include <imgui.h>
 
 namespace trembler::ui {
 namespace {
@@ -63,18 +66,25 @@ void drawGroup(PlayParts& parts) {
     }
 }
 
-/// The pointer that keys move.
-void drawKeyPointer(PlayParts const& parts) {
-    if (!parts.keyPointer.active()) {
-        return;
-    }
-    Canvas& canvas = parts.context.canvas;
-    Point const at = toPoint(parts.keyPointer.at());
+void drawCross(Canvas& canvas, Point at, Colour colour) {
     double const arm = canvas.metres(15);
     double const gap = canvas.metres(4);
     for (Point const way : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}}) {
         canvas.line(at + gap * way, at + arm * way,
-                    {.colour = palette::accent, .pixels = 3, .outline = 1, .round = true});
+                    {.colour = colour, .pixels = 3, .outline = 1, .round = true});
+    }
+}
+
+/// The pointer that keys move, and that of a second player, in the colour of the second hand.
+void drawPointers(PlayParts const& parts) {
+    Canvas& canvas = parts.context.canvas;
+    if (parts.keyPointer.active()) {
+        drawCross(canvas, toPoint(parts.keyPointer.at()), palette::accent);
+    }
+    if (parts.secondPointer.active()) {
+        Point const at = toPoint(parts.secondPointer.at());
+        drawCross(canvas, at, palette::goal);
+        canvas.ring(at, canvas.metres(18), {.colour = palette::goal, .pixels = 2.5F});
     }
 }
 
@@ -110,21 +120,28 @@ void drawBlades(PlayParts const& parts) {
     parts.context.canvas.polyline(path, {.colour = palette::warning, .pixels = 5, .alpha = 0.8F});
 }
 
-void drawWords(PlayParts const& parts) {
+/// `bare`: only those of the world itself.
+void drawWords(PlayParts const& parts, bool bare) {
     World const& world = parts.session.world();
     Camera const& camera = parts.camera();
+    if (bare) { // Gui::endFrame draws what follows before everything else
+        ImGui::GetBackgroundDrawList()->AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+    }
     drawSceneWords(camera, world, parts.scene, parts.run.alpha(), parts.shown.names);
     parts.goals.drawWords(camera);
+    if (bare) {
+        return;
+    }
     auto const chip = [&](Vec2 at, std::string const& text, Colour colour, float below) {
         worldLabel(camera, toPoint(at), text.c_str(),
                    {.look = LabelLook::Chip, .colour = colour, .below = below});
     };
     auto const& carried = parts.placing.carried();
     if (carried && !carried->verdict.ok && !parts.pointer.overCard) {
-        chip(carried->landing.at, carried->verdict.why, palette::warning, 40);
+        chip(carried->landing.at, translated(carried->verdict.why), palette::warning, 40);
     }
     if (parts.group.dragging() && !parts.group.verdict().ok && !parts.pointer.overCard) {
-        chip(parts.pointer.world, parts.group.verdict().why, palette::warning, 40);
+        chip(parts.pointer.world, translated(parts.group.verdict().why), palette::warning, 40);
     }
     if (carried && carried->turning) {
         auto const degrees = static_cast<int>(std::lround(carried->landing.angle * 180 / pi));
@@ -132,7 +149,7 @@ void drawWords(PlayParts const& parts) {
     }
     if (parts.wires.laying() && !parts.pointer.overCard) {
         if (!parts.wires.why().empty()) {
-            chip(parts.pointer.world, parts.wires.why(), palette::warning, 28);
+            chip(parts.pointer.world, translated(parts.wires.why()), palette::warning, 28);
         } else if (parts.wires.from().valid() && !parts.wires.to().valid()) {
             chip(parts.pointer.world, words::wireFromHere, palette::accent, 28);
         }
@@ -181,8 +198,13 @@ Marked markedObjects(PlayParts const& parts) {
 }
 
 SceneOptions sceneOptions(PlayParts& parts, double time) {
+    bool const bare = parts.film.wants(parts.run.stepped());
     SceneOptions options{.time = time, .alpha = parts.run.alpha(), .overlays = parts.shown.overlays()};
     auto const& carried = parts.placing.carried();
+    options.goals = parts.goals.regions(parts.session.judge().status());
+    if (bare) {
+        return options;
+    }
     if (parts.session.level().placing && carried && !carried->turning) {
         options.placing = *parts.session.level().placing;
     }
@@ -193,7 +215,6 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
     bool const canTake =
         parts.run.building() ? parts.session.numberOf(hovered).has_value() : !parts.hand.cutting();
     options.hovered = canTake && !carried ? hovered : ObjectId{};
-    options.goals = parts.goals.regions(parts.session.judge().status());
     return options;
 }
 
@@ -204,27 +225,43 @@ void drawField(PlayParts& parts) {
     Canvas& canvas = context.canvas;
     World const& world = parts.session.world();
     double const time = std::max(world.time() + (parts.run.alpha() - 1) * frameDuration, 0.0);
-    canvas.begin(parts.camera(),
-                 {.uiScale = context.window.uiScale(), .time = time, .shadows = context.shadows});
+    canvas.begin(parts.camera(), {.uiScale = context.window.uiScale(),
+                                  .time = time,
+                                  .shadows = context.shadows,
+                                  .flattening = parts.squash.flattening(parts.session)});
     canvas.paper();
     std::vector<render::Ripple> const ripples = parts.sounds.ripples();
     render::SceneOptions options = sceneOptions(parts, time);
     options.ripples = ripples;
     Marked const marked = markedObjects(parts);
-    options.alsoSelected = marked.selected;
-    options.alsoHovered = marked.hovered;
+    if (!parts.film.wants(parts.run.stepped())) {
+        options.alsoSelected = marked.selected;
+        options.alsoHovered = marked.hovered;
+    }
     options.alsoHidden = marked.hidden;
+    std::vector<ObjectId> const flattened = parts.squash.objects(parts.session);
+    options.flattened = flattened;
     parts.scene.draw(canvas, world, options);
     canvas.newSheet();
     drawSparks(canvas, parts.sparks.sparks());
+    parts.cuts.draw(canvas);
+    bool const bare = parts.film.wants(parts.run.stepped()); // a picture to be kept has no interface
+    if (bare) {
+        drawCarried(parts);
+        drawGroup(parts);
+        canvas.end();
+        drawWords(parts, true);
+        return;
+    }
     drawNewWire(parts);
     drawBlades(parts);
     drawHandle(parts);
+    drawLessonGhost(parts);
     drawCarried(parts);
     drawGroup(parts);
-    drawKeyPointer(parts);
+    drawPointers(parts);
     canvas.end();
-    drawWords(parts);
+    drawWords(parts, false);
 }
 
 } // namespace trembler::ui

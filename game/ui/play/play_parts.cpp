@@ -1,11 +1,13 @@
 #include "game/ui/play/play_parts.hpp"
 
+#include "game/ui/cards/goal_counts.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
 #include "render/scene/areas.hpp"
 #include "runtime/level/read/read_level.hpp"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -25,18 +27,22 @@ std::string buildId(LevelCatalog const& levels, std::filesystem::path const& fil
 PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
                      std::shared_ptr<GameData const> levelData, WorldOptions const& options,
                      LevelFile const* stated)
-    : context(uiContext), file(std::move(levelFile)), data(std::move(levelData)),
+    : context(uiContext), file(std::move(levelFile)), id(buildId(context.levels, file)),
+      ofGallery(context.levels.inGallery(file)), data(std::move(levelData)),
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
       session(data ? data->registry : context.registry, data ? data->parts : context.parts,
               stated != nullptr ? *stated
-                                : asPlayed(loadLevel(data ? data->registry : context.registry, file),
-                                           std::string(languageInUse())),
+                                : asPlayed(loadLevel(data ? data->registry : context.registry, file), ""),
               options),
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session), secondHand(session, 1),
-      budget(data ? data->registry : context.registry), goals(session.level()), audio(context.loudspeaker),
+      budget(data ? data->registry : context.registry), goals(session.level()),
+      goalCounts(ui::goalCounts(session.level())), said(session), audio(context.loudspeaker),
       touches(context.loudspeaker), run(session, placing, hand, budget, audio, view, runEvents()),
-      keeper(context.builds, buildId(context.levels, file)), film(context.recorder, context.toasts),
+      lesson(session, !context.profile.solved(id)), keeper(context.builds, id),
+      film(context.recorder, context.toasts),
+      shelf(context.solutions, id, data ? data->registry : context.registry, session,
+            context.profile.progress(), [this](Solution const& solution) { load(solution); }),
       picking(session, inspector), mouse(session, placing, group, wires, hand, secondHand, view, picking),
       workshop(data ? std::make_unique<Workshop>(*data, session) : nullptr) {
     inspector.setScripts(data ? data->scripts.get() : nullptr);
@@ -75,6 +81,7 @@ RunEvents PlayParts::runEvents() {
                 [this] {
                     secondHand.reset();
                     sparks.reset();
+                    cuts.reset();
                     celebration.reset();
                     reportedAltered_ = false;
                     film.end();
@@ -98,7 +105,7 @@ void PlayParts::stepped() {
 
 void PlayParts::solvedLevel(std::string const& id) {
     context.profile.markSolved(id);
-    if (session.whyNotRecorded() || session.level().demonstration) {
+    if (session.whyNotRecorded() || ofGallery) {
         return; // only solutions of puzzles have kinds
     }
     context.kinds.look(id, data, data ? data->registry : context.registry, data ? data->parts : context.parts,
@@ -107,7 +114,8 @@ void PlayParts::solvedLevel(std::string const& id) {
 
 void PlayParts::keepBuild(double seconds) {
     if (!keeper.pass(session, seconds)) {
-        context.toasts.add(textWith("builds.not_kept", keeper.why()), render::ToastKind::Trouble, 8);
+        context.toasts.add(textWith("builds.not_kept", translated(keeper.why())), render::ToastKind::Trouble,
+                           8);
     }
 }
 
@@ -118,7 +126,8 @@ void PlayParts::passMods(double seconds) {
     auto const world = &session.world();
     workshop->pass(seconds);
     for (WorkshopNews const& news : workshop->takeNews()) {
-        context.toasts.add(news.text, news.trouble ? render::ToastKind::Trouble : render::ToastKind::News,
+        context.toasts.add(translated(news.text),
+                           news.trouble ? render::ToastKind::Trouble : render::ToastKind::News,
                            news.trouble ? 10 : 4);
     }
     if (&session.world() != world) { // a script was replaced while building
@@ -129,6 +138,18 @@ void PlayParts::passMods(double seconds) {
 void PlayParts::newWorld() {
     scene.start();
     picking.forget();
+    said.newWorld();
+}
+
+void PlayParts::load(Solution const& solution) {
+    run.stop();
+    placing.reset();
+    group.reset();
+    wires.reset();
+    inspector.close();
+    session.load(solution);
+    newWorld();
+    context.toasts.add(textWith("solutions.loaded", solution.name), render::ToastKind::News, 5);
 }
 
 void PlayParts::restart() {
@@ -139,6 +160,7 @@ void PlayParts::restart() {
     inspector.close();
     session.putAllBack();
     hintsShown = 0;
+    lesson.restart();
     newWorld();
     view.fit();
 }
@@ -156,6 +178,44 @@ render::Extent PlayParts::subject() const {
         all.add(render::Point{2, 2});
     }
     return all.widened(0.06 * render::length(all.half()));
+}
+
+void PlayParts::showCut() {
+    render::Link const wire = hand.takeCut();
+    if (!wire.a.valid() || context.profile.settings().reducedMotion) {
+        return;
+    }
+    World const& world = session.world();
+    render::FactsReader const reader(world);
+    cuts.add(render::cablePath(reader.of(wire.a), scene.poseOf(world, wire.a), reader.of(wire.b),
+                               scene.poseOf(world, wire.b)));
+}
+
+std::vector<render::Extent> PlayParts::extents() const {
+    constexpr double gap = 0.06; // m, around each
+    render::Extent const focus = render::sceneFocus(session.world());
+    std::vector<render::Extent> all;
+    for (render::Facts const& facts : render::FactsReader(session.world()).drawOrder()) {
+        render::Extent const own = render::extentOf(facts, render::poseOf(facts));
+        if (own.empty() || !own.overlaps(focus)) {
+            continue;
+        }
+        render::Extent seen; // of a floor without end only the part that matters
+        for (render::Point const corner : {own.lower, own.upper}) {
+            seen.add(render::Point{std::clamp(corner.x, focus.lower.x, focus.upper.x),
+                                   std::clamp(corner.y, focus.lower.y, focus.upper.y)});
+        }
+        all.push_back(seen.widened(gap));
+    }
+    if (session.level().placing) {
+        for (Area const& area : *session.level().placing) {
+            all.push_back(render::extentOf(area).widened(gap));
+        }
+    }
+    if (render::Extent const goal = goals.extent(); !goal.empty()) {
+        all.push_back(goal.widened(gap));
+    }
+    return all;
 }
 
 std::optional<TurnHandle> PlayParts::handle() {

@@ -7,17 +7,23 @@
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/panels/mods_panel.hpp"
 #include "game/ui/play/keeping/film.hpp"
+#include "game/ui/play/keeping/solution_shelf.hpp"
+#include "game/ui/play/lesson/lesson.hpp"
 #include "game/ui/play/mouse/field_mouse.hpp"
 #include "game/ui/play/mouse/key_pointer.hpp"
+#include "game/ui/play/mouse/second_pointer.hpp"
 #include "game/ui/play/mouse/turn_handle.hpp"
 #include "game/ui/play/run/celebration.hpp"
 #include "game/ui/play/run/level_audio.hpp"
 #include "game/ui/play/run/run_control.hpp"
 #include "game/ui/play/run/touch_sounds.hpp"
+#include "game/ui/play/view/cut_view.hpp"
 #include "game/ui/play/view/goal_areas.hpp"
+#include "game/ui/play/view/level_text.hpp"
 #include "game/ui/play/view/shown.hpp"
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/play/view/spark_view.hpp"
+#include "game/ui/play/view/squash_view.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 #include "game/ui/tools/group_tool.hpp"
@@ -27,6 +33,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace trembler::ui {
 
@@ -44,6 +51,8 @@ struct PlayParts {
 
     UiContext& context;
     std::filesystem::path const file;
+    std::string const id;                       ///< by which what the player builds and saves is kept
+    bool const ofGallery;                       ///< a demonstration: its goals are a task
     std::shared_ptr<GameData const> const data; ///< nullptr: the level names no mods
     std::optional<PartCatalog> modParts;        ///< the parts of `data`
     Session session;
@@ -59,14 +68,21 @@ struct PlayParts {
     render::SceneView scene;
     SoundView sounds;
     SparkView sparks;
+    SquashView squash;
+    CutView cuts;
     GoalAreas goals;
+    std::vector<int> goalCounts; ///< how often each goal needs something, see goal_counts.hpp
+    LevelText said;              ///< what the level says
     LevelAudio audio;
     TouchSounds touches;
     RunControl run;
     Celebration celebration;
+    Lesson lesson;
     BuildKeeper keeper; ///< what the player has placed, for the next time
     Film film;
+    SolutionShelf shelf;
     KeyPointer keyPointer;
+    SecondPointer secondPointer;
     Picking picking;
     FieldMouse mouse;
     std::unique_ptr<Workshop> workshop; ///< nullptr: the level names no mods
@@ -78,6 +94,9 @@ struct PlayParts {
     std::optional<ScreenRequest> request; ///< what this picture asks of the program
 
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
+    [[nodiscard]] PadPhase phase() const {
+        return session.mode() == SessionMode::building ? PadPhase::building : PadPhase::running;
+    }
     [[nodiscard]] bool hasMods() const { return workshop != nullptr; }
     /// Writes what was placed, if it is due; tells the player if it cannot be written.
     void keepBuild(double seconds);
@@ -87,8 +106,16 @@ struct PlayParts {
     void passMods(double seconds);
     /// To be called when the session has another world: forgets what was remembered of the old one.
     void newWorld();
+    /// Ends the run and places a solution; the next run does what it did. Throws InputError if it does not
+    /// fit; then nothing is placed otherwise.
+    void load(Solution const& solution);
     /// Everything as it was when the level was opened: parts in the toolbox, the world at rest.
     void restart();
+    /// Shows the wire falling that the hand has just cut, if it has.
+    void showCut();
+    /// The rectangles, m, that a view of everything shows: of the objects as they are, of areas to place
+    /// parts in, and of goals.
+    [[nodiscard]] std::vector<render::Extent> extents() const;
     /// The handle that turns the selected part, if there is one at present.
     [[nodiscard]] std::optional<TurnHandle> handle();
 

@@ -5,8 +5,14 @@
 #include "game/ui/play/all_cards.hpp"
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/field_drawing.hpp"
+#include "game/ui/play/lesson/lesson_drawing.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
+#include "game/ui/tools/free_fit.hpp"
 #include "render/window/gamepad.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace trembler::ui {
 namespace {
@@ -34,9 +40,55 @@ void PlayScreen::setView() {
     auto const scale = static_cast<double>(parts_.context.window.uiScale());
     LevelFile const& level = parts_.session.level();
     bool const boxed = !level.toolbox.empty() || level.wires > 0;
-    Margins const margins{scale * (goalCardWidth + 2 * cardGap), scale * cardGap,
-                          scale * (boxed ? toolboxWidth + 2 * cardGap : cardGap), scale * (bottomRow + 6)};
+    double const right = boxed ? toolboxWidth + 2 * cardGap : cardGap;
+    // Beside an open panel, too, the whole machine is seen, unless there is hardly any room.
+    auto const card = parts_.context.layout.card(parts_.components.open() ? "components" : "mods");
+    double const panel = card ? card->high.x / scale + cardGap : 0;
+    double const rest = parts_.context.window.size().width / scale - panel - right;
+    double const left = panel > 0 && rest > 300 ? panel : goalCardWidth + 2 * cardGap;
+    Margins const margins{scale * left, scale * cardGap, scale * right, scale * (bottomRow + 6)};
     parts_.view.setView(parts_.context.window.size(), margins);
+    if (parts_.run.building() && !parts_.placing.carried() && !parts_.group.dragging()) {
+        fitAroundCards();
+    }
+}
+
+void PlayScreen::fitAroundCards() {
+    constexpr std::array names{"goal", "toolbox", "transport", "tools", "corner"};
+    auto const scale = static_cast<double>(parts_.context.window.uiScale());
+    render::Size const window = parts_.context.window.size();
+    if (!(window == fittedWindow_) || scale != fittedScale_) {
+        cards_ = {};
+        fittedWindow_ = window;
+        fittedScale_ = scale;
+    }
+    bool changed = false;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        auto const card = parts_.context.layout.card(names[i]);
+        if (!card) {
+            continue;
+        }
+        // A card that changes its size from picture to picture must not move the view each time.
+        Rect now = cards_[i].value_or(*card);
+        now = {{std::min(now.low.x, card->low.x), std::min(now.low.y, card->low.y)},
+               {std::max(now.high.x, card->high.x), std::max(now.high.y, card->high.y)}};
+        changed = changed || !cards_[i] || !(now.low == cards_[i]->low) || !(now.high == cards_[i]->high);
+        cards_[i] = now;
+    }
+    if (!changed) {
+        return;
+    }
+    std::vector<Rect> obstacles;
+    for (auto const& card : cards_) {
+        if (card) {
+            render::Point const gap{6 * scale, 6 * scale};
+            obstacles.push_back({card->low - gap, card->high + gap});
+        }
+    }
+    double const least = parts_.view.scaleBetweenMargins();
+    parts_.view.setPreferred(freeFit(window, parts_.extents(), obstacles,
+                                     scale * static_cast<double>(cardGap), least,
+                                     render::Camera::largestScale));
 }
 
 std::optional<ScreenRequest> PlayScreen::update(double seconds) {
@@ -60,7 +112,7 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
         commands_.run(*asked);
     }
     if (!context.gui.wantsKeyboard()) {
-        carryOutKeys(context.input.events(), context.keys, commands_);
+        tellOfRefused(carryOutKeys(context.input.events(), context.keys, commands_));
     }
     auto const handle = parts_.handle();
     FieldMouse::Surroundings const around{handle ? std::optional(handle->at) : std::nullopt,
@@ -69,18 +121,56 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     if (parts_.mouse.update(parts_.pointer, around, seconds)) {
         parts_.newWorld();
     }
+    useSecondPlayer(seconds);
     parts_.run.advance(seconds, parts_.film.recording());
     tellOfSlowness();
     parts_.celebration.pass(seconds);
+    parts_.lesson.look(context.input.events(), seconds);
+    drawLesson(parts_);
     parts_.sparks.pass(seconds);
+    parts_.cuts.pass(seconds);
+    parts_.showCut();
+    parts_.squash.look(parts_.session, seconds, !context.profile.settings().reducedMotion);
     sinceStep_ = parts_.run.running() || parts_.run.stepped() ? 0 : sinceStep_ + seconds;
     parts_.keepBuild(seconds);
     parts_.touches.look({.carrying = parts_.placing.carried() || parts_.group.dragging(),
                          .building = parts_.run.building(),
-                         .solved = parts_.celebration.solvedAt() && !parts_.session.level().demonstration,
+                         .solved = parts_.celebration.solvedAt().has_value(),
                          .troubles = context.toasts.troubles(),
                          .world = &parts_.session.world()});
     return parts_.request;
+}
+
+void PlayScreen::useSecondPlayer(double seconds) {
+    UiContext& context = parts_.context;
+    auto const scale = static_cast<double>(context.window.uiScale());
+    parts_.secondPointer.look(context.pads.second(), seconds, parts_.camera(), scale);
+    bool const keyHeld = isHeld(context.input, context.keys, "second-hand");
+    if (!parts_.secondPointer.active() || keyHeld || parts_.run.building() || parts_.run.watching()) {
+        return; // a held key lends the second hand to the first player
+    }
+    Pointer const pointer = parts_.secondPointer.pointer(parts_.camera(), scale);
+    constexpr double reach = 6; // pixels at UI scale 1
+    ObjectId const under =
+        render::pick(parts_.session.world(), {pointer.world.x, pointer.world.y}, reach * pointer.pixel);
+    parts_.secondHand.update(pointer, under, seconds);
+}
+
+void PlayScreen::tellOfRefused(std::optional<std::size_t> command) {
+    bool const building = parts_.run.building();
+    UiContext& context = parts_.context;
+    bool const fast = building && isHeld(context.input, context.keys, "fast");
+    bool const first = fast && !std::exchange(fastRefused_, true);
+    fastRefused_ = fast;
+    if (!first && !command) {
+        return;
+    }
+    CommandGroup const group = command ? commands_.info(*command).group : CommandGroup::running;
+    if (building && group == CommandGroup::running) {
+        context.toasts.add(text("keys.only_in_run"), render::ToastKind::News, 2);
+    } else if (!building && group == CommandGroup::building) {
+        context.toasts.add(text("keys.only_building"), render::ToastKind::News, 2);
+    }
 }
 
 void PlayScreen::tellOfSlowness() {
@@ -103,12 +193,14 @@ bool PlayScreen::still() const {
     constexpr double ringsOut = 3; // s, in which the last sounds die away
     bool const celebrates = parts_.celebration.showing() && parts_.celebration.age() < 5;
     bool const moves = lengthSquared(padDirection(parts_.context.input)) > 0;
-    return sinceStep_ > ringsOut && !celebrates && !moves && parts_.sparks.sparks().empty() &&
-           !parts_.allBack.waiting() && !parts_.hasMods() && !parts_.budget.budget();
+    return sinceStep_ > ringsOut && !celebrates && !moves && !parts_.lesson.moving() &&
+           !parts_.squash.moving() && !parts_.cuts.moving() && !parts_.secondPointer.moving() &&
+           parts_.sparks.sparks().empty() && !parts_.allBack.waiting() && !parts_.hasMods() &&
+           !parts_.budget.budget();
 }
 
 bool PlayScreen::keepsPicture() const {
-    return parts_.film.wants(parts_.run.stepped());
+    return parts_.film.wants(parts_.run.stepped()) || (parts_.film.recording() && parts_.run.stepped());
 }
 
 void PlayScreen::draw() {

@@ -5,6 +5,7 @@
 #include "game/ui/play/play_parts.hpp"
 #include "game/ui/shared/screen.hpp"
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -23,6 +24,8 @@ public:
     void updateBehindMenu(double seconds) override;
     [[nodiscard]] bool still() const override;
     [[nodiscard]] bool keepsPicture() const override;
+    [[nodiscard]] SolutionShelf* shelf() override { return &parts_.shelf; }
+    [[nodiscard]] bool hasSecondHand() const override { return true; }
     void draw() override;
     /// Adds the picture to the film, or keeps it by itself, if the player has asked for that.
     void pictureComplete() override;
@@ -44,10 +47,13 @@ public:
     [[nodiscard]] Speed const& speed() const { return parts_.run.speed(); }
     [[nodiscard]] HandTool const& hand() const { return parts_.hand; }
     [[nodiscard]] KeyPointer const& keyPointer() const { return parts_.keyPointer; }
+    [[nodiscard]] SecondPointer const& secondPointer() const { return parts_.secondPointer; }
     [[nodiscard]] HandTool const& secondHand() const { return parts_.secondHand; }
     [[nodiscard]] Inspector const& inspector() const { return parts_.inspector; }
     [[nodiscard]] ComponentsPanel const& components() const { return parts_.components; }
     [[nodiscard]] ModsPanel const& mods() const { return parts_.modsPanel; }
+    [[nodiscard]] Lesson const& lesson() const { return parts_.lesson; }
+    [[nodiscard]] Celebration const& celebration() const { return parts_.celebration; }
     /// nullptr: the level names no mods.
     [[nodiscard]] Workshop* workshop() { return parts_.workshop.get(); }
     [[nodiscard]] budget::BudgetMode const& budget() const { return parts_.budget; }
@@ -57,14 +63,23 @@ public:
 
 private:
     void setView();
+    void useSecondPlayer(double seconds);
+    /// Looks for a larger view when cards have come, or have another size.
+    void fitAroundCards();
+    /// Of a key that means nothing now: `command`, or none.
+    void tellOfRefused(std::optional<std::size_t> command);
     /// Once for each speed that the computer cannot keep.
     void tellOfSlowness();
 
     PlayParts parts_;
     CommandsOf<PlayParts> commands_;
     PointerReader reader_;
-    double sinceStep_ = 0;        // s, of the world
-    double toldOfSlownessAt_ = 0; // the last such speed
+    std::array<std::optional<Rect>, 5> cards_; // that the view shows everything beside
+    render::Size fittedWindow_;                // of which cards_ are
+    double fittedScale_ = 0;                   // of the interface
+    bool fastRefused_ = false;                 // the key for fast motion is held while building
+    double sinceStep_ = 0;                     // s, of the world
+    double toldOfSlownessAt_ = 0;              // the last such speed
 };
 
 } // namespace trembler::ui

@@ -104,6 +104,7 @@ void Profile::read() {
     settings_.names = flag("names", settings_.names);
     settings_.hrtf = flag("hrtf", settings_.hrtf);
     settings_.reducedMotion = flag("reduced_motion", settings_.reducedMotion);
+    settings_.padIsSecond = flag("pad_is_second", settings_.padIsSecond);
     auto const percent = [&](char const* key, int usual) {
         auto const found = all.find(key);
         bool const number = found != all.end() && found->is_number();
@@ -144,6 +145,7 @@ void Profile::write() const {
              {"interface_volume", settings_.touches},
              {"hrtf", settings_.hrtf},
              {"reduced_motion", settings_.reducedMotion},
+             {"pad_is_second", settings_.padIsSecond},
              {"language", settings_.language},
              {"progress", progress_.written()}};
     if (!keys_.empty()) {

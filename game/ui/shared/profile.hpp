@@ -20,6 +20,7 @@ struct Settings {
     int touches = 50;           ///< percent of that, for the interface's own sounds
     bool hrtf = false;          ///< binaural sound for headphones
     bool reducedMotion = false; ///< nothing moves for decoration alone
+    bool padIsSecond = false;   ///< the last gamepad is the second player's, even if it is the only one
     std::string language{};     ///< "en", "de"; empty: that of the desktop
 };
 

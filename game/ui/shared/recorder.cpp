@@ -3,8 +3,6 @@
 #include "game/ui/shared/words.hpp"
 #include "render/gl/error.hpp"
 #include "runtime/file/output_file.hpp"
-#include "runtime/file/visible_text.hpp"
-#include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
 
@@ -28,25 +26,21 @@ fs::path fresh(fs::path const& folder, std::string const& name, char const* endi
 
 } // namespace
 
-void Recorder::start() {
-    film_ = fresh(folder_, "film", "");
+void Recorder::prepare() const {
     std::error_code failed;
-    fs::create_directories(film_, failed);
+    fs::create_directories(folder_, failed);
     if (failed) {
-        throw render::RenderError(words::cannotWrite(film_.string(), failed.message()));
+        throw render::RenderError(words::cannotWrite(folder_.string(), failed.message()));
     }
-    frames_ = 0;
-    recording_ = true;
 }
 
-void Recorder::add(render::Image const& image) {
-    try {
-        render::writePng(image, film_ / fmt::format("frame-{:05d}.png", frames_ + 1));
-        ++frames_;
-    } catch (render::RenderError const&) {
-        recording_ = false;
-        throw;
-    }
+fs::path Recorder::clip(render::AnimatedWebp& clip, std::int64_t milliseconds) const {
+    prepare();
+    fs::path path = fresh(folder_, "clip", ".webp");
+    OutputFile file(path, OutputFile::Content::binary);
+    clip.write(file, milliseconds);
+    file.commit();
+    return path;
 }
 
 fs::path Recorder::picture(render::Image const& image) {
@@ -54,18 +48,6 @@ fs::path Recorder::picture(render::Image const& image) {
     fs::create_directories(folder_, ignored);
     fs::path path = fresh(folder_, "picture", ".png");
     render::writePng(image, path);
-    return path;
-}
-
-fs::path Recorder::solution(Solution const& solution, std::string const& level) {
-    std::error_code ignored;
-    fs::create_directories(folder_, ignored);
-    fs::path path = fresh(folder_, level + "-solution", ".json");
-    try {
-        writeFile(path, escapedJson(writeSolution(solution).dump(2)) + "\n");
-    } catch (OutputError const& error) {
-        throw render::RenderError(error.what());
-    }
     return path;
 }
 

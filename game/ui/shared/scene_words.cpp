@@ -1,5 +1,6 @@
 #include "game/ui/shared/scene_words.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "render/panels/world_label.hpp"
 
 #include <string>
@@ -18,8 +19,8 @@ void drawSceneWords(Camera const& camera, World const& world, SceneView const& s
         return;
     }
     for (Facts const& facts : FactsReader(world).drawOrder()) {
-        worldLabel(camera, scene.poseOf(world, facts.id, alpha).at, world.store().nameOf(facts.id).c_str(),
-                   {.look = LabelLook::Chip});
+        worldLabel(camera, scene.poseOf(world, facts.id, alpha).at,
+                   shownName(world.store().nameOf(facts.id)).c_str(), {.look = LabelLook::Chip});
     }
 }
 

@@ -12,8 +12,10 @@
 
 namespace trembler::ui {
 
+class SolutionShelf;
+
 /// Pages of the menu that Esc opens.
-enum class MenuPage : std::uint8_t { closed, main, settings, keys, levels, gallery, help, ending };
+enum class MenuPage : std::uint8_t { closed, main, settings, keys, levels, gallery, help, ending, solutions };
 
 /// Requests of a screen, or of the menu over it, to the program.
 namespace request {
@@ -60,9 +62,14 @@ public:
     /// Whether the next picture would be the same as long as the player does nothing: then it need not be
     /// drawn.
     [[nodiscard]] virtual bool still() const { return false; }
+    /// The solutions of its level; nullptr if it shows none.
+    [[nodiscard]] virtual SolutionShelf* shelf() { return nullptr; }
+    /// Whether a second player can do something here, with a gamepad of their own.
+    [[nodiscard]] virtual bool hasSecondHand() const { return false; }
     /// Draws into the window: after Window::beginFrame, before Gui::endFrame.
     virtual void draw() = 0;
-    /// Called when the picture is complete: between Gui::endFrame and Window::present.
+    /// Called when the picture is complete, before Window::present. If the screen keeps the picture, no card
+    /// has been drawn over the world yet.
     virtual void pictureComplete() {}
     /// Asked before a request is followed that would end this screen, by whomever it was made. False: the
     /// screen asks the player first, and later makes the request itself.

@@ -2,38 +2,39 @@
 
 #include "puzzle/data/game_data.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
-#include <functional>
-#include <map>
+#include <deque>
+#include <memory>
 
 namespace trembler::ui {
 namespace {
 
 constexpr std::array<Language, 2> knownLanguages{{{"en", "English"}, {"de", "Deutsch"}}};
 
-using TextMap = std::map<std::string, std::string, std::less<>>;
+/// Numbers as German writes them, without groups of three.
+class DecimalComma final : public std::numpunct<char> {
+protected:
+    [[nodiscard]] char do_decimal_point() const override { return ','; }
+};
 
 struct TextsInUse {
     std::string_view language;
-    TextMap texts;
+    Catalogue english;
+    Catalogue texts;
+    std::locale numbers;
+    std::unique_ptr<Speech const> speech; // nullptr: English
 };
 
-void addTexts(TextMap& texts, std::string_view language) {
-    std::ifstream in(homeFolder() / "assets" / "text" / (std::string(language) + ".json"));
-    auto const all = nlohmann::json::parse(in, nullptr, false);
-    if (!all.is_object()) {
-        return;
-    }
-    for (auto const& [id, value] : all.items()) {
-        if (value.is_string()) {
-            texts[id] = value.get<std::string>();
-        }
-    }
+struct Said {
+    char const* english;
+    char const* shown;
+};
+
+std::deque<Said>& constants() {
+    static std::deque<Said> all; // a deque, as references to its elements are kept
+    return all;
 }
 
 Language const* findLanguage(std::string_view id) {
@@ -42,18 +43,26 @@ Language const* findLanguage(std::string_view id) {
     return found == knownLanguages.end() ? nullptr : &*found;
 }
 
-TextsInUse loaded(std::string_view id) {
+void load(TextsInUse& texts, std::string_view id) {
     Language const* const wanted = findLanguage(id);
-    TextsInUse texts{wanted == nullptr ? languageOfDesktop() : wanted->id, {}};
-    addTexts(texts.texts, "en");
-    if (texts.language != "en") {
-        addTexts(texts.texts, texts.language);
+    texts.language = wanted == nullptr ? languageOfDesktop() : wanted->id;
+    auto const folder = homeFolder() / "assets" / "text";
+    bool const german = texts.language == "de";
+    texts.speech.reset();
+    texts.english = Catalogue(folder, "en");
+    texts.texts = german ? Catalogue(folder, "de") : Catalogue();
+    texts.numbers = german ? std::locale(std::locale::classic(), new DecimalComma) : std::locale::classic();
+    if (german) {
+        texts.speech = std::make_unique<GermanSpeech>(texts.texts);
     }
-    return texts;
 }
 
 TextsInUse& inUse() {
-    static TextsInUse texts = loaded("en");
+    static TextsInUse texts = [] {
+        TextsInUse english;
+        load(english, "en");
+        return english;
+    }();
     return texts;
 }
 
@@ -77,7 +86,10 @@ std::string_view languageOfDesktop() {
 void useLanguage(std::string_view id) {
     Language const* const wanted = findLanguage(id);
     if ((wanted == nullptr ? languageOfDesktop() : wanted->id) != inUse().language) {
-        inUse() = loaded(id);
+        load(inUse(), id);
+        for (Said& constant : constants()) {
+            constant.shown = text(constant.english);
+        }
     }
 }
 
@@ -86,9 +98,62 @@ std::string_view languageInUse() {
 }
 
 char const* text(std::string_view id) {
-    TextMap const& texts = inUse().texts;
-    auto const found = texts.find(id);
-    return found == texts.end() ? id.data() : found->second.c_str();
+    TextsInUse const& all = inUse();
+    char const* found = all.texts.find(id);
+    found = found == nullptr ? all.english.find(id) : found;
+    return found == nullptr ? id.data() : found;
+}
+
+std::string textOfLanguage(std::string_view language, std::string_view id) {
+    Catalogue const texts(homeFolder() / "assets" / "text", language);
+    char const* const found = texts.find(id);
+    return found == nullptr ? std::string(id) : found;
+}
+
+std::locale const& numberLocale() {
+    return inUse().numbers;
+}
+
+std::string translated(std::string const& english) {
+    return inUse().texts.translated(english);
+}
+
+std::string shownName(std::string const& object) {
+    return inUse().texts.names().bare(object);
+}
+
+std::string shownArea(std::string const& called) {
+    constexpr std::string_view article = "the ";
+    std::string const own = called.starts_with(article) ? called.substr(article.size()) : called;
+    GermanNames const& names = inUse().texts.names();
+    return names.understands(own) ? names.bare(own) : called;
+}
+
+Noun theObject(std::string const& object) {
+    return speechInUse().the(object);
+}
+
+Speech const& speechInUse() {
+    TextsInUse const& all = inUse();
+    return all.speech == nullptr ? englishSpeech() : *all.speech;
+}
+
+std::string localNumber(std::string number) {
+    char const point = std::use_facet<std::numpunct<char>>(numberLocale()).decimal_point();
+    std::replace(number.begin(), number.end(), '.', point);
+    return number;
+}
+
+char const* const& said(char const* english) {
+    return constants().emplace_back(Said{english, english}).shown;
+}
+
+std::vector<char const*> allSaid() {
+    std::vector<char const*> all;
+    for (Said const& constant : constants()) {
+        all.push_back(constant.english);
+    }
+    return all;
 }
 
 } // namespace trembler::ui

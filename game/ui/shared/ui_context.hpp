@@ -2,14 +2,15 @@
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
+#include "game/ui/shared/catalog/kind_finder.hpp"
+#include "game/ui/shared/catalog/level_catalog.hpp"
+#include "game/ui/shared/catalog/level_pictures.hpp"
+#include "game/ui/shared/catalog/part_catalog.hpp"
 #include "game/ui/shared/focus.hpp"
-#include "game/ui/shared/kind_finder.hpp"
 #include "game/ui/shared/layout.hpp"
-#include "game/ui/shared/level_catalog.hpp"
-#include "game/ui/shared/level_pictures.hpp"
-#include "game/ui/shared/part_catalog.hpp"
 #include "game/ui/shared/profile.hpp"
 #include "game/ui/shared/recorder.hpp"
+#include "game/ui/shared/saved_solutions.hpp"
 #include "puzzle/campaign/kept_builds.hpp"
 #include "render/panels/gui.hpp"
 #include "render/panels/toasts.hpp"
@@ -41,6 +42,7 @@ struct UiContext {
     KindFinder kinds;
     KeyBindings keys;
     Recorder recorder;
+    SavedSolutions solutions;
     Loudspeaker* loudspeaker = nullptr; ///< nullptr: no sound
     bool shadows = true;                ///< soft shadows, if the settings and the graphics driver allow them
 

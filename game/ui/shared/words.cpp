@@ -13,23 +13,25 @@
 namespace trembler::ui::words {
 
 std::string toolboxHint(std::string const& turnLeft, std::string const& turnRight) {
-    std::string keys = turnLeft;
-    if (!turnRight.empty()) {
-        keys += (keys.empty() ? "" : " and ") + turnRight;
+    std::string const drag = std::string(text("Drag a part into the world.")) + " ";
+    if (turnLeft.empty() && turnRight.empty()) {
+        return drag + text("The wheel turns it.");
     }
-    return "Drag a part into the world. " +
-           (keys.empty()
-                ? "The wheel turns it."
-                : "Wheel or " + keys + (turnLeft.empty() || turnRight.empty() ? " turns it." : " turn it."));
+    return drag + (turnLeft.empty() || turnRight.empty()
+                       ? textWith("Wheel or {} turns it.", turnLeft + turnRight)
+                       : textWith("Wheel or {} and {} turn it.", turnLeft, turnRight));
+}
+std::string connectedBy(std::string const& callers, std::string const& objects) {
+    return textWith("by {}: {}", callers, objects);
 }
 std::string wiresLeft(int count) {
-    return fmt::format("Wire ({} left)", count);
+    return textWith("Wire ({} left)", count);
 }
 std::string conductsNot(std::string const& object) {
-    return fmt::format("No current flows through the {}", object);
+    return textWith("No current flows through {}", theObject(object).words);
 }
 std::string putThisBack(std::string const& a, std::string const& b) {
-    return fmt::format("Take the wire from {} to {} back", a, b);
+    return textWith("Take the wire from {} to {} back", shownName(a), shownName(b));
 }
 std::string timesReal(double speed) {
     if (speed == 0.25) {
@@ -38,53 +40,46 @@ std::string timesReal(double speed) {
     return speed == 0.5 ? "½×" : fmt::format("{:g}×", speed);
 }
 std::string tooSlow(double asked, double reached) {
-    return fmt::format(
-        "This computer is too slow for {}: the world goes at {:.2g}×. What happens in it stays the "
-        "same.",
+    return textWith(
+        "This computer is too slow for {}: the world goes at {:.2Lg}×. What happens in it stays the same.",
         timesReal(asked), reached);
 }
 std::string hold(std::string const& key) {
-    return "hold " + key;
+    return textWith("hold {}", key);
 }
 std::string keyIsTaken(std::string const& key, std::string const& command) {
-    return fmt::format("{} is the key of \"{}\"", key, command);
+    return textWith("{} is the key of \"{}\"", key, command);
 }
 std::string keepsItsKey(std::string const& command) {
-    return fmt::format("\"{}\" keeps its key", command);
+    return textWith("\"{}\" keeps its key", command);
 }
 std::string noSuchCommand(std::string const& id) {
-    return fmt::format("Keys in your profile: there is no command \"{}\".", visible(id));
+    return textWith("Keys in your profile: there is no command \"{}\".", visible(id));
 }
 std::string notAKey(std::string const& id, std::string const& text) {
-    return fmt::format("Keys in your profile: \"{}\" has \"{}\", which is no key; the default key applies.",
-                       visible(id), visible(text));
+    return textWith("Keys in your profile: \"{}\" has \"{}\", which is no key; the default key applies.",
+                    visible(id), visible(text));
 }
 std::string keysNotTaken(std::string const& id, std::string const& why) {
-    return fmt::format("Keys in your profile: {}, so the default key of \"{}\" applies.", why, visible(id));
+    return textWith("Keys in your profile: {}, so the default key of \"{}\" applies.", why, visible(id));
 }
 std::string keysNotRead(std::string const& what) {
-    return fmt::format("Keys in your profile: expected {}.", visible(what));
+    return textWith("Keys in your profile: expected {}.", visible(what));
 }
 
 std::string cannotWrite(std::string const& path, std::string const& why) {
-    return fmt::format("Nothing can be written to {}: {}.", path, why);
+    return textWith("Nothing can be written to {}: {}.", path, why);
 }
 std::string pictureTaken(std::string const& path) {
-    return "Picture written to " + path;
+    return textWith("Picture written to {}", path);
 }
 std::string solutionSaved(std::string const& path) {
-    return "Saved as " + path + ". \"trembler run\" plays it with --solution.";
+    return textWith("Saved as {}. \"trembler run\" plays it with --solution.", path);
 }
 
-std::string recordingTo(std::string const& folder) {
-    return "Recording every frame into " + folder;
-}
-std::string recorded(int frames, std::string const& folder) {
-    return fmt::format("{} in {}", count(frames, "frame", "frames"), folder);
-}
 std::string modLine(std::string const& name, std::string const& version, std::string const& author,
                     std::string const& licence) {
-    return fmt::format("{} {}, by {}, {}", name, version, author, licence);
+    return textWith("{} {}, by {}, {}", name, version, author, licence);
 }
 
 std::string levelsOfMod(std::string const& title) {
@@ -92,7 +87,7 @@ std::string levelsOfMod(std::string const& title) {
 }
 
 std::string modFrom(std::string const& folder) {
-    return "From " + folder + ".";
+    return textWith("From {}.", folder);
 }
 
 namespace {
@@ -112,89 +107,93 @@ std::string inGroups(std::uint64_t number) {
 
 std::string inBytes(std::size_t bytes) {
     double const kilo = static_cast<double>(bytes) / 1000;
-    return kilo < 1000 ? fmt::format("{:.0f} kB", kilo) : fmt::format("{:.1f} MB", kilo / 1000);
+    return kilo < 1000 ? fmt::format("{:.0f} kB", kilo)
+                       : fmt::format(numberLocale(), "{:.1Lf} MB", kilo / 1000);
 }
 
 } // namespace
 
 std::string ofMost(std::uint64_t count, std::uint64_t most) {
-    return inGroups(count) + " of " + inGroups(most);
+    return textWith("{} of {}", inGroups(count), inGroups(most));
 }
 
 std::string bytesOf(std::size_t bytes, std::size_t most) {
-    return inBytes(bytes) + " of " + inBytes(most);
+    return textWith("{} of {}", inBytes(bytes), inBytes(most));
 }
 
 std::string inFrame(std::uint64_t frame, std::string const& text) {
-    return fmt::format("in frame {}: {}", frame, text);
+    return textWith("in frame {}: {}", frame, text);
 }
 
 std::string worksButAltered(std::string const& why) {
-    return "It works! " + why;
+    return std::string(solved) + " " + translated(why);
 }
 
 std::string andMore(std::size_t count) {
-    return fmt::format("and {} more", count);
+    return textWith("and {} more", count);
 }
 std::string sceneNeeds(std::string const& why) {
-    return "The scene needs " + why + ".";
+    return textWith("The scene needs {}.", translated(why));
 }
 
 std::string nothingHas(std::string_view property) {
-    return fmt::format("nothing has \"{}\"", property);
+    return textWith("nothing has \"{}\"", translated(std::string(property)));
 }
 std::string duration(double microseconds) {
-    return microseconds < 9.95    ? fmt::format("{:.1f} µs", microseconds)
+    return microseconds < 9.95    ? fmt::format(numberLocale(), "{:.1Lf} µs", microseconds)
            : microseconds < 999.5 ? fmt::format("{:.0f} µs", microseconds)
-                                  : fmt::format("{:.3g} ms", microseconds / 1000);
+                                  : fmt::format(numberLocale(), "{:.3Lg} ms", microseconds / 1000);
 }
 std::string howFarOff(double metres) {
     if (!(metres > 0)) {
-        return "not at all";
+        return text("not at all");
     }
-    return metres < 1e-4      ? "< 0.1 mm"
-           : metres < 9.95e-3 ? fmt::format("{:.1f} mm", 1000 * metres)
-           : metres < 0.995   ? fmt::format("{:.2g} cm", 100 * metres)
-           : metres < 9.95    ? fmt::format("{:.1f} m", metres)
+    std::locale const& numbers = numberLocale();
+    return metres < 1e-4      ? fmt::format(numbers, "< {:.1Lf} mm", 0.1)
+           : metres < 9.95e-3 ? fmt::format(numbers, "{:.1Lf} mm", 1000 * metres)
+           : metres < 0.995   ? fmt::format(numbers, "{:.2Lg} cm", 100 * metres)
+           : metres < 9.95    ? fmt::format(numbers, "{:.1Lf} m", metres)
                               : fmt::format("{:.0f} m", std::min(metres, 1e6));
 }
 std::string errorTip(double metres, double share, std::string const& of, std::string const& source) {
-    return fmt::format("{:.2g} % {}: a body that nothing holds would be off by {} after a second. {}",
-                       100 * share, of, metres > 0 ? howFarOff(metres) : "nothing", source);
+    std::string const off = metres > 0 ? howFarOff(metres) : std::string(text("nothing"));
+    return textWith("{:.2Lg} % {}: a body that nothing holds would be off by {} after a second. {}",
+                    100 * share, translated(of), off, translated(source));
+}
+std::string budgetOf(double milliseconds) {
+    return fmt::format(numberLocale(), "{:.2Lf} ms", milliseconds);
 }
 std::string budgetIs(double microseconds) {
-    return fmt::format("Time budget: {:.2f} ms per frame", microseconds / 1000);
+    return textWith("Time budget: {:.2Lf} ms per frame", microseconds / 1000);
 }
 std::string ofBudget(double microseconds) {
-    return fmt::format("of a budget of {:.2f} ms", microseconds / 1000);
+    return textWith("of a budget of {:.2Lf} ms", microseconds / 1000);
 }
 
 std::string ofRated(double share) {
-    return fmt::format(" ({:.0f} % of its rating)", 100 * share);
+    return textWith(" ({:.0f} % of its rating)", 100 * share);
 }
 
 std::string idleNow(std::string const& chosen, std::string const& working) {
-    return chosen + " (used: " + working + ")";
+    return textWith("{} (used: {})", chosen, working);
 }
 
 std::string automaticNow(std::string const& level) {
     return fmt::format("{}: {}", automatic, level);
 }
 std::string hintOf(std::size_t shown, std::size_t total) {
-    return total > 1 ? fmt::format("{} {} of {}", hint, shown, total) : std::string(hint);
+    return total > 1 ? textWith("Hint {} of {}", shown, total) : std::string(text("Hint"));
 }
 std::string seconds(double time) {
-    return fmt::format("{:.1f} s", time);
+    return fmt::format(numberLocale(), "{:.1Lf} s", time);
 }
 std::string solvedWith(double time, int parts) {
-    return parts == 0 ? fmt::format("Solved after {}", seconds(time))
-                      : fmt::format("Solved after {} with {}", seconds(time), count(parts, "part", "parts"));
-}
-std::string count(int number, char const* one, char const* many) {
-    return fmt::format("{} {}", number, number == 1 ? one : many);
+    return parts == 0   ? textWith("Solved after {}", seconds(time))
+           : parts == 1 ? textWith("Solved after {} with 1 part", seconds(time))
+                        : textWith("Solved after {} with {} parts", seconds(time), parts);
 }
 std::string cutThis(std::string const& a, std::string const& b) {
-    return fmt::format("cut {} – {}", a, b);
+    return textWith("cut {} – {}", shownName(a), shownName(b));
 }
 
 std::string direction(double angle) {

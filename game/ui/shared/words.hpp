@@ -1,5 +1,8 @@
-// The window's texts, in one place and in British English; the names of commands are in their tables.
+// The window's texts, in one place and in British English, from which every other language is looked up; the
+// names of commands are in their tables.
 #pragma once
+
+#include "game/ui/shared/texts.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,15 +13,15 @@ namespace trembler::ui::words {
 
 // The program.
 inline constexpr char const* programName = "Trembler";
-inline constexpr char const* looseLevels = "Levels";
-inline constexpr char const* levels = "Levels";
-inline constexpr char const* back = "Back";
+inline char const* const& looseLevels = said("Levels");
+inline constexpr Phrase levels = "Levels";
+inline constexpr Phrase back = "Back";
 
 // Running.
-inline constexpr char const* allBackAsk = "Put all back?";
-inline constexpr char const* allBackAgain =
-    "Once more, and all parts go back into the toolbox. Undo brings them back.";
-inline constexpr char const* allBackDone = "All parts are back in the toolbox";
+inline char const* const& allBackAsk = said("Put all back?");
+inline char const* const& allBackAgain =
+    said("Once more, and all parts go back into the toolbox. Undo brings them back.");
+inline char const* const& allBackDone = said("All parts are back in the toolbox");
 
 /// Of a speed: "2×", "½×"
 [[nodiscard]] std::string timesReal(double speed);
@@ -26,147 +29,145 @@ inline constexpr char const* allBackDone = "All parts are back in the toolbox";
 
 // Tools.
 inline constexpr char const* mySolution = "my solution";
-inline constexpr char const* runBeforeSaving =
-    "Run it first: what is saved is what you placed and what you did while it ran.";
-inline constexpr char const* closeTip = "Close";
+inline char const* const& runBeforeSaving =
+    said("Run it first: what is saved is what you placed and what you did while it ran.");
+inline char const* const& closeTip = said("Close");
 
 // Toolbox and placing.
-inline constexpr char const* toolbox = "Toolbox";
-inline constexpr char const* dropHere = "Let go here to put it back";
+inline char const* const& toolbox = said("Toolbox");
+inline char const* const& dropHere = said("Let go here to put it back");
 
 [[nodiscard]] std::string wiresLeft(int count);
-inline constexpr char const* wireOfLevel = "This wire belongs to the level.";
-inline constexpr char const* wireFromHere = "Drag the wire to another conductor, or click it";
+inline char const* const& wireOfLevel = said("This wire belongs to the level.");
+inline char const* const& wireFromHere = said("Drag the wire to another conductor, or click it");
 [[nodiscard]] std::string conductsNot(std::string const& object);
 [[nodiscard]] std::string putThisBack(std::string const& a, std::string const& b);
 
 // Goal, hints, success.
-inline constexpr char const* goal = "Goal";
-inline constexpr char const* noGoal = "There is nothing to reach here. Try things out.";
-inline constexpr char const* hint = "Hint";
-inline constexpr char const* nextHint = "Another hint";
-inline constexpr char const* noHints = "There is no hint for this level.";
-inline constexpr char const* solved = "It works!";
-inline constexpr char const* nextLevel = "Next level";
-inline constexpr char const* watchAgain = "Watch again";
-inline constexpr char const* keepPlaying = "Keep playing";
-inline constexpr char const* lastLevel = "That was the last level.";
+inline char const* const& goal = said("Goal");
+inline char const* const& noGoal = said("There is nothing to reach here. Try things out.");
+inline constexpr Phrase hint = "Hint";
+inline char const* const& nextHint = said("Another hint");
+inline char const* const& noHints = said("There is no hint for this level.");
+inline char const* const& solved = said("It works!");
+inline constexpr Phrase nextLevel = "Next level";
+inline constexpr Phrase watchAgain = "Watch again";
+inline constexpr Phrase keepPlaying = "Keep playing";
+inline char const* const& lastLevel = said("That was the last level.");
 
 // Menu and settings.
-inline constexpr char const* restart = "Start the level again";
-inline constexpr char const* keys = "Keys";
-inline constexpr char const* groupBuilding = "Building";
-inline constexpr char const* groupRunning = "Running";
-inline constexpr char const* groupLooking = "Looking";
-inline constexpr char const* groupProgram = "The program";
-inline constexpr char const* groupEditing = "Editing levels";
+inline constexpr Phrase restart = "Start the level again";
+inline constexpr Phrase keys = "Keys";
+inline char const* const& groupBuilding = said("Building");
+inline char const* const& groupRunning = said("Running");
+inline char const* const& groupLooking = said("Looking");
+inline char const* const& groupProgram = said("The program");
+inline char const* const& groupEditing = said("Editing levels");
 
 // Inspector.
-inline constexpr char const* rightNow = "Right now";
-inline constexpr char const* inHand = "in your hand";
-inline constexpr char const* inHandMeaning = "whether you hold it";
-inline constexpr char const* speed = "speed";
-inline constexpr char const* speedMeaning = "of its centre of mass";
-inline constexpr char const* electricity = "electricity";
-inline constexpr char const* electricityOn = "on";
-inline constexpr char const* electricityOff = "off";
-inline constexpr char const* electricityMeaning = "whether it is part of a working circuit";
-inline constexpr char const* connectedTo = "connected to";
-[[nodiscard]] inline std::string connectedBy(std::string const& callers, std::string const& objects) {
-    return "by " + callers + ": " + objects;
-}
-inline constexpr char const* touches = "touches";
-inline constexpr char const* touchesMeaning = "the objects that it touches at this moment";
-inline constexpr char const* weight = "weight";
-inline constexpr char const* weightMeaning = "the force of gravity on it";
-inline constexpr char const* potential = "potential";
-inline constexpr char const* potentialMeaning = "relative to the return of its network";
-inline constexpr char const* floating = "floating: not connected to a source or a return";
-inline constexpr char const* current = "current";
-inline constexpr char const* currentMeaning = "through it";
-inline constexpr char const* power = "power";
-inline constexpr char const* powerMeaning = "that becomes heat or light in it";
-inline constexpr char const* shortCircuit = "short circuit";
-inline constexpr char const* shortMeaning =
-    "nearly all of its voltage drops inside it, or its load has hardly any resistance";
-inline constexpr char const* magneticPull = "magnetic force";
-inline constexpr char const* magneticMeaning = "the sum of all magnetic forces on it";
-inline constexpr char const* sounds = "sounds";
-inline constexpr char const* soundsMeaning = "sound level at a distance of 1 m";
-inline constexpr char const* hears = "hears";
-inline constexpr char const* hearsMeaning = "sound level at its position";
-inline constexpr char const* silence = "silence";
-inline constexpr char const* objectIsGone = "It is not in the world at the moment.";
-inline constexpr char const* yes = "yes";
-inline constexpr char const* no = "no";
+inline char const* const& rightNow = said("Right now");
+inline char const* const& inHand = said("in your hand");
+inline char const* const& inHandMeaning = said("whether you hold it");
+inline char const* const& speed = said("speed");
+inline char const* const& speedMeaning = said("of its centre of mass");
+inline char const* const& electricity = said("electricity");
+inline char const* const& electricityOn = said("on");
+inline char const* const& electricityOff = said("off");
+inline char const* const& electricityMeaning = said("whether it is part of a working circuit");
+inline char const* const& connectedTo = said("connected to");
+[[nodiscard]] std::string connectedBy(std::string const& callers, std::string const& objects);
+inline char const* const& touches = said("touches");
+inline char const* const& touchesMeaning = said("the objects that it touches at this moment");
+inline char const* const& weight = said("weight");
+inline char const* const& weightMeaning = said("the force of gravity on it");
+inline char const* const& potential = said("potential");
+inline char const* const& potentialMeaning = said("relative to the return of its network");
+inline char const* const& floating = said("floating: not connected to a source or a return");
+inline char const* const& current = said("current");
+inline char const* const& currentMeaning = said("through it");
+inline char const* const& power = said("power");
+inline char const* const& powerMeaning = said("that becomes heat or light in it");
+inline char const* const& shortCircuit = said("short circuit");
+inline char const* const& shortMeaning =
+    said("nearly all of its voltage drops inside it, or its load has hardly any resistance");
+inline char const* const& magneticPull = said("magnetic force");
+inline char const* const& magneticMeaning = said("the sum of all magnetic forces on it");
+inline char const* const& sounds = said("sounds");
+inline char const* const& soundsMeaning = said("sound level at a distance of 1 m");
+inline char const* const& hears = said("hears");
+inline char const* const& hearsMeaning = said("sound level at its position");
+inline char const* const& silence = said("silence");
+inline char const* const& objectIsGone = said("It is not in the world at the moment.");
+inline char const* const& yes = said("yes");
+inline char const* const& no = said("no");
 inline constexpr char const* nothingStated = "–";
 
 // Components.
-inline constexpr char const* components = "Components";
-inline constexpr char const* component = "component";
-inline constexpr char const* state = "state";
-inline constexpr char const* period = "every";
-inline constexpr char const* periodTip = "Runs in every nth frame. Drag to change, double-click to type.";
-inline constexpr char const* periodFixedTip =
-    "It must run in every frame: otherwise the physics would change.";
-inline constexpr char const* timePerFrame = "time, µs";
-inline constexpr char const* active = "active";
-inline constexpr char const* asleep = "asleep";
-inline constexpr char const* absent = "absent";
-inline constexpr char const* resolvers = "Resolvers";
-inline constexpr char const* derivedSets = "Derived property sets";
-inline constexpr char const* interactions = "Interactions";
-inline constexpr char const* showAbsent = "Also show what this scene does not activate";
-inline constexpr char const* automatic = "as the scene needs it";
+inline constexpr Phrase components = "Components";
+inline char const* const& component = said("component");
+inline char const* const& state = said("state");
+inline char const* const& period = said("every");
+inline char const* const& periodTip = said("Runs in every nth frame. Drag to change, double-click to type.");
+inline char const* const& periodFixedTip =
+    said("It must run in every frame: otherwise the physics would change.");
+inline char const* const& timePerFrame = said("time, µs");
+inline char const* const& active = said("active");
+inline char const* const& asleep = said("asleep");
+inline char const* const& absent = said("absent");
+inline char const* const& resolvers = said("Resolvers");
+inline char const* const& derivedSets = said("Derived property sets");
+inline char const* const& interactions = said("Interactions");
+inline char const* const& showAbsent = said("Also show what this scene does not activate");
+inline char const* const& automatic = said("as the scene needs it");
 
 // Mods.
-inline constexpr char const* mods = "Mods";
-inline constexpr char const* noMods = "This level uses no mods.";
-inline constexpr char const* modsChanged =
-    "Something differs from the level and the files, so this run counts as no solution.";
-inline constexpr char const* scriptOn = "Switch the script off, or on again";
-inline constexpr char const* scriptOff = "off";
-inline constexpr char const* scriptFailed = "failed";
-inline constexpr char const* bundledMod = "It came with the program.";
-inline constexpr char const* trustedMod = "It is trusted: its scripts are compiled.";
-inline constexpr char const* untrustedMod = "It is not trusted: its scripts are interpreted.";
-inline constexpr char const* forObject = "of";
-inline constexpr char const* forOthers = "all that state none";
-inline constexpr char const* asStated = "As the level states it";
-inline constexpr char const* parameters = "Parameters";
-inline constexpr char const* noParameters = "It has no parameters.";
-inline constexpr char const* scriptUses = "Uses";
-inline constexpr char const* instructions = "instructions";
-inline constexpr char const* memory = "memory";
-inline constexpr char const* instructionsTip = "Of its last turn. Beyond its limit a script is switched off.";
-inline constexpr char const* notApplied = "It has had no turn in this run.";
-inline constexpr char const* scriptLog = "Log";
-inline constexpr char const* failedInThisRun = "It failed and is switched off for this run";
-inline constexpr char const* fileRefused = "The file as it was saved is not used";
-inline constexpr char const* howItCameThere = "How it came there";
+inline constexpr Phrase mods = "Mods";
+inline char const* const& noMods = said("This level uses no mods.");
+inline char const* const& modsChanged =
+    said("Something differs from the level and the files, so this run counts as no solution.");
+inline char const* const& scriptOn = said("Switch the script off, or on again");
+inline char const* const& scriptOff = said("off");
+inline char const* const& scriptFailed = said("failed");
+inline char const* const& bundledMod = said("It came with the program.");
+inline char const* const& trustedMod = said("It is trusted: its scripts are compiled.");
+inline char const* const& untrustedMod = said("It is not trusted: its scripts are interpreted.");
+inline char const* const& forObject = said("of");
+inline char const* const& forOthers = said("all that state none");
+inline char const* const& asStated = said("As the level states it");
+inline char const* const& parameters = said("Parameters");
+inline char const* const& noParameters = said("It has no parameters.");
+inline char const* const& scriptUses = said("Uses");
+inline char const* const& instructions = said("instructions");
+inline char const* const& memory = said("memory");
+inline char const* const& instructionsTip =
+    said("Of its last turn. Beyond its limit a script is switched off.");
+inline char const* const& notApplied = said("It has had no turn in this run.");
+inline char const* const& scriptLog = said("Log");
+inline char const* const& failedInThisRun = said("It failed and is switched off for this run");
+inline char const* const& fileRefused = said("The file as it was saved is not used");
+inline char const* const& howItCameThere = said("How it came there");
 
 // What accuracy costs.
-inline constexpr char const* effect = "effect";
-inline constexpr char const* howExactly = "how exactly";
-inline constexpr char const* timePerFrameOf = "time per frame";
-inline constexpr char const* errorAfterASecond = "error at 1 s";
-inline constexpr char const* oneWayOnly = "one level only";
-inline constexpr char const* notNeeded = "nothing activates it";
-inline constexpr char const* notRead = "nothing reads it";
-inline constexpr char const* wholeFrame = "A frame";
-inline constexpr char const* withoutBudget = "no budget";
-inline constexpr char const* keepToBudget = "Keep to a time budget";
-inline constexpr char const* budgetTip =
+inline char const* const& effect = said("effect");
+inline char const* const& howExactly = said("how exactly");
+inline char const* const& timePerFrameOf = said("time per frame");
+inline char const* const& errorAfterASecond = said("error at 1 s");
+inline char const* const& oneWayOnly = said("one level only");
+inline char const* const& notNeeded = said("nothing activates it");
+inline char const* const& notRead = said("nothing reads it");
+inline char const* const& wholeFrame = said("A frame");
+inline char const* const& withoutBudget = said("no budget");
+inline char const* const& keepToBudget = said("Keep to a time budget");
+inline char const* const& budgetTip = said(
     "Levels, settings and periods are chosen, once a second, so that a frame takes no longer than this on "
     "average and "
-    "the error is least. The choices become part of what you save.";
-inline constexpr char const* budgetFormat = "%.2f ms";
-inline constexpr char const* lessOrMore = "Less or more of it";
-inline constexpr char const* budgetOff = "No time budget: levels stay as they are";
-inline constexpr char const* budgetMissed = "The last second took longer than that.";
-inline constexpr char const* budgetHopeless = "No allowed choice is fast enough for this budget.";
-inline constexpr char const* nothingToChange = "Everything is as it should be: nothing to change.";
-inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
+    "the error is least. The choices become part of what you save.");
+inline char const* const& lessOrMore = said("Less or more of it");
+inline char const* const& budgetOff = said("No time budget: levels stay as they are");
+inline char const* const& budgetMissed = said("The last second took longer than that.");
+inline char const* const& budgetHopeless = said("No allowed choice is fast enough for this budget.");
+inline char const* const& nothingToChange = said("Everything is as it should be: nothing to change.");
+inline char const* const& budgetMeasuring = said("Measuring, for a second …");
 
 /// For the toolbox; the key names may be empty.
 [[nodiscard]] std::string toolboxHint(std::string const& turnLeft, std::string const& turnRight);
@@ -183,8 +184,6 @@ inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 [[nodiscard]] std::string cannotWrite(std::string const& path, std::string const& why);
 [[nodiscard]] std::string pictureTaken(std::string const& path);
 [[nodiscard]] std::string solutionSaved(std::string const& path);
-[[nodiscard]] std::string recordingTo(std::string const& folder);
-[[nodiscard]] std::string recorded(int frames, std::string const& folder);
 [[nodiscard]] std::string andMore(std::size_t count);
 /// Of a mod: "wind 1.0, by the Trembler project, MIT"
 [[nodiscard]] std::string modLine(std::string const& name, std::string const& version,
@@ -208,13 +207,14 @@ inline constexpr char const* budgetMeasuring = "Measuring, for a second …";
 [[nodiscard]] std::string howFarOff(double metres);
 [[nodiscard]] std::string errorTip(double metres, double share, std::string const& of,
                                    std::string const& source);
+/// "2.00 ms"
+[[nodiscard]] std::string budgetOf(double milliseconds);
 [[nodiscard]] std::string budgetIs(double microseconds);
 [[nodiscard]] std::string ofBudget(double microseconds);
 [[nodiscard]] std::string ofRated(double share);
 [[nodiscard]] std::string idleNow(std::string const& chosen, std::string const& working);
 [[nodiscard]] std::string hintOf(std::size_t shown, std::size_t total);
 [[nodiscard]] std::string solvedWith(double seconds, int parts);
-[[nodiscard]] std::string count(int number, char const* one, char const* many);
 [[nodiscard]] std::string cutThis(std::string const& a, std::string const& b);
 [[nodiscard]] std::string seconds(double time);
 /// An arrow for the nearest of eight directions; `angle` in rad, anticlockwise from the right.

@@ -25,7 +25,19 @@ void CameraControl::setView(render::Size viewport, Margins const& margins) {
     }
 }
 
+void CameraControl::setPreferred(std::optional<render::Camera> const& preferred) {
+    preferred_ = preferred;
+    if (!moved_) {
+        fit();
+    }
+}
+
 double CameraControl::fittingScale() const {
+    bool const counts = preferred_ && preferred_->viewport == camera_.viewport;
+    return counts ? preferred_->pixelsPerMetre : scaleBetweenMargins();
+}
+
+double CameraControl::scaleBetweenMargins() const {
     double const width = std::max(camera_.viewport.width - margins_.left - margins_.right, 50.0);
     double const height = std::max(camera_.viewport.height - margins_.top - margins_.bottom, 50.0);
     render::Point const half = subject_.half();
@@ -35,6 +47,10 @@ double CameraControl::fittingScale() const {
 
 void CameraControl::fit() {
     moved_ = false;
+    if (preferred_ && preferred_->viewport == camera_.viewport) {
+        camera_ = *preferred_;
+        return;
+    }
     if (subject_.empty()) {
         return;
     }

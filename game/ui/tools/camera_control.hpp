@@ -5,6 +5,8 @@
 #include "render/draw/camera.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
 
+#include <optional>
+
 namespace trembler::ui {
 
 /// Pixels of the window that cards cover at each side.
@@ -22,7 +24,12 @@ public:
     void setSubject(render::Extent const& subject) { subject_ = subject; }
     /// Follows the window's size; until the player moves the view it keeps showing everything.
     void setView(render::Size viewport, Margins const& margins);
-    /// Shows the whole subject between the margins.
+    /// A view that shows the whole subject larger than the margins allow; nothing: there is none. It counts
+    /// as long as the window has its size.
+    void setPreferred(std::optional<render::Camera> const& preferred);
+    /// The largest scale at which the subject fits between the margins, pixels per metre.
+    [[nodiscard]] double scaleBetweenMargins() const;
+    /// Shows the whole subject between the margins, or as preferred.
     void fit();
     /// Keeps what is shown when the window or the subject changes, as if the player had moved the view.
     void stay() { moved_ = true; }
@@ -40,6 +47,7 @@ private:
     render::Camera camera_;
     render::Extent subject_;
     Margins margins_;
+    std::optional<render::Camera> preferred_;
     bool panning_ = false;
     bool moved_ = false;
 };

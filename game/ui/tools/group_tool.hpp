@@ -21,6 +21,8 @@ public:
     /// the mouse. True if the mouse belongs to the group in this picture, so that it means nothing else.
     [[nodiscard]] bool update(Pointer const& pointer, std::optional<int> hovered);
     void chooseAll();
+    /// Adds a part to the choice, or takes it out of it.
+    void toggle(int number) { toggle(number, placing_.selected()); }
     /// Turns the parts by `steps` anticlockwise about their centre.
     void turn(int steps, bool fine);
     /// Mirrors the group from left to right.

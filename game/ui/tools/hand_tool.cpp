@@ -3,6 +3,8 @@
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 
+#include <utility>
+
 namespace trembler::ui {
 namespace {
 
@@ -46,6 +48,8 @@ void HandTool::cut(Pointer const& pointer) {
                                                 wireReach * pointer.pixel);
     if (pointer.pressed && wire_.a.valid()) {
         waiting_.push_back({PlayerInput::Kind::cut, wire_.a, wire_.b, pointer.world});
+        cut_ = std::exchange(wire_, {});
+        cutting_ = pointer.fine; // with Shift the scissors stay in the hand
     }
 }
 

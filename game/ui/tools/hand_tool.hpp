@@ -6,6 +6,7 @@
 #include "render/scene/objects/wires.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace trembler::ui {
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] bool cutting() const { return cutting_; }
     /// The wire that a click would cut; both ids invalid if there is none.
     [[nodiscard]] render::Link const& wireUnderBlades() const { return wire_; }
+    /// The wire that was cut since the last call; both ids invalid if there is none.
+    [[nodiscard]] render::Link takeCut() { return std::exchange(cut_, {}); }
     /// What is held, or an invalid id.
     [[nodiscard]] ObjectId held() const { return held_; }
     /// Where the hand pulls it to, m.
@@ -60,6 +63,7 @@ private:
     Vec2 sentTarget_; // the last target that was fed to the session
     bool cutting_ = false;
     render::Link wire_;
+    render::Link cut_;
 };
 
 } // namespace trembler::ui

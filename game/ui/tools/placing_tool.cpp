@@ -114,10 +114,14 @@ void PlacingTool::follow(Pointer const& pointer) {
     settle(wanted, pointer.free ? 0 : 14 * pointer.pixel);
 }
 
-void PlacingTool::drop() {
+void PlacingTool::drop(bool dragged) {
     if (!carried_->verdict.ok) {
-        carried_->dragging = carried_->turning = false; // it stays in the hand and shows the reason
-        toasts_.add(carried_->verdict.why, render::ToastKind::Trouble, 2.5);
+        // A part that was dragged goes back to where it came from. One that follows the mouse without a
+        // button stays in the hand, which shows the reason.
+        if (dragged) {
+            toasts_.add(translated(carried_->verdict.why), render::ToastKind::Trouble, 2.5);
+            carried_.reset();
+        }
         return;
     }
     Placement const landing = carried_->landing;
@@ -144,7 +148,7 @@ void PlacingTool::tryMove(int number, Placement const& wanted) {
     if (verdict.ok) {
         moveTo(number, wanted);
     } else {
-        toasts_.add(verdict.why, render::ToastKind::Trouble, 2.5);
+        toasts_.add(translated(verdict.why), render::ToastKind::Trouble, 2.5);
     }
 }
 
@@ -158,11 +162,11 @@ void PlacingTool::updateCarried(Pointer const& pointer) {
         carried_->dragging = false;
         bool const clicked = !strayed && !carried_->number && pointer.overToolbox;
         if (carried_->turning) {
-            drop();
+            drop(true);
         } else if (pointer.overToolbox && !clicked) {
             putBack();
         } else if (!pointer.overCard) {
-            drop();
+            drop(true);
         } // else it was a click on the tile: the part follows the mouse until the next click
         return;
     }
@@ -170,7 +174,7 @@ void PlacingTool::updateCarried(Pointer const& pointer) {
         if (pointer.overToolbox) {
             putBack();
         } else if (!pointer.overCard) {
-            drop();
+            drop(false);
         }
     }
 }

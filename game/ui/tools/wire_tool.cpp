@@ -66,7 +66,7 @@ void WireTool::finish() {
             reset();
         }
     } else {
-        toasts_.add(why_, render::ToastKind::Trouble, reasonTime);
+        toasts_.add(translated(why_), render::ToastKind::Trouble, reasonTime);
         from_ = {};
     }
     to_ = {};
@@ -104,7 +104,7 @@ bool WireTool::update(Pointer const& pointer, ObjectId hovered) {
             from_ = session_.lasting(hovered);
             pressedAt_ = pointer.screen;
         } else if (!why_.empty()) {
-            toasts_.add(why_, render::ToastKind::Trouble, reasonTime);
+            toasts_.add(translated(why_), render::ToastKind::Trouble, reasonTime);
         }
         return hovered.valid(); // the paper can be dragged
     }

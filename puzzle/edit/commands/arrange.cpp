@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace trembler::edit {
 namespace {
@@ -138,12 +139,16 @@ std::string_view wordsOf(Alignment alignment) {
 
 std::optional<Box> extentOfObjects(GameData const& data, Json const& level, Names const& names) {
     std::optional<std::pair<Vec2, Vec2>> all;
-    for (std::string const& name : names) {
-        Json const* const entry = findObject(level, name);
-        if (entry == nullptr) {
+    std::set<std::string> const wanted(names.begin(), names.end());
+    Json const* const list = findList(level, "objects");
+    if (list == nullptr) {
+        return {};
+    }
+    for (Json const& entry : *list) {
+        if (!wanted.contains(textOf(entry, "name"))) {
             continue;
         }
-        auto const [low, high] = extentOfEntry(data, *entry);
+        auto const [low, high] = extentOfEntry(data, entry);
         if (!all) {
             all = {low, high};
             continue;
@@ -190,8 +195,9 @@ Command rotateObjects(Json const& level, Names const& names, double degreesToTur
                 double const turn = radians(degreesToTurn);
                 Motion const motion{[=](Vec2 point) { return centre + rotated(point - centre, turn); },
                                     [=](Vec2 way) { return rotated(way, turn); }};
+                ObjectEntries const entries(tree);
                 for (std::string const& name : free) {
-                    Json& entry = objectEntry(tree, name);
+                    Json& entry = entries.of(name);
                     setPlace(entry, motion.point(placeOf(entry)));
                     setAngle(entry, angleOf(entry) + degreesToTurn);
                 }
@@ -214,8 +220,9 @@ Command scaleObjects(GameData const& data, Json const& level, Names const& names
                                         return centre + Vec2{way.x * factors.x, way.y * factors.y};
                                     },
                                     [](Vec2 way) { return way; }};
+                ObjectEntries const entries(tree);
                 for (std::string const& name : free) {
-                    Json& entry = objectEntry(tree, name);
+                    Json& entry = entries.of(name);
                     scaleEntry(data, entry, factors);
                     setPlace(entry, motion.point(placeOf(entry)));
                 }
@@ -226,9 +233,18 @@ Command scaleObjects(GameData const& data, Json const& level, Names const& names
 
 bool mayScale(GameData const& data, Json const& level, Names const& names, Vec2 factors) {
     try {
-        Command const command = scaleObjects(data, level, names, factors, {});
-        Json copy = level;
-        command.change(copy);
+        // Only of these objects: a copy of a large level takes longer than scaling one of them.
+        std::set<std::string> const wanted(names.begin(), names.end());
+        Json copy{{"objects", Json::array()}};
+        if (Json const* const list = findList(level, "objects")) {
+            std::copy_if(list->begin(), list->end(),
+                         std::back_inserter(copy["objects"].get_ref<Json::array_t&>()),
+                         [&](Json const& entry) { return wanted.contains(textOf(entry, "name")); });
+        }
+        if (auto const editor = level.find("editor"); editor != level.end()) {
+            copy["editor"] = *editor;
+        }
+        scaleObjects(data, copy, names, factors, {}).change(copy);
         return true;
     } catch (CommandError const&) {
         return false;
@@ -246,8 +262,9 @@ Command mirrorObjects(GameData const& data, Json const& level, Names const& name
                     return atVertical ? Vec2{-way.x, way.y} : Vec2{way.x, -way.y};
                 };
                 Motion const motion{[=](Vec2 point) { return centre + flip(point - centre); }, flip, true};
+                ObjectEntries const entries(tree);
                 for (std::string const& name : free) {
-                    Json& entry = objectEntry(tree, name);
+                    Json& entry = entries.of(name);
                     setPlace(entry, motion.point(placeOf(entry)));
                     mirrorEntry(data, entry, atVertical);
                 }

@@ -14,9 +14,9 @@ namespace trembler::edit {
 
 // All of them leave out locked objects, and throw CommandError if nothing is left, or an object does not
 // exist. Joints go with their objects: a joint whose objects are all moved is moved, and so is one that holds
-// a single object to the world; of a rope, spring, distance or pulley each end goes with its object. Lengths
-// are m. Results are rounded to a nanometre and a millionth of a degree, so that files have no rounding
-// errors.
+// a single object to the world; of a rope, spring, distance or pulley each end goes with its object, and an
+// end at the wall stays, unless the object is mirrored. Lengths are m. Results are rounded to a nanometre and
+// a millionth of a degree, so that files have no rounding errors.
 
 [[nodiscard]] Command moveObjects(Json const& level, std::vector<std::string> const& names, Vec2 by);
 /// Moves and turns one object to a place; its joints go with it.

@@ -133,8 +133,9 @@ Command changeProperty(GameData const& data, Json const& level, Names const& nam
     }
     return {fmt::format("{} {} of {}", verb, propertyInWords(info), objectsInWords(names)),
             [&data, &info, names, change](Json& tree) {
+                ObjectEntries const entries(tree);
                 for (std::string const& name : names) {
-                    Json& entry = objectEntry(tree, name);
+                    Json& entry = entries.of(name);
                     Json const before = effectiveStatement(data, entry, info);
                     Json after = before;
                     change(after);

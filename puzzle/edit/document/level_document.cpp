@@ -192,32 +192,45 @@ void LevelDocument::run(Command const& command, std::optional<Gesture> gesture) 
     }
     bool const joins = gesture && gestureOpen_ && done_ > 0 && done_ == steps_.size() &&
                        steps_.back().gesture == gesture->number;
-    Json before = tree_;
-    if (joins) {
-        steps_.back().patch.revert(before);
+    if (!joins) {
+        before_ = tree_;
+    } else if (gesture->next == Gesture::Next::replaces) {
+        steps_.back().patch.revert(tree_);
     }
-    Json after = joins && gesture->next == Gesture::Next::replaces ? before : tree_;
+    TreePatch patch;
     try {
-        command.change(after);
-    } catch (nlohmann::json::exception const&) {
-        throw CommandError("the level is not of the form that this needs");
+        changeTree(command);
+        patch = TreePatch::between(before_, tree_);
+    } catch (...) {
+        tree_ = before_;
+        if (joins) {
+            steps_.back().patch.apply(tree_);
+        }
+        throw;
     }
-    std::size_t values = 0;
-    checkSize(after, 1, values);
-    TreePatch patch(before, after);
     if (patch.empty() && !joins) {
         return;
     }
     steps_.resize(joins ? done_ - 1 : done_);
-    // Not `after` itself: 1 and 1.0 are no difference, and redoing must give this tree again.
-    patch.apply(before);
     if (!patch.empty()) {
         steps_.push_back({command.name, std::move(patch), ++lastState_, gesture ? gesture->number : 0});
     }
     done_ = steps_.size();
     gestureOpen_ = gesture.has_value();
-    tree_ = std::move(before);
+    if (!gestureOpen_) {
+        before_ = {};
+    }
     changed();
+}
+
+void LevelDocument::changeTree(Command const& command) {
+    try {
+        command.change(tree_);
+    } catch (nlohmann::json::exception const&) {
+        throw CommandError("the level is not of the form that this needs");
+    }
+    std::size_t values = 0;
+    checkSize(tree_, 1, values);
 }
 
 std::vector<std::string> LevelDocument::history() const {

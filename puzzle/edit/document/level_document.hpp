@@ -140,6 +140,8 @@ private:
     void parse(std::string const& file);
     void convert();
     void changed();
+    /// May throw, having changed the tree or not.
+    void changeTree(Command const& command);
     [[nodiscard]] std::uint64_t state() const { return done_ == 0 ? 0 : steps_[done_ - 1].state; }
     [[nodiscard]] SaveResult write(std::filesystem::path const& path, Overwrite overwrite);
 
@@ -157,6 +159,7 @@ private:
     std::uint64_t savedState_ = 0;
     std::uint64_t lastGesture_ = 0;
     bool gestureOpen_ = false; // whether a command may still join the last step
+    Json before_;              // the tree before the last step, while a command may join it
     std::uint64_t revision_ = 0;
     mutable std::optional<std::string> text_;          // of tree_
     mutable std::shared_ptr<JsonDocument const> json_; // of text_

@@ -36,6 +36,24 @@ Json entriesOf(Json const& list, std::size_t first, std::size_t count) {
     return some;
 }
 
+/// Whether both are equal; if so, the numbers of `after` get the type that those of `before` have.
+bool takeSpelling(Json const& before, Json& after) {
+    if (before != after) {
+        return false;
+    }
+    if (before.is_number()) {
+        after = before;
+    }
+    for (std::size_t i = 0; before.is_structured() && i < before.size(); ++i) {
+        if (before.is_array()) {
+            takeSpelling(before[i], after[i]);
+        } else {
+            takeSpelling(before.get_ref<Json::object_t const&>().data()[i].second, childAt(after, i));
+        }
+    }
+    return true;
+}
+
 /// Puts `there` in the place of `count` entries.
 void splice(Json& node, std::size_t first, std::size_t count, Json const& there) {
     if (node.is_array()) {
@@ -71,16 +89,15 @@ void splice(Json& node, std::size_t first, std::size_t count, Json const& there)
 
 } // namespace
 
-TreePatch::TreePatch(Json const& before, Json const& after) {
+TreePatch TreePatch::between(Json const& before, Json& after) {
+    TreePatch patch;
     Path path;
-    compare(path, before, after);
+    patch.compare(path, before, after);
+    return patch;
 }
 
-void TreePatch::compare(Path& path, Json const& before, Json const& after) {
-    if (before == after) {
-        return;
-    }
-    auto const inside = [&](std::size_t position, Json const& a, Json const& b) {
+void TreePatch::compare(Path& path, Json const& before, Json& after) {
+    auto const inside = [&](std::size_t position, Json const& a, Json& b) {
         path.push_back(position);
         compare(path, a, b);
         path.pop_back();
@@ -94,11 +111,12 @@ void TreePatch::compare(Path& path, Json const& before, Json const& after) {
         }
         std::size_t const shorter = std::min(before.size(), after.size());
         std::size_t head = 0;
-        while (head < shorter && before[head] == after[head]) {
+        while (head < shorter && takeSpelling(before[head], after[head])) {
             ++head;
         }
         std::size_t tail = 0;
-        while (tail < shorter - head && before[before.size() - 1 - tail] == after[after.size() - 1 - tail]) {
+        while (tail < shorter - head &&
+               takeSpelling(before[before.size() - 1 - tail], after[after.size() - 1 - tail])) {
             ++tail;
         }
         changes_.emplace_back(Entries{path, head, entriesOf(before, head, before.size() - head - tail),
@@ -107,7 +125,7 @@ void TreePatch::compare(Path& path, Json const& before, Json const& after) {
     }
     if (before.is_object() && after.is_object()) {
         auto const& a = before.get_ref<Json::object_t const&>();
-        auto const& b = after.get_ref<Json::object_t const&>();
+        auto& b = after.get_ref<Json::object_t&>();
         std::size_t const shorter = std::min(a.size(), b.size());
         std::size_t head = 0;
         while (head < shorter && a.data()[head].first == b.data()[head].first) {
@@ -127,7 +145,9 @@ void TreePatch::compare(Path& path, Json const& before, Json const& after) {
         }
         return;
     }
-    changes_.emplace_back(Value{path, before, after});
+    if (!takeSpelling(before, after)) {
+        changes_.emplace_back(Value{path, before, after});
+    }
 }
 
 void TreePatch::apply(Json& tree) const {

@@ -15,8 +15,9 @@ class TreePatch {
 public:
     TreePatch() = default;
     /// What leads from one tree to the other. Takes time in proportion to the trees, memory to the
-    /// difference.
-    TreePatch(Json const& before, Json const& after);
+    /// difference. Numbers that are equal and only spelt in another way, as 1 and 1.0, are no difference:
+    /// `after` gets those of `before`, so that it is exactly what apply() makes.
+    [[nodiscard]] static TreePatch between(Json const& before, Json& after);
 
     [[nodiscard]] bool empty() const { return changes_.empty(); }
     /// Turns the tree `before` into `after`, and back. The tree must be that one.
@@ -38,7 +39,7 @@ private:
     };
     using Change = std::variant<Value, Entries>;
 
-    void compare(Path& path, Json const& before, Json const& after);
+    void compare(Path& path, Json const& before, Json& after);
 
     std::vector<Change> changes_;
 };

@@ -124,6 +124,12 @@ bool LiveProblems::refresh(LevelDocument const& document) {
             problems_.back().diagnostic = std::move(diagnostic);
         }
     }
+    for (Diagnostic const& fault : document.data().ownPartFaults) {
+        Problem& problem = problems_.emplace_back();
+        problem.diagnostic = fault;
+        problem.about = Problem::About::ownPart;
+        problem.name = std::filesystem::path(fault.file).filename().string();
+    }
     lastSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return true;
 }

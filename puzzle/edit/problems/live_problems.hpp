@@ -25,6 +25,7 @@ struct Problem {
         goal,
         hint,
         solution,
+        ownPart, ///< a file of the author's own parts, whether the level uses it or not
     };
     Diagnostic diagnostic; ///< with its place in LevelDocument::text()
     About about = About::level;
@@ -44,8 +45,9 @@ struct Problem {
 /// What a diagnostic's path refers to in a level.
 [[nodiscard]] Problem locateProblem(Json const& level, Diagnostic diagnostic);
 
-/// Keeps the problems of a document up to date. Everything is checked anew after a change, by levelProblems()
-/// of puzzle/checks/, so no change can be missed: a level of a hundred objects takes some milliseconds; call
+/// Keeps the problems of a document up to date: those of the level, then those of the author's own parts,
+/// which are found when the data are read. Everything is checked anew after a change, by levelProblems() of
+/// puzzle/checks/, so no change can be missed: a level of a hundred objects takes some milliseconds; call
 /// refresh() when the author pauses for levels that take longer, see lastSeconds().
 class LiveProblems {
 public:

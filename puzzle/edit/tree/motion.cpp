@@ -36,6 +36,19 @@ void movePointOf(Json& joint, char const* key, std::function<Vec2(Vec2)> const& 
     }
 }
 
+/// A slider or wheel that states no axis has a level one.
+void moveAxis(Json& joint, std::function<Vec2(Vec2)> const& motion) {
+    std::string const form = textOf(joint, "form");
+    if (!joint.contains("axis") && (form == "slider" || form == "wheel")) {
+        Vec2 const level{1, 0};
+        if (Vec2 const turned = motion(level); turned != level) {
+            joint["axis"] = pointJson(turned);
+        }
+        return;
+    }
+    movePointOf(joint, "axis", motion);
+}
+
 /// The limits and the speed of a hinge or a wheel, seen in a mirror.
 void turnRound(Json& joint) {
     auto const take = [&](char const* key) -> std::optional<double> {
@@ -60,11 +73,32 @@ void turnRound(Json& joint) {
     }
 }
 
+/// A gear couples angles and displacements. In a mirror angles change their sign and displacements do not, so
+/// one between a hinge and a slider runs the other way.
+void turnGearRound(Json& gear, std::map<std::string, std::string> const& forms) {
+    auto const slides = [&](char const* key) {
+        auto const found = forms.find(textOf(gear, key));
+        return found != forms.end() && found->second == "slider";
+    };
+    if (textOf(gear, "form") == "gear" && slides("joint_a") != slides("joint_b")) {
+        gear["ratio"] = numberJson(gear.contains("ratio") ? -numberOf(gear["ratio"]) : -1);
+    }
+}
+
+std::map<std::string, std::string> formsOfJoints(Json const& level) {
+    std::map<std::string, std::string> forms;
+    for (Json const& joint : *findList(level, "joints")) {
+        forms[textOf(joint, "name")] = textOf(joint, "form");
+    }
+    return forms;
+}
+
 } // namespace
 
 void shiftObjects(Json& level, Shifts const& shifts) {
+    ObjectEntries const entries(level);
     for (auto const& [name, shift] : shifts) {
-        Json& entry = objectEntry(level, name);
+        Json& entry = entries.of(name);
         setPlace(entry, placeOf(entry) + shift);
     }
     if (findList(level, "joints") != nullptr) {
@@ -78,6 +112,7 @@ void moveJoints(Json& level, std::set<std::string> const& objects, Motion const&
     if (findList(level, "joints") == nullptr) {
         return;
     }
+    std::map<std::string, std::string> const forms = formsOfJoints(level);
     for (Json& joint : level["joints"]) {
         if (!joint.is_object()) {
             continue;
@@ -88,17 +123,20 @@ void moveJoints(Json& level, std::set<std::string> const& objects, Motion const&
         if (first && (second || hasTwoEnds(joint))) {
             movePointOf(joint, "at", motion.point);
         }
-        if (second && (hasTwoEnds(joint) ? !b.empty() : first)) {
+        // A hook in the wall stays where it is, but is part of a mirror image.
+        bool const endsAtWall = hasTwoEnds(joint) && b.empty() && !motion.mirrors;
+        if (second && !endsAtWall && (first || hasTwoEnds(joint))) {
             movePointOf(joint, "at_b", motion.point);
         }
         if (first && second) {
-            if (!hasTwoEnds(joint) || !b.empty()) {
+            if (!endsAtWall) {
                 movePointOf(joint, "ground_a", motion.point);
                 movePointOf(joint, "ground_b", motion.point);
             }
-            movePointOf(joint, "axis", motion.direction);
+            moveAxis(joint, motion.direction);
             if (motion.mirrors) {
                 turnRound(joint);
+                turnGearRound(joint, forms);
             }
         }
     }

@@ -202,7 +202,8 @@ void mirrorEntry(GameData const& data, Json& entry, bool atVertical) {
         }
     }
     // What is flipped is mirrored left to right before it is turned.
-    setAngle(entry, std::remainder((atVertical ? 0 : 180) - angleOf(entry), 360));
+    // Not brought into a range: to mirror twice gives the same number.
+    setAngle(entry, (atVertical ? 0 : 180) - angleOf(entry));
     if (atVertical) {
         return;
     }

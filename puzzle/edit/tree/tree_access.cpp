@@ -11,9 +11,10 @@ namespace {
 constexpr std::size_t longestName = 100; // bytes
 
 std::vector<std::string> const& levelOrder() {
-    static std::vector<std::string> const keys{
-        "$schema", "version",     "title",   "text",    "demonstration", "mods",  "world",     "objects",
-        "joints",  "connections", "placing", "toolbox", "goals",         "hints", "solutions", "editor"};
+    static std::vector<std::string> const keys{"$schema",  "version", "title",     "text",   "demonstration",
+                                               "mods",     "world",   "objects",   "joints", "connections",
+                                               "placing",  "toolbox", "goals",     "task",   "hints",
+                                               "teaching", "texts",   "solutions", "editor"};
     return keys;
 }
 
@@ -95,6 +96,26 @@ Json& objectEntry(Json& level, std::string const& name) {
         }
     }
     throw CommandError(fmt::format("there is no object '{}'", name));
+}
+
+ObjectEntries::ObjectEntries(Json& level) {
+    if (findList(level, "objects") == nullptr) {
+        return;
+    }
+    for (Json& entry : level["objects"]) {
+        auto const name = entry.is_object() ? entry.find("name") : entry.end();
+        if (name != entry.end() && name->is_string()) {
+            entries_.emplace(name->get_ref<std::string const&>(), &entry); // the first of that name
+        }
+    }
+}
+
+Json& ObjectEntries::of(std::string const& name) const {
+    auto const found = entries_.find(name);
+    if (found == entries_.end()) {
+        throw CommandError(fmt::format("there is no object '{}'", name));
+    }
+    return *found->second;
 }
 
 void mustHaveObjects(Json const& level, std::vector<std::string> const& names) {
@@ -209,7 +230,9 @@ void setAngle(Json& entry, double degrees) {
     constexpr double unit = 1e6;
     double const rounded = std::round(degrees * unit) / unit;
     if (rounded == 0) {
-        entry.erase("angle_deg");
+        if (angleOf(entry) != 0) { // a 0 that the author wrote stays
+            entry.erase("angle_deg");
+        }
     } else {
         setObjectMember(entry, "angle_deg", numberJson(rounded));
     }

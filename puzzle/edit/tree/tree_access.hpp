@@ -6,6 +6,7 @@
 #include "runtime/math/vec2.hpp"
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -35,6 +36,17 @@ void moveEntry(Json& level, char const* key, std::size_t from, std::size_t to);
 
 /// The entry of an object. Throws CommandError if there is none.
 [[nodiscard]] Json& objectEntry(Json& level, std::string const& name);
+/// The entries of all objects by name, for commands on many of them: searching for each would be quadratic.
+/// Valid until the list of objects, or a name in it, changes.
+class ObjectEntries {
+public:
+    explicit ObjectEntries(Json& level);
+    /// Throws CommandError if there is none of that name.
+    [[nodiscard]] Json& of(std::string const& name) const;
+
+private:
+    std::map<std::string, Json*> entries_; // copies: setting a member of an entry moves its name
+};
 void mustHaveObjects(Json const& level, std::vector<std::string> const& names);
 /// The text under a key of an object; empty if there is none.
 [[nodiscard]] std::string textOf(Json const& object, char const* key);
@@ -56,7 +68,7 @@ void setLevelMember(Json& level, std::string const& key, Json value);
 /// Where an object is, m, and its angle in degrees; 0 if it does not state them.
 [[nodiscard]] Vec2 placeOf(Json const& entry);
 [[nodiscard]] double angleOf(Json const& entry);
-/// Set them; an angle of 0 is removed.
+/// Set them; an angle that becomes 0 is removed.
 void setPlace(Json& entry, Vec2 at);
 void setAngle(Json& entry, double degrees);
 

@@ -33,7 +33,8 @@ public:
 
     [[nodiscard]] std::string lastingPhrase(Condition const& condition, GoalWords const& words,
                                             Noun const* it, std::string const& duration) const override {
-        std::string const together = condition.children.size() == 2 ? ", both" : ", all of it";
+        std::string const together =
+            words.speech().phrase(condition.children.size() == 2 ? ", both" : ", all of it");
         return phrase(condition, words, Mood::keep, it) + (isCompound(condition) ? together : "") + duration;
     }
 };

@@ -29,8 +29,8 @@ public:
 
     [[nodiscard]] std::string lastingPhrase(Condition const& condition, GoalWords const& words,
                                             Noun const* it, std::string const& duration) const override {
-        return phrase(condition, words, Mood::keep, it) + (isCompound(condition) ? ", either of it" : "") +
-               duration;
+        std::string const either = words.speech().phrase(", either of it");
+        return phrase(condition, words, Mood::keep, it) + (isCompound(condition) ? either : "") + duration;
     }
 };
 

@@ -6,8 +6,6 @@
 #include "puzzle/goals/reading/schema_pieces.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
 
-#include <fmt/format.h>
-
 namespace trembler::conditions {
 
 void CircuitCondition::read(JsonNode const& body, Condition& condition, GoalReader& reader) const {
@@ -43,14 +41,15 @@ void CircuitCondition::collectCauses(ConditionState const& state, World const& w
 
 std::string CircuitCondition::phrase(Condition const& condition, GoalWords const& words, Mood mood,
                                      Noun const* it) const {
-    std::string const who = words.noun(condition.subject, it).words;
+    Noun const who = words.noun(condition.subject, it);
     bool const wanted = on_ != (mood == Mood::avoid);
     bool const lamp = words.areLamps(condition.subject);
     if (mood == Mood::reach) {
-        char const* const verb = wanted ? (lamp ? "light" : "switch on") : (lamp ? "put out" : "switch off");
-        return fmt::format("{} {}", verb, who);
+        return words.speech().phrase(
+            wanted ? (lamp ? "light {}" : "switch on {}") : (lamp ? "put out {}" : "switch off {}"), {who});
     }
-    return fmt::format("keep {} {}", who, wanted ? (lamp ? "lit" : "on") : (lamp ? "dark" : "off"));
+    return words.speech().phrase(
+        wanted ? (lamp ? "keep {} lit" : "keep {} on") : (lamp ? "keep {} dark" : "keep {} off"), {who});
 }
 
 } // namespace trembler::conditions

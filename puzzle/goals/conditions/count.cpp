@@ -4,7 +4,6 @@
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"
-#include "puzzle/goals/words/english.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
 
 #include <fmt/format.h>
@@ -26,32 +25,27 @@ struct HowMany {
 };
 
 /// A number of the objects of a selector in words: "at least two iron balls", "both the lamp and the bell".
-Noun someOf(Selector const& selector, HowMany wanted) {
+Noun someOf(Speech const& speech, Selector const& selector, HowMany wanted) {
     auto const [quantity, number] = wanted;
     std::string const prefix = quantity == Quantity::atLeast  ? "at least "
                                : quantity == Quantity::atMost ? (number == 0 ? "" : "at most ")
                                                               : "exactly ";
-    bool const plural = number != 1;
     if (selector.names.empty() && selector.parts.size() == 1) {
-        std::string const& part = selector.parts.front();
-        return {prefix + numberWord(number) + " " + (plural ? pluralOf(part) : part), plural};
+        return speech.some(prefix, number, selector.parts.front());
     }
-    std::vector<std::string> items;
+    std::vector<Noun> items;
     for (std::string const& name : selector.names) {
-        items.push_back(withArticle(name));
+        items.push_back(speech.the(name));
     }
     for (std::string const& part : selector.parts) {
-        items.push_back("the " + pluralOf(part));
+        items.push_back(speech.all(part));
     }
     bool const everybody =
         selector.parts.empty() && number == static_cast<int>(items.size()) && quantity != Quantity::atMost;
-    if (everybody && items.size() == 2) {
-        return {"both " + enumerated(items, "and"), true};
-    }
     if (everybody) {
-        return {items.size() == 1 ? items.front() : "all of " + enumerated(items, "and"), items.size() > 1};
+        return speech.everyOne(items);
     }
-    return {prefix + (number == 0 ? "none" : numberWord(number)) + " of " + enumerated(items, "and"), plural};
+    return speech.someOf(prefix, number, items);
 }
 
 class CountCondition final : public ConditionKind {
@@ -147,14 +141,14 @@ public:
         HowMany wanted = howMany(condition);
         if (mood == Mood::avoid) { // the opposite of "at least two" is "at most one"
             if (wanted.quantity == Quantity::exactly) {
-                Noun const who = someOf(condition.subject, wanted);
-                return "do not " + words.phrase(that, Mood::reach, &who);
+                Noun const who = someOf(words.speech(), condition.subject, wanted);
+                return words.speech().phrase("do not {}", {{words.phrase(that, Mood::reach, &who)}});
             }
             bool const atLeast = wanted.quantity == Quantity::atLeast;
             wanted = {atLeast ? Quantity::atMost : Quantity::atLeast, wanted.number + (atLeast ? -1 : 1)};
             mood = Mood::reach;
         }
-        Noun const who = someOf(condition.subject, wanted);
+        Noun const who = someOf(words.speech(), condition.subject, wanted);
         return words.phrase(that, mood, &who);
     }
 

@@ -9,8 +9,6 @@
 #include "runtime/level/read/read_area.hpp"
 #include "runtime/placement.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace trembler::conditions {
@@ -77,16 +75,17 @@ public:
 
     [[nodiscard]] std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,
                                      Noun const* it) const override {
-        std::string const who = words.noun(condition.subject, it).words;
+        Noun const who = words.noun(condition.subject, it);
+        Noun const area = words.speech().area(condition.areaName);
         switch (mood) {
         case Mood::reach:
-            return fmt::format("bring {} into {}", who, condition.areaName);
+            return words.speech().phrase("bring {} into {}", {who, area});
         case Mood::keep:
-            return fmt::format("keep {} in {}", who, condition.areaName);
+            return words.speech().phrase("keep {} in {}", {who, area});
         case Mood::avoid:
             break;
         }
-        return fmt::format("keep {} out of {}", who, condition.areaName);
+        return words.speech().phrase("keep {} out of {}", {who, area});
     }
 
 private:

@@ -32,13 +32,13 @@ std::string ListCondition::joined(Condition const& condition, GoalWords const& w
     if (nested && phrases.size() > 1) { // with semicolons, as there may be commas in the phrases
         for (std::size_t i = 0; i < phrases.size(); ++i) {
             bool const last = i + 1 == phrases.size();
-            text += i == 0 ? "" : last ? (conjunction ? ", and " : ", or ") : "; ";
+            text += i == 0 ? "" : last ? words.speech().phrase(conjunction ? ", and " : ", or ") : "; ";
             text += phrases[i];
         }
     } else {
-        text = enumerated(phrases, conjunction ? "and" : "or");
+        text = enumerated(phrases, words.speech().phrase(conjunction ? "and" : "or"));
     }
-    return conjunction || phrases.size() == 1 ? text : "either " + text;
+    return conjunction || phrases.size() == 1 ? text : words.speech().phrase("either {}", {{text}});
 }
 
 } // namespace trembler::conditions

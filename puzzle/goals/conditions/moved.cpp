@@ -8,8 +8,6 @@
 #include "puzzle/goals/words/goal_text.hpp"
 #include "runtime/placement.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -19,21 +17,45 @@ namespace {
 constexpr double leastDistance = 1e-3;   // m
 constexpr double greatestDistance = 1e6; // m
 
-/// A direction, with words for moving an object in this direction and for the place where it then is.
+/// A direction, with phrases for moving an object in this direction, for the place where it then is, and for
+/// not moving it there: the object, and how far.
 struct Direction {
     std::string_view key; // in a file; empty: any direction
     Vec2 unit;
-    std::string_view verb;
-    std::string_view adverb;
-    std::string_view preposition;
+    std::string_view reach;
+    std::string_view keep;
+    std::string_view avoid;
 };
-constexpr Direction anywhere{"", {}, "move", "", "from"};
+constexpr Direction anywhere{"",
+                             {},
+                             "move {} by at least {}",
+                             "keep {} at least {} from where it was at the start",
+                             "do not move {} by {} or more"};
 constexpr std::array<Direction, 4> directions{{
-    {"up", {0, 1}, "lift", "", "above"},
-    {"down", {0, -1}, "lower", "", "below"},
-    {"left", {-1, 0}, "move", " to the left", "to the left of"},
-    {"right", {1, 0}, "move", " to the right", "to the right of"},
+    {"up",
+     {0, 1},
+     "lift {} by at least {}",
+     "keep {} at least {} above where it was at the start",
+     "do not lift {} by {} or more"},
+    {"down",
+     {0, -1},
+     "lower {} by at least {}",
+     "keep {} at least {} below where it was at the start",
+     "do not lower {} by {} or more"},
+    {"left",
+     {-1, 0},
+     "move {} to the left by at least {}",
+     "keep {} at least {} to the left of where it was at the start",
+     "do not move {} to the left by {} or more"},
+    {"right",
+     {1, 0},
+     "move {} to the right by at least {}",
+     "keep {} at least {} to the right of where it was at the start",
+     "do not move {} to the right by {} or more"},
 }};
+/// The end of "keep", and what it is for several objects.
+constexpr std::string_view itWas = "it was at the start";
+constexpr std::string_view theyWere = "they were at the start";
 
 std::array<std::string_view, directions.size()> directionKeys() {
     std::array<std::string_view, directions.size()> keys;
@@ -130,17 +152,22 @@ public:
         Noun const who = words.noun(condition.subject, it);
         WayToGo const& wanted = wayOf(condition);
         Direction const& towards = *wanted.towards;
-        std::string const way = fmt::format("{} m", wanted.distance);
+        Speech const& speech = words.speech();
+        Noun const way{speech.number(wanted.distance) + " m"};
         switch (mood) {
         case Mood::reach:
-            return fmt::format("{} {}{} by at least {}", towards.verb, who.words, towards.adverb, way);
-        case Mood::keep:
-            return fmt::format("keep {} at least {} {} where {} at the start", who.words, way,
-                               towards.preposition, who.plural ? "they were" : "it was");
+            return speech.phrase(towards.reach, {who, way});
+        case Mood::keep: {
+            std::string keep(towards.keep);
+            if (who.plural) {
+                keep.replace(keep.size() - itWas.size(), itWas.size(), theyWere);
+            }
+            return speech.phrase(keep, {who, way});
+        }
         case Mood::avoid:
             break;
         }
-        return fmt::format("do not {} {}{} by {} or more", towards.verb, who.words, towards.adverb, way);
+        return speech.phrase(towards.avoid, {who, way});
     }
 
 private:

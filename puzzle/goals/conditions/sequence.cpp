@@ -69,15 +69,17 @@ public:
         std::string text;
         for (std::size_t i = 0; i < condition.children.size(); ++i) {
             std::string const step = words.phrase(condition.children[i], Mood::reach, it);
-            text += condition.children.size() == 1 ? step : (i == 0 ? "first " + step : ", then " + step);
+            text += condition.children.size() == 1
+                        ? step
+                        : words.speech().phrase(i == 0 ? "first {}" : ", then {}", {{step}});
         }
-        return mood == Mood::avoid ? "do not " + text : text;
+        return mood == Mood::avoid ? words.speech().phrase("do not {}", {{text}}) : text;
     }
 
     /// A completed sequence stays completed, so afterwards the player only has to wait.
     [[nodiscard]] std::string lastingPhrase(Condition const& condition, GoalWords const& words,
                                             Noun const* it, std::string const& duration) const override {
-        return phrase(condition, words, Mood::reach, it) + ", then wait" + duration;
+        return phrase(condition, words, Mood::reach, it) + words.speech().phrase(", then wait") + duration;
     }
 };
 

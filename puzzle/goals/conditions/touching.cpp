@@ -10,8 +10,6 @@
 #include "puzzle/goals/words/goal_text.hpp"
 #include "runtime/placement.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -156,39 +154,34 @@ public:
             world.find<Fixed>(words.single(*target)) == nullptr) {
             std::swap(mover, target);
         }
-        std::string const who = words.noun(*mover, it).words;
-        std::string const what = words.noun(*target, it).words;
+        Noun const who = words.noun(*mover, it);
+        Noun const what = words.noun(*target, it);
         switch (mood) {
-        case Mood::reach: {
-            Bringing const way = wayBetween(world, words.single(*mover), words.single(*target));
-            return fmt::format("{} {} {} {}", way.verb, who, way.preposition, what);
-        }
+        case Mood::reach:
+            return words.speech().phrase(bringing(world, words.single(*mover), words.single(*target)),
+                                         {who, what});
         case Mood::keep:
-            return fmt::format("keep {} touching {}", who, what);
+            return words.speech().phrase("keep {} touching {}", {who, what});
         case Mood::avoid:
             break;
         }
-        return fmt::format("keep {} away from {}", who, what);
+        return words.speech().phrase("keep {} away from {}", {who, what});
     }
 
 private:
-    struct Bringing {
-        std::string_view verb;
-        std::string_view preposition;
-    };
-    /// How to bring `mover` to `target`, in words. An id is invalid if its selector refers to several
+    /// The phrase for bringing `mover` to `target`. An id is invalid if its selector refers to several
     /// objects.
-    [[nodiscard]] static Bringing wayBetween(World const& world, ObjectId mover, ObjectId target) {
+    [[nodiscard]] static std::string_view bringing(World const& world, ObjectId mover, ObjectId target) {
         Position const* const from = world.find<Position>(mover);
         Position const* const to = world.find<Position>(target);
         if (from == nullptr || to == nullptr) {
-            return {"bring", "to"};
+            return "bring {} to {}";
         }
         Vec2 const way = to->value - from->value;
         if (std::abs(way.y) <= std::abs(way.x)) {
-            return {"bring", "to"};
+            return "bring {} to {}";
         }
-        return way.y > 0 ? Bringing{"lift", "to"} : Bringing{"bring", "down to"};
+        return way.y > 0 ? "lift {} to {}" : "bring {} down to {}";
     }
 };
 

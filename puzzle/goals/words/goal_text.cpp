@@ -1,17 +1,17 @@
 #include "puzzle/goals/words/goal_text.hpp"
 
+#include "puzzle/goals/read_goals.hpp"
 #include "puzzle/goals/words/english.hpp"
 #include "puzzle/goals/words/lamp.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace trembler {
 namespace {
 
-std::string durationWords(double seconds) {
-    return seconds == 1 ? std::string("1 second") : fmt::format("{} seconds", seconds);
+std::string durationWords(Speech const& speech, double seconds) {
+    return seconds == 1 ? speech.phrase(" for 1 second")
+                        : speech.phrase(" for {} seconds", {{speech.number(seconds)}});
 }
 
 } // namespace
@@ -32,9 +32,9 @@ std::string GoalWords::phrase(Condition const& condition, Mood mood, Noun const*
     if (!condition.seconds) {
         return kind.phrase(condition, *this, mood, it);
     }
-    std::string const duration = " for " + durationWords(*condition.seconds);
+    std::string const duration = durationWords(speech_, *condition.seconds);
     if (mood == Mood::avoid) {
-        return "do not " + kind.phrase(condition, *this, Mood::keep, it) + duration;
+        return speech_.phrase("do not {}", {{kind.phrase(condition, *this, Mood::keep, it)}}) + duration;
     }
     return kind.lastingPhrase(condition, *this, it, duration);
 }
@@ -43,14 +43,16 @@ Noun GoalWords::noun(Selector const& selector, Noun const* it) const {
     if (selector.it && it != nullptr) {
         return *it;
     }
-    std::vector<std::string> items;
+    std::vector<Noun> items;
     for (std::string const& name : selector.names) {
-        items.push_back(withArticle(name));
+        items.push_back(speech_.the(name));
     }
     for (std::string const& part : selector.parts) {
-        items.push_back(withIndefiniteArticle(part));
+        items.push_back(speech_.a(part));
     }
-    return {enumerated(items, "or"), false};
+    Noun noun = speech_.list(items, "or");
+    noun.plural = false;
+    return noun;
 }
 
 bool GoalWords::areLamps(Selector const& selector) const {
@@ -69,6 +71,17 @@ bool GoalWords::areLamps(Selector const& selector) const {
 ObjectId GoalWords::single(Selector const& selector) const {
     return selector.names.size() == 1 && selector.parts.empty() ? world_.store().find(selector.names.front())
                                                                 : ObjectId{};
+}
+
+std::vector<std::string> goalSentences(LevelFile const& level, World const& world, Speech const& speech) {
+    std::vector<std::string> sentences;
+    if (auto const condition = readGoals(level)) {
+        GoalWords const words(world, speech);
+        for (Condition const& goal : goalsOf(*condition)) {
+            sentences.push_back(words.sentence(goal));
+        }
+    }
+    return sentences;
 }
 
 } // namespace trembler

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"
+#include "puzzle/language/speech.hpp"
 #include "runtime/world/world.hpp"
 
 #include <string>
+#include <vector>
 
 namespace trembler {
 
@@ -17,17 +19,13 @@ enum class Mood {
 /// The mood in which the opposite condition has to be phrased.
 [[nodiscard]] Mood opposite(Mood mood);
 
-/// The objects that a phrase is about, in words.
-struct Noun {
-    std::string words;
-    bool plural = false;
-};
-
 /// Makes sentences from conditions, and provides the functions that the kinds need for their phrases. Reads
 /// the places and properties of objects from the world, for example so that a sentence can say "lift".
 class GoalWords {
 public:
-    explicit GoalWords(World const& world) : world_(world) {}
+    /// Both must outlive this.
+    explicit GoalWords(World const& world, Speech const& speech = englishSpeech())
+        : world_(world), speech_(speech) {}
 
     /// One sentence for the player, with a capital and without a full stop: the text of the level's author if
     /// there is one, else one made from the condition.
@@ -44,9 +42,16 @@ public:
     /// The one object of a selector, or an invalid id.
     [[nodiscard]] ObjectId single(Selector const& selector) const;
     [[nodiscard]] World const& world() const { return world_; }
+    [[nodiscard]] Speech const& speech() const { return speech_; }
 
 private:
     World const& world_;
+    Speech const& speech_;
 };
+
+/// A sentence for each goal of a level, in the order of GoalJudge::status(), in a world that buildWorld()
+/// made from it. Throws InputError if the goals are wrong.
+[[nodiscard]] std::vector<std::string> goalSentences(LevelFile const& level, World const& world,
+                                                     Speech const& speech);
 
 } // namespace trembler

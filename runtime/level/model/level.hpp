@@ -5,6 +5,7 @@
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/model/entries.hpp"
 #include "runtime/level/model/recorded_change.hpp"
+#include "runtime/level/model/teaching_step.hpp"
 #include "runtime/level/model/translation.hpp"
 #include "runtime/level/property/name_table.hpp"
 #include "runtime/level/property/property_set.hpp"
@@ -103,7 +104,8 @@ struct LevelFile {
     nlohmann::json goals; ///< null if there are none; puzzle/goals reads them
     nlohmann::json task;  ///< of a demonstration: what the player shall do with it; null if there is none
     std::vector<std::string> hints;
-    Translations texts; ///< in further languages
+    std::vector<TeachingStep> teaching; ///< what a beginner is shown to do, in this order
+    Translations texts;                 ///< in further languages
     std::vector<Solution> solutions;
     nlohmann::json editor; ///< what the level editor keeps, see read_editor.hpp; null if nothing
 

@@ -77,7 +77,52 @@ public:
         }
     }
 
+    void checkTeaching() {
+        for (TeachingStep const& step : level_.teaching) {
+            switch (step.kind) {
+            case TeachingStep::Kind::run:
+                break;
+            case TeachingStep::Kind::place:
+                if (!inToolbox(step.object)) {
+                    complainAt(pointerTo(step.path, "place"),
+                               fmt::format("the toolbox has no '{}'", step.object),
+                               "the name of a part in the toolbox");
+                }
+                break;
+            case TeachingStep::Kind::grab:
+                checkTaught(pointerTo(step.path, "grab"), step.object);
+                break;
+            case TeachingStep::Kind::wire:
+            case TeachingStep::Kind::cut: {
+                bool const wire = step.kind == TeachingStep::Kind::wire;
+                std::string const ends = pointerTo(step.path, wire ? "wire" : "cut");
+                checkTaught(pointerTo(ends, std::size_t{0}), step.object);
+                checkTaught(pointerTo(ends, std::size_t{1}), step.other);
+                if (wire && level_.wires == 0) {
+                    complainAt(ends, "the toolbox has no wire", "{\"wire\": 1} in the toolbox");
+                }
+                break;
+            }
+            }
+        }
+    }
+
 private:
+    [[nodiscard]] bool inToolbox(std::string const& part) const {
+        return std::any_of(level_.toolbox.begin(), level_.toolbox.end(),
+                           [&](ToolboxEntry const& entry) { return entry.part == part; });
+    }
+
+    /// The object may also be a part that the player has placed: its name is the part's, with a number.
+    void checkTaught(std::string const& path, std::string const& name) {
+        bool const placed =
+            std::any_of(level_.toolbox.begin(), level_.toolbox.end(),
+                        [&](ToolboxEntry const& entry) { return name.starts_with(entry.part + " "); });
+        if (!placed && !paths_.contains(name) && !pieces_.mayBe(name)) {
+            complainAboutName(path, name);
+        }
+    }
+
     void complainAt(std::string const& path, std::string message, std::string expected) {
         addProblem(problems_, [&] {
             return level_.document->diagnostic(path, std::move(message), std::move(expected));
@@ -113,6 +158,7 @@ void checkLevel(Registry const& registry, LevelFile const& level,
     check.checkTwice();
     check.checkSolutions();
     check.checkChanges();
+    check.checkTeaching();
 }
 
 } // namespace trembler

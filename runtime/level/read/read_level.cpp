@@ -9,6 +9,7 @@
 #include "runtime/level/read/read_entries.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/read_teaching.hpp"
 #include "runtime/level/read/read_texts.hpp"
 #include "runtime/level/read/read_world.hpp"
 
@@ -91,6 +92,9 @@ public:
             for (std::size_t i = 0; i < hints->size(); ++i) {
                 level_.hints.push_back(hints->element(i).text().value_or(""));
             }
+        }
+        if (auto const teaching = reader.optional("teaching")) {
+            level_.teaching = readTeaching(*teaching);
         }
         if (auto const solutions = reader.optional("solutions")) {
             level_.solutions = readSolutions(*solutions);

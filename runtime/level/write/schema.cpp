@@ -4,6 +4,7 @@
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/read/read_extensions.hpp"
+#include "runtime/level/read/read_teaching.hpp"
 #include "runtime/level/read/read_texts.hpp"
 #include "runtime/level/write/change_schema.hpp"
 #include "runtime/level/write/property_schema.hpp"
@@ -200,6 +201,7 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     members["goals"] = goals.is_null() ? Json{{"type", "object"}} : json_schema::reference("condition");
     members["task"] = members["goals"];
     members["hints"] = json_schema::listOf(text, limits::hints);
+    members["teaching"] = teachingSchema();
     members["texts"] = textsSchema(TextsOf::level);
     members["solutions"] = json_schema::listOf(json_schema::reference("solution"), limits::solutions);
     members["editor"] = editorSchema();

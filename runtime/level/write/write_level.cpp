@@ -2,6 +2,7 @@
 
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_writer.hpp"
+#include "runtime/level/read/read_teaching.hpp"
 #include "runtime/level/read/read_texts.hpp"
 
 namespace trembler {
@@ -201,6 +202,9 @@ Json writeLevel(LevelFile const& level) {
         out["task"] = level.task;
     }
     addList(out, "hints", level.hints, [](std::string const& hint) { return Json(hint); });
+    if (!level.teaching.empty()) {
+        out["teaching"] = writeTeaching(level.teaching);
+    }
     if (!level.texts.empty()) {
         out["texts"] = writeTexts(level.texts);
     }

@@ -58,9 +58,9 @@ GoalStage::GoalStage(std::string const& goals, int crowd) {
         {"name": "ball b", "part": "iron ball", "at": [8, 0]}],
         "toolbox": [{"part": "night light", "count": 1}, {"part": "desk lamp", "count": 1}],
         "goals": )" + goals + "}";
-    LevelFile const level = readLevel(registry_, JsonDocument::parse(text, "level.json"));
-    world_ = buildWorld(registry_, level, library);
-    judge_ = std::make_unique<GoalJudge>(level, *world_);
+    level_ = readLevel(registry_, JsonDocument::parse(text, "level.json"));
+    world_ = buildWorld(registry_, level_, library);
+    judge_ = std::make_unique<GoalJudge>(level_, *world_);
 }
 
 ObjectId GoalStage::id(std::string const& name) const {

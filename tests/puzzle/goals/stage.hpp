@@ -28,6 +28,7 @@ public:
 
     [[nodiscard]] GoalJudge const& judge() const { return *judge_; }
     [[nodiscard]] World& world() { return *world_; }
+    [[nodiscard]] LevelFile const& level() const { return level_; }
     [[nodiscard]] ObjectId id(std::string const& name) const;
     /// For each goal "1" if it is met, else "0".
     [[nodiscard]] std::string met() const;
@@ -49,6 +50,7 @@ private:
     void write();
 
     Registry registry_;
+    LevelFile level_;
     std::unique_ptr<World> world_;
     std::unique_ptr<GoalJudge> judge_;
     Contacts contacts_;

@@ -125,7 +125,12 @@ TEST(UiScale, GrowsWithTheWindow) {
     EXPECT_FLOAT_EQ(uiScaleFor({1280, 720}), 1.F);
     EXPECT_GT(uiScaleFor({3840, 2160}), 2.2F);
     EXPECT_LT(uiScaleFor({3840, 2160}), 3.F);
-    EXPECT_FLOAT_EQ(uiScaleFor({1280, 720}, 2.F), 2.F);
+    EXPECT_FLOAT_EQ(uiScaleFor({1280, 720}, 1.35F), 1.35F);
+    // Larger letters must not leave less room than the screens need.
+    EXPECT_FLOAT_EQ(uiScaleFor({1280, 720}, 2.F), 1.6F);
+    EXPECT_FLOAT_EQ(uiScaleFor({800, 600}, 1.6F), 1.F);
+    EXPECT_FLOAT_EQ(uiScaleFor({800, 600}), 0.9F);
+    EXPECT_FLOAT_EQ(uiScaleFor({320, 240}, 1.6F), 0.75F) << "a window that has no room anyway";
     EXPECT_GE(uiScaleFor({0, 0}), 0.375F);
 }
 

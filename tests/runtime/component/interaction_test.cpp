@@ -275,6 +275,38 @@ TEST(Interaction, RecognisesItsFirstTurnAfterEveryConstruction) {
     EXPECT_EQ(world.find<StoveLog>()->onceEver, 2);
 }
 
+// Strikes while it has strikes left, whatever changes.
+struct RestlessStrikes final : Interaction<RestlessStrikes, HeatRole, Reads<Fuel>> {
+    static constexpr ComponentText text{
+        .name = "Strike <- Clock", .effect = "heat", .level = "", .work = "Strikes."};
+    using Activation = NeedsAll<Fuel>;
+    static constexpr Coverage memory = leftOut("a test's counter");
+    [[nodiscard]] bool restless() const { return left_ > 0; }
+    void apply(Access& access) {
+        --left_;
+        forEach([&](ObjectId id, Fuel const&) { access.call(Strike{id, 1}); }, access.read<Fuel>());
+    }
+
+private:
+    int left_ = 3;
+};
+
+TEST(InteractionTurns, AreInEveryFrameWhileItIsRestless) {
+    Registry registry;
+    registry.component<Furnace>();
+    registry.component<RestlessStrikes>();
+    World world(registry);
+    ObjectId const coal = thing(world, "coal", 0, 1);
+    world.start();
+    steps(world, 6);
+    EXPECT_EQ(statusOf(world, "Strike <- Clock").updates, 3U);
+    EXPECT_EQ(statusOf(world, "Strike <- Clock").activity, Activity::asleep);
+    EXPECT_EQ(world.find<Heat>(coal)->value, 3);
+    world.store().column<Fuel>().touch();
+    steps(world, 3);
+    EXPECT_EQ(statusOf(world, "Strike <- Clock").updates, 4U) << "it wakes by what it reads as well";
+}
+
 } // namespace
 } // namespace interaction_test
 } // namespace trembler

@@ -1,7 +1,13 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
+#include "game/ui/edit/view/edit_geometry.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
+#include "puzzle/edit/commands/connect.hpp"
+#include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
+#include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+
+#include <utility>
 
 namespace trembler::ui::actions {
 namespace {
@@ -34,6 +40,29 @@ edit::Alignment modelAlignment(Alignment alignment) {
     return edit::Alignment::centresY;
 }
 
+/// Moves what is selected and is no object: all points of a joint, or an area.
+edit::Command moveOtherThing(EditParts const& parts, Json const& level, Vec2 by) {
+    std::string const path = parts.selection.path();
+    if (parts.selection.kind() == EntryKind::joint) {
+        std::vector<edit::Command> all;
+        for (JointPoint const& point : jointPoints(parts)) {
+            if (point.joint == indexOfPath(path)) {
+                all.push_back(edit::moveJointPoint(level, point.joint, point.field, point.at + by));
+            }
+        }
+        std::string const name = all.empty() ? std::string() : all.front().name;
+        return edit::together(name, std::move(all));
+    }
+    for (SceneArea const& area : sceneAreas(parts)) {
+        if (area.selected) {
+            return area.kind == EntryKind::placing
+                       ? edit::setPlacingArea(level, indexOfPath(path), movedArea(area.area, by))
+                       : edit::setGoalArea(level, path, movedArea(area.area, by));
+        }
+    }
+    throw edit::CommandError("nothing is selected that can be moved");
+}
+
 /// The names of all objects for which a test holds.
 template <class Test>
 std::vector<std::string> namesWhere(EditParts const& parts, Test&& test) {
@@ -53,10 +82,19 @@ bool canScale(EditParts const& parts) {
            edit::mayScale(*parts.data, parts.tree(), parts.selected(), {1.1, 1.1});
 }
 
+bool canMove(EditParts const& parts) {
+    EntryKind const kind = parts.selection.kind();
+    return !parts.selected().empty() || kind == EntryKind::joint || kind == EntryKind::placing ||
+           kind == EntryKind::goalArea;
+}
+
 void move(EditParts& parts, Vec2 steps) {
     double const step =
         parts.context.shiftHeld() ? fineStep : (parts.snapping.on ? parts.snapping.grid : plainStep);
-    parts.run([&](Json const& level) { return edit::moveObjects(level, parts.selected(), step * steps); });
+    parts.run([&](Json const& level) {
+        return parts.selected().empty() ? moveOtherThing(parts, level, step * steps)
+                                        : edit::moveObjects(level, parts.selected(), step * steps);
+    });
 }
 
 void rotate(EditParts& parts, int steps) {

@@ -1,5 +1,6 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/view/edit_geometry.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/clipboard.hpp"
 #include "puzzle/edit/commands/connect.hpp"
@@ -25,6 +26,30 @@ std::string clipboardText() {
     std::string const copied = text == nullptr ? "" : text;
     SDL_free(text);
     return copied;
+}
+
+/// Something that can be selected by itself: an object by its name, anything else by its path.
+struct SelectableEntry {
+    EntryKind kind = EntryKind::none;
+    std::string path;
+    friend bool operator==(SelectableEntry const&, SelectableEntry const&) = default;
+};
+
+std::vector<SelectableEntry> selectableEntries(EditParts const& parts) {
+    std::vector<SelectableEntry> all;
+    for (std::string const& name : edit::objectNames(parts.tree())) {
+        all.push_back({EntryKind::none, name});
+    }
+    for (edit::JointEntry const& joint : edit::jointsOf(parts.tree())) {
+        all.push_back({EntryKind::joint, "/joints/" + std::to_string(joint.index)});
+    }
+    for (edit::ConnectionEntry const& link : edit::connectionsOf(parts.tree())) {
+        all.push_back({EntryKind::connection, "/connections/" + std::to_string(link.index)});
+    }
+    for (SceneArea const& area : sceneAreas(parts)) {
+        all.push_back({area.kind, area.path});
+    }
+    return all;
 }
 
 /// The number at the end of a JSON pointer.
@@ -146,17 +171,38 @@ void selectAll(EditParts& parts) {
 }
 
 void selectNext(EditParts& parts) {
-    std::vector<std::string> const names = edit::objectNames(parts.tree());
-    if (names.empty()) {
+    std::vector<SelectableEntry> const all = selectableEntries(parts);
+    if (all.empty()) {
         return;
     }
-    std::size_t next = parts.context.shiftHeld() ? names.size() - 1 : 0;
-    if (hasSelection(parts)) {
-        auto const at = std::find(names.begin(), names.end(), parts.selected().back());
-        auto const index = static_cast<std::size_t>(at - names.begin());
-        next = (index + (parts.context.shiftHeld() ? names.size() - 1 : 1)) % names.size();
+    bool const back = parts.context.shiftHeld();
+    SelectableEntry const present{parts.selection.kind(), parts.selected().empty() ? parts.selection.path()
+                                                                                   : parts.selected().back()};
+    auto const at = std::find(all.begin(), all.end(), present);
+    auto const index = static_cast<std::size_t>(at - all.begin());
+    std::size_t next = back ? all.size() - 1 : 0;
+    if (at != all.end()) {
+        next = (index + (back ? all.size() - 1 : 1)) % all.size();
     }
-    parts.selection.set({names[next]});
+    if (all[next].kind == EntryKind::none) {
+        parts.selection.set({all[next].path});
+    } else {
+        parts.selection.choose(all[next].kind, all[next].path);
+    }
+}
+
+void selectAlso(EditParts& parts) {
+    std::vector<std::string> const names = edit::objectNames(parts.tree());
+    bool const back = parts.context.shiftHeld();
+    auto const at = std::find(names.begin(), names.end(), hasSelection(parts) ? parts.selected().back() : "");
+    std::size_t index =
+        at == names.end() ? (back ? 0 : names.size() - 1) : static_cast<std::size_t>(at - names.begin());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        index = (index + (back ? names.size() - 1 : 1)) % names.size();
+        if (!parts.selection.has(names[index])) {
+            return parts.selection.add(names[index]);
+        }
+    }
 }
 
 void askPartName(EditParts& parts) {

@@ -1,6 +1,7 @@
 #include "game/ui/edit/commands/command_menus.hpp"
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_parts.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -10,6 +11,7 @@ using render::Icon;
 constexpr Command<EditParts> editChangeMenu[] = {
     {.info = {.id = "edit-undo",
               .keys = {{withCtrl(SDLK_z)}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_BACK)},
               .use = KeyUse::repeats,
               .icon = Icon::Undo,
               .group = CommandGroup::editing,
@@ -32,7 +34,7 @@ constexpr Command<EditParts> editChangeMenu[] = {
               .keys = {{withCtrl(SDLK_x)}},
               .icon = Icon::Scissors,
               .group = CommandGroup::editing,
-              .name = "Cut",
+              .name = "Cut out",
               .tip = "Cut the selected objects out",
               .help = "cut, copy, paste, duplicate"},
      .run = actions::cut,
@@ -66,9 +68,10 @@ constexpr Command<EditParts> editChangeMenu[] = {
      .available = actions::hasSelection},
     {.info = {.id = "edit-delete",
               .keys = {{{SDLK_DELETE}, {SDLK_BACKSPACE}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_Y)},
               .icon = Icon::Remove,
               .group = CommandGroup::editing,
-              .name = "Delete",
+              .name = "Remove",
               .tip = "Delete what is selected",
               .help = "delete"},
      .run = actions::deleteSelected,
@@ -83,13 +86,23 @@ constexpr Command<EditParts> editChangeMenu[] = {
      .run = actions::selectAll},
     {.info = {.id = "edit-select-next",
               .keys = {{{SDLK_TAB}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)},
               .use = KeyUse::repeats,
               .icon = Icon::Next,
               .group = CommandGroup::editing,
               .name = "Select the next",
-              .tip = "Select the next object",
-              .help = "select the next object (Shift: the one before)"},
+              .tip = "Select the next object, then joints, wires and areas; with Shift the one before",
+              .help = "select the next thing (Shift: the one before)"},
      .run = actions::selectNext},
+    {.info = {.id = "edit-select-also",
+              .keys = {{withCtrl(SDLK_TAB)}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER)},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::editing,
+              .name = "Select one more",
+              .tip = "Add the next object to the selection, as for a joint between two",
+              .help = "add the next object to the selection"},
+     .run = actions::selectAlso},
     {.info = {.id = "edit-make-part",
               .keys = {{{SDLK_k}}},
               .icon = Icon::Magnet,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/commands/command.hpp"
+#include "game/ui/edit/edit_words.hpp"
 
 #include <array>
 #include <span>
@@ -18,13 +19,13 @@ struct EditParts;
 
 /// A menu of the editor's bar.
 struct EditMenu {
-    char const* title;
+    char const* const& title; // in the language in use
     std::span<Command<EditParts> const> (*commands)();
 };
-inline constexpr std::array<EditMenu, 5> editMenus{{{"File", editFileCommands},
-                                                    {"Edit", editChangeCommands},
-                                                    {"Arrange", editArrangeCommands},
-                                                    {"Tools", editToolCommands},
-                                                    {"View", editViewCommands}}};
+inline std::array<EditMenu, 5> const editMenus{{{words::menuFile, editFileCommands},
+                                                {words::menuEdit, editChangeCommands},
+                                                {words::menuArrange, editArrangeCommands},
+                                                {words::menuTools, editToolCommands},
+                                                {words::menuView, editViewCommands}}};
 
 } // namespace trembler::ui

@@ -45,7 +45,10 @@ void paste(EditParts& parts);
 void duplicate(EditParts& parts);
 void deleteSelected(EditParts& parts);
 void selectAll(EditParts& parts);
+/// The next object, and after the last one joints, connections and areas.
 void selectNext(EditParts& parts);
+/// Adds the next object to the selection.
+void selectAlso(EditParts& parts);
 void askPartName(EditParts& parts);
 /// Writes the selected objects as a part into the folder of the designer's own; `putHere`: it replaces them.
 void makePart(EditParts& parts, std::string const& name, bool putHere);
@@ -56,6 +59,7 @@ void makePart(EditParts& parts, std::string const& name, bool putHere);
 [[nodiscard]] bool canPaste(EditParts const& parts);
 [[nodiscard]] bool canMakePart(EditParts const& parts);
 [[nodiscard]] bool canScale(EditParts const& parts);
+[[nodiscard]] bool canMove(EditParts const& parts);
 
 // Arranging.
 void move(EditParts& parts, Vec2 steps);

@@ -4,6 +4,7 @@
 #include "game/ui/edit/commands/command_menus.hpp"
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_parts.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <vector>
 
@@ -15,6 +16,7 @@ using render::Icon;
 constexpr Command<EditParts> unlisted[] = {
     {.info = {.id = "edit-back",
               .keys = {{{SDLK_ESCAPE}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_B)},
               .fixed = true,
               .group = CommandGroup::editing,
               .name = "Back",

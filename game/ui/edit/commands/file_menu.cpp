@@ -1,6 +1,7 @@
 #include "game/ui/edit/commands/command_menus.hpp"
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_parts.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -42,6 +43,7 @@ constexpr Command<EditParts> editFileMenu[] = {
      .run = actions::saveAs},
     {.info = {.id = "edit-test",
               .keys = {{{SDLK_SPACE}, {SDLK_RETURN}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_X)},
               .icon = Icon::Play,
               .group = CommandGroup::editing,
               .name = "Test",
@@ -50,6 +52,7 @@ constexpr Command<EditParts> editFileMenu[] = {
      .run = actions::testPlay},
     {.info = {.id = "edit-commands",
               .keys = {{withCtrl(SDLK_p)}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_A)},
               .icon = Icon::Script,
               .group = CommandGroup::editing,
               .name = "All commands",
@@ -58,6 +61,7 @@ constexpr Command<EditParts> editFileMenu[] = {
      .run = actions::showPalette},
     {.info = {.id = "edit-menu",
               .keys = {{{SDLK_F10}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_START)},
               .icon = Icon::Menu,
               .group = CommandGroup::editing,
               .name = "Menu",

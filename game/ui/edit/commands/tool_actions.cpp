@@ -5,7 +5,7 @@
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
-#include "runtime/placement.hpp"
+#include "puzzle/edit/tree/tree_access.hpp"
 
 #include <array>
 
@@ -16,9 +16,8 @@ using edit::Json;
 
 /// Where an object is at the start; the middle of the view for an unknown one.
 Vec2 placeOf(EditParts const& parts, std::string const& name) {
-    LevelObject const* const object = parts.level.findObject(name);
-    Position const* const position = object == nullptr ? nullptr : object->properties.find<Position>();
-    return position == nullptr ? parts.middleOfView() : position->value;
+    Json const* const object = edit::findObject(parts.tree(), name);
+    return object == nullptr ? parts.middleOfView() : edit::placeOf(*object);
 }
 
 /// What the tool makes without the mouse: something in the middle of the view, or between two selected

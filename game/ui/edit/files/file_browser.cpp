@@ -36,19 +36,6 @@ bool textField(char const* label, std::string& text, std::size_t longest, bool o
     return onEnter && done;
 }
 
-bool textArea(char const* label, std::string& text, float lines, std::size_t longest) {
-    std::string buffer = text.substr(0, longest);
-    buffer.resize(longest + 1);
-    ImGui::InputTextMultiline(label, buffer.data(), buffer.size(),
-                              {ImGui::GetContentRegionAvail().x,
-                               lines * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y});
-    if (std::string const now = buffer.c_str(); now != text) {
-        text = now;
-        return true;
-    }
-    return false;
-}
-
 void FileBrowser::begin(Purpose purpose, fs::path const& start) {
     purpose_ = purpose;
     open_ = true;

@@ -49,7 +49,5 @@ private:
 /// A text field of ImGui for a std::string of up to `longest` bytes; true when the text was changed, or with
 /// `onEnter` when Enter was pressed in it.
 bool textField(char const* label, std::string& text, std::size_t longest = 400, bool onEnter = false);
-/// The same with several lines; true when it was changed.
-bool textArea(char const* label, std::string& text, float lines, std::size_t longest = 8000);
 
 } // namespace trembler::ui

@@ -67,7 +67,7 @@ void drawMenu(EditParts& parts, EditMenu const& menu, CommandSet const& commands
         }
         layout.item("item " + std::string(command.info.id));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", command.info.tip);
+            ImGui::SetTooltip("%s", static_cast<char const*>(command.info.tip));
         }
     }
     ImGui::EndPopup();

@@ -4,6 +4,7 @@
 #include "game/ui/edit/files/file_browser.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -42,7 +43,10 @@ void CommandPalette::begin() {
 }
 
 std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet const& commands) {
-    if (context.input.keyPressed(SDLK_ESCAPE)) {
+    auto const pressed = [&](SDL_Keycode key, SDL_GameControllerButton button) {
+        return context.input.keyPressed(key, true) || context.input.keyPressed(padKey(button), true);
+    };
+    if (pressed(SDLK_ESCAPE, SDL_CONTROLLER_BUTTON_B)) {
         close();
         return {};
     }
@@ -54,10 +58,12 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
             shown.push_back(i);
         }
     }
-    if (context.input.keyPressed(SDLK_DOWN, true)) {
+    bool const down = pressed(SDLK_DOWN, SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    bool const up = pressed(SDLK_UP, SDL_CONTROLLER_BUTTON_DPAD_UP);
+    if (down) {
         ++chosen_;
     }
-    if (context.input.keyPressed(SDLK_UP, true) && chosen_ > 0) {
+    if (up && chosen_ > 0) {
         --chosen_;
     }
     chosen_ = shown.empty() ? 0 : std::min(chosen_, shown.size() - 1);
@@ -67,7 +73,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
     if (fresh_) {
         ImGui::SetKeyboardFocusHere();
     }
-    bool const moved = context.input.keyPressed(SDLK_DOWN, true) || context.input.keyPressed(SDLK_UP, true);
+    bool const moved = down || up;
     if (textField("##typed", typed_, 80)) {
         chosen_ = 0;
     }
@@ -85,7 +91,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
         }
         context.layout.item("run " + std::string(info.id));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", info.tip);
+            ImGui::SetTooltip("%s", static_cast<char const*>(info.tip));
         }
         if (row == chosen_ && moved) {
             ImGui::SetScrollHereY();
@@ -100,7 +106,8 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
     ImGui::EndChild();
     ImGui::PopStyleColor();
     context.layout.endCard();
-    bool const enter = context.input.keyPressed(SDLK_RETURN) || context.input.keyPressed(SDLK_KP_ENTER);
+    bool const enter = context.input.keyPressed(SDLK_RETURN) || context.input.keyPressed(SDLK_KP_ENTER) ||
+                       context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_A));
     if (enter && !fresh_ && chosen_ < shown.size()) {
         run = shown[chosen_];
     }

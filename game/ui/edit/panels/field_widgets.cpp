@@ -1,6 +1,7 @@
 #include "game/ui/edit/panels/field_widgets.hpp"
 
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/panels/wrapped_text.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
@@ -63,7 +64,8 @@ void fieldName(std::string const& name, std::string const& help) {
 }
 
 bool committedText(EditParts& parts, std::string const& item, std::string& text, float lines) {
-    std::string shown = parts.typedItem == item ? parts.typedText : text;
+    auto typed = parts.typed.find(item);
+    std::string shown = typed != parts.typed.end() ? typed->second : text;
     std::string const label = "##" + item;
     bool entered = false;
     if (lines > 1) {
@@ -72,17 +74,21 @@ bool committedText(EditParts& parts, std::string const& item, std::string& text,
         entered = textField(label.c_str(), shown, 400, true);
     }
     parts.context.layout.item(item);
-    if (ImGui::IsItemActive() || shown != text) {
-        parts.typedItem = item;
-        parts.typedText = shown;
+    bool const active = ImGui::IsItemActive();
+    if (active) {
+        // Another field may have been left for this one and be drawn after it, so each has a text of its own.
+        typed = parts.typed.insert_or_assign(item, shown).first;
     }
-    if (parts.typedItem == item && (entered || ImGui::IsItemDeactivated())) {
-        parts.typedItem.clear();
-        bool const changed = shown != text;
-        text = shown;
-        return changed;
+    bool const left = entered || ImGui::IsItemDeactivated();
+    if (typed == parts.typed.end() || (active && !entered)) {
+        return false;
     }
-    return false;
+    parts.typed.erase(typed);
+    if (!left || shown == text) {
+        return false;
+    }
+    text = shown;
+    return true;
 }
 
 bool numberField(EditParts& parts, std::string const& item, double& value, double low, double high,
@@ -229,6 +235,15 @@ bool smallButton(EditParts& parts, char const* label, std::string const& item, c
         ImGui::SetTooltip("%s", tip);
     }
     return clicked;
+}
+
+void besideIfRoom(char const* label) {
+    float const gap = scaled(6);
+    float const width = ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
+    float const edge = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + gap + width <= edge) {
+        ImGui::SameLine(0, gap);
+    }
 }
 
 void pageHeading(char const* text) {

@@ -37,6 +37,9 @@ void runWidget(EditParts& parts, std::function<edit::Command(edit::Json const&)>
 /// A small button with words; named `item` in the layout.
 [[nodiscard]] bool smallButton(EditParts& parts, char const* label, std::string const& item,
                                char const* tip = nullptr);
+/// The small button with this label, which follows, comes beside the last widget if there is room; else
+/// below.
+void besideIfRoom(char const* label);
 void pageHeading(char const* text);
 
 } // namespace trembler::ui

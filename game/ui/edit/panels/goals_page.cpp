@@ -175,14 +175,14 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
     if (smallButton(parts, words::unwrap, "unwrap", words::unwrapTip)) {
         parts.run([&](Json const& level) { return edit::unwrapGoal(level, line.place); });
     }
-    ImGui::SameLine();
     std::size_t const index = indexOfPath(line.place);
     if (!line.place.empty() && index > 0) {
+        besideIfRoom(words::upIt);
         if (smallButton(parts, words::upIt, "goal up")) {
             parts.run([&](Json const& level) { return edit::moveGoal(level, line.place, index - 1); });
         }
-        ImGui::SameLine();
     }
+    besideIfRoom(words::removeIt);
     if (smallButton(parts, words::removeIt, "remove goal")) {
         if (parts.run([&](Json const& level) { return edit::removeGoal(level, line.place); })) {
             parts.goalChosen = false;

@@ -55,7 +55,7 @@ void drawTexts(EditParts& parts) {
             parts.run([&](Json const& level) { return edit::removeHint(level, i); });
         }
         if (i > 0) {
-            ImGui::SameLine();
+            besideIfRoom(words::upIt);
             if (smallButton(parts, words::upIt, item + " up")) {
                 parts.run([&](Json const& level) { return edit::moveHint(level, i, i - 1); });
             }

@@ -5,16 +5,19 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 
+#include <set>
+
 namespace trembler::ui {
 namespace {
 
 void drawObjects(EditParts& parts) {
+    std::set<std::string> const selected(parts.selected().begin(), parts.selected().end());
     for (std::string const& name : edit::objectNames(parts.tree())) {
         bool const locked = edit::isLocked(parts.tree(), name);
         bool const hidden = edit::isHidden(parts.tree(), name);
         std::string const label =
             name + (locked ? words::lockedMark : "") + (hidden ? words::hiddenMark : "") + "##" + name;
-        if (ImGui::Selectable(label.c_str(), parts.selection.has(name))) {
+        if (ImGui::Selectable(label.c_str(), selected.contains(name))) {
             if (parts.context.shiftHeld() || parts.context.controlHeld()) {
                 if (parts.selection.has(name)) {
                     parts.selection.remove(name);

@@ -38,6 +38,9 @@ void showCulprit(EditParts& parts, edit::Problem const& problem) {
     case About::solution:
         parts.tab = Tab::solutions;
         break;
+    case About::ownPart: // the file is to be mended elsewhere
+        parts.tell(problem.diagnostic.print(), ToastKind::Trouble);
+        break;
     case About::level:
     case About::world:
     case About::tool:

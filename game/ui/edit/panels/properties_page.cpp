@@ -30,7 +30,7 @@ void drawNameAndPart(EditParts& parts) {
             });
         }
     } else {
-        ImGui::Text(words::severalObjects, names.size());
+        ImGui::TextUnformatted(words::severalObjects(names.size()).c_str());
     }
     Json const* const object = edit::findObject(parts.tree(), names.front());
     std::string part = object != nullptr && object->contains("part") && (*object)["part"].is_string()
@@ -69,9 +69,24 @@ void drawAddProperty(EditParts& parts) {
     ImGui::EndCombo();
 }
 
+/// Of many objects these take long to gather, so while they are dragged those from before the drag are shown.
+std::vector<edit::InspectedProperty> const& inspectedProperties(EditParts& parts) {
+    InspectedSelection& seen = parts.inspected;
+    bool const sameObjects = seen.known && seen.names == parts.selected();
+    bool const current = sameObjects && seen.revision == parts.document.revision();
+    bool const dragged =
+        sameObjects && seen.names.size() > 1 && parts.changing() && !ImGui::IsAnyItemActive();
+    if (!current && !dragged) {
+        seen = {parts.document.revision(), parts.selected(),
+                edit::inspectObjects(*parts.data, parts.tree(), parts.selected()), true};
+    }
+    return seen.properties;
+}
+
 void drawObjectProperties(EditParts& parts) {
     drawNameAndPart(parts);
-    auto const properties = edit::inspectObjects(*parts.data, parts.tree(), parts.selected());
+    // Copied, as a widget may change the selection.
+    auto const properties = inspectedProperties(parts);
     edit::InspectedProperty const* scripts = nullptr;
     for (edit::InspectedProperty const& property : properties) {
         if (property.key == "scripts" && parts.data->scripts != nullptr) {

@@ -2,6 +2,7 @@
 
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "puzzle/edit/commands/properties.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
@@ -86,7 +87,7 @@ void drawHeading(edit::InspectedProperty const& property) {
     ImGui::PushFont(theme().fonts.strong);
     ImGui::AlignTextToFramePadding(); // buttons may follow
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(own ? palette::ink : palette::inkSoft));
-    ImGui::TextUnformatted(property.name.c_str());
+    ImGui::TextUnformatted(text(property.name));
     ImGui::PopStyleColor();
     ImGui::PopFont();
     if (ImGui::IsItemHovered()) {
@@ -94,7 +95,7 @@ void drawHeading(edit::InspectedProperty const& property) {
                                    : property.origin == edit::ValueOrigin::removed ? words::takenAway
                                    : property.origin == edit::ValueOrigin::mixed   ? words::severalValues
                                                                                    : "";
-        ImGui::SetTooltip("%s%s%s", property.help.c_str(), origin.empty() ? "" : "\n", origin.c_str());
+        ImGui::SetTooltip("%s%s%s", text(property.help), origin.empty() ? "" : "\n", origin.c_str());
     }
 }
 
@@ -106,7 +107,7 @@ void drawObjectProperty(EditParts& parts, edit::InspectedProperty const& propert
     drawHeading(property);
     // What only the object states cannot go back to a value of its part.
     if (property.canReset && property.origin != edit::ValueOrigin::own) {
-        ImGui::SameLine();
+        besideIfRoom(words::reset);
         if (smallButton(parts, words::reset, "reset " + property.key, words::resetTip)) {
             runWidget(
                 parts,
@@ -117,7 +118,7 @@ void drawObjectProperty(EditParts& parts, edit::InspectedProperty const& propert
         }
     }
     if (property.canRemove && property.place == PropertyPlace::properties) {
-        ImGui::SameLine();
+        besideIfRoom(words::removeShort);
         if (smallButton(parts, words::removeShort, "remove " + property.key, words::removeTip)) {
             runWidget(
                 parts,
@@ -137,7 +138,7 @@ void drawWorldProperty(EditParts& parts, edit::InspectedProperty const& property
     ImGui::PushID(property.key.c_str());
     drawHeading(property);
     if (property.canReset) {
-        ImGui::SameLine();
+        besideIfRoom(words::reset);
         if (smallButton(parts, words::reset, "reset " + property.key, words::resetTip)) {
             parts.run([&](Json const& level) { return edit::resetWorldProperty(level, property.key); });
         }

@@ -18,15 +18,15 @@ using namespace render;
 struct TabRow {
     Tab tab;
     char const* id;
-    char const* title;
+    char const* const& title; // in the language in use
 };
-constexpr std::array<TabRow, 7> tabRows{{{Tab::parts, "edit-parts", words::tabParts},
-                                         {Tab::outline, "edit-outline", words::tabOutline},
-                                         {Tab::properties, "edit-properties", words::tabProperties},
-                                         {Tab::goals, "edit-goals", words::tabGoals},
-                                         {Tab::level, "edit-level", words::tabLevel},
-                                         {Tab::solutions, "edit-solutions", words::tabSolutions},
-                                         {Tab::problems, "edit-problems", words::tabProblems}}};
+std::array<TabRow, 7> const tabRows{{{Tab::parts, "edit-parts", words::tabParts},
+                                     {Tab::outline, "edit-outline", words::tabOutline},
+                                     {Tab::properties, "edit-properties", words::tabProperties},
+                                     {Tab::goals, "edit-goals", words::tabGoals},
+                                     {Tab::level, "edit-level", words::tabLevel},
+                                     {Tab::solutions, "edit-solutions", words::tabSolutions},
+                                     {Tab::problems, "edit-problems", words::tabProblems}}};
 
 /// The number of problems on the tab of their page.
 void drawBadge(std::size_t count) {

@@ -27,11 +27,11 @@ void drawSolution(EditParts& parts, Solution const& solution, std::size_t index)
     if (smallButton(parts, words::watch, item + " watch", words::watchTip)) {
         actions::playSolution(parts, solution.name, false);
     }
-    ImGui::SameLine(0, scaled(6));
+    besideIfRoom(words::again);
     if (smallButton(parts, words::again, item + " again", words::againTip)) {
         actions::playSolution(parts, solution.name, true);
     }
-    ImGui::SameLine(0, scaled(6));
+    besideIfRoom(words::removeIt);
     if (smallButton(parts, words::removeIt, item + " remove")) {
         parts.run([&](Json const& level) { return edit::removeSolution(level, solution.name); });
     }

@@ -43,14 +43,7 @@ void outline(Canvas& canvas, std::vector<Point> corners, Stroke const& stroke) {
     }
 }
 
-void drawMarkOf(Canvas& canvas, EditParts const& parts, std::string const& name, Stroke const& stroke) {
-    World const& world = *parts.world.world();
-    ObjectId const id = world.store().find(name);
-    if (!id.valid()) {
-        return;
-    }
-    Facts const facts = FactsReader(world).of(id);
-    Pose const pose = parts.scene.poseOf(world, id);
+void outlineObject(Canvas& canvas, Facts const& facts, Pose const& pose, Stroke const& stroke) {
     if (facts.shape == nullptr) {
         canvas.ring(pose.at, innerSize(facts) + canvas.metres(4), stroke);
         return;
@@ -61,6 +54,16 @@ void drawMarkOf(Canvas& canvas, EditParts const& parts, std::string const& name,
             corner = toWorld(pose, corner);
         }
         outline(canvas, corners, stroke);
+    }
+}
+
+/// An outline around an object; of a composite part, around each of its pieces.
+void drawMarkOf(Canvas& canvas, EditParts const& parts, FactsReader const& reader, std::string const& name,
+                Stroke const& stroke) {
+    for (ObjectId const id : parts.world.objectsOf(name)) {
+        if (Facts const facts = reader.of(id); facts.visible()) {
+            outlineObject(canvas, facts, poseOf(facts), stroke);
+        }
     }
 }
 
@@ -80,9 +83,10 @@ void drawSelection(Canvas& canvas, EditParts const& parts, EditMouse const& mous
     auto const near = [&](Vec2 at) {
         return trembler::length(parts.pointer.world - at) < 12 * parts.pointer.pixel;
     };
+    FactsReader const reader(*parts.world.world());
     for (std::string const& name : parts.selected()) {
         bool const locked = edit::isLocked(parts.tree(), name);
-        drawMarkOf(canvas, parts, name,
+        drawMarkOf(canvas, parts, reader, name,
                    {.colour = locked ? palette::inkSoft : palette::accent, .pixels = 3, .alpha = 0.95F});
     }
     bool const dragging = mouse.doing() == EditMouse::Doing::moving;
@@ -153,7 +157,7 @@ void drawPreview(Canvas& canvas, EditParts& parts, EditMouse const& mouse) {
         canvas.line(toPoint(from), toPoint(to), stroke);
         canvas.circle({toPoint(from), 0}, canvas.metres(5), {.tint = palette::accent});
         if (!mouse.hovered().empty()) {
-            drawMarkOf(canvas, parts, mouse.hovered(), stroke);
+            drawMarkOf(canvas, parts, FactsReader(*parts.world.world()), mouse.hovered(), stroke);
         }
     } else if (mouse.doing() == Doing::drawing) {
         if (parts.tool == Tool::disc) {
@@ -215,11 +219,13 @@ void drawEditedScene(EditParts& parts, EditMouse const& mouse) {
     canvas.paper();
     drawGrid(canvas, parts);
     World const* const world = parts.world.world();
-    std::vector<Area> const placing = parts.level.placing.value_or(std::vector<Area>());
+    std::vector<Area> placing; // not of the level, which is read after a drag
     std::vector<GoalRegion> goals;
     for (SceneArea const& area : sceneAreas(parts)) {
         if (area.kind == EntryKind::goalArea) {
             goals.push_back({area.area, false});
+        } else {
+            placing.push_back(area.area);
         }
     }
     if (world != nullptr) {

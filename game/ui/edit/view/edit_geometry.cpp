@@ -46,6 +46,21 @@ std::optional<Area> areaFrom(edit::Json const& value) {
     return area;
 }
 
+AboutSelection const& aboutSelection(EditParts const& parts) {
+    AboutSelection& about = parts.about;
+    if (about.known && about.revision == parts.document.revision() && about.names == parts.selected()) {
+        return about;
+    }
+    about = {parts.document.revision(), parts.selected(), {}, false, false, true};
+    auto const names = edit::unlocked(parts.tree(), parts.selected());
+    if (!names.empty()) {
+        about.box = edit::extentOfObjects(*parts.data, parts.tree(), names);
+        about.scales = edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1.1});
+        about.stretches = about.scales && edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1});
+    }
+    return about;
+}
+
 } // namespace
 
 std::string pickObject(EditParts const& parts, Vec2 at) {
@@ -108,22 +123,18 @@ std::vector<std::string> objectsWithin(EditParts const& parts, Vec2 a, Vec2 b) {
 }
 
 std::optional<SelectionHandles> handlesOf(EditParts const& parts) {
-    auto const names = edit::unlocked(parts.tree(), parts.selected());
-    if (names.empty() || parts.document.readOnly()) {
+    AboutSelection const& about = aboutSelection(parts);
+    if (!about.box || parts.document.readOnly()) {
         return {};
     }
-    auto const box = edit::extentOfObjects(*parts.data, parts.tree(), names);
-    if (!box) {
-        return {};
-    }
-    SelectionHandles handles{*box, {}, {}, {}};
-    Vec2 const low = box->corner;
-    Vec2 const high = box->corner + box->size;
+    SelectionHandles handles{*about.box, {}, {}, {}};
+    Vec2 const low = about.box->corner;
+    Vec2 const high = about.box->corner + about.box->size;
     Vec2 const middle = handles.middle();
     handles.turn = {middle.x, high.y + turnGap * parts.pointer.pixel};
-    if (edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1.1})) {
+    if (about.scales) {
         handles.edges = {low, {high.x, low.y}, high, {low.x, high.y}};
-        if (edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1})) {
+        if (about.stretches) {
             handles.edges.insert(
                 handles.edges.end(),
                 {{low.x, middle.y}, {high.x, middle.y}, {middle.x, low.y}, {middle.x, high.y}});

@@ -72,6 +72,9 @@ void redo(PlayParts& parts) {
 }
 
 void allBack(PlayParts& parts) {
+    if (parts.placing.cancel()) {
+        return; // first the part in the hand goes back to where it came from
+    }
     if (!parts.allBack.ask()) {
         parts.context.toasts.add(words::allBackAgain, render::ToastKind::News, AskedTwice::patience);
         return;
@@ -118,6 +121,14 @@ void duplicate(PlayParts& parts) {
     }
 }
 
+/// Adds the part at the pointer to the chosen ones, as Shift with a click does.
+void chooseMore(PlayParts& parts) {
+    auto const number = parts.session.numberOf(parts.picking.hovered());
+    if (number && !parts.placing.carried()) {
+        parts.group.toggle(*number);
+    }
+}
+
 constexpr Command<PlayParts> buildingTable[] = {
     {.info = {.id = "turn-left",
               .keys = {{{SDLK_q}}},
@@ -143,11 +154,13 @@ constexpr Command<PlayParts> buildingTable[] = {
      .available = partAtHand},
     {.info = {.id = "flip",
               .keys = {{{SDLK_v}}},
+              .pad = {render::padRightStickUp},
               .icon = Icon::Flip,
               .group = CommandGroup::building,
               .name = "Flip",
               .tip = "Mirror the part in hand, or the chosen parts, from left to right",
-              .help = "mirror the part in hand"},
+              .help = "mirror the part in hand",
+              .padPhase = PadPhase::building},
      .run = [](PlayParts& parts) { place(parts, [](auto& tool) { tool.flip(); }); },
      .available = partAtHand},
     {.info = {.id = "move-left",
@@ -202,7 +215,8 @@ constexpr Command<PlayParts> buildingTable[] = {
               .group = CommandGroup::building,
               .name = "Next part",
               .tip = "Take the next part out of the toolbox",
-              .help = "take the next, the previous part"},
+              .help = "take the next, the previous part",
+              .padPhase = PadPhase::building},
      .run = takeNext<1>,
      .available = isBuilding},
     {.info = {.id = "previous-part",
@@ -211,7 +225,8 @@ constexpr Command<PlayParts> buildingTable[] = {
               .group = CommandGroup::building,
               .name = "Previous part",
               .tip = "Take the previous part out of the toolbox",
-              .help = "take the next, the previous part"},
+              .help = "take the next, the previous part",
+              .padPhase = PadPhase::building},
      .run = takeNext<-1>,
      .available = isBuilding},
     {.info = {.id = "act",
@@ -232,12 +247,24 @@ constexpr Command<PlayParts> buildingTable[] = {
      .run = [](PlayParts& parts) { parts.group.chooseAll(); },
      .available =
          [](PlayParts const& parts) { return parts.run.building() && !parts.session.placed().empty(); }},
+    {.info = {.id = "choose-more",
+              .keys = {},
+              .pad = {render::padRightStickDown},
+              .group = CommandGroup::building,
+              .name = "Choose this, too",
+              .tip = "Add the part at the pointer to those that are chosen, or take it away from them",
+              .help = "choose several parts",
+              .padPhase = PadPhase::building},
+     .run = chooseMore,
+     .available = isBuilding},
     {.info = {.id = "duplicate",
               .keys = {{withCtrl(SDLK_d)}},
+              .pad = {render::padRightStickRight},
               .group = CommandGroup::building,
               .name = "Duplicate",
               .tip = "Place another one of each chosen part, as far as the toolbox has them",
-              .help = "place the same parts again"},
+              .help = "place the same parts again",
+              .padPhase = PadPhase::building},
      .run = duplicate,
      .available = [](PlayParts const& parts) { return partAtHand(parts) && !parts.placing.carried(); }},
     {.info = {.id = "undo",
@@ -248,7 +275,8 @@ constexpr Command<PlayParts> buildingTable[] = {
               .group = CommandGroup::building,
               .name = "Undo",
               .tip = "Undo",
-              .help = "undo, redo"},
+              .help = "undo, redo",
+              .padPhase = PadPhase::building},
      .run = undo,
      .available = [](PlayParts const& parts) { return parts.session.canUndo() || parts.placing.carried(); }},
     {.info = {.id = "redo",
@@ -259,7 +287,8 @@ constexpr Command<PlayParts> buildingTable[] = {
               .group = CommandGroup::building,
               .name = "Redo",
               .tip = "Redo",
-              .help = "undo, redo"},
+              .help = "undo, redo",
+              .padPhase = PadPhase::building},
      .run = redo,
      .available = [](PlayParts const& parts) { return parts.session.canRedo(); }},
     {.info = {.id = "all-back",
@@ -272,8 +301,8 @@ constexpr Command<PlayParts> buildingTable[] = {
      .run = allBack,
      .available =
          [](PlayParts const& parts) {
-             return parts.run.building() &&
-                    !(parts.session.placed().empty() && parts.session.wires().empty());
+             return parts.run.building() && (parts.placing.carried() || !(parts.session.placed().empty() &&
+                                                                          parts.session.wires().empty()));
          }},
 };
 

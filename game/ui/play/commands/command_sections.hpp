@@ -4,6 +4,7 @@
 #include "game/ui/commands/command.hpp"
 #include "game/ui/play/play_parts.hpp"
 
+#include <cstdint>
 #include <span>
 
 namespace trembler::ui {
@@ -20,6 +21,11 @@ namespace trembler::ui {
 [[nodiscard]] std::span<Command<PlayParts> const> programCommands();
 /// The level as a whole: starting it again, watching a run again, going on to the next one.
 [[nodiscard]] std::span<Command<PlayParts> const> levelCommands();
+
+/// What comes after the present level: the next one, the gallery that it is the last of, the list of levels
+/// (of a level that is none of the program's), or, if every puzzle is solved, the end.
+enum class AfterLevel : std::uint8_t { next, gallery, levels, end };
+[[nodiscard]] AfterLevel afterThis(PlayParts const& parts);
 
 /// For `available` and `on` of several commands: the level runs or is paused.
 [[nodiscard]] inline bool inARun(PlayParts const& parts) {

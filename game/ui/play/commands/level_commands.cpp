@@ -10,16 +10,23 @@ CatalogEntry const* nextLevel(PlayParts const& parts) {
     return parts.context.levels.next(parts.context.profile.progress(), parts.file);
 }
 
-/// A demonstration is followed by the others of its gallery; the last puzzle by the end of the game.
-bool hasNext(PlayParts const& parts) {
-    return nextLevel(parts) != nullptr || !parts.session.level().demonstration;
-}
-
+/// There is a way on from every level.
 void openNext(PlayParts& parts) {
     if (CatalogEntry const* const next = nextLevel(parts)) {
         parts.request = request::OpenLevel{next->file};
-    } else {
+        return;
+    }
+    switch (afterThis(parts)) {
+    case AfterLevel::gallery:
+        parts.request = request::OpenMenu{MenuPage::gallery};
+        break;
+    case AfterLevel::end:
         parts.request = request::OpenMenu{MenuPage::ending};
+        break;
+    case AfterLevel::next:
+    case AfterLevel::levels:
+        parts.request = request::OpenMenu{MenuPage::levels};
+        break;
     }
 }
 
@@ -37,8 +44,7 @@ constexpr Command<PlayParts> levelTable[] = {
               .name = words::nextLevel,
               .tip = "Open the next level",
               .help = "next level"},
-     .run = openNext,
-     .available = hasNext},
+     .run = openNext},
     {.info = {.id = "watch-again",
               .icon = Icon::Play,
               .group = CommandGroup::running,
@@ -61,6 +67,17 @@ constexpr Command<PlayParts> levelTable[] = {
 };
 
 } // namespace
+
+AfterLevel afterThis(PlayParts const& parts) {
+    LevelCatalog const& levels = parts.context.levels;
+    if (nextLevel(parts) != nullptr) {
+        return AfterLevel::next;
+    }
+    if (levels.find(parts.file) == nullptr) {
+        return AfterLevel::levels;
+    }
+    return parts.ofGallery ? AfterLevel::gallery : AfterLevel::end;
+}
 
 std::span<Command<PlayParts> const> levelCommands() {
     return levelTable;

@@ -34,8 +34,8 @@ constexpr Command<PlayParts> programTable[] = {
               .icon = Icon::Record,
               .group = CommandGroup::program,
               .name = "Record",
-              .tip = "Record frames as pictures",
-              .help = "record frames",
+              .tip = "Record a clip of the run",
+              .help = "record a clip",
               .whenOn = {Icon::None, "End the recording", "End the recording"}},
      .run = [](PlayParts& parts) { parts.film.toggle(); },
      .on = [](PlayParts const& parts) { return parts.film.recording(); }},
@@ -56,9 +56,15 @@ constexpr Command<PlayParts> programTable[] = {
               .help = "save a solution"},
      .run =
          [](PlayParts& parts) {
-             saveSolution(parts.session, parts.file.stem().string(), parts.context.recorder,
-                          parts.context.toasts);
+             saveSolution(parts.session, parts.id, parts.context.solutions, parts.context.toasts);
          }},
+    {.info = {.id = "solutions",
+              .icon = Icon::List,
+              .group = CommandGroup::program,
+              .name = "Solutions",
+              .tip = "Load, rename or delete saved solutions",
+              .help = "saved solutions"},
+     .run = openMenu<MenuPage::solutions>},
     {.info = {.id = "levels",
               .keys = {{{SDLK_l}}},
               .icon = Icon::List,

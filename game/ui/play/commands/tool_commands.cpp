@@ -1,5 +1,6 @@
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/shared/words.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 
@@ -59,30 +60,36 @@ void layWires(PlayParts& parts) {
 constexpr Command<PlayParts> toolTable[] = {
     {.info = {.id = "cut",
               .keys = {{{SDLK_x}}},
+              .pad = {render::padLeftTrigger},
               .icon = Icon::Scissors,
               .group = CommandGroup::running,
               .name = "Cut",
               .tip = "Cut a wire",
-              .help = "cut a wire"},
+              .help = "cut a wire",
+              .padPhase = PadPhase::running},
      .run = cut,
      .available = [](PlayParts const& parts) { return inARun(parts) || hasWire(parts); },
      .on = [](PlayParts const& parts) { return parts.hand.cutting() || parts.wires.cutting(); }},
     {.info = {.id = "second-hand",
               .keys = {{{SDLK_g}}},
+              .pad = {render::padRightTrigger},
               .use = KeyUse::held,
               .group = CommandGroup::running,
               .name = "Second hand",
               .tip = "While it is held the mouse is a second hand, and the first one stays where it is",
-              .help = "hold: the mouse is a second hand"},
+              .help = "hold: the mouse is a second hand",
+              .padPhase = PadPhase::running},
      .run = [](PlayParts&) {},
      .available = inARun},
     {.info = {.id = "wire",
               .keys = {{{SDLK_w}}},
+              .pad = {render::padRightStickLeft},
               .icon = Icon::Bolt,
               .group = CommandGroup::building,
               .name = "Wire",
               .tip = "Lay a wire from one conductor to another",
-              .help = "lay a wire"},
+              .help = "lay a wire",
+              .padPhase = PadPhase::building},
      .run = layWires,
      .available =
          [](PlayParts const& parts) {

@@ -1,45 +1,105 @@
 #include "game/ui/play/keeping/film.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/gl/error.hpp"
+#include "runtime/file/output_file.hpp"
+
+#include <utility>
 
 namespace trembler::ui {
+
+render::Image halved(render::Image const& image) {
+    auto const [width, height] = image.size();
+    render::Image half({width / 2, height / 2});
+    auto const& from = image.bytes();
+    auto& to = half.bytes();
+    auto const row = static_cast<std::size_t>(width) * 4;
+    std::size_t next = 0;
+    for (int y = 0; y < height / 2; ++y) {
+        std::size_t at = static_cast<std::size_t>(y) * 2 * row;
+        for (int x = 0; x < width / 2; ++x, at += 8) {
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                unsigned const sum = from[at + channel] + from[at + 4 + channel] + from[at + row + channel] +
+                                     from[at + row + 4 + channel];
+                to[next++] = static_cast<std::uint8_t>((sum + 2) / 4);
+            }
+        }
+    }
+    return half;
+}
+
+void Film::giveUp(std::string const& why) {
+    recording_ = false;
+    clip_.reset();
+    toasts_.add(translated(why), render::ToastKind::Trouble, 6);
+}
 
 void Film::toggle() {
     if (recording_) {
         return end();
     }
     try {
-        recorder_.start();
-        recording_ = true;
-        toasts_.add(words::recordingTo(recorder_.film().string()), render::ToastKind::News, 5);
+        recorder_.prepare();
     } catch (render::RenderError const& error) {
-        toasts_.add(error.what(), render::ToastKind::Trouble);
+        return giveUp(error.what());
     }
+    clip_.reset();
+    frames_ = 0;
+    recording_ = true;
+    toasts_.add(text("clip.begins"), render::ToastKind::News, 4);
 }
 
 void Film::end() {
     if (!recording_) {
         return;
     }
-    recorder_.stop();
     recording_ = false;
-    toasts_.add(words::recorded(recorder_.frames(), recorder_.film().string()), render::ToastKind::News, 6);
+    if (clip_ == nullptr) {
+        toasts_.add(text("clip.empty"), render::ToastKind::News, 5);
+        return;
+    }
+    try {
+        auto const file = recorder_.clip(*clip_, static_cast<std::int64_t>(frames_) * 1000 / 60);
+        toasts_.add(textWith("clip.written", seconds(), file.string()), render::ToastKind::News, 8);
+        clip_.reset();
+    } catch (std::runtime_error const& error) {
+        giveUp(error.what());
+    }
+}
+
+void Film::add(render::Image image) {
+    if (clip_ == nullptr) {
+        size_ = image.size();
+    } else if (!(image.size() == size_)) { // the window has changed: all pictures of a clip are alike
+        return end();
+    }
+    while (image.size().width > mostWidth) {
+        image = halved(image);
+    }
+    if (clip_ == nullptr) {
+        clip_ = std::make_unique<render::AnimatedWebp>(image.size());
+    }
+    clip_->add(image, static_cast<std::int64_t>(frames_) * 1000 / 60);
 }
 
 void Film::take(std::function<render::Image()> const& pixels, bool stepped) {
     try {
-        if (recording_ && stepped) {
-            recorder_.add(pixels());
+        bool const ofClip = recording_ && stepped && frames_ % framesPerPicture == 0;
+        if (wanted_ || ofClip) {
+            render::Image image = pixels();
+            if (std::exchange(wanted_, false)) {
+                toasts_.add(words::pictureTaken(recorder_.picture(image).string()));
+            }
+            if (ofClip) {
+                add(std::move(image));
+            }
         }
-        if (wanted_) {
-            wanted_ = false;
-            auto const path = recorder_.picture(pixels());
-            toasts_.add(words::pictureTaken(path.string()));
+        if (recording_ && stepped && ++frames_ >= mostFrames) {
+            end();
         }
     } catch (render::RenderError const& error) {
-        recording_ = false;
-        toasts_.add(error.what(), render::ToastKind::Trouble, 6);
+        giveUp(error.what());
     }
 }
 

@@ -6,21 +6,23 @@
 
 namespace trembler::ui {
 
-void saveSolution(Session const& session, std::string const& level, Recorder& recorder,
+void saveSolution(Session const& session, std::string const& levelId, SavedSolutions const& saved,
                   render::Toasts& toasts) {
     if (session.mode() == SessionMode::building || session.world().frame() == 0) {
         toasts.add(words::runBeforeSaving, render::ToastKind::News, 5);
         return;
     }
     if (auto const whyNot = session.whyNotRecorded()) {
-        toasts.add(*whyNot, render::ToastKind::Trouble, 6);
+        toasts.add(translated(*whyNot), render::ToastKind::Trouble, 6);
         return;
     }
     try {
-        auto const path = recorder.solution(session.record(words::mySolution), level);
+        auto const number = saved.of(levelId).size() + 1;
+        std::string const name = words::mySolution + (" " + std::to_string(number));
+        auto const path = saved.save(levelId, session.record(name));
         toasts.add(words::solutionSaved(path.string()), render::ToastKind::News, 6);
     } catch (std::runtime_error const& error) {
-        toasts.add(error.what(), render::ToastKind::Trouble, 6);
+        toasts.add(translated(error.what()), render::ToastKind::Trouble, 6);
     }
 }
 

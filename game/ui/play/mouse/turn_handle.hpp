@@ -1,7 +1,7 @@
 // The handle beside the selected part by which the player turns it.
 #pragma once
 
-#include "game/ui/shared/part_catalog.hpp"
+#include "game/ui/shared/catalog/part_catalog.hpp"
 #include "game/ui/tools/placing_tool.hpp"
 
 #include <optional>

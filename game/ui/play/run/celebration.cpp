@@ -2,8 +2,13 @@
 
 namespace trembler::ui {
 
+bool byPlayer(Session const& session) {
+    bool const touched = !session.placed().empty() || !session.wires().empty() || !session.inputs().empty();
+    return touched && !session.level().demonstration;
+}
+
 bool Celebration::noteStep(Session const& session) {
-    if (solvedAt_ || !session.solved()) {
+    if (solvedAt_ || !session.solved() || !byPlayer(session)) {
         return false;
     }
     solvedAt_ = session.world().time();

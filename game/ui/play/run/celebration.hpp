@@ -7,11 +7,14 @@
 
 namespace trembler::ui {
 
+/// Whether a success of this run is the player's: nothing is if it would have come about by itself.
+[[nodiscard]] bool byPlayer(Session const& session);
+
 /// Follows one run at a time. Not thread-safe.
 class Celebration {
 public:
     /// To be called after every step of the session. True once in a run, for the step in which the level is
-    /// solved: the celebration begins.
+    /// solved by the player: the celebration begins.
     bool noteStep(Session const& session);
     /// The run has ended.
     void reset();

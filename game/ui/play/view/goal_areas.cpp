@@ -1,5 +1,6 @@
 #include "game/ui/play/view/goal_areas.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "render/panels/world_label.hpp"
 
@@ -59,7 +60,7 @@ void GoalAreas::drawWords(render::Camera const& camera) const {
             continue;
         }
         render::worldLabel(
-            camera, render::labelAnchor(regions_[i]), names_[i].c_str(),
+            camera, render::labelAnchor(regions_[i]), shownArea(names_[i]).c_str(),
             {.colour = regions_[i].met ? render::palette::goal : render::palette::inkSoft, .below = -12});
     }
 }

@@ -42,12 +42,14 @@ TEST(Program, ALevelIsChosenOnTheTitleScreen) {
     EXPECT_EQ(player.session().level().title, loadLevel(gameData().registry, firstContact).title);
     player.key(SDLK_l);
     player.frames(2);
-    for (int chapter = 1; !player.shows("level experiments/1-switched-electromagnet.json"); ++chapter) {
+    for (int chapter = 1; !player.shows("level 3-magnets/1-through-the-glass.json"); ++chapter) {
         player.clickItem("chapter " + std::to_string(chapter));
         player.frames(2);
+        EXPECT_FALSE(player.shows("level experiments/1-switched-electromagnet.json"))
+            << "demonstrations have a page of their own";
     }
-    player.clickItem("level experiments/1-switched-electromagnet.json");
-    EXPECT_EQ(player.play().file().filename(), "1-switched-electromagnet.json");
+    player.clickItem("level 3-magnets/1-through-the-glass.json");
+    EXPECT_EQ(player.play().file().filename(), "1-through-the-glass.json");
     EXPECT_FALSE(player.app().menu().isOpen());
     player.key(SDLK_ESCAPE);
     player.frames(2);

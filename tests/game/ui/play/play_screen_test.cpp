@@ -159,13 +159,16 @@ TEST(Running, TheSwitchIsLiftedByMouseAndTheRunCanBeWatchedAgain) {
 
 TEST(Running, AWatchedRunIsThePlayersOwnAfterKeepPlaying) {
     Player player;
-    player.open(experiment);
+    player.open(firstContact);
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
     player.key(SDLK_SPACE);
-    player.simulate(120);
+    player.simulate(600);
     ASSERT_TRUE(player.session().solved());
-    player.play().commands().run("watch-again");
-    player.simulate(120);
+    player.frames(3);
+    player.clickItem("watch again");
+    player.simulate(600);
     ASSERT_TRUE(player.session().playing());
+    player.frames(3);
     player.clickItem("keep playing");
     EXPECT_FALSE(player.session().playing());
     EXPECT_EQ(player.session().mode(), SessionMode::running);
@@ -176,8 +179,6 @@ TEST(Running, AWireIsCut) {
     player.open(experiment);
     player.key(SDLK_SPACE);
     player.simulate(120);
-    ASSERT_TRUE(player.session().solved());
-    player.clickItem("keep playing");
     player.clickItem("cut");
     EXPECT_TRUE(player.play().hand().cutting());
     World const& world = player.session().world();
@@ -256,23 +257,37 @@ TEST(Running, TheComponentsPanelIsOpenedAndClosed) {
     EXPECT_NE(std::find(effects.begin(), effects.end(), "gravity"), effects.end());
 }
 
-TEST(Running, FilmsAndPicturesAreWritten) {
+TEST(Running, ClipsAndPicturesAreWrittenWithoutTheInterface) {
     Player player;
     std::filesystem::remove_all(player.films());
     player.open(experiment);
     player.key(SDLK_SPACE);
     player.frames(2);
     player.key(SDLK_r);
+    EXPECT_TRUE(player.play().commands().on(player.play().commands().indexOf("record")));
     auto const first = player.session().world().frame();
-    player.frames(3);
+    player.frames(8);
+    player.look("recording-720");
     player.key(SDLK_r);
-    auto const film = player.films() / "film-1";
-    ASSERT_TRUE(std::filesystem::exists(film / "frame-00003.png"));
-    auto const image = render::readPng(film / "frame-00003.png");
-    EXPECT_EQ(image.size(), (render::Size{1280, 720}));
-    EXPECT_GE(player.session().world().frame(), first + 3);
+    EXPECT_GE(player.session().world().frame(), first + 8);
+    EXPECT_TRUE(std::filesystem::exists(player.films() / "clip-1.webp"));
+    player.key(SDLK_p);
     player.key(SDLK_F12);
-    EXPECT_TRUE(std::filesystem::exists(player.films() / "picture-1.png"));
+    ASSERT_TRUE(std::filesystem::exists(player.films() / "picture-1.png"));
+    auto const image = render::readPng(player.films() / "picture-1.png");
+    ASSERT_EQ(image.size(), (render::Size{1280, 720}));
+    render::Image const screen = player.look("picture-720");
+    Point const goals = player.layout().card("goal")->middle();
+    auto const x = static_cast<int>(goals.x);
+    int different = 0;
+    for (int y = static_cast<int>(goals.y) - 30; y < static_cast<int>(goals.y) + 30; ++y) {
+        different += image.at(x, y) == screen.at(x, y) ? 0 : 1;
+    }
+    EXPECT_GT(different, 20) << "no card lies over the world";
+    auto const column = static_cast<int>(player.layout().card("goal")->low.x) + 40;
+    for (int y = 24; y < 100; ++y) {                 // not even a card's shadow: paper is light
+        EXPECT_GT(image.at(column, y)[0], 192) << y; // a shadow is at 186
+    }
     player.clickItem("picture");
     EXPECT_TRUE(std::filesystem::exists(player.films() / "picture-2.png"));
 }

@@ -1,5 +1,12 @@
 // The texts of the screens: complete in every language, none unused.
+#include "game/ui/app/title_screen.hpp"
+#include "game/ui/commands/chord.hpp"
+#include "game/ui/play/commands/play_commands.hpp"
+#include "game/ui/play/play_parts.hpp"
 #include "game/ui/shared/texts.hpp"
+#include "game/ui/shared/words.hpp"
+#include "puzzle/data/game_data.hpp"
+#include "tests/game/ui/shared/source_texts.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -7,7 +14,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -17,55 +23,158 @@ namespace trembler::ui {
 namespace {
 
 namespace fs = std::filesystem;
+using TextMap = std::map<std::string, std::string>;
 
-std::map<std::string, std::string> textsIn(std::string_view language) {
-    std::ifstream in(fs::path(TREMBLER_SOURCE_DIR) / "assets/text" / (std::string(language) + ".json"));
-    return nlohmann::json::parse(in).get<std::map<std::string, std::string>>();
+fs::path textFolder() {
+    return fs::path(TREMBLER_SOURCE_DIR) / "assets/text";
 }
 
-/// Every id that a source of the window's mentions, as a string of its own.
-std::set<std::string> mentioned(std::map<std::string, std::string> const& known) {
-    std::set<std::string> ids;
-    std::regex const call(R"re(\btext(?:With)?\("([a-z_]+\.[a-z_.]+)")re");
-    for (auto const& entry : fs::recursive_directory_iterator(fs::path(TREMBLER_SOURCE_DIR) / "game/ui")) {
-        if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") {
-            continue;
-        }
-        std::ifstream in(entry.path());
-        std::string const source(std::istreambuf_iterator<char>(in), {});
-        for (std::sregex_iterator at(source.begin(), source.end(), call), end; at != end; ++at) {
-            ids.insert((*at)[1]);
-        }
-        for (auto const& [id, value] : known) { // also where a function passes it on
-            if (source.find("\"" + id + "\"") != std::string::npos) {
-                ids.insert(id);
+TextMap textsIn(fs::path const& file) {
+    std::ifstream in(textFolder() / file);
+    return nlohmann::json::parse(in).get<TextMap>();
+}
+
+/// Those of a language that are looked up by their English text; names of objects are not among them.
+TextMap byEnglish(std::string_view language) {
+    TextMap all;
+    for (auto const& entry : fs::directory_iterator(textFolder() / language)) {
+        if (entry.path().filename() != "names.json") {
+            for (auto const& [english, value] : textsIn(entry.path())) {
+                auto const [known, isNew] = all.emplace(english, value);
+                EXPECT_TRUE(isNew || known->second == value)
+                    << entry.path() << " states \"" << english << "\" again";
             }
         }
     }
-    return ids;
+    return all;
+}
+
+/// The gaps of a text, in order; a number may be written with the language's decimal point ("L").
+std::vector<std::string> gapsOf(std::string const& text) {
+    std::vector<std::string> gaps = Catalogue::piecesOf(text).gaps;
+    for (std::string& gap : gaps) {
+        gap = gap == "akk" || gap == "dat" || gap == "name" ? std::string() : gap;
+        gap.erase(std::remove(gap.begin(), gap.end(), 'L'), gap.end());
+    }
+    return gaps;
+}
+
+/// Everything that a player may read in English: texts of commands, of the window, of properties and
+/// components. The editor has its own.
+std::set<std::string> spokenToPlayers() {
+    std::set<std::string> all;
+    auto const addPhrase = [&](Phrase const& phrase) {
+        if (phrase.english() != nullptr && *phrase.english() != '\0') {
+            all.insert(phrase.english());
+        }
+    };
+    auto const addCommand = [&](CommandInfo const& info) {
+        for (Phrase const& phrase : {info.name, info.tip, info.help, info.whenOn.name, info.whenOn.tip}) {
+            addPhrase(phrase);
+        }
+    };
+    for (auto const& command : playCommands()) {
+        addCommand(command.info);
+    }
+    for (auto const& command : titleCommands()) {
+        addCommand(command.info);
+    }
+    for (Gesture const& gesture : playGestures()) {
+        addPhrase(gesture.with);
+        addPhrase(gesture.does);
+    }
+    for (char const* const said : allSaid()) {
+        all.insert(said);
+    }
+    GameData const data;
+    for (PropertyInfo const* const info : data.registry.objectProperties()) {
+        all.insert(std::string(info->text.name));
+        all.insert(std::string(info->text.meaning));
+        if (info->fields == nullptr) {
+            continue;
+        }
+        for (FieldPlace const& field : info->fields()) {
+            all.insert(spokenKey(std::string(field.info.key)));
+            all.insert(std::string(field.info.meaning));
+            all.insert(field.choices.begin(), field.choices.end());
+        }
+    }
+    for (Registration const& one : data.registry.components()) {
+        all.insert(std::string(one.info->text.effect));
+        all.insert(std::string(one.info->text.level));
+        all.insert(std::string(one.info->text.work));
+        if (one.info->kind != ComponentKind::interaction) {
+            all.insert(std::string(one.info->text.name));
+        }
+    }
+    for (char const* const none : {"", "value"}) {
+        all.erase(none);
+    }
+    return all;
 }
 
 TEST(Texts, EveryTextIsThereAndUsed) {
-    auto const english = textsIn("en");
+    auto const english = textsIn("en.json");
     std::set<std::string> known;
     for (auto const& [id, value] : english) {
         known.insert(id);
         EXPECT_FALSE(value.empty()) << id;
     }
-    EXPECT_EQ(mentioned(english), known) << "a text is missing in assets/text/en.json, or not used any more";
+    EXPECT_EQ(idsMentioned(known), known) << "a text is missing in assets/text/en.json, or not used any more";
 }
 
 TEST(Texts, EveryLanguageHasAllOfThem) {
-    auto const english = textsIn("en");
+    auto const english = textsIn("en.json");
     for (Language const& language : languages()) {
-        auto const texts = textsIn(language.id);
+        auto const texts = textsIn(std::string(language.id) + ".json");
         for (auto const& [id, value] : english) {
             auto const found = texts.find(id);
             ASSERT_NE(found, texts.end()) << language.id << " lacks " << id;
-            auto const gaps = [](std::string const& of) { return std::count(of.begin(), of.end(), '{'); };
-            EXPECT_EQ(gaps(found->second), gaps(value)) << language.id << ": " << id;
+            EXPECT_EQ(gapsOf(found->second), gapsOf(value)) << language.id << ": " << id;
         }
         EXPECT_EQ(texts.size(), english.size()) << language.id << " has texts that English lacks";
+    }
+}
+
+TEST(Texts, WhatIsSaidInEnglishIsSaidInEveryLanguage) {
+    auto said = spokenToPlayers();
+    auto const ids = textsIn("en.json");
+    for (std::string const& text : textsAskedFor()) {
+        if (!ids.contains(text)) {
+            said.insert(text);
+        }
+    }
+    for (Language const& language : languages()) {
+        if (language.id == "en") {
+            continue;
+        }
+        auto const texts = byEnglish(language.id);
+        for (std::string const& english : said) {
+            EXPECT_TRUE(texts.contains(english))
+                << "no file of assets/text/" << language.id << " has \"" << english << "\"";
+        }
+    }
+}
+
+TEST(Texts, NoTranslationIsStale) {
+    auto const literals = literalsOfTheProgram();
+    // These are put together of a name and a word; and keys have the names of SDL.
+    std::set<std::string> const composed{"{} <- {}", "{} Resolver", "{} DPS", "({}) Interaction"};
+    for (Language const& language : languages()) {
+        if (language.id == "en") {
+            continue;
+        }
+        for (auto const& [english, value] : byEnglish(language.id)) {
+            bool const isKey = chordFrom(english).has_value() || english.ends_with('+');
+            std::size_t const several = english.find("they were"); // "it was", of one
+            std::string const ofOne = several == std::string::npos ? english
+                                                                   : english.substr(0, several) + "it was" +
+                                                                         english.substr(several + 9);
+            EXPECT_TRUE(literals.contains(withBareGaps(ofOne)) || composed.contains(english) || isKey)
+                << "nothing says \"" << english << "\"";
+            EXPECT_FALSE(value.empty()) << english;
+            EXPECT_EQ(gapsOf(value), gapsOf(english)) << language.id << ": " << english;
+        }
     }
 }
 
@@ -74,8 +183,20 @@ TEST(Texts, FollowTheLanguage) {
     EXPECT_EQ(languageInUse(), "de");
     EXPECT_STREQ(text("menu.back"), "Zurück");
     EXPECT_EQ(textWith("builds.not_kept", "x"), "Was du gebaut hast, lässt sich nicht aufheben: x");
+    EXPECT_STREQ(words::toolbox, "Kasten");
+    EXPECT_STREQ(words::nextLevel, "Nächstes Level");
+    EXPECT_EQ(words::solvedWith(3.25, 2), "Gelöst nach 3,2 s mit 2 Teilen");
+    EXPECT_EQ(translated("it would overlap the left lamp"),
+              "es würde sich mit der linken Lampe überschneiden");
+    EXPECT_EQ(shownArea("the basket"), "Korb");
+    EXPECT_EQ(labelOf({.key = SDLK_SPACE, .shift = true}), "Umschalt+Leertaste");
     useLanguage("en");
     EXPECT_STREQ(text("menu.back"), "Back");
+    EXPECT_STREQ(words::toolbox, "Toolbox");
+    EXPECT_STREQ(words::nextLevel, "Next level");
+    EXPECT_EQ(words::solvedWith(3.25, 1), "Solved after 3.2 s with 1 part");
+    EXPECT_EQ(translated("it would overlap the left lamp"), "it would overlap the left lamp");
+    EXPECT_EQ(shownArea("the basket"), "the basket");
     EXPECT_STREQ(text("no.such.text"), "no.such.text");
 }
 

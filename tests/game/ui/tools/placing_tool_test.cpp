@@ -185,7 +185,7 @@ TEST_F(Building, UndoAndRedoWithoutEnd) {
     expectPlaced(1, {-1.8, 2.0}, 15);
 }
 
-TEST_F(Building, AForbiddenPlacementKeepsThePartInTheHandAndReportsWhy) {
+TEST_F(Building, AForbiddenPlacementIsRefusedWithTheReason) {
     Vec2 const forbidden{1.7, 1.7}; // far outside the area for placing, in the electromagnet
     player.moveTo(player.item("part steel bar"));
     player.press();
@@ -195,9 +195,19 @@ TEST_F(Building, AForbiddenPlacementKeepsThePartInTheHandAndReportsWhy) {
     EXPECT_FALSE(player.play().placing().carried()->verdict.why.empty());
     player.release();
     EXPECT_TRUE(placed().empty());
-    ASSERT_TRUE(player.play().placing().carried());
-    player.click(player.at(free));
+    EXPECT_FALSE(player.play().placing().carried()) << "what was dragged goes back to the toolbox";
+    player.drag(player.item("part steel bar"), player.at(free));
     expectPlaced(0, free, 0);
+    player.drag(player.at(free), player.at(forbidden));
+    EXPECT_FALSE(player.play().placing().carried());
+    expectPlaced(0, free, 0);                  // back where it was
+    player.click(player.item("part spanner")); // without a button held it stays in the hand
+    player.click(player.at(forbidden));
+    ASSERT_TRUE(player.play().placing().carried());
+    EXPECT_FALSE(player.play().placing().carried()->verdict.ok);
+    player.key(SDLK_BACKSPACE);
+    EXPECT_FALSE(player.play().placing().carried()) << "the part in the hand goes back first";
+    EXPECT_EQ(placed().size(), 1U);
 }
 
 TEST_F(Building, SmallOverlapsAreCorrected) {

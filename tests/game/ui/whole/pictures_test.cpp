@@ -143,7 +143,6 @@ std::vector<render::Image> picturesOnTheWay(bool drawsAll) {
     player.key(SDLK_1);
     player.key(SDLK_3);
     look("solved");
-    player.clickItem("keep playing");
     player.click(player.at({1.8, 1.7}));
     player.frames(3);
     look("inspecting");

@@ -1,8 +1,6 @@
 // The program holds one screen of any type; menus over it can be used with the keyboard alone.
 #include "tests/game/ui/player.hpp"
-
-#include <SDL_gamecontroller.h>
-#include <SDL_joystick.h>
+#include "tests/game/ui/virtual_pad.hpp"
 
 #include <optional>
 #include <utility>
@@ -146,8 +144,8 @@ TEST(KeyboardAlone, SettingsAreChanged) {
     player.key(SDLK_ESCAPE);
     player.frames(2);
     player.key(SDLK_DOWN);
-    for (int i = 0; i < 3; ++i) {
-        player.key(SDLK_DOWN); // resume, again, levels, settings
+    for (int i = 0; i < 4; ++i) {
+        player.key(SDLK_DOWN); // resume, again, solutions, levels, settings
     }
     player.key(SDLK_RETURN);
     player.frames(2);
@@ -168,45 +166,6 @@ TEST(KeyboardAlone, SettingsAreChanged) {
     player.key(SDLK_RETURN);
     EXPECT_EQ(player.app().menu().page(), MenuPage::settings);
 }
-
-/// A gamepad that is plugged in while the program runs.
-class VirtualPad {
-public:
-    VirtualPad()
-        : device_(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
-                                            SDL_CONTROLLER_BUTTON_MAX, 0)) {
-        joystick_ = device_ < 0 ? nullptr : SDL_JoystickOpen(device_);
-        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1"); // no window has the focus here
-    }
-    ~VirtualPad() {
-        SDL_JoystickClose(joystick_);
-        SDL_JoystickDetachVirtual(device_);
-    }
-    VirtualPad(VirtualPad const&) = delete;
-    VirtualPad& operator=(VirtualPad const&) = delete;
-
-    [[nodiscard]] bool works() const {
-        return joystick_ != nullptr && SDL_IsGameController(device_) == SDL_TRUE;
-    }
-    void press(Player& player, SDL_GameControllerButton button) const {
-        for (Uint8 const state : {Uint8{SDL_PRESSED}, Uint8{SDL_RELEASED}}) {
-            SDL_JoystickSetVirtualButton(joystick_, button, state);
-            SDL_JoystickUpdate();
-            player.frames(2);
-        }
-    }
-    void push(Player& player, SDL_GameControllerAxis axis, Sint16 value) const {
-        for (Sint16 const way : {value, Sint16{0}}) {
-            SDL_JoystickSetVirtualAxis(joystick_, axis, way);
-            SDL_JoystickUpdate();
-            player.frames(2);
-        }
-    }
-
-private:
-    int device_;
-    SDL_Joystick* joystick_ = nullptr;
-};
 
 TEST(GamepadAlone, MenusAreUsedAndALevelIsOpened) {
     Player player;
@@ -254,6 +213,42 @@ TEST(AtRest, NoPictureIsDrawnThatShowsNothingNew) {
     player.clickItem("menu.levels");
     player.frames(120);
     EXPECT_TRUE(player.app().resting()) << "all pictures of levels have been made";
+}
+
+/// Pictures in two seconds of which the window would draw each that may show something new.
+int newPictures(Player& player) {
+    int drawn = 0;
+    for (int i = 0; i < 120; ++i) {
+        drawn += player.app().resting() ? 0 : 1;
+        player.frame();
+    }
+    return drawn;
+}
+
+TEST(AtRest, NothingIsDrawnOnAnyScreen) {
+    Player player;
+    auto const expectRest = [&](char const* screen) {
+        player.frames(240); // what moves comes to rest, what is to be told has been told
+        EXPECT_EQ(newPictures(player), 0) << screen;
+    };
+    expectRest("title");
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    expectRest("a level before its start");
+    player.key(SDLK_SPACE);
+    player.frames(30);
+    EXPECT_EQ(newPictures(player), 120) << "a running level";
+    player.key(SDLK_p);
+    expectRest("a paused level");
+    player.key(SDLK_ESCAPE);
+    expectRest("the menu");
+    player.clickItem("menu.settings");
+    expectRest("the settings");
+    player.app().edit({});
+    expectRest("the editor");
+    player.key(SDLK_p, KMOD_LCTRL); // with a cursor in a field
+    player.frames(4);
+    ASSERT_TRUE(player.app().context().gui.wantsKeyboard());
+    expectRest("a field for letters");
 }
 
 TEST(Kept, WhatWasBuiltIsThereWhenTheLevelIsOpenedAgain) {

@@ -153,5 +153,44 @@ TEST(LevelDocument, BeginsWithALevelThatCanBePlayed) {
     EXPECT_EQ(blank.level().objects.size(), 1U);
 }
 
+TEST(LevelDocument, ARefusedStepOfADragLeavesTheStepBefore) {
+    LevelDocument document = smallDocument();
+    Gesture const drag{document.newGesture(), Gesture::Next::replaces};
+    auto const title = [](char const* text, bool fails) {
+        return Command{"Title", [=](Json& level) {
+                           level["title"] = text;
+                           if (fails) {
+                               throw CommandError("no");
+                           }
+                       }};
+    };
+    document.run(title("one", false), drag);
+    std::string const text = document.text();
+    EXPECT_EQ(refusalOf([&] { document.run(title("two", true), drag); }), "no");
+    EXPECT_EQ(document.text(), text);
+    EXPECT_EQ(document.tree()["title"], "one");
+    document.run(title("three", false), drag);
+    EXPECT_EQ(document.done(), 1U);
+    document.undo();
+    EXPECT_EQ(document.text(), smallLevel());
+    EXPECT_EQ(refusalOf([&] { document.run(title("four", true)); }), "no");
+    EXPECT_EQ(document.text(), smallLevel());
+}
+
+TEST(LevelDocument, AnotherSpellingOfANumberIsNoChange) {
+    LevelDocument document = smallDocument();
+    document.run({"Spell", [](Json& level) {
+                      level["objects"][2]["angle_deg"] = 90; // 90.0 in the file
+                      level["objects"][1]["at"][0] = -2.0;
+                      level["title"] = "changed";
+                  }});
+    Json const after = document.tree();
+    EXPECT_TRUE(after["objects"][2]["angle_deg"].is_number_float());
+    EXPECT_FALSE(after["objects"][1]["at"][0].is_number_float());
+    document.undo();
+    document.redo();
+    EXPECT_EQ(document.tree().dump(), after.dump());
+}
+
 } // namespace
 } // namespace trembler::edit

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace trembler::edit {
 namespace {
@@ -80,6 +81,57 @@ TEST(LiveProblems, FindWhatIsOutOfReach) {
         problemsAfter([](LevelDocument& document) { document.run(removePlacingArea(document.tree(), 0)); });
     ASSERT_EQ(none.size(), 1U);
     EXPECT_EQ(none.front().about, Problem::About::placing);
+}
+
+TEST(LiveProblems, FindGoalsThatCanNeverComeTrue) {
+    auto const after = [](Json const& goals, Json const& toolbox) {
+        return problemsAfter([&](LevelDocument& document) {
+            document.run(
+                {"Goals", [&](Json& level) {
+                     level["goals"] = goals;
+                     level["toolbox"] = toolbox;
+                     level["objects"].push_back({{"name", "lamp"}, {"part", "lamp"}, {"at", {3, 3}}});
+                     level["objects"].push_back({{"name", "wall"}, {"part", "lamp"}, {"at", {4, 3}}});
+                 }});
+        });
+    };
+    Json const none = Json::array();
+    auto const dark = after({{"all", {{{"on", "lamp"}}, {{"touching", {"ball", "table"}}}}}}, none);
+    ASSERT_EQ(dark.size(), 1U);
+    EXPECT_EQ(dark.front().name, "/all/0");
+    EXPECT_NE(dark.front().words().find("no source"), std::string::npos);
+    EXPECT_TRUE(after({{"on", "lamp"}}, {{{"part", "battery"}, {"count", 1}}}).empty())
+        << "the player may bring a source";
+    ASSERT_EQ(after({{"touching", {"lamp", "wall"}}}, none).size(), 1U) << "both are fixed";
+    EXPECT_TRUE(after({{"touching", {"lamp", "ball"}}}, none).empty());
+    Json const touches{{"touching", {"ball", "table"}}};
+    auto const opposed = after({{"all", {touches, {{"not", touches}}}}}, none);
+    ASSERT_EQ(opposed.size(), 1U);
+    EXPECT_EQ(opposed.front().name, "/all/1");
+    EXPECT_TRUE(after({{"any", {touches, {{"not", touches}}}}}, none).empty());
+}
+
+TEST(LiveProblems, ListFaultyPartsOfTheAuthor) {
+    auto const folder = testFolder();
+    std::filesystem::create_directories(folder / "trembler" / "parts");
+    writeText(folder / "trembler" / "parts" / "broken.json",
+              R"({"name": "broken", "properties": {"mass": "heavy"}})");
+    char const* const before = std::getenv("XDG_DATA_HOME");
+    std::string const kept = before == nullptr ? "" : before;
+    ::setenv("XDG_DATA_HOME", folder.c_str(), 1);
+    GameData const data;
+    if (before == nullptr) {
+        ::unsetenv("XDG_DATA_HOME");
+    } else {
+        ::setenv("XDG_DATA_HOME", kept.c_str(), 1);
+    }
+    LevelDocument const document = LevelDocument::fromText(data, smallLevel(), {}, {});
+    LiveProblems problems;
+    problems.refresh(document);
+    ASSERT_EQ(problems.all().size(), 1U);
+    EXPECT_EQ(problems.all().front().about, Problem::About::ownPart);
+    EXPECT_EQ(problems.all().front().name, "broken.json");
+    EXPECT_TRUE(problems.playable());
 }
 
 TEST(LiveProblems, AreThoseOfVerify) {

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
+#include <random>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -66,6 +68,77 @@ TEST(Autosave, SurvivesKill) {
     EXPECT_EQ(found.front().text, document.text());
     discard(found.front());
     EXPECT_TRUE(fs::is_empty(recovery));
+}
+
+constexpr double secondsPerStep = 0.3;
+
+/// The number that the designer of the test has written into the title of a level.
+int numberIn(std::string const& title) {
+    return title.empty() || title.front() < '0' || title.front() > '9' ? 0 : std::stoi(title);
+}
+
+/// Edits without end, and saves now and then; tells the number of every step that is complete.
+[[noreturn]] void designUntilKilled(fs::path const& file, fs::path const& recovery, int tell) {
+    LevelDocument document = LevelDocument::open(editData(), file);
+    Autosave autosave(recovery);
+    for (int step = 1;; ++step) {
+        document.run(setTitle(document.tree(), std::to_string(step)));
+        if (step % 11 == 0) {
+            if (!document.save().ok()) {
+                ::_exit(1);
+            }
+            autosave.close();
+        }
+        autosave.tick(document, secondsPerStep);
+        if (autosave.error() || ::write(tell, &step, sizeof step) != sizeof step) {
+            ::_exit(1);
+        }
+    }
+}
+
+TEST(Autosave, LosesAtMostTwoSecondsAndNeverTheFileWheneverItIsKilled) {
+    fs::path const folder = testFolder();
+    fs::path const file = folder / "level.json";
+    std::mt19937 random(1);
+    Json large = Json::parse(smallLevel()); // writing it takes a while
+    for (int i = 0; i < 200; ++i) {
+        large["objects"].push_back(
+            {{"name", "crate " + std::to_string(i)}, {"part", "crate"}, {"at", {i, 9}}});
+    }
+    for (int run = 0; run < 25; ++run) {
+        fs::path const recovery = folder / ("recovery " + std::to_string(run));
+        writeText(file, large.dump(1));
+        int ends[2] = {};
+        ASSERT_EQ(::pipe(ends), 0);
+        pid_t const child = ::fork();
+        if (child == 0) {
+            designUntilKilled(file, recovery, ends[1]);
+        }
+        ::close(ends[1]);
+        int last = 0;
+        int const wanted = static_cast<int>(random() % 30);
+        while (last < wanted && ::read(ends[0], &last, sizeof last) == sizeof last) {
+        }
+        for (auto spins = random() % 3000000; spins > 0; --spins) { // on, into the next steps
+            asm volatile("");
+        }
+        ::kill(child, SIGKILL);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        EXPECT_TRUE(WIFSIGNALED(status)) << "it did not end by itself";
+        while (::read(ends[0], &last, sizeof last) == sizeof last) {
+        }
+        ::close(ends[0]);
+        Json const saved = Json::parse(fileText(file), nullptr, false);
+        ASSERT_TRUE(saved.is_object()) << "the file is whole";
+        EXPECT_EQ(saved["objects"], large["objects"]);
+        int found = numberIn(saved["title"].get<std::string>());
+        for (Recovery const& left : findRecoveries(recovery)) {
+            found = std::max(found, numberIn(left.title));
+            EXPECT_EQ(recover(editData(), left).tree()["objects"], large["objects"]);
+        }
+        EXPECT_LE((last - found) * secondsPerStep, 2) << "of " << last << " steps";
+    }
 }
 
 TEST(Autosave, EndsWithSavingAndClosing) {

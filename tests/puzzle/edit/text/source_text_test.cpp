@@ -99,7 +99,8 @@ TEST(SourceText, ReadsBackAsTheTreeWhateverChanged) {
         SourceText const source(text);
         RC_ASSERT(source.textOf(before) == text);
         RC_ASSERT(Json::parse(source.textOf(after)) == after);
-        TreePatch const patch(before, after);
+        Json wanted = after;
+        TreePatch const patch = TreePatch::between(before, wanted);
         Json tree = before;
         patch.apply(tree);
         RC_ASSERT(tree == after);

@@ -10,21 +10,22 @@ namespace {
 TEST(Saving, OnlyARunIsSaved) {
     auto const folder = testFolder() / "saved";
     std::filesystem::remove_all(folder);
-    Recorder recorder(folder);
+    SavedSolutions const saved(folder);
     render::Toasts toasts;
     Session session(
         gameData().registry, gameData().parts,
         loadLevel(gameData().registry, levelsFolder() / "experiments/1-switched-electromagnet.json"));
-    saveSolution(session, "magnet", recorder, toasts);
+    saveSolution(session, "magnet", saved, toasts);
     EXPECT_EQ(toasts.count(), 1U) << "a message that the level has to run first";
     EXPECT_FALSE(std::filesystem::exists(folder));
     for (int i = 0; i < 120; ++i) {
         session.step();
     }
-    saveSolution(session, "magnet", recorder, toasts);
+    saveSolution(session, "magnet", saved, toasts);
     EXPECT_EQ(toasts.count(), 2U);
-    auto const file = folder / "magnet-solution-1.json";
-    ASSERT_TRUE(std::filesystem::exists(file));
+    ASSERT_EQ(saved.of("magnet").size(), 1U);
+    EXPECT_TRUE(saved.of("another").empty());
+    auto const file = saved.of("magnet").front().file;
     Solution const solution = findOrLoadSolution(gameData().registry, session.level(), file.string());
     EXPECT_EQ(solution.frames, 120);
     EXPECT_TRUE(solution.solves);

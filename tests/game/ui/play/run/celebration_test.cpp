@@ -1,21 +1,23 @@
 // A run's success: reported once, celebrated until the player has seen it.
 #include "game/ui/play/run/celebration.hpp"
-#include "tests/game/ui/play/run/controlled_run.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "tests/game/ui/player.hpp"
 
 namespace trembler::ui::test {
 namespace {
 
 TEST(Celebrations, BeginOncePerRunAndEndWhenSeen) {
-    Controlled level;
+    Session session(gameData().registry, gameData().parts,
+                    loadLevel(gameData().registry, levelsFolder() / "first/1-first-contact.json"));
+    session.load(session.level().solutions.front());
     Celebration celebration;
     int begun = 0;
     std::uint64_t solvedIn = 0;
-    level.run.runOrStop();
-    for (int i = 0; i < 150; ++i) {
-        level.pictures(1);
-        if (celebration.noteStep(level.session)) {
+    for (int i = 0; i < 600; ++i) {
+        session.step();
+        if (celebration.noteStep(session)) {
             ++begun;
-            solvedIn = level.frame();
+            solvedIn = session.world().frame();
         }
     }
     ASSERT_EQ(begun, 1);
@@ -28,9 +30,22 @@ TEST(Celebrations, BeginOncePerRunAndEndWhenSeen) {
     celebration.dismiss();
     celebration.pass(1);
     EXPECT_FALSE(celebration.showing());
-    EXPECT_FALSE(celebration.noteStep(level.session)) << "this run's success has already been reported";
+    EXPECT_FALSE(celebration.noteStep(session)) << "this run's success has already been reported";
     celebration.reset();
     EXPECT_FALSE(celebration.solvedAt());
+}
+
+TEST(Celebrations, AreForWhatThePlayerDid) {
+    Session session(
+        gameData().registry, gameData().parts,
+        loadLevel(gameData().registry, levelsFolder() / "experiments/1-switched-electromagnet.json"));
+    Celebration celebration;
+    for (int i = 0; i < 180; ++i) {
+        session.step();
+        EXPECT_FALSE(celebration.noteStep(session));
+    }
+    EXPECT_TRUE(session.solved()) << "by itself";
+    EXPECT_FALSE(byPlayer(session));
 }
 
 } // namespace

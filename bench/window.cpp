@@ -1,0 +1,281 @@
+// What the window costs the processor: for each level a frame of its simulation and a picture of it, with its
+// first recorded solution; the start up to the title screen; and a window at rest.
+//
+//     bench_window [LEVEL...] [--runs N] [--rest SECONDS] [--markdown]
+//
+// All in processor time, because the machine is shared. Of a picture only the processor's side is measured:
+// OpenGL gets every command, and leaves the pixels out. Exit status 1 if a limit is exceeded. With --markdown
+// the page docs/measurements/window.md.
+#include "audio/effect/properties/sounds.hpp"
+#include "bench/window/clocks.hpp"
+#include "game/ui/app/game_loop.hpp"
+#include "game/ui/play/play_screen.hpp"
+#include "lua/mods/mod.hpp"
+#include "puzzle/data/game_data.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <CLI/CLI.hpp>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace trembler;
+namespace fs = std::filesystem;
+
+constexpr double mostPerFrame = 4;         // ms, of the simulation and of a picture
+constexpr double mostToTitle = 1;          // s
+constexpr double mostAtRest = 0.02;        // of a processor
+constexpr std::size_t framesOfLevel = 600; // at most
+constexpr std::size_t drawnEvery = 4;      // frames
+
+struct Arguments {
+    std::vector<fs::path> levels;
+    int runs = 3;
+    double rest = 3; // s
+    bool markdown = false;
+    bool title = false;
+};
+
+struct LevelCost {
+    std::string level;
+    bench::FrameTimes simulation;
+    bench::FrameTimes picture;
+};
+
+struct RestCost {
+    std::string where;
+    double share = 0;
+    std::uint64_t drawn = 0;
+};
+
+ui::GameOptions optionsOf(GameData const& data) {
+    return {.levels = data.home / "levels", .profile = {}, .world = {}, .steady = true};
+}
+
+std::size_t framesOf(LevelFile const& level) {
+    if (level.solutions.empty() || !level.solutions.front().frames) {
+        return framesOfLevel;
+    }
+    return std::min(static_cast<std::size_t>(*level.solutions.front().frames), framesOfLevel);
+}
+
+void simulate(GameData const& data, LevelFile const& level, LevelCost& cost) {
+    Session session(data.registry, data.parts, level, {});
+    if (!level.solutions.empty()) {
+        session.load(level.solutions.front());
+    }
+    session.start();
+    Subscription const heard = session.world().want<Sounds>(); // as in the window
+    for (std::size_t frame = 0; frame < framesOf(level); ++frame) {
+        cost.simulation.add(frame, bench::threadMilliseconds([&] { session.step(); }));
+    }
+}
+
+void draw(ui::GameApp& app, fs::path const& file, LevelCost& cost) {
+    app.open(file);
+    auto& play = dynamic_cast<ui::PlayScreen&>(app.screen());
+    LevelFile const level = play.session().level();
+    if (!level.solutions.empty()) {
+        play.session().load(level.solutions.front());
+        play.worldChanged();
+    }
+    play.commands().run("run");
+    app.frame(0, true); // pictures of parts, and other things that are made once
+    std::size_t drawn = 0;
+    for (std::size_t frame = 0; frame < framesOf(level); ++frame) {
+        app.frame(frameDuration, false);
+        if (frame % drawnEvery == 0) {
+            // No time passes, so this is drawing alone, with all cards and panels.
+            cost.picture.add(drawn++, bench::threadMilliseconds([&] { app.frame(0, true); }));
+        }
+    }
+}
+
+/// Leaves out what a graphics card would do: the corners of shapes, and all pixels.
+class WithoutCard {
+public:
+    WithoutCard() {
+        glEnable(GL_RASTERIZER_DISCARD);
+        epoxy_glDrawArraysInstanced = [](GLenum, GLint, GLsizei, GLsizei) {};
+    }
+    ~WithoutCard() {
+        epoxy_glDrawArraysInstanced = draw_;
+        glDisable(GL_RASTERIZER_DISCARD);
+    }
+    WithoutCard(WithoutCard const&) = delete;
+    WithoutCard& operator=(WithoutCard const&) = delete;
+
+private:
+    decltype(epoxy_glDrawArraysInstanced) draw_ = epoxy_glDrawArraysInstanced; // epoxy's own variable
+};
+
+std::vector<LevelCost> measureLevels(GameData const& data, Arguments const& arguments) {
+    render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
+    WithoutCard const withoutCard;
+    ui::GameApp app(window, data.registry, data.parts, optionsOf(data));
+    std::vector<LevelCost> all;
+    for (fs::path const& file : arguments.levels.empty() ? data.levels() : arguments.levels) {
+        if (!lua::modsNamedBy(file).empty()) {
+            continue;
+        }
+        LevelCost cost{fs::path(data.shortName(file)).replace_extension().string(), {}, {}};
+        LevelFile const level = loadLevel(data.registry, file);
+        for (int run = 0; run < arguments.runs; ++run) {
+            simulate(data, level, cost);
+            draw(app, file, cost);
+        }
+        std::fprintf(stderr, "%-48s frame %6.3f %6.3f ms, picture %6.3f %6.3f ms\n", cost.level.c_str(),
+                     cost.simulation.median(), cost.simulation.worst(), cost.picture.median(),
+                     cost.picture.worst());
+        all.push_back(std::move(cost));
+    }
+    return all;
+}
+
+/// All that happens before the first picture of the title is shown, but for the loudspeaker, which is opened
+/// by the sound system's own thread.
+int showTitle() {
+    GameData const data;
+    render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
+    ui::GameApp app(window, data.registry, data.parts, optionsOf(data));
+    app.frame(frameDuration, true);
+    std::_Exit(0);
+}
+
+/// s of processor time of a process that ends when the title has been shown, loading of the program included:
+/// the least of some runs.
+double timeToTitle(int runs) {
+    std::string const self = fs::read_symlink("/proc/self/exe").string();
+    double least = 1e300;
+    for (int run = 0; run < runs; ++run) {
+        std::string program = self;
+        std::string flag = "--title";
+        std::array<char*, 3> words{program.data(), flag.data(), nullptr};
+        pid_t child = 0;
+        if (posix_spawn(&child, self.c_str(), nullptr, nullptr, words.data(), environ) != 0) {
+            throw std::runtime_error("the program cannot be started");
+        }
+        rusage used{};
+        int status = 0;
+        if (wait4(child, &status, 0, &used) != child || status != 0) {
+            throw std::runtime_error("the title cannot be shown");
+        }
+        auto const seconds = [](timeval const& time) {
+            return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+        };
+        least = std::min(least, seconds(used.ru_utime) + seconds(used.ru_stime));
+    }
+    return least;
+}
+
+RestCost measureRest(std::string where, GameData const& data, double seconds, fs::path const& level,
+                     bool menu) {
+    render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
+    ui::GameApp app(window, data.registry, data.parts, optionsOf(data));
+    if (!level.empty()) {
+        app.open(level);
+    }
+    if (menu) {
+        app.openMenu(ui::MenuPage::main);
+    }
+    for (int i = 0; i < 1000 && !app.resting(); ++i) { // what moves at first ends
+        app.frame(0.1, false);
+    }
+    ui::GameLoop loop(app, window);
+    loop.turn();
+    std::uint64_t const drawn = loop.drawn();
+    double const begin = bench::secondsOf(CLOCK_MONOTONIC);
+    double const used = bench::secondsOf(CLOCK_PROCESS_CPUTIME_ID);
+    double passed = 0;
+    while (passed < seconds) {
+        loop.turn();
+        passed = bench::secondsOf(CLOCK_MONOTONIC) - begin;
+    }
+    return {std::move(where), (bench::secondsOf(CLOCK_PROCESS_CPUTIME_ID) - used) / passed,
+            loop.drawn() - drawn};
+}
+
+/// A number and its ratio to the limit, as cells of a table.
+std::string cells(double value, double limit, bool& held) {
+    held = held && value <= limit;
+    return fmt::format(" {:.3f} | {:.2f}{} |", value, value / limit, value <= limit ? "" : " **missed**");
+}
+
+constexpr char const* heading = R"(# What the window costs the processor
+
+This page is made by `build/bench/bench_window --markdown >docs/measurements/window.md`. Times are processor time, of each
+frame the least in some runs, as runs repeat to the bit. A *frame* is 1/60 s of the simulation on one thread, with the first
+recorded solution, and with what the window asks of the world, such as sounds. A *picture* is everything that the program does
+to show one at 1280×720, cards and panels included, up to the data that OpenGL gets; the graphics card's part is left out.
+*Worst* is what the worst 1 % of the frames take at least. *Of the limit* is a ratio: up to 1 the limit is held.
+)";
+
+bool printLevels(std::vector<LevelCost> const& all) {
+    bool held = true;
+    std::printf("\n## Levels\n\nThe limits are %g ms for a frame and %g ms for a picture.\n\n", mostPerFrame,
+                mostPerFrame);
+    std::puts("| level | frame, ms | worst | of the limit | picture, ms | worst | of the limit |");
+    std::puts("|---|---|---|---|---|---|---|");
+    for (LevelCost const& cost : all) {
+        std::printf("| %s | %.3f |%s %.3f |%s\n", cost.level.c_str(), cost.simulation.median(),
+                    cells(cost.simulation.worst(), mostPerFrame, held).c_str(), cost.picture.median(),
+                    cells(cost.picture.worst(), mostPerFrame, held).c_str());
+    }
+    return held;
+}
+
+bool printRest(double title, std::vector<RestCost> const& rests) {
+    bool held = true;
+    std::printf(
+        "\n## Start and rest\n\nA window at rest draws no picture that shows nothing new. The limits are "
+        "%g s to the title and %g of a processor at rest.\n\n",
+        mostToTitle, mostAtRest);
+    std::puts("| | measured | of the limit | pictures drawn |\n|---|---|---|---|");
+    std::printf("| from the start to the title, s |%s 1 |\n", cells(title, mostToTitle, held).c_str());
+    for (RestCost const& rest : rests) {
+        std::printf("| at rest: %s, share of a processor |%s %llu |\n", rest.where.c_str(),
+                    cells(rest.share, mostAtRest, held).c_str(), static_cast<unsigned long long>(rest.drawn));
+        held = held && rest.drawn == 0;
+    }
+    return held;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Arguments arguments;
+    CLI::App program("What the window costs the processor.");
+    program.add_option("LEVEL", arguments.levels, "Only these");
+    program.add_option("--runs", arguments.runs, "Of every level and of the start")
+        ->check(CLI::Range(1, 1000));
+    program.add_option("--rest", arguments.rest, "Seconds for which a window at rest is watched")
+        ->check(CLI::Range(0.5, 600.0));
+    program.add_flag("--markdown", arguments.markdown, "The page docs/measurements/window.md");
+    program.add_flag("--title", arguments.title, "Only show the title, and end");
+    CLI11_PARSE(program, argc, argv);
+    if (arguments.title) {
+        return showTitle();
+    }
+    GameData const data;
+    fs::path const level = data.home / "levels/first/1-first-contact.json";
+    std::vector<LevelCost> const levels = measureLevels(data, arguments);
+    double const title = timeToTitle(arguments.runs);
+    std::vector<RestCost> const rests{
+        measureRest("the title", data, arguments.rest, {}, false),
+        measureRest("a level", data, arguments.rest, level, false),
+        measureRest("the menu over a level", data, arguments.rest, level, true)};
+    if (arguments.markdown) {
+        std::fputs(heading, stdout);
+    }
+    bool const heldByLevels = printLevels(levels);
+    bool const heldAtRest = printRest(title, rests);
+    return heldByLevels && heldAtRest ? 0 : 1;
+}

@@ -1,0 +1,176 @@
+#include "game/app/options/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <sys/stat.h>
+
+namespace trembler {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char const* terminal = "-";
+
+/// Whether two names mean the same file. Existing files are compared by device and inode, so links are
+/// followed; files that do not exist yet by folder and name.
+bool sameFile(fs::path const& a, fs::path const& b) {
+    struct ::stat of {};
+    struct ::stat other {};
+    bool const aIs = ::stat(a.c_str(), &of) == 0;
+    bool const bIs = ::stat(b.c_str(), &other) == 0;
+    if (aIs != bIs) {
+        return false;
+    }
+    if (aIs) {
+        return of.st_dev == other.st_dev && of.st_ino == other.st_ino;
+    }
+    std::error_code error;
+    fs::path const one = fs::weakly_canonical(fs::absolute(fileBehind(a), error), error);
+    fs::path const two = fs::weakly_canonical(fs::absolute(fileBehind(b), error), error);
+    return one == two;
+}
+
+/// Whether the path is a character device such as /dev/null, to which several outputs may write.
+bool isDevice(fs::path const& path) {
+    struct ::stat is {};
+    return ::stat(path.c_str(), &is) == 0 && S_ISCHR(is.st_mode);
+}
+
+} // namespace
+
+CLI::Option* addFile(CLI::App& command, std::string const& option, OutputTarget& target,
+                     std::string const& meaning) {
+    return command
+        .add_option_function<std::string>(
+            option, [&target](std::string const& name) { target = name; }, meaning)
+        ->type_name("FILE");
+}
+
+CLI::Option* addOptionalFile(CLI::App& command, std::string const& option, OutputTarget& target,
+                             std::string const& meaning) {
+    return addFile(command, option, target, meaning)
+        ->expected(0, 1)
+        ->default_str(terminal)
+        ->type_name("[FILE]")
+        ->option_text("[FILE]");
+}
+
+void takeBack(std::string& argument, OutputTarget& target, char const* name) {
+    if (argument.empty() && target && *target != terminal) {
+        argument = *target;
+        target = terminal;
+    }
+    if (argument.empty()) {
+        throw CLI::RequiredError(name);
+    }
+}
+
+void takeBack(std::vector<std::string>& arguments, OutputTarget& target) {
+    if (arguments.empty() && target && !target->empty() && *target != terminal) {
+        arguments.push_back(*target);
+        target = terminal;
+    }
+}
+
+void checkFolderName(std::string const& option, std::string const& folder) {
+    if (folder.empty()) {
+        throw OutputError(option + ": the folder's name is empty");
+    }
+    if (folder == terminal) {
+        throw OutputError(fmt::format("{0} {1}: the terminal is no folder; a folder of this name is ./{1}",
+                                      option, folder));
+    }
+}
+
+void Outputs::reads(fs::path const& file) {
+    inputs_.push_back({"", file, nullptr});
+}
+
+void Outputs::claimFile(std::string const& option, OutputTarget const& target, std::string const& expected) {
+    if (!target) {
+        return;
+    }
+    if (*target == terminal) {
+        throw OutputError(
+            fmt::format("{} {}: cannot be written to the terminal; expected {}", option, *target, expected));
+    }
+    claim(option, *target, "expected " + expected);
+}
+
+void Outputs::claim(std::string const& option, std::string const& target, std::string const& expected) {
+    std::string const what = option + " " + target;
+    if (target.empty()) {
+        throw OutputError(fmt::format("{}: the file's name is empty; {}", option, expected));
+    }
+    bool const toTerminal = target == terminal;
+    for (Claim const& input : inputs_) {
+        if (!toTerminal && sameFile(target, input.path)) {
+            throw OutputError(
+                fmt::format("{}: this is the input {}, which is not overwritten", what, input.path.string()));
+        }
+    }
+    for (Claim const& other : outputs_) {
+        bool const same = toTerminal
+                              ? other.path == terminal
+                              : other.path != terminal && sameFile(target, other.path) && !isDevice(target);
+        if (same) {
+            throw OutputError(
+                fmt::format("{}: {} writes to the same file; expected different files", what, other.what));
+        }
+    }
+    terminalTaken_ = terminalTaken_ || toTerminal;
+    outputs_.push_back({what, target, nullptr});
+}
+
+OutputFile* Outputs::add(std::string const& option, OutputTarget const& target, OutputFile::Content content) {
+    if (!target) {
+        return nullptr;
+    }
+    claim(option, *target, "\"-\" is the terminal");
+    try {
+        outputs_.back().file = std::make_unique<OutputFile>(*target, content);
+    } catch (OutputError const& error) {
+        throw OutputError(option + " " + error.what());
+    }
+    return outputs_.back().file.get();
+}
+
+void Outputs::drop(OutputFile const& output) {
+    for (Claim& claimed : outputs_) {
+        if (claimed.file.get() == &output) {
+            claimed.file.reset();
+            return;
+        }
+    }
+}
+
+std::ostream& Outputs::words() const {
+    return terminalTaken_ ? std::cerr : std::cout;
+}
+
+void Outputs::check() {
+    for (Claim const& output : outputs_) {
+        try {
+            if (output.file) {
+                output.file->check();
+            }
+        } catch (OutputError const& error) {
+            throw OutputError(output.what.substr(0, output.what.find(' ') + 1) + error.what());
+        }
+    }
+}
+
+void Outputs::finish() {
+    for (Claim const& output : outputs_) {
+        try {
+            if (output.file) {
+                output.file->commit();
+            }
+        } catch (OutputError const& error) {
+            throw OutputError(output.what.substr(0, output.what.find(' ') + 1) + error.what());
+        }
+    }
+}
+
+} // namespace trembler

@@ -1,0 +1,38 @@
+// The page of a level's solutions: load, rename, delete.
+#pragma once
+
+#include "game/ui/play/keeping/solution_shelf.hpp"
+#include "game/ui/shared/ui_context.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace trembler::ui {
+
+/// Window thread only.
+class SolutionsPage {
+public:
+    enum class Choice : std::uint8_t { stay, back, loaded };
+
+    /// To be called when the page is opened.
+    void open(SolutionShelf& shelf);
+    /// Call between Gui::beginFrame and endFrame.
+    Choice draw(UiContext& context, SolutionShelf& shelf);
+    /// A name is being typed: keys have no other meaning.
+    [[nodiscard]] bool typing() const { return renamed_.has_value(); }
+    /// Ends the typing without a change. False if nothing is being typed.
+    bool cancel();
+
+private:
+    void startRenaming(SolutionShelf const& shelf, std::size_t index);
+    Choice drawRow(UiContext& context, SolutionShelf& shelf, std::size_t index);
+    void drawName(UiContext& context, SolutionShelf& shelf, std::size_t index);
+
+    std::optional<std::size_t> renamed_; // the row whose name is being typed
+    std::optional<std::size_t> asked_;   // the row that is to be deleted, if the player says so again
+    bool focuses_ = false;               // the text field gets the keys in the next picture
+    std::array<char, 101> name_{};
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,85 @@
+#include "game/ui/play/keeping/solution_shelf.hpp"
+
+#include "puzzle/solutions/solution_file.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <set>
+
+namespace trembler::ui {
+namespace {
+
+std::string_view actionOf(RecordedInput const& input) {
+    switch (input.kind) {
+    case PlayerInput::Kind::grab:
+        return "grab";
+    case PlayerInput::Kind::cut:
+        return "cut";
+    case PlayerInput::Kind::remove:
+        return "remove";
+    case PlayerInput::Kind::move:
+    case PlayerInput::Kind::release:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
+bool SolutionShelf::isFound(Solution const& recorded) const {
+    std::set<std::string> parts;
+    for (Placement const& placement : recorded.placements) {
+        parts.insert(placement.part);
+    }
+    std::set<std::string> actions;
+    for (RecordedInput const& input : recorded.inputs) {
+        if (auto const action = actionOf(input); !action.empty()) {
+            actions.emplace(action);
+        }
+    }
+    auto const& kinds = progress_.of(id_).kinds;
+    return recorded.solves && std::any_of(kinds.begin(), kinds.end(), [&](SolutionKind const& kind) {
+               return kind.parts == parts && kind.actions == actions;
+           });
+}
+
+void SolutionShelf::refresh() {
+    mine_ = saved_.of(id_);
+    items_.clear();
+    for (SavedSolution const& saved : mine_) {
+        items_.push_back({saved.name, true});
+    }
+    for (Solution const& recorded : session_.level().solutions) {
+        if (isFound(recorded)) {
+            items_.push_back({recorded.name, false});
+        }
+    }
+}
+
+std::string SolutionShelf::load(std::size_t index) {
+    try {
+        std::string const source = index < mine_.size() ? mine_[index].file.string() : items_.at(index).name;
+        load_(findOrLoadSolution(registry_, session_.level(), source));
+    } catch (std::exception const& error) {
+        return error.what();
+    }
+    return {};
+}
+
+std::string SolutionShelf::rename(std::size_t index, std::string const& name) {
+    try {
+        SavedSolutions::rename(mine_.at(index), name);
+    } catch (std::exception const& error) {
+        return error.what();
+    }
+    refresh();
+    return {};
+}
+
+std::string SolutionShelf::remove(std::size_t index) {
+    std::string why = SavedSolutions::remove(mine_.at(index));
+    refresh();
+    return why;
+}
+
+} // namespace trembler::ui

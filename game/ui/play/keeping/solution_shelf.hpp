@@ -1,0 +1,53 @@
+// The solutions of the present level that the player can load: saved ones, and recorded ones that were found.
+#pragma once
+
+#include "game/ui/shared/saved_solutions.hpp"
+#include "puzzle/campaign/progress.hpp"
+#include "puzzle/session/session.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace trembler::ui {
+
+/// Window thread only.
+class SolutionShelf {
+public:
+    struct Item {
+        std::string name;
+        bool mine = true; ///< saved by the player, else recorded in the level
+    };
+
+    /// `load` places a solution; it throws InputError if that does not fit. All must outlive this.
+    SolutionShelf(SavedSolutions const& saved, std::string levelId, Registry const& registry,
+                  Session const& session, CampaignProgress const& progress,
+                  std::function<void(Solution const&)> load)
+        : saved_(saved), id_(std::move(levelId)), registry_(registry), session_(session), progress_(progress),
+          load_(std::move(load)) {}
+
+    /// Looks at the files and at what has been found.
+    void refresh();
+    [[nodiscard]] std::vector<Item> const& items() const { return items_; }
+
+    // Each returns a sentence for the player if it is not possible, else an empty text. `index` is that of
+    // items().
+    [[nodiscard]] std::string load(std::size_t index);
+    /// Of one's own only.
+    [[nodiscard]] std::string rename(std::size_t index, std::string const& name);
+    [[nodiscard]] std::string remove(std::size_t index);
+
+private:
+    [[nodiscard]] bool isFound(Solution const& recorded) const;
+
+    SavedSolutions const& saved_;
+    std::string id_;
+    Registry const& registry_;
+    Session const& session_;
+    CampaignProgress const& progress_;
+    std::function<void(Solution const&)> load_;
+    std::vector<SavedSolution> mine_;
+    std::vector<Item> items_; // mine_, then recorded ones
+};
+
+} // namespace trembler::ui

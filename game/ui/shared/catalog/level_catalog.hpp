@@ -1,0 +1,81 @@
+// All playable levels, in the order in which they are meant to be played.
+#pragma once
+
+#include "puzzle/campaign/progress.hpp"
+#include "puzzle/data/game_data.hpp"
+#include "runtime/world/registry.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler::ui {
+
+struct CatalogEntry {
+    std::filesystem::path file;
+    std::string id;             ///< path below the levels' folder, for example "first/1-first-contact.json"
+    std::string title;          ///< from the file; the file's name if it cannot be read
+    std::string trouble;        ///< why it cannot be played, as a sentence for the player; empty if it can
+    bool demonstration = false; ///< reaches its goals by itself
+    bool task = false;          ///< a demonstration with something to do
+    Translations texts{};       ///< its title in further languages
+};
+
+/// One folder of levels.
+struct CatalogGroup {
+    std::string title; ///< for example "First steps"
+    std::string text;  ///< a sentence below it, or the reason why its chapter.json cannot be read
+    bool gallery = false;
+    std::vector<CatalogEntry> levels;
+    Translations texts{}; ///< title and text in further languages
+};
+
+/// Levels that name mods, and levels of mods.
+struct CatalogMods {
+    /// What a level is read with, nullptr if it names no mods; throws InputError. Empty: a level that names
+    /// mods cannot be played.
+    std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> data{};
+    std::vector<std::filesystem::path> mods{}; ///< each the folder of a mod: its levels are listed, too
+};
+
+/// Reads all levels once, in the constructor. A faulty level never throws: it is listed with its trouble.
+class LevelCatalog {
+public:
+    LevelCatalog() = default;
+    /// Every level below `folder`, grouped by its folder; a number at the start of a name determines its
+    /// place. A folder's chapter.json states its title and its place among the groups, see chapter.hpp.
+    /// Those of mods come last, a group for each mod.
+    LevelCatalog(Registry const& registry, std::filesystem::path const& folder, CatalogMods const& mods = {});
+
+    [[nodiscard]] std::vector<CatalogGroup> const& groups() const { return groups_; }
+    [[nodiscard]] std::size_t size() const;
+    /// The entry of a file, or nullptr if it is not in the catalog.
+    [[nodiscard]] CatalogEntry const* find(std::filesystem::path const& file) const;
+    /// The next playable level after the file, in its group or a later one, or nullptr. After a puzzle
+    /// comes no demonstration of a gallery, and after a demonstration only another of its gallery.
+    [[nodiscard]] CatalogEntry const* after(std::filesystem::path const& file) const;
+    /// The puzzle to play next: the first playable one after the file that is not solved, else the first of
+    /// all that is not; nullptr if all are. Empty `file`: the first that is not solved. After a demonstration
+    /// of a gallery the same as after().
+    [[nodiscard]] CatalogEntry const* next(CampaignProgress const& progress,
+                                           std::filesystem::path const& file = {}) const;
+    /// Whether the file is a level of a gallery of demonstrations.
+    [[nodiscard]] bool inGallery(std::filesystem::path const& file) const;
+    /// How many playable puzzles there are, demonstrations of galleries and levels of mods not among them.
+    [[nodiscard]] std::size_t puzzles() const;
+
+private:
+    [[nodiscard]] CatalogGroup const* groupOf(CatalogEntry const* entry) const;
+
+    std::vector<CatalogGroup> groups_;
+    std::size_t ofMods_ = 0; // groups at the end that are those of mods
+};
+
+/// Whether `a` comes before `b` if digits are compared as numbers ("2-x" before "10-x").
+[[nodiscard]] bool naturallyBefore(std::string_view a, std::string_view b);
+
+} // namespace trembler::ui

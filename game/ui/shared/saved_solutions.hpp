@@ -1,0 +1,41 @@
+// The solutions that the player has saved: a file for each, in a folder for each level.
+#pragma once
+
+#include "puzzle/campaign/kept_builds.hpp"
+#include "runtime/level/model/level.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace trembler::ui {
+
+/// A file that `trembler run LEVEL --solution FILE` plays, too.
+struct SavedSolution {
+    std::filesystem::path file;
+    std::string name; ///< as the file states it
+};
+
+/// Not thread-safe.
+class SavedSolutions {
+public:
+    /// `folder` is made when the first solution is saved.
+    explicit SavedSolutions(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// Those of a level, in the order in which they were saved. Files that are none are left out.
+    [[nodiscard]] std::vector<SavedSolution> of(std::string const& levelId) const;
+    /// Writes a new file and returns its path. Throws OutputError.
+    [[nodiscard]] std::filesystem::path save(std::string const& levelId, Solution const& solution) const;
+    /// Gives a solution another name; its file keeps its own. Throws OutputError, or InputError if the file
+    /// can no longer be read.
+    static void rename(SavedSolution const& saved, std::string const& name);
+    /// Returns why that is not possible; empty if it was done.
+    [[nodiscard]] static std::string remove(SavedSolution const& saved);
+
+private:
+    [[nodiscard]] std::filesystem::path folderOf(std::string const& levelId) const;
+
+    std::filesystem::path folder_;
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,27 @@
+// Common to the targets that take bytes for a file.
+#pragma once
+
+#include "puzzle/data/game_data.hpp"
+#include "runtime/level/json/json_document.hpp"
+#include "runtime/level/model/level.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler::files {
+
+[[nodiscard]] GameData const& gameData();
+/// Throws std::logic_error if a problem is told without a word about what it is.
+void requireWords(InputError const& error);
+/// A folder of this process alone, for files that are read by their names.
+[[nodiscard]] std::filesystem::path ownFolder();
+void write(std::filesystem::path const& file, std::string_view bytes);
+/// Opens a level, with a solution if one is stated, and runs it; the hash of every frame. Throws InputError,
+/// or std::logic_error if a number of the world is none.
+[[nodiscard]] std::vector<std::uint64_t> hashesOf(LevelFile const& level, PartLibrary const& parts,
+                                                  Solution const* solution, int frames, int threads);
+
+} // namespace trembler::files

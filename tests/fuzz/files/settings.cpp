@@ -1,0 +1,53 @@
+#include "game/ui/app/command_lists.hpp"
+#include "game/ui/commands/key_bindings.hpp"
+#include "game/ui/shared/profile.hpp"
+#include "tests/fuzz/files/kit.hpp"
+#include "tests/fuzz/play.hpp"
+#include "tests/fuzz/targets.hpp"
+
+namespace trembler::files {
+namespace {
+
+void requireRanges(ui::Settings const& settings) {
+    lua::require(settings.uiScale >= 0.5F && settings.uiScale <= 3.F, "the interface has no size");
+    for (int const percent : {settings.volume, settings.touches}) {
+        lua::require(percent >= 0 && percent <= 100, "a volume is no percentage");
+    }
+}
+
+bool same(ui::Settings const& a, ui::Settings const& b) {
+    return a.uiScale == b.uiScale && a.shadows == b.shadows && a.shadowsChosen == b.shadowsChosen &&
+           a.fullscreen == b.fullscreen && a.names == b.names && a.volume == b.volume &&
+           a.touches == b.touches && a.hrtf == b.hrtf && a.reducedMotion == b.reducedMotion &&
+           a.language == b.language;
+}
+
+} // namespace
+
+void fuzzSettings(std::string_view bytes) {
+    std::filesystem::path const file = ownFolder() / "profile.json";
+    write(file, bytes);
+    ui::Profile profile(file);
+    requireRanges(profile.settings());
+    ui::KeyBindings keys(ui::commandLists());
+    for (std::string const& trouble : keys.load(profile.keys())) {
+        lua::require(!trouble.empty(), "a problem says nothing");
+    }
+    for (ui::CommandInfo const* const info : keys.commands()) {
+        for (ui::Chord const& chord : keys.keysOf(info->id)) {
+            lua::require(ui::chordFrom(ui::nameOf(chord)) == chord, "a key has no name");
+        }
+    }
+    // What is written is read as it was, and is bound as it was.
+    profile.setKeys(keys.stated());
+    profile.markSolved("first/1-first-contact.json");
+    ui::Profile const again(file);
+    lua::require(same(profile.settings(), again.settings()), "settings change when they are saved");
+    lua::require(again.keys() == keys.stated(), "keys change when they are saved");
+    lua::require(again.progress().written() == profile.progress().written(),
+                 "progress changes when it is saved");
+    ui::KeyBindings other(ui::commandLists());
+    lua::require(other.load(again.keys()).empty(), "keys that were saved cannot be loaded");
+}
+
+} // namespace trembler::files

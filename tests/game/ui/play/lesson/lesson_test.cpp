@@ -1,0 +1,151 @@
+// The first level teaches by doing: with the mouse, with keys, with a gamepad.
+#include "game/ui/play/lesson/lesson.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "tests/game/ui/virtual_pad.hpp"
+
+namespace trembler::ui::test {
+namespace lesson_test {
+namespace {
+
+using Kind = TeachingStep::Kind;
+
+auto const firstLevel = levelsFolder() / "first/1-first-contact.json";
+
+std::optional<Kind> shownIn(Player& player) {
+    TeachingStep const* const step = player.play().lesson().step();
+    return step == nullptr ? std::nullopt : std::optional(step->kind);
+}
+
+Vec2 goalOf(Player& player) {
+    return player.session().level().teaching.front().at;
+}
+
+void expectSolved(Player& player) {
+    EXPECT_FALSE(shownIn(player)) << "nothing is left to be shown";
+    player.simulate(600);
+    EXPECT_TRUE(player.session().solved());
+    EXPECT_TRUE(player.play().lesson().over());
+}
+
+TEST(FirstLesson, ByMouse) {
+    Player player;
+    player.open(firstLevel);
+    player.frames(30);
+    ASSERT_EQ(shownIn(player), Kind::place);
+    EXPECT_EQ(player.play().lesson().device(), InputDevice::mouse);
+    player.look("lesson-1-720");
+    player.drag(player.item("part steel bar"), player.at(goalOf(player) + Vec2{1, 0.5}));
+    ASSERT_EQ(player.session().placed().size(), 1U);
+    player.frames(30);
+    EXPECT_EQ(shownIn(player), Kind::place) << "it lies elsewhere";
+    player.look("lesson-2-720");
+    player.drag(player.at(player.session().placed()[0].placement.at), player.at(goalOf(player)));
+    player.frames(30);
+    EXPECT_EQ(shownIn(player), Kind::run);
+    player.look("lesson-3-720");
+    player.clickItem("run");
+    expectSolved(player);
+}
+
+TEST(FirstLesson, ByKeys) {
+    Player player;
+    player.open(firstLevel);
+    player.key(SDLK_t);
+    ASSERT_EQ(shownIn(player), Kind::place);
+    EXPECT_EQ(player.play().lesson().device(), InputDevice::keys);
+    player.look("lesson-keys-720");
+    auto const& pointer = player.play().keyPointer();
+    for (int i = 0; i < 200 && std::abs(pointer.at().x - goalOf(player).x) > 0.03; ++i) {
+        player.key(pointer.at().x > goalOf(player).x ? SDLK_LEFT : SDLK_RIGHT);
+    }
+    for (int i = 0; i < 200 && std::abs(pointer.at().y - goalOf(player).y) > 0.03; ++i) {
+        player.key(pointer.at().y > goalOf(player).y ? SDLK_DOWN : SDLK_UP);
+    }
+    player.key(SDLK_RETURN);
+    player.frames(2);
+    EXPECT_EQ(shownIn(player), Kind::run);
+    player.key(SDLK_SPACE);
+    expectSolved(player);
+}
+
+TEST(FirstLesson, ByGamepad) {
+    Player player;
+    VirtualPad const pad;
+    if (!pad.works()) {
+        GTEST_SKIP() << "SDL has no virtual gamepads here: " << SDL_GetError();
+    }
+    player.open(firstLevel);
+    pad.push(player, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 30000);
+    ASSERT_TRUE(player.play().placing().carried());
+    EXPECT_EQ(player.play().lesson().device(), InputDevice::pad);
+    auto const& pointer = player.play().keyPointer();
+    auto const button = [&](double way, SDL_GameControllerButton more, SDL_GameControllerButton less) {
+        return way > 0 ? more : less;
+    };
+    for (int i = 0; i < 200 && std::abs(goalOf(player).x - pointer.at().x) > 0.03; ++i) {
+        pad.press(player, button(goalOf(player).x - pointer.at().x, SDL_CONTROLLER_BUTTON_DPAD_RIGHT,
+                                 SDL_CONTROLLER_BUTTON_DPAD_LEFT));
+    }
+    for (int i = 0; i < 200 && std::abs(goalOf(player).y - pointer.at().y) > 0.03; ++i) {
+        pad.press(player, button(goalOf(player).y - pointer.at().y, SDL_CONTROLLER_BUTTON_DPAD_UP,
+                                 SDL_CONTROLLER_BUTTON_DPAD_DOWN));
+    }
+    pad.press(player, SDL_CONTROLLER_BUTTON_A);
+    EXPECT_EQ(shownIn(player), Kind::run);
+    player.look("lesson-pad-720");
+    pad.press(player, SDL_CONTROLLER_BUTTON_X);
+    expectSolved(player);
+}
+
+TEST(FirstLesson, ComesToRestAndIsNotRepeatedOnceTheLevelIsSolved) {
+    Player player;
+    player.open(firstLevel);
+    EXPECT_TRUE(player.play().lesson().moving());
+    for (int i = 0; i < 14; ++i) {
+        player.app().frame(1);
+    }
+    EXPECT_FALSE(player.play().lesson().moving()) << "at rest no picture is drawn that shows nothing new";
+    EXPECT_EQ(shownIn(player), Kind::place);
+    player.app().context().profile.markSolved("first/1-first-contact.json");
+    player.open(firstLevel);
+    EXPECT_FALSE(shownIn(player));
+}
+
+/// Steps of every kind, one after the other.
+TEST(Lessons, FollowWhatIsDone) {
+    Session session(gameData().registry, gameData().parts, [] {
+        LevelFile level = loadLevel(gameData().registry, dataFolder() / "wires.json");
+        TeachingStep wire;
+        wire.kind = Kind::wire;
+        wire.object = "plus";
+        wire.other = "lamp";
+        TeachingStep run;
+        run.kind = Kind::run;
+        TeachingStep cut = wire;
+        cut.kind = Kind::cut;
+        level.teaching = {wire, run, cut};
+        return level;
+    }());
+    Lesson lesson(session, true);
+    auto const shown = [&] {
+        lesson.look({}, 0.1);
+        return lesson.step() == nullptr ? std::nullopt : std::optional(lesson.step()->kind);
+    };
+    EXPECT_EQ(shown(), Kind::wire);
+    auto const find = [&](char const* name) { return session.world().store().find(name); };
+    ASSERT_TRUE(session.layWire(find("lamp"), find("plus")));
+    EXPECT_EQ(shown(), Kind::run);
+    ASSERT_TRUE(session.undo());
+    EXPECT_EQ(shown(), Kind::wire) << "it was taken away again";
+    ASSERT_TRUE(session.redo());
+    session.start();
+    EXPECT_EQ(shown(), Kind::cut);
+    session.feed({PlayerInput::Kind::cut, find("lamp"), find("plus"), {}});
+    session.step();
+    EXPECT_EQ(shown(), std::nullopt);
+    EXPECT_TRUE(lesson.over());
+}
+
+} // namespace
+} // namespace lesson_test
+} // namespace trembler::ui::test

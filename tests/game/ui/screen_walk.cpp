@@ -1,0 +1,163 @@
+#include "tests/game/ui/screen_walk.hpp"
+
+#include "game/ui/app/title_screen.hpp"
+
+#include <array>
+#include <utility>
+
+namespace trembler::ui::test {
+namespace {
+
+/// Enough that cards know their size and tips that fade are gone.
+constexpr int settled = 8;
+
+auto const walkedLevel = levelsFolder() / "first/1-first-contact.json";
+
+void lookAtMenu(Player& player, MenuPage page, std::string const& name, Look const& look) {
+    player.app().show(std::make_unique<TitleScreen>(player.app().context()));
+    player.frames(2);
+    player.app().openMenu(page);
+    player.frames(settled);
+    look(name);
+    player.key(SDLK_ESCAPE);
+}
+
+/// The pointer where it shows no tip and touches nothing.
+void restPointer(Player& player) {
+    render::Size const size = window().size();
+    player.moveTo({0.5 * size.width, size.height - 2.0});
+    player.frames(settled);
+}
+
+} // namespace
+
+void walkMenus(Player& player, Look const& look) {
+    player.app().showTitle();
+    restPointer(player);
+    look("title");
+    for (auto const& [page, name] :
+         {std::pair{MenuPage::levels, "levels"}, std::pair{MenuPage::gallery, "gallery"},
+          std::pair{MenuPage::settings, "settings"}, std::pair{MenuPage::keys, "keys"},
+          std::pair{MenuPage::help, "help"}, std::pair{MenuPage::ending, "ending"}}) {
+        lookAtMenu(player, page, name, look);
+    }
+}
+
+void walkLevel(Player& player, Look const& look) {
+    player.open(walkedLevel);
+    restPointer(player);
+    look("level");
+    player.moveTo(player.item("part steel bar"));
+    player.press();
+    player.moveTo(player.at({1.7, 1.8}));
+    player.frames(2);
+    look("level-refused");
+    player.moveTo(player.at({-1.8, 1.3}));
+    player.release();
+    for (int hint = 0; hint < 3; ++hint) {
+        player.key(SDLK_h);
+    }
+    restPointer(player);
+    look("level-placed");
+    player.key(SDLK_n);
+    player.click(player.at({1.7, 1.7}));
+    restPointer(player);
+    look("level-inspector");
+    player.key(SDLK_ESCAPE);
+    player.key(SDLK_n);
+    player.key(SDLK_SPACE);
+    player.simulate(40);
+    player.frames(2);
+    look("level-running");
+    player.key(SDLK_ESCAPE);
+    player.frames(settled);
+    look("level-menu");
+    player.key(SDLK_ESCAPE);
+    player.simulate(400);
+    ASSERT_TRUE(player.session().solved());
+    player.frames(60); // the seal has come to rest
+    look("level-solved");
+}
+
+void walkOthers(Player& player, Look const& look) {
+    player.open(levelsFolder() / "experiments/1-switched-electromagnet.json");
+    player.key(SDLK_SPACE);
+    player.simulate(64);
+    for (SDL_Keycode const overlay : {SDLK_1, SDLK_2, SDLK_3, SDLK_n}) {
+        player.key(overlay);
+    }
+    player.key(SDLK_p);
+    restPointer(player);
+    look("experiment-paused");
+    player.key(SDLK_p);
+    player.simulate(200);
+    ASSERT_TRUE(player.session().solved());
+    restPointer(player);
+    player.frames(60);
+    look("experiment-solved");
+    player.clickItem("keep playing");
+    player.key(SDLK_n);
+    player.key(SDLK_c);
+    restPointer(player);
+    look("components");
+    player.open(dataFolder() / "breeze.json");
+    player.key(SDLK_m);
+    player.frames(4);
+    player.clickItem("script Dynamics <- Breeze");
+    restPointer(player);
+    look("mods");
+    player.open(walkedLevel);
+    player.key(SDLK_c);
+    restPointer(player);
+    look("components-building");
+    player.open(levelsFolder() / "2-electricity/1-both-gaps.json");
+    restPointer(player);
+    look("level-wires");
+    player.open(levelsFolder() / "5-everything/2-the-gate.json");
+    restPointer(player);
+    look("level-gate");
+    player.app().showTitle();
+    player.frames(3);
+    player.clickItem("free play");
+    restPointer(player);
+    look("free-play");
+}
+
+void walkEditor(Player& player, Look const& look) {
+    auto const copy = testFolder() / walkedLevel.filename();
+    std::filesystem::copy_file(walkedLevel, copy, std::filesystem::copy_options::overwrite_existing);
+    player.app().edit(copy);
+    player.frames(4);
+    auto const press = [&](SDL_Keycode key) {
+        player.key(key);
+        restPointer(player);
+    };
+    press(SDLK_F2);
+    look("edit-parts");
+    press(SDLK_F3);
+    look("edit-outline");
+    player.clickItem("object beam");
+    press(SDLK_F4);
+    look("edit-properties");
+    press(SDLK_F5);
+    player.clickItem("goal /all/1");
+    restPointer(player);
+    look("edit-goals");
+    press(SDLK_F6);
+    look("edit-level");
+    press(SDLK_F7);
+    look("edit-solutions");
+    press(SDLK_F8);
+    look("edit-problems");
+    player.key(SDLK_p, KMOD_LCTRL);
+    player.frames(settled);
+    look("edit-commands");
+    player.key(SDLK_ESCAPE);
+    player.frames(2);
+    press(SDLK_SPACE);
+    look("edit-test");
+    player.key(SDLK_ESCAPE);
+    player.frames(4);
+}
+
+} // namespace trembler::ui::test
