@@ -17,6 +17,12 @@ public:
         if (out_.empty() || out_ == maker || !makerIsTheHosts() || !outIsTheParameter()) {
             return {};
         }
+        // A table with a metatable could answer the subtraction with a number, where vec2() refuses it.
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            if (token(i).is("setmetatable")) {
+                return {};
+            }
+        }
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
             if (isVariable(i, out_) && token(i + 1).is(".") && isName(i + 2) && token(i + 3).is("(")) {
                 auto const call = arguments_.calls.find(token(i + 2).text);

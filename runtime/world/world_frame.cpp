@@ -31,6 +31,7 @@ void World::step(PartLook const& look) {
     Raised const raised(underWay_);
     now_ = {now_.frame + 1, 1, 1, now_.step + 1};
     ticks_ = (now_.frame - 1) * ticksPerFrame;
+    settledTicks_ = ticks_; // differs only after a component's exception in the last frame
     now_.parts = chooseParts();
     for (SlotBase* const slot : news_) {
         slot->beginFrame();

@@ -91,8 +91,9 @@ void World::runPhase(ComponentKind kind) {
         if (runs) {
             running.push_back(turn.entry);
         } else {
-            turn.quiet = entry.status.activity == Activity::asleep && entry.status.period == 1 &&
-                         entry.shortcuts.empty();
+            // One whose turn is not in this phase at all, such as the frame's divider, has not been asked.
+            turn.quiet = hasTurn(entry) && entry.status.activity == Activity::asleep &&
+                         entry.status.period == 1 && entry.shortcuts.empty();
         }
     }
     auto const takeTurn = [&](std::size_t n) {

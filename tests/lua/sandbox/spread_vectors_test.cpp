@@ -55,7 +55,9 @@ TEST(SpreadVectors, AreNoOthers) {
           "local q, vec2 (p)() out.push(o, vec2(1, 2))", "vec2 = p out.push(o, vec2(1, 2))",
           "local function vec2(x, y) end out.push(o, vec2(1, 2))",
           "local function f(vec2) out.push(o, vec2(1, 2)) end",
-          "for vec2 = 1, 2 do out.push(o, vec2(1, 2)) end"}) {
+          "for vec2 = 1, 2 do out.push(o, vec2(1, 2)) end",
+          // A table may answer a subtraction.
+          "local t = setmetatable({}, p) out.push(o, vec2(t, 2))"}) {
         std::optional<BlockFault> fault;
         std::string const text = applyOf(body);
         EXPECT_EQ(spread(text), [&] {

@@ -105,6 +105,35 @@ TEST(Channel, ClearsSingleCallsOnceCarriedOutAndHeldOnesByTheirSource) {
     EXPECT_TRUE(holds(channel).empty());
 }
 
+// Only sources that have made calls since are looked at, and a new set of sources is looked at as a whole.
+TEST(Channel, ClearsWhatEachSourceHasMadeSinceTheLastTime) {
+    Source first;
+    Source second;
+    Channel<HeatRole> channel;
+    channel.add(&first);
+    channel.add(&second);
+    strike(first, 0, 1);
+    ++first.version;
+    hold(second, 0, 2);
+    ++second.version;
+    channel.clearOnce();
+    strike(second, 0, 3);
+    ++second.version;
+    channel.clearOnce();
+    EXPECT_TRUE(strikes(channel).empty());
+    EXPECT_EQ(holds(channel), std::vector<double>{2});
+
+    Source third; // in the place of the first one, with its version
+    third.version = first.version;
+    strike(third, 0, 4);
+    channel.clearSources();
+    channel.add(&third);
+    channel.add(&second);
+    EXPECT_EQ(strikes(channel), std::vector<double>{4});
+    channel.clearOnce();
+    EXPECT_TRUE(strikes(channel).empty());
+}
+
 // No sequence of changes to the sources repeats a version.
 TEST(Channel, NoVersionIsRepeated) {
     EXPECT_TRUE(rc::check([](std::vector<std::uint8_t> const& deeds) {
