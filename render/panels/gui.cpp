@@ -124,7 +124,9 @@ namespace {
 /// lowest list from a reset of the render state on; before it are the shadows of cards.
 void renderLists(ImDrawData& all, bool beneath) {
     ImDrawList const* const lowest = ImGui::GetBackgroundDrawList();
-    std::vector<std::pair<ImDrawList*, ImVector<ImDrawCmd>>> whole;
+    // Copies of an empty ImVector pass a null pointer to memcpy, so all of them are made here and never
+    // copied.
+    std::vector<ImVector<ImDrawCmd>> whole(static_cast<std::size_t>(all.CmdListsCount));
     for (int i = 0; i < all.CmdListsCount; ++i) {
         ImDrawList* const list = all.CmdLists[i];
         ImVector<ImDrawCmd> seen;
@@ -136,12 +138,11 @@ void renderLists(ImDrawData& all, bool beneath) {
             }
         }
         list->CmdBuffer.swap(seen);
-        whole.emplace_back(list, ImVector<ImDrawCmd>());
-        whole.back().second.swap(seen);
+        whole[static_cast<std::size_t>(i)].swap(seen);
     }
     ImGui_ImplOpenGL3_RenderDrawData(&all);
-    for (auto& [list, commands] : whole) {
-        list->CmdBuffer.swap(commands);
+    for (int i = 0; i < all.CmdListsCount; ++i) {
+        all.CmdLists[i]->CmdBuffer.swap(whole[static_cast<std::size_t>(i)]);
     }
 }
 

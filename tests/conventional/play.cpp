@@ -68,7 +68,8 @@ Stage::Stage() {
 nlohmann::json Stage::levelOf(std::string const& file) const {
     std::ifstream in(std::filesystem::path(TREMBLER_SOURCE_DIR) / file);
     nlohmann::json level = nlohmann::json::parse(in);
-    for (char const* key : {"solutions", "goals", "toolbox", "hints", "placing", "demonstration"}) {
+    for (char const* key :
+         {"solutions", "goals", "toolbox", "hints", "placing", "demonstration", "task", "texts"}) {
         level.erase(key);
     }
     return level;

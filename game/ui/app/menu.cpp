@@ -46,9 +46,13 @@ char const* pageName(MenuPage page) {
     return "";
 }
 
-/// A button as wide as the card, with the text of that id.
-bool wide(UiContext& context, char const* id, Icon icon, ButtonLook look = ButtonLook::Quiet) {
-    bool const clicked = bigButton(text(id), {.icon = icon, .look = look, .width = -1});
+constexpr float menuWidth = 340;
+constexpr float between = 8; // two buttons in one row
+
+/// A button with the text of that id, as wide as the card unless a width is given.
+bool wide(UiContext& context, char const* id, Icon icon, ButtonLook look = ButtonLook::Quiet,
+          float width = -1) {
+    bool const clicked = bigButton(text(id), {.icon = icon, .look = look, .width = width});
     context.layout.item(id);
     return context.focus.item() || clicked;
 }
@@ -66,7 +70,7 @@ void Menu::back() {
 std::optional<ScreenRequest> Menu::drawMain(UiContext& context, Screen& behind) {
     std::optional<ScreenRequest> asked;
     Layout& layout = context.layout;
-    layout.beginCard("menu", text("menu.paused"), {.anchor = Anchor::Middle, .width = 340});
+    layout.beginCard("menu", text("menu.paused"), {.anchor = Anchor::Middle, .width = menuWidth});
     ImGui::Dummy({0, scaled(4)});
     bool const resume = wide(context, "menu.resume", Icon::Play, ButtonLook::Primary);
     bool const restart = behind.commands().has("restart") && wide(context, "menu.restart", Icon::Reset);
@@ -82,10 +86,13 @@ std::optional<ScreenRequest> Menu::drawMain(UiContext& context, Screen& behind) 
     if (wide(context, "menu.keys", Icon::Why)) {
         pages_.push_back(MenuPage::help);
     }
-    if (wide(context, "menu.title", Icon::Back)) {
+    // In one row, so that the menu fits into the smallest window.
+    float const half = 0.5F * (ImGui::GetContentRegionAvail().x / scaled(1) - between);
+    if (wide(context, "menu.title", Icon::Back, ButtonLook::Quiet, half)) {
         asked = request::ShowTitle{};
     }
-    if (wide(context, "menu.quit", Icon::Cross)) {
+    ImGui::SameLine(0, scaled(between));
+    if (wide(context, "menu.quit", Icon::Cross, ButtonLook::Quiet, half)) {
         asked = request::Quit{};
     }
     layout.endCard();

@@ -123,7 +123,6 @@ TEST(Running, TheSwitchIsLiftedByMouseAndTheRunCanBeWatchedAgain) {
     player.open(experiment);
     player.key(SDLK_SPACE);
     player.simulate(120);
-    ASSERT_TRUE(player.session().solved());
     auto const& world = [&]() -> World const& { return player.session().world(); };
     auto const lever = [&] { return world().store().find("switch"); };
     auto const on = [&] {

@@ -232,7 +232,7 @@ TEST(AtRest, NothingIsDrawnOnAnyScreen) {
         EXPECT_EQ(newPictures(player), 0) << screen;
     };
     expectRest("title");
-    player.open(levelsFolder() / "first/1-first-contact.json");
+    player.open(levelsFolder() / "first/2-into-the-basket.json"); // the first one shows what to do
     expectRest("a level before its start");
     player.key(SDLK_SPACE);
     player.frames(30);

@@ -113,7 +113,7 @@ LevelDocument machines() {
     return LevelDocument::fromText(editData(), level.dump(1), {}, {});
 }
 
-TEST(Mirror, TwiceGivesTheSameFile) {
+TEST(MirroredLevel, TwiceGivesTheSameFile) {
     auto files = editData().levels();
     for (std::size_t i = 0; i <= files.size(); ++i) {
         LevelDocument document = i == files.size() ? machines() : LevelDocument::open(editData(), files[i]);
@@ -141,7 +141,7 @@ TEST(Mirror, TwiceGivesTheSameFile) {
     }
 }
 
-TEST(Mirror, RunsAsTheMirrorImage) {
+TEST(MirroredLevel, RunsAsTheMirrorImage) {
     LevelDocument document = machines();
     auto const one = buildWorld(editData().registry, document.level(), editData().parts);
     std::vector<std::string> const all = objectNames(document.tree());
