@@ -131,8 +131,8 @@ TEST(KeyboardAlone, ALevelIsOpenedStartedAgainAndLeft) {
     EXPECT_EQ(player.play().hintsShown(), 1U) << "keys of the level have no effect while the menu is open";
     player.key(SDLK_ESCAPE);
     player.frames(2);
-    player.key(SDLK_UP); // wraps to "Quit"
-    player.key(SDLK_UP); // "Title screen"
+    player.key(SDLK_UP);   // wraps to the last row
+    player.key(SDLK_LEFT); // "Title screen"
     player.key(SDLK_RETURN);
     EXPECT_EQ(player.findPlay(), nullptr);
 }
