@@ -71,7 +71,7 @@ std::string notFinite(World const& world) {
 
 /// Removes refused values until the level is accepted; returns the remaining level, and the last refusal.
 std::string makeAcceptable(Json level, Json const& schema) {
-    constexpr int most = 40;
+    constexpr int most = 400; // a refusal may name but one of many wrong values
     for (int round = 0; round < most; ++round) {
         try {
             LevelFile const file =
