@@ -14,12 +14,16 @@
 
 namespace trembler::lua::analysis {
 
-/// One interaction in all recorded plays of all levels.
+/// Whether a world has one script, so that a difference is that script's, or all of them, which takes one
+/// world instead of one for each.
+enum class Replaced { oneByOne, allAtOnce };
+
+/// One interaction, or all at once, in all recorded plays of all levels.
 struct Comparison {
     std::string name;
     int plays = 0;            ///< in which the level activates it and it has a turn
     std::uint64_t frames = 0; ///< compared
-    std::uint64_t turns = 0;  ///< of the one in C++
+    std::uint64_t turns = 0;  ///< of those in C++
     std::optional<std::uint64_t>
         firstDiffers;                ///< the first frame, of any play, after which the worlds differ
     std::string differsIn;           ///< that level and play
@@ -42,7 +46,9 @@ void putInPlace(Registry& registry, Counterpart const& counterpart, std::shared_
 [[nodiscard]] std::vector<std::filesystem::path> comparedLevels(GameData const& data);
 
 /// Compares every interaction that has a script in every play of these levels, in at most `frames` of each.
-[[nodiscard]] std::vector<Comparison>
-compareAll(GameData const& data, std::vector<std::filesystem::path> const& levels, std::uint64_t frames);
+[[nodiscard]] std::vector<Comparison> compareAll(GameData const& data,
+                                                 std::vector<std::filesystem::path> const& levels,
+                                                 std::uint64_t frames,
+                                                 Replaced replaced = Replaced::oneByOne);
 
 } // namespace trembler::lua::analysis
