@@ -133,6 +133,38 @@ void compare(Candidate& candidate, GameData const& data, LevelFile const& level,
     }
 }
 
+std::vector<Comparison> compareEach(std::vector<std::unique_ptr<Candidate>> candidates, GameData const& data,
+                                    std::vector<std::filesystem::path> const& levels, std::uint64_t frames) {
+    for (std::filesystem::path const& path : levels) {
+        LevelFile const level = loadLevel(data.registry, path);
+        std::vector<Play> plays;
+        for (Solution const& solution : level.solutions) {
+            plays.push_back({path, &solution,
+                             std::min(frames, static_cast<std::uint64_t>(solution.frames.value_or(600)))});
+        }
+        if (plays.empty()) {
+            plays.push_back({path, nullptr, std::min<std::uint64_t>(frames, 600)});
+        }
+        for (Play const& play : plays) {
+            Played const native = run(data.registry, data.parts, level, play);
+            for (auto const& candidate : candidates) {
+                compare(*candidate, data, level, play, native);
+            }
+        }
+    }
+    std::vector<Comparison> all;
+    for (auto const& candidate : candidates) {
+        Comparison& made = candidate->comparison;
+        made.nativeMicroseconds =
+            made.turns == 0 ? 0 : candidate->nativeTotal / static_cast<double>(made.turns);
+        made.scriptMicroseconds = candidate->scriptTurns == 0
+                                      ? 0
+                                      : candidate->scriptTotal / static_cast<double>(candidate->scriptTurns);
+        all.push_back(std::move(made));
+    }
+    return all;
+}
+
 } // namespace
 
 void putInPlace(Registry& registry, Counterpart const& counterpart, std::shared_ptr<ScriptLog> const& log) {
@@ -181,45 +213,21 @@ std::vector<std::filesystem::path> comparedLevels(GameData const& data) {
 }
 
 std::vector<Comparison> compareAll(GameData const& data, std::vector<std::filesystem::path> const& levels,
-                                   std::uint64_t frames, Replaced replaced) {
-    std::vector<Counterpart> written = counterparts();
-    std::erase_if(written, [](Counterpart const& counterpart) { return counterpart.script.empty(); });
+                                   std::uint64_t frames) {
     std::vector<std::unique_ptr<Candidate>> candidates;
-    if (replaced == Replaced::allAtOnce) {
-        candidates.push_back(std::make_unique<Candidate>("all that are written", written));
-    } else {
-        for (Counterpart const& counterpart : written) {
+    for (Counterpart const& counterpart : counterparts()) {
+        if (!counterpart.script.empty()) {
             candidates.push_back(std::make_unique<Candidate>(counterpart.name, std::vector{counterpart}));
         }
     }
-    for (std::filesystem::path const& path : levels) {
-        LevelFile const level = loadLevel(data.registry, path);
-        std::vector<Play> plays;
-        for (Solution const& solution : level.solutions) {
-            plays.push_back({path, &solution,
-                             std::min(frames, static_cast<std::uint64_t>(solution.frames.value_or(600)))});
-        }
-        if (plays.empty()) {
-            plays.push_back({path, nullptr, std::min<std::uint64_t>(frames, 600)});
-        }
-        for (Play const& play : plays) {
-            Played const native = run(data.registry, data.parts, level, play);
-            for (auto const& candidate : candidates) {
-                compare(*candidate, data, level, play, native);
-            }
-        }
-    }
-    std::vector<Comparison> all;
-    for (auto const& candidate : candidates) {
-        Comparison& made = candidate->comparison;
-        made.nativeMicroseconds =
-            made.turns == 0 ? 0 : candidate->nativeTotal / static_cast<double>(made.turns);
-        made.scriptMicroseconds = candidate->scriptTurns == 0
-                                      ? 0
-                                      : candidate->scriptTotal / static_cast<double>(candidate->scriptTurns);
-        all.push_back(std::move(made));
-    }
-    return all;
+    return compareEach(std::move(candidates), data, levels, frames);
+}
+
+Comparison compareTogether(GameData const& data, std::vector<std::filesystem::path> const& levels,
+                           std::uint64_t frames, std::vector<Counterpart> const& counterparts) {
+    std::vector<std::unique_ptr<Candidate>> candidates;
+    candidates.push_back(std::make_unique<Candidate>("several scripts together", counterparts));
+    return compareEach(std::move(candidates), data, levels, frames).front();
 }
 
 } // namespace trembler::lua::analysis

@@ -14,11 +14,7 @@
 
 namespace trembler::lua::analysis {
 
-/// Whether a world has one script, so that a difference is that script's, or all of them, which takes one
-/// world instead of one for each.
-enum class Replaced { oneByOne, allAtOnce };
-
-/// One interaction, or all at once, in all recorded plays of all levels.
+/// One interaction, or several at once, in all recorded plays of all levels.
 struct Comparison {
     std::string name;
     int plays = 0;            ///< in which the level activates it and it has a turn
@@ -46,9 +42,12 @@ void putInPlace(Registry& registry, Counterpart const& counterpart, std::shared_
 [[nodiscard]] std::vector<std::filesystem::path> comparedLevels(GameData const& data);
 
 /// Compares every interaction that has a script in every play of these levels, in at most `frames` of each.
-[[nodiscard]] std::vector<Comparison> compareAll(GameData const& data,
-                                                 std::vector<std::filesystem::path> const& levels,
-                                                 std::uint64_t frames,
-                                                 Replaced replaced = Replaced::oneByOne);
+[[nodiscard]] std::vector<Comparison>
+compareAll(GameData const& data, std::vector<std::filesystem::path> const& levels, std::uint64_t frames);
+/// The same for several interactions in one world, all with their scripts, which is one play instead of one
+/// for each. All of them must have scripts.
+[[nodiscard]] Comparison compareTogether(GameData const& data,
+                                         std::vector<std::filesystem::path> const& levels,
+                                         std::uint64_t frames, std::vector<Counterpart> const& counterparts);
 
 } // namespace trembler::lua::analysis
