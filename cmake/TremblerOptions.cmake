@@ -24,7 +24,8 @@ target_compile_options(trembler_options INTERFACE
 target_include_directories(trembler_options INTERFACE ${PROJECT_SOURCE_DIR})
 if(TREMBLER_SANITIZE)
   target_compile_options(trembler_options INTERFACE
-    -fsanitize=${TREMBLER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
+    -fsanitize=${TREMBLER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+    $<$<BOOL:${TREMBLER_SANITIZE_LINES}>:-g1>)
   if(TREMBLER_SANITIZE MATCHES "undefined" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     # clang++ inserts these four at each access, which takes a quarter of its time. The address sanitizer stops at what
     # "null" and "object-size" report, and x86-64 can read what is not aligned.
