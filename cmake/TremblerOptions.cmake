@@ -24,13 +24,21 @@ target_compile_options(trembler_options INTERFACE
 target_include_directories(trembler_options INTERFACE ${PROJECT_SOURCE_DIR})
 if(TREMBLER_SANITIZE)
   target_compile_options(trembler_options INTERFACE
-    -fsanitize=${TREMBLER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
+    -fsanitize=${TREMBLER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+    $<$<BOOL:${TREMBLER_SANITIZE_LINES}>:-g1>)
   if(TREMBLER_SANITIZE MATCHES "undefined" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     # clang++ inserts these four at each access, which takes a quarter of its time. The address sanitizer stops at what
     # "null" and "object-size" report, and x86-64 can read what is not aligned.
     target_compile_options(trembler_options INTERFACE -fno-sanitize=alignment,null,object-size,vptr)
   endif()
   target_link_options(trembler_options INTERFACE -fsanitize=${TREMBLER_SANITIZE})
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang") # LLVM's linker takes a fraction of the time of the usual one
+    include(CheckLinkerFlag)
+    check_linker_flag(CXX -fuse-ld=lld TREMBLER_HAS_LLD)
+    if(TREMBLER_HAS_LLD)
+      target_link_options(trembler_options INTERFACE -fuse-ld=lld)
+    endif()
+  endif()
   add_library(trembler_sanitizer_defaults OBJECT cmake/sanitizers/defaults.cpp)
   target_link_libraries(trembler_options INTERFACE $<TARGET_OBJECTS:trembler_sanitizer_defaults>)
 endif()

@@ -1,8 +1,13 @@
 # A package for Debian, of the files that cmake --install installs: build/package/trembler_VERSION-1_ARCHITECTURE.deb, by
 #     cmake --build build --target deb
 # Needs dpkg-dev, which finds the packages of the linked libraries, and file.
-set(TREMBLER_MAINTAINER "The authors of Trembler <trembler@packages.invalid>" CACHE STRING
-  "Who answers for the package for Debian: Name <address>. There is no list of mail, so whoever distributes it states their own")
+# Debian's tools find in these variables who makes a package. Without them the address is one that cannot exist, as there
+# is no list of mail.
+set(maintainer "The authors of Trembler <trembler@packages.invalid>")
+if(NOT "$ENV{DEBEMAIL}" STREQUAL "" AND NOT "$ENV{DEBFULLNAME}" STREQUAL "")
+  set(maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
+set(TREMBLER_MAINTAINER "${maintainer}" CACHE STRING "Who answers for the package for Debian: Name <address>")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME trembler)

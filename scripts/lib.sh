@@ -9,6 +9,7 @@ unset CXXFLAGS CPPFLAGS LDFLAGS # flags such as -march=native would change the s
 export NINJA_STATUS='[%f/%t] '
 export CCACHE_BASEDIR=$root # so that clones in different folders share results
 export CCACHE_SLOPPINESS=pch_defines,time_macros # required by ccache for precompiled headers
+export CCACHE_DEPEND=true # the compiler lists the headers: no file is preprocessed before it is compiled
 export CCACHE_COMMENTS=true                         # precompiled headers depend on every byte of their files, including comments
 
 # progress LOG: appends its input to LOG and shows only its progress ("[3/80] ..." or "3/80 Test ...").

@@ -2,6 +2,7 @@
 
 #include "lua/reference/globals.hpp"
 #include "runtime/component/call.hpp"
+#include "runtime/notation/wrap_markdown.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -131,7 +132,7 @@ std::string referenceMarkdown(Reference const& reference) {
         all += propertyMarkdown(property);
     }
     all.pop_back(); // of the empty line at the end
-    return all;
+    return wrapMarkdown(all);
 }
 
 std::string referenceText(Reference const& reference) {

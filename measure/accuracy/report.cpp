@@ -1,5 +1,7 @@
 #include "measure/accuracy/report.hpp"
 
+#include "runtime/notation/wrap_markdown.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -76,8 +78,8 @@ can only add to it. Errors are the same on every machine (the simulation is dete
 that this was made on and are good for comparing within a table.
 
 *Front* marks the levels on the Pareto front: no other level of the table is faster and at least as accurate. Any
-other level has no use in that scene, and the text below the table explains why it exists; times within 5 % count as equal.
-Tables without that column offer no choice between levels; they show the influence of one parameter on the error.
+other level has no use in that scene, and the text below the table explains why it exists; times within 5 % count as
+equal. Tables without that column offer no choice between levels; they show the influence of one parameter on the error.
 
 )";
 
@@ -197,7 +199,7 @@ std::string asMarkdown(std::vector<Ladder> const& ladders, std::string const& pi
     if (!text.empty()) {
         text.pop_back();
     }
-    return text;
+    return wrapMarkdown(text);
 }
 
 } // namespace trembler::accuracy

@@ -1,5 +1,7 @@
 #include "measure/activation/report.hpp"
 
+#include "runtime/notation/wrap_markdown.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -105,8 +107,8 @@ std::string activationMarkdown(std::vector<LevelUse> const& plays) {
     std::uint64_t const seconds = plays.front().frames / framesPerSecond;
     text += fmt::format(
         "## Every level, every recorded play\n\nThe {} components after {} s, and the number of their turns "
-        "in the busiest second and in the last. *At\nrest*: the world's state was the same, bit for "
-        "bit, after every frame of the last second. The player's inputs in that\nsecond count, too.\n\n"
+        "in the busiest second and in the last. *At rest*: the world's state was the same, bit for "
+        "bit, after every frame of the last second. The player's inputs in that second count, too.\n\n"
         "| level | play | absent | asleep | active | turns in the busiest second | in the last | |\n"
         "|---|---|---|---|---|---|---|---|\n",
         plays.front().components.size(), seconds);
@@ -118,9 +120,9 @@ std::string activationMarkdown(std::vector<LevelUse> const& plays) {
     }
     std::vector<LevelUse const*> const first = firstOfEach(plays);
     text += fmt::format("\n## Component by component\n\nThe first play of each level: turns in {} frames; "
-                        "**bold** if the component is active at the end, plain if it is\nasleep, nothing if "
+                        "**bold** if the component is active at the end, plain if it is asleep, nothing if "
                         "it is absent. Sound's components are constructed only if something listens: a "
-                        "microphone in the level, or a loudspeaker,\nwhich none of these runs has.\n\n",
+                        "microphone in the level, or a loudspeaker, which none of these runs has.\n\n",
                         plays.front().frames);
     char number = 'A';
     for (LevelUse const* const play : first) {
@@ -149,7 +151,7 @@ std::string activationMarkdown(std::vector<LevelUse> const& plays) {
         }
     }
     text += fmt::format("\nIn none of these: {}.\n", never.empty() ? "none" : never);
-    return text;
+    return wrapMarkdown(text);
 }
 
 } // namespace trembler

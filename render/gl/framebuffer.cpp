@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace trembler::render {
 
@@ -62,9 +63,11 @@ Image readBoundPixels(Size size) {
     auto& bytes = image.bytes();
     auto const row = static_cast<std::ptrdiff_t>(size.width) * 4;
     // OpenGL's first row is the bottom one.
+    std::vector<std::uint8_t> kept(static_cast<std::size_t>(row));
     for (int top = 0, bottom = size.height - 1; top < bottom; ++top, --bottom) {
-        std::swap_ranges(bytes.begin() + top * row, bytes.begin() + (top + 1) * row,
-                         bytes.begin() + bottom * row);
+        std::copy_n(bytes.begin() + top * row, row, kept.begin());
+        std::copy_n(bytes.begin() + bottom * row, row, bytes.begin() + top * row);
+        std::copy_n(kept.begin(), row, bytes.begin() + bottom * row);
     }
     for (std::size_t i = 3; i < bytes.size(); i += 4) {
         bytes[i] = 255;

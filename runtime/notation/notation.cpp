@@ -2,6 +2,7 @@
 
 #include "runtime/notation/boxes.hpp"
 #include "runtime/notation/state_coverage.hpp"
+#include "runtime/notation/wrap_markdown.hpp"
 #include "runtime/schedule/schedule.hpp"
 
 #include <fmt/format.h>
@@ -206,11 +207,12 @@ std::string notationMarkdown(Registry const& registry) {
     for (CompletionInfo const* completion : completionOrder(registry.completions())) {
         text += boxMarkdown(boxOf(*completion));
     }
-    return text + "## Schedule of a frame\n\n" + scheduleText(registry, "- ") +
-           "\n## What the state hash covers\n\nEqual hashes mean equal worlds and equal futures. *Derived* "
-           "data are recomputed from hashed\ndata in each turn of the component that provides them; they are "
-           "hashed if this component has a period.\n\n" +
-           coverageMarkdown(registry);
+    return wrapMarkdown(
+        text + "## Schedule of a frame\n\n" + scheduleText(registry, "- ") +
+        "\n## What the state hash covers\n\nEqual hashes mean equal worlds and equal futures. *Derived* "
+        "data are recomputed from hashed data in each turn of the component that provides them; they are "
+        "hashed if this component has a period.\n\n" +
+        coverageMarkdown(registry));
 }
 
 nlohmann::ordered_json notationJson(Registry const& registry) {

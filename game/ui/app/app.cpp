@@ -40,8 +40,10 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                .layout = {},
                .focus = {},
                .catalog = PartCatalog(parts, context_.canvas),
-               .levels =
-                   LevelCatalog(registry, options.levels, {.data = options_.levelData, .mods = options.mods}),
+               .levels = options.catalog != nullptr
+                             ? *options.catalog
+                             : LevelCatalog(registry, options.levels,
+                                            {.data = options_.levelData, .mods = options.mods}),
                .pictures = LevelPictures(registry, parts, context_.canvas, options_.levelData),
                .profile = Profile(options.profile),
                .builds = KeptBuilds(besideProfile(options.profile, "builds")),

@@ -25,6 +25,9 @@ struct GameOptions {
     bool steady = false;                       ///< disables blinking, for tests
     LevelData levelData{};                     ///< empty: levels that name mods cannot be played
     std::vector<std::filesystem::path> mods{}; ///< folders of mods whose levels are listed
+    /// What a game with the same levels, data and mods has read; it is copied. nullptr: all levels are read
+    /// now.
+    LevelCatalog const* catalog = nullptr;
 };
 
 /// Advances one picture per call, so that tests can drive it with pushed SDL events. Only on the window's

@@ -27,8 +27,8 @@ struct Letter {
 /// Every letter of every font by its place in the texture.
 class Letters {
 public:
-    Letters() {
-        for (ImFont const* font : ImGui::GetIO().Fonts->Fonts) {
+    explicit Letters(ImFontAtlas const& fonts) {
+        for (ImFont const* font : fonts.Fonts) {
             for (ImFontGlyph const& glyph : font->Glyphs) {
                 if (glyph.Visible != 0) {
                     byCorner_.emplace(std::pair(glyph.U0, glyph.V0), Letter{font, &glyph, true});
@@ -58,6 +58,30 @@ private:
     std::map<std::pair<float, float>, Letter> byCorner_;
     std::vector<Letter> all_;
 };
+
+/// Those of the fonts that are shown now. Thousands, so they are listed once for each making of the texture,
+/// which a list of the fonts' glyphs shows: ImGui adds them anew.
+Letters const& shownLetters() {
+    struct Made {
+        ImFont const* font;
+        ImFontGlyph const* glyphs;
+        int count;
+        float size;
+        bool operator==(Made const&) const = default;
+    };
+    static std::vector<Made> madeFrom;
+    static std::optional<Letters> letters;
+    ImFontAtlas const& fonts = *ImGui::GetIO().Fonts;
+    std::vector<Made> now;
+    for (ImFont const* font : fonts.Fonts) {
+        now.push_back({font, font->Glyphs.Data, font->Glyphs.Size, font->FontSize});
+    }
+    if (!letters || now != madeFrom) {
+        letters.emplace(fonts);
+        madeFrom = std::move(now);
+    }
+    return *letters;
+}
 
 std::string utf8(unsigned point) {
     std::string text;
@@ -162,7 +186,7 @@ bool isDigit(char c) {
 std::vector<DrawnText> drawnTexts() {
     ImGui::Render(); // does nothing if the picture was drawn
     std::vector<DrawnText> texts;
-    Letters const letters;
+    Letters const& letters = shownLetters();
     Lines lines(texts);
     ImDrawData const& data = *ImGui::GetDrawData();
     for (int i = 0; i < data.CmdListsCount; ++i) {

@@ -62,6 +62,11 @@ inline std::filesystem::path levelsFolder() {
 inline std::filesystem::path dataFolder() {
     return std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/game/ui/data";
 }
+/// The game's own levels, which every player has: they are read once.
+inline LevelCatalog const& gameLevels() {
+    static LevelCatalog const theLevels(gameData().registry, levelsFolder(), {.data = dataWithMods});
+    return theLevels;
+}
 /// A folder of this program's own; pictures in it are for people to look at.
 inline std::filesystem::path pictureFolder() {
     auto folder = std::filesystem::path(TREMBLER_BINARY_DIR) / "ui-pictures";
@@ -89,6 +94,7 @@ public:
         SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
         window().resize(size);
         films_ = testFolder() / "films";
+        LevelCatalog const* const catalog = levels == levelsFolder() ? &gameLevels() : nullptr;
         app_ = std::make_unique<GameApp>(window(), gameData().registry, gameData().parts,
                                          GameOptions{.levels = std::move(levels),
                                                      .pictures = films_,
@@ -96,7 +102,8 @@ public:
                                                      .world = {},
                                                      .loudspeaker = loudspeaker,
                                                      .steady = true,
-                                                     .levelData = dataWithMods});
+                                                     .levelData = dataWithMods,
+                                                     .catalog = catalog});
         app_->context().shadows = false; // half the time of a picture, on a computer without a graphics card
         frames(3);
     }

@@ -26,7 +26,37 @@ struct Played {
     std::vector<ComponentStatus> status;
 };
 
+/// What propertyHash() covers beside the columns, in the order of the keys.
+std::vector<PropertyInfo const*> hashedOffers(Registry const& registry) {
+    std::map<std::string_view, PropertyInfo const*> offered;
+    for (Registration const& registration : registry.components()) {
+        for (PropertyInfo const* offer : registration.info->offers) {
+            if (offer->coverage.kind == Coverage::Kind::hashed) {
+                offered.emplace(offer->text.key, offer);
+            }
+        }
+    }
+    std::vector<PropertyInfo const*> all;
+    for (auto const& [key, info] : offered) {
+        all.push_back(info);
+    }
+    return all;
+}
+
+std::uint64_t hashOf(Store const& store, std::vector<PropertyInfo const*> const& offers) {
+    StateHash hash;
+    store.hash(hash);
+    for (PropertyInfo const* const info : offers) {
+        if (SlotBase const* const slot = store.findSlot(*info)) {
+            hash.value(std::string(info->text.key));
+            slot->hash(hash);
+        }
+    }
+    return hash.digest();
+}
+
 Played run(Registry const& registry, PartLibrary const& parts, LevelFile const& level, Play const& play) {
+    std::vector<PropertyInfo const*> const offers = hashedOffers(registry);
     Session session(registry, parts, level);
     if (play.solution != nullptr) {
         session.load(*play.solution);
@@ -34,7 +64,7 @@ Played run(Registry const& registry, PartLibrary const& parts, LevelFile const& 
     Played played;
     for (std::uint64_t frame = 0; frame < play.frames; ++frame) {
         session.step();
-        played.hashes.push_back(propertyHash(session.world(), registry));
+        played.hashes.push_back(hashOf(session.world().store(), offers));
     }
     played.status = session.world().status();
     return played;
@@ -46,13 +76,18 @@ ComponentStatus const& statusIn(Played const& played, std::string_view name) {
     });
 }
 
-/// One interaction, and a registry with its script in its place.
+/// Interactions, and a registry with their scripts in their places.
 struct Candidate {
-    explicit Candidate(Counterpart const& counterpart) : log(std::make_shared<ScriptLog>()) {
-        comparison.name = counterpart.name;
+    Candidate(std::string const& name, std::vector<Counterpart> const& counterparts)
+        : log(std::make_shared<ScriptLog>()) {
+        comparison.name = name;
         registerEffects(registry);
-        putInPlace(registry, counterpart, log);
+        for (Counterpart const& counterpart : counterparts) {
+            putInPlace(registry, counterpart, log);
+            replaced.push_back(counterpart.name);
+        }
     }
+    std::vector<std::string> replaced;
     Registry registry;
     std::shared_ptr<ScriptLog> log;
     Comparison comparison;
@@ -64,18 +99,24 @@ struct Candidate {
 void compare(Candidate& candidate, GameData const& data, LevelFile const& level, Play const& play,
              Played const& native) {
     Comparison& comparison = candidate.comparison;
-    ComponentStatus const& before = statusIn(native, comparison.name);
-    if (before.activity == Activity::absent || before.updates == 0) {
+    auto const hasTurns = [&](std::string const& name) {
+        ComponentStatus const& status = statusIn(native, name);
+        return status.activity != Activity::absent && status.updates > 0;
+    };
+    if (std::none_of(candidate.replaced.begin(), candidate.replaced.end(), hasTurns)) {
         return;
     }
     Played const scripted = run(candidate.registry, data.parts, level, play);
-    ComponentStatus const& after = statusIn(scripted, comparison.name);
     ++comparison.plays;
     comparison.frames += play.frames;
-    comparison.turns += before.updates;
-    candidate.nativeTotal += before.totalMicroseconds;
-    candidate.scriptTotal += after.totalMicroseconds;
-    candidate.scriptTurns += after.updates;
+    for (std::string const& name : candidate.replaced) {
+        ComponentStatus const& before = statusIn(native, name);
+        ComponentStatus const& after = statusIn(scripted, name);
+        comparison.turns += before.updates;
+        candidate.nativeTotal += before.totalMicroseconds;
+        candidate.scriptTotal += after.totalMicroseconds;
+        candidate.scriptTurns += after.updates;
+    }
     auto const at = std::mismatch(native.hashes.begin(), native.hashes.end(), scripted.hashes.begin(),
                                   scripted.hashes.end());
     if (at.first != native.hashes.end()) {
@@ -90,6 +131,38 @@ void compare(Candidate& candidate, GameData const& data, LevelFile const& level,
     for (ScriptMessage const& message : candidate.log->take()) {
         comparison.errors.push_back(message.text);
     }
+}
+
+std::vector<Comparison> compareEach(std::vector<std::unique_ptr<Candidate>> candidates, GameData const& data,
+                                    std::vector<std::filesystem::path> const& levels, std::uint64_t frames) {
+    for (std::filesystem::path const& path : levels) {
+        LevelFile const level = loadLevel(data.registry, path);
+        std::vector<Play> plays;
+        for (Solution const& solution : level.solutions) {
+            plays.push_back({path, &solution,
+                             std::min(frames, static_cast<std::uint64_t>(solution.frames.value_or(600)))});
+        }
+        if (plays.empty()) {
+            plays.push_back({path, nullptr, std::min<std::uint64_t>(frames, 600)});
+        }
+        for (Play const& play : plays) {
+            Played const native = run(data.registry, data.parts, level, play);
+            for (auto const& candidate : candidates) {
+                compare(*candidate, data, level, play, native);
+            }
+        }
+    }
+    std::vector<Comparison> all;
+    for (auto const& candidate : candidates) {
+        Comparison& made = candidate->comparison;
+        made.nativeMicroseconds =
+            made.turns == 0 ? 0 : candidate->nativeTotal / static_cast<double>(made.turns);
+        made.scriptMicroseconds = candidate->scriptTurns == 0
+                                      ? 0
+                                      : candidate->scriptTotal / static_cast<double>(candidate->scriptTurns);
+        all.push_back(std::move(made));
+    }
+    return all;
 }
 
 } // namespace
@@ -124,22 +197,7 @@ void putInPlace(Registry& registry, Counterpart const& counterpart, std::shared_
 }
 
 std::uint64_t propertyHash(World const& world, Registry const& registry) {
-    StateHash hash;
-    world.store().hash(hash);
-    std::map<std::string_view, PropertyInfo const*> offered;
-    for (Registration const& registration : registry.components()) {
-        for (PropertyInfo const* offer : registration.info->offers) {
-            offered.emplace(offer->text.key, offer);
-        }
-    }
-    for (auto const& [key, info] : offered) {
-        SlotBase const* const slot = world.store().findSlot(*info);
-        if (slot != nullptr && info->coverage.kind == Coverage::Kind::hashed) {
-            hash.value(std::string(key));
-            slot->hash(hash);
-        }
-    }
-    return hash.digest();
+    return hashOf(world.store(), hashedOffers(registry));
 }
 
 std::vector<std::filesystem::path> comparedLevels(GameData const& data) {
@@ -159,37 +217,17 @@ std::vector<Comparison> compareAll(GameData const& data, std::vector<std::filesy
     std::vector<std::unique_ptr<Candidate>> candidates;
     for (Counterpart const& counterpart : counterparts()) {
         if (!counterpart.script.empty()) {
-            candidates.push_back(std::make_unique<Candidate>(counterpart));
+            candidates.push_back(std::make_unique<Candidate>(counterpart.name, std::vector{counterpart}));
         }
     }
-    for (std::filesystem::path const& path : levels) {
-        LevelFile const level = loadLevel(data.registry, path);
-        std::vector<Play> plays;
-        for (Solution const& solution : level.solutions) {
-            plays.push_back({path, &solution,
-                             std::min(frames, static_cast<std::uint64_t>(solution.frames.value_or(600)))});
-        }
-        if (plays.empty()) {
-            plays.push_back({path, nullptr, std::min<std::uint64_t>(frames, 600)});
-        }
-        for (Play const& play : plays) {
-            Played const native = run(data.registry, data.parts, level, play);
-            for (auto const& candidate : candidates) {
-                compare(*candidate, data, level, play, native);
-            }
-        }
-    }
-    std::vector<Comparison> all;
-    for (auto const& candidate : candidates) {
-        Comparison& made = candidate->comparison;
-        made.nativeMicroseconds =
-            made.turns == 0 ? 0 : candidate->nativeTotal / static_cast<double>(made.turns);
-        made.scriptMicroseconds = candidate->scriptTurns == 0
-                                      ? 0
-                                      : candidate->scriptTotal / static_cast<double>(candidate->scriptTurns);
-        all.push_back(std::move(made));
-    }
-    return all;
+    return compareEach(std::move(candidates), data, levels, frames);
+}
+
+Comparison compareTogether(GameData const& data, std::vector<std::filesystem::path> const& levels,
+                           std::uint64_t frames, std::vector<Counterpart> const& counterparts) {
+    std::vector<std::unique_ptr<Candidate>> candidates;
+    candidates.push_back(std::make_unique<Candidate>("several scripts together", counterparts));
+    return compareEach(std::move(candidates), data, levels, frames).front();
 }
 
 } // namespace trembler::lua::analysis

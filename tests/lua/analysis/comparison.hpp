@@ -14,12 +14,12 @@
 
 namespace trembler::lua::analysis {
 
-/// One interaction in all recorded plays of all levels.
+/// One interaction, or several at once, in all recorded plays of all levels.
 struct Comparison {
     std::string name;
     int plays = 0;            ///< in which the level activates it and it has a turn
     std::uint64_t frames = 0; ///< compared
-    std::uint64_t turns = 0;  ///< of the one in C++
+    std::uint64_t turns = 0;  ///< of those in C++
     std::optional<std::uint64_t>
         firstDiffers;                ///< the first frame, of any play, after which the worlds differ
     std::string differsIn;           ///< that level and play
@@ -44,5 +44,10 @@ void putInPlace(Registry& registry, Counterpart const& counterpart, std::shared_
 /// Compares every interaction that has a script in every play of these levels, in at most `frames` of each.
 [[nodiscard]] std::vector<Comparison>
 compareAll(GameData const& data, std::vector<std::filesystem::path> const& levels, std::uint64_t frames);
+/// The same for several interactions in one world, all with their scripts, which is one play instead of one
+/// for each. All of them must have scripts.
+[[nodiscard]] Comparison compareTogether(GameData const& data,
+                                         std::vector<std::filesystem::path> const& levels,
+                                         std::uint64_t frames, std::vector<Counterpart> const& counterparts);
 
 } // namespace trembler::lua::analysis

@@ -11,8 +11,10 @@ namespace trembler::ui {
 
 /// Running, pausing, and how fast.
 [[nodiscard]] std::span<Command<PlayParts> const> runCommands();
-/// Turning and moving parts, putting them back, undo and redo.
+/// Taking, turning, moving and choosing parts, and putting them back.
 [[nodiscard]] std::span<Command<PlayParts> const> buildingCommands();
+/// Undo, redo, and putting all parts back.
+[[nodiscard]] std::span<Command<PlayParts> const> undoingCommands();
 /// The camera, the inspector, and the overlays.
 [[nodiscard]] std::span<Command<PlayParts> const> lookingCommands();
 /// Scissors, hints, the components panel and its time budget.

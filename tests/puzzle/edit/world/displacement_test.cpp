@@ -51,32 +51,59 @@ void expectSameScene(World const& followed, World const& built, std::string cons
     }
 }
 
-/// Whether a world built before a command followed it; what it shows is compared with what is built then.
+/// A level's document and the world that is shown of it; both are as they were before after each command.
+class Followed {
+public:
+    explicit Followed(LevelDocument& document) : document_(document), tree_(document.tree()) {
+        build(shown_);
+        build(before_);
+    }
+
+    /// Whether the world follows a command; what it shows is compared with what is built from the level then.
+    bool follows(std::function<Command(Json const&)> const& make, std::string const& where) {
+        try {
+            document_.run(make(document_.tree()));
+        } catch (CommandError const&) {
+            return true; // such as locked objects
+        }
+        bool const followed = shown_.follow(document_.tree());
+        if (followed) {
+            EditedWorld after;
+            build(after);
+            expectSameScene(*shown_.world(), *after.world(), where);
+        }
+        document_.undo();
+        EXPECT_EQ(document_.tree(), tree_) << where;
+        if (followed) {
+            EXPECT_TRUE(shown_.follow(document_.tree())) << "and back";
+            expectSameScene(*shown_.world(), *before_.world(), where + "back: ");
+        } else {
+            build(shown_);
+        }
+        return followed;
+    }
+
+private:
+    void build(EditedWorld& world) const {
+        world.build(document_.data(), document_.level(), document_.tree());
+    }
+
+    LevelDocument& document_;
+    Json const tree_;
+    EditedWorld shown_;
+    EditedWorld before_;
+};
+
+/// The same, with a world that has followed nothing before.
 bool follows(LevelDocument& document, std::function<Command(Json const&)> const& make,
              std::string const& where) {
-    EditedWorld followed;
-    followed.build(document.data(), document.level(), document.tree());
-    try {
-        document.run(make(document.tree()));
-    } catch (CommandError const&) {
-        return true; // such as locked objects
-    }
-    if (!followed.follow(document.tree())) {
-        return false;
-    }
-    EditedWorld built;
-    built.build(document.data(), document.level(), document.tree());
-    expectSameScene(*followed.world(), *built.world(), where);
-    document.undo();
-    EXPECT_TRUE(followed.follow(document.tree())) << "and back";
-    built.build(document.data(), document.level(), document.tree());
-    expectSameScene(*followed.world(), *built.world(), where + "back: ");
-    return true;
+    return Followed(document).follows(make, where);
 }
 
 TEST(Displacement, ShowsWhatTheLevelsWouldShow) {
     for (auto const& path : editData().levels()) {
         LevelDocument document = LevelDocument::open(editData(), path);
+        Followed followed(document);
         std::vector<std::string> const all = objectNames(document.tree());
         std::string const where = path.filename().string() + ": ";
         auto const moveOf = [](std::vector<std::string> const& names) {
@@ -84,7 +111,7 @@ TEST(Displacement, ShowsWhatTheLevelsWouldShow) {
         };
         EXPECT_TRUE(follows(document, moveOf(all), where)) << where;
         for (std::string const& name : all) {
-            EXPECT_TRUE(follows(document, moveOf({name}), where)) << where << name;
+            EXPECT_TRUE(followed.follows(moveOf({name}), where)) << where << name;
         }
         // An object that states its first angle is built anew.
         follows(
