@@ -125,10 +125,17 @@ public:
         return reads_.changed() || writes_.changed() || channel_->version() != seenCalls_;
     }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows() + writes_.rows(); }
+    /// No call is carried out twice, not even if an exception ends the advance: what the call has done by
+    /// then stays, and what it has not done will not be done.
     void run(FrameContext const& context) final {
         openSinks(context, 1, Phase::resolver);
-        Access access(*this, context);
-        static_cast<Self&>(*this).advance(access);
+        try {
+            Access access(*this, context);
+            static_cast<Self&>(*this).advance(access);
+        } catch (...) {
+            channel_->clearOnce();
+            throw;
+        }
         channel_->clearOnce();
         reads_.markSeen();
         writes_.markSeen();
