@@ -88,7 +88,7 @@ public:
         void forCalls(F&& f) const {
             static_assert(detail::callListed<C, typename Role::Calls>,
                           "the call is not in Calls of this resolver's role");
-            self_.channel_->template forCalls<C>(std::forward<F>(f));
+            self_.channel_->template forNotedCalls<C>(std::forward<F>(f));
         }
         /// Whether calls were made or withdrawn since the last advance. If not, the held calls are the same
         /// as then, and there are no others.
@@ -129,6 +129,7 @@ public:
     /// then stays, and what it has not done will not be done.
     void run(FrameContext const& context) final {
         openSinks(context, 1, Phase::resolver);
+        channel_->noteSpeaking();
         try {
             Access access(*this, context);
             static_cast<Self&>(*this).advance(access);
