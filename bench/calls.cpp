@@ -6,15 +6,26 @@
 //
 // Measures processor time of the threads, chunk by chunk. The cost of the loop and of the clock is measured
 // by another interaction that does the same without the call, and is subtracted from both.
+//
+// And the cost of interactions that sleep while their resolver, Dynamics, has calls to carry out in every
+// frame: of 128 of them that have no calls, and of 128 that hold one each.
+#include "physics/dynamics/calls.hpp"
+
 #include "bench/measure.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/dynamics/register.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/component/resolver.hpp"
+#include "runtime/population/population_resolver.hpp"
+#include "runtime/property/for_each.hpp"
 #include "runtime/world/world.hpp"
 
 #include <array>
 #include <atomic>
 #include <cstdlib>
 #include <ctime>
+#include <utility>
 
 namespace {
 
@@ -191,6 +202,86 @@ void measure(int threads, bench::Table& table, std::string const& name) {
     }
 }
 
+// An interaction for each number, as they are told apart by their types.
+constexpr int sleepers = 128;
+template <int number>
+constexpr std::array<char, 10> sleeperName{'S', 'l', 'e', 'e', 'p', ' ', 'a' + number / 26, 'a' + number % 26,
+                                           0};
+
+template <int number, bool calls>
+struct Sleeper final : Interaction<Sleeper<number, calls>, DynamicsRole, Reads<Weight>> {
+    static constexpr ComponentText text{
+        .name = sleeperName<number>.data(), .effect = "bench", .level = "", .work = "Sleeps."};
+    using Activation = NeedsAll<Weight>;
+    using Base = Interaction<Sleeper<number, calls>, DynamicsRole, Reads<Weight>>;
+    void apply([[maybe_unused]] typename Base::Access& access) {
+        if constexpr (calls) {
+            forEach(
+                [&](ObjectId id, Weight const&) {
+                    access.call(AddForceToPoint{.object = id, .force = {0, 1e-3}});
+                },
+                access.template read<Weight>());
+        }
+    }
+};
+// Its force at a point has another torque in every frame, as the body moves: so Dynamics drains in every one.
+struct Waker final : Interaction<Waker, DynamicsRole, Reads<Weight>> {
+    static constexpr ComponentText text{
+        .name = "Waker", .effect = "bench", .level = "", .work = "Holds a force at a point."};
+    using Activation = NeedsAll<Weight>;
+    void apply(Access& access) {
+        forEach(
+            [&](ObjectId id, Weight const&) {
+                access.call(AddForceToPoint{.object = id, .force = {0, 1e-3}});
+            },
+            access.read<Weight>());
+    }
+};
+
+template <bool calls, int... number>
+void addSleepers(Registry& registry, std::integer_sequence<int, number...>) {
+    (registry.component<Sleeper<number, calls>>(), ...);
+}
+
+/// ns of processor time for a frame of one body, the least of many blocks of frames.
+template <bool calls>
+double frameBesideSleepers(bool any) {
+    Registry registry;
+    registerRuntime(registry);
+    registerDynamics(registry);
+    registry.component<Waker>();
+    if (any) {
+        addSleepers<calls>(registry, std::make_integer_sequence<int, sleepers>());
+    }
+    World world(registry, {.threads = 1, .detail = {}, .periods = {}});
+    ObjectId const body = world.store().create("body");
+    world.store().column<Shape>().set(body, {{circlePiece(0.1)}});
+    world.store().column<Density>().set(body, {1000});
+    world.store().column<Position>().set(body, {});
+    world.store().column<Velocity>().set(body, {{0.05, 0}});
+    world.store().column<Weight>().set(body, {});
+    world.start();
+    constexpr int blockFrames = 300;
+    double least = 0;
+    for (int block = 0; block < 60; ++block) {
+        std::int64_t const begin = processorTime();
+        for (int frame = 0; frame < blockFrames; ++frame) {
+            world.step();
+        }
+        auto const took = static_cast<double>(processorTime() - begin) / blockFrames;
+        least = block == 0 ? took : std::min(least, took);
+    }
+    return least;
+}
+
+void measureSleepers() {
+    double const alone = frameBesideSleepers<false>(false);
+    bench::Table table("Interactions that sleep beside a resolver that drains calls in every frame");
+    table.row("without calls", (frameBesideSleepers<false>(true) - alone) / sleepers, "ns a frame");
+    table.row("holding one call", (frameBesideSleepers<true>(true) - alone) / sleepers, "ns a frame");
+    table.print();
+}
+
 } // namespace
 
 int main() {
@@ -201,5 +292,6 @@ int main() {
         measure<Does::pushes>(threads, table, "calls once");
         table.print();
     }
+    measureSleepers();
     return 0;
 }

@@ -93,6 +93,22 @@ std::size_t ScriptedInteraction::workload() const {
 void ScriptedInteraction::run(FrameContext const& context) {
     openSinks(context, 1, Phase::interaction);
     source_->begin();
+    try {
+        applyScript(context);
+    } catch (...) { // of the host: errors of the script are results
+        source_->fail();
+        sinks_.clear();
+        throw;
+    }
+    source_->end();
+    for (Watch& watch : watches_) {
+        watch.seen = *watch.version;
+    }
+    first_ = false;
+    sleep();
+}
+
+void ScriptedInteraction::applyScript(FrameContext const& context) {
     bool const same = targetsStand();
     if (!same) {
         findTargets(context);
@@ -126,12 +142,6 @@ void ScriptedInteraction::run(FrameContext const& context) {
     if (failed) {
         switchOff(context, *failed);
     }
-    source_->end();
-    for (Watch& watch : watches_) {
-        watch.seen = *watch.version;
-    }
-    first_ = false;
-    sleep();
 }
 
 void ScriptedInteraction::switchOff(FrameContext const& context, ScriptError const& failed) {

@@ -49,6 +49,7 @@ public:
     [[nodiscard]] std::optional<TurnUsage> usage() const;
 
 private:
+    void applyScript(FrameContext const& context);
     void findTargets(FrameContext const& context);
     void findEach();
     void findPairs();

@@ -32,12 +32,22 @@ public:
         calls_.clear();
         causes_.clear();
     }
+    /// The calls recorded from here on are those of a new turn.
+    void startTurn() { turnFrom_ = calls_.size(); }
+    /// Removes the calls of the current turn.
+    void withdrawTurn() {
+        if (turnFrom_ < calls_.size()) {
+            calls_.erase(calls_.begin() + static_cast<std::ptrdiff_t>(turnFrom_), calls_.end());
+            causes_.resize(std::min(causes_.size(), turnFrom_));
+        }
+    }
     [[nodiscard]] std::span<C const> calls() const { return calls_; }
     [[nodiscard]] EventId cause(std::size_t i) const { return i < causes_.size() ? causes_[i] : EventId{}; }
 
 private:
     std::vector<C> calls_;
     std::vector<EventId> causes_; // shorter than calls_ without a trace
+    std::size_t turnFrom_ = 0;
 };
 
 namespace detail {
@@ -66,6 +76,24 @@ struct CallSource {
     /// Increases with every apply that makes calls or withdraws held calls.
     std::uint64_t version = 1;
 
+    /// Call before a turn: its held calls replace those of the last one.
+    void startTurn() {
+        for (Buffers& chunk : chunks) {
+            std::apply(
+                [](auto&... buffer) {
+                    (clearIf(buffer, true), ...);
+                    (buffer.startTurn(), ...);
+                },
+                chunk);
+        }
+    }
+    /// Removes the calls of a turn that has failed, so that it has made none. Calls of earlier turns that
+    /// wait to be executed stay.
+    void withdrawTurn() {
+        for (Buffers& chunk : chunks) {
+            std::apply([](auto&... buffer) { (buffer.withdrawTurn(), ...); }, chunk);
+        }
+    }
     void clearHeld() { clearWhere(true); }
     void clearOnce() { clearWhere(false); }
     /// Whether it has neither a held call nor a call that waits to be executed.

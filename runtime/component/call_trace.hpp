@@ -29,6 +29,11 @@ public:
             held_.merge(chunk);
         }
     }
+    /// Call instead of end() if the apply has failed: nothing is held, and what will be is new.
+    void forget() {
+        held_.clear();
+        newHeld_.clear();
+    }
     /// The event of a call: a new one, or that of the same call in the last apply, or none.
     template <InteractionCall C>
     EventId record(C const& c, EventId cause, EventSink& sink, std::size_t chunk) {

@@ -73,6 +73,9 @@ void CallerCounts::add(CallerId caller, std::int64_t change) {
         first_.caller = any() ? caller : CallerId();
         return;
     }
+    if (!rest_ && change <= 0) {
+        return; // of a caller that has added none, when another one has
+    }
     std::vector<Entry> all = entries();
     auto at = std::lower_bound(all.begin(), all.end(), caller,
                                [](Entry const& entry, CallerId id) { return entry.caller < id; });

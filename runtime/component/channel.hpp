@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -28,6 +29,8 @@ public:
     void add(CallSource<Role>* source) {
         sources_.push_back(source);
         cleared_.push_back(0);
+        noted_.push_back(0);
+        speaks_.push_back(false);
         callers_.push_back(source->caller);
         ++changes_;
     }
@@ -36,6 +39,9 @@ public:
     void clearSources() override {
         sources_.clear();
         cleared_.clear();
+        noted_.clear();
+        speaks_.clear();
+        speaking_.clear();
         callers_.clear();
         resolverThere_ = false;
         ++changes_;
@@ -102,7 +108,42 @@ public:
     /// Calls f(call, origin) for every call of kind C, in drain order.
     template <InteractionCall C, class F>
     void forCalls(F&& f) const {
-        for (CallSource<Role> const* source : sources_) {
+        drain<C>(sources_, std::forward<F>(f));
+    }
+    /// Notes which sources have calls. To be called before an advance: in it, no call is made. Looks only at
+    /// sources that have made or withdrawn calls since the last time.
+    void noteSpeaking() {
+        bool changed = false;
+        for (std::size_t i = 0; i < sources_.size(); ++i) {
+            if (sources_[i]->version != noted_[i]) {
+                noted_[i] = sources_[i]->version;
+                bool const speaks = !sources_[i]->empty();
+                changed = changed || speaks != speaks_[i];
+                speaks_[i] = speaks;
+            }
+        }
+        if (changed) {
+            speaking_.clear();
+            for (std::size_t i = 0; i < sources_.size(); ++i) {
+                if (speaks_[i]) {
+                    speaking_.push_back(sources_[i]);
+                }
+            }
+        }
+    }
+    /// The same as forCalls() after noteSpeaking(), without a look at the sources that have no calls: most
+    /// interactions sleep, and a resolver goes through its sources once for each kind of call.
+    template <InteractionCall C, class F>
+    void forNotedCalls(F&& f) const {
+        drain<C>(speaking_, std::forward<F>(f));
+    }
+    /// The sources that had calls when noteSpeaking() looked at them last, in drain order.
+    [[nodiscard]] std::span<CallSource<Role>* const> speaking() const { return speaking_; }
+
+private:
+    template <InteractionCall C, class F>
+    static void drain(std::span<CallSource<Role>* const> sources, F&& f) {
+        for (CallSource<Role> const* source : sources) {
             CallerId const caller = source->caller;
             for (auto const& chunk : source->chunks) {
                 auto const& buffer = std::get<CallBuffer<C>>(chunk);
@@ -114,10 +155,12 @@ public:
         }
     }
 
-private:
     std::vector<CallSource<Role>*> sources_;
     std::vector<CallerId> callers_;      // of sources_
     std::vector<std::uint64_t> cleared_; // of sources_: their versions when their calls were cleared last
+    std::vector<std::uint64_t> noted_;   // of sources_: their versions when noteSpeaking() looked at them
+    std::vector<bool> speaks_;           // of sources_: whether they had calls then
+    std::vector<CallSource<Role>*> speaking_; // of sources_: those that had
     std::unique_ptr<CallSource<Role>> outside_;
     bool resolverThere_ = false;
     std::uint64_t changes_ = 1;

@@ -129,14 +129,22 @@ public:
         return first_ || reads_.changed();
     }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
+    /// A turn that ends by an exception has made no calls: what it recorded is withdrawn, as the next turn
+    /// will record all of it. Nothing is held until then.
     void run(FrameContext const& context) final {
         bool const stood = !source_.empty();
-        source_.clearHeld();
+        source_.startTurn();
         trace_.begin();
-        openSinks(context, 1, Phase::interaction);
-        {
+        try {
+            openSinks(context, 1, Phase::interaction);
             Access access(*this, context);
             static_cast<Self&>(*this).apply(access);
+        } catch (...) {
+            source_.withdrawTurn();
+            trace_.forget();
+            sinks_.clear();
+            source_.version += stood ? 1 : 0;
+            throw;
         }
         trace_.end();
         if (stood || !source_.empty()) { // otherwise the resolver's calls have not changed

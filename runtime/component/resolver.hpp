@@ -88,7 +88,7 @@ public:
         void forCalls(F&& f) const {
             static_assert(detail::callListed<C, typename Role::Calls>,
                           "the call is not in Calls of this resolver's role");
-            self_.channel_->template forCalls<C>(std::forward<F>(f));
+            self_.channel_->template forNotedCalls<C>(std::forward<F>(f));
         }
         /// Whether calls were made or withdrawn since the last advance. If not, the held calls are the same
         /// as then, and there are no others.
@@ -125,10 +125,18 @@ public:
         return reads_.changed() || writes_.changed() || channel_->version() != seenCalls_;
     }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows() + writes_.rows(); }
+    /// No call is carried out twice, not even if an exception ends the advance: what the call has done by
+    /// then stays, and what it has not done will not be done.
     void run(FrameContext const& context) final {
         openSinks(context, 1, Phase::resolver);
-        Access access(*this, context);
-        static_cast<Self&>(*this).advance(access);
+        channel_->noteSpeaking();
+        try {
+            Access access(*this, context);
+            static_cast<Self&>(*this).advance(access);
+        } catch (...) {
+            channel_->clearOnce();
+            throw;
+        }
         channel_->clearOnce();
         reads_.markSeen();
         writes_.markSeen();

@@ -59,6 +59,8 @@ public:
     virtual void withdraw() = 0;
     /// The turn is done.
     virtual void end() = 0;
+    /// Instead of end(), of a turn that an exception ended: takes back the calls of this turn.
+    virtual void fail() = 0;
     /// Records `count` calls of one kind without a trace, as record() does one after the other: `bytes` are
     /// values of its C++ type side by side. For whoever gathers the calls of a turn first: it costs what a
     /// copy costs, and no indirect call for each.
@@ -84,7 +86,7 @@ public:
     }
     void begin() override {
         stood_ = !source_.empty();
-        source_.clearHeld();
+        source_.startTurn();
         trace_.begin();
     }
     void record(std::size_t call, void const* bytes, EventId cause, EventSink* sink) override {
@@ -99,6 +101,11 @@ public:
         if (stood_ || !source_.empty()) { // otherwise nothing has changed for the resolver
             ++source_.version;
         }
+    }
+    void fail() override {
+        source_.withdrawTurn();
+        trace_.forget();
+        source_.version += stood_ ? 1 : 0;
     }
     void recordMany(std::size_t call, void const* bytes, std::size_t count) override {
         manyRecorders[call](*this, static_cast<char const*>(bytes), count);

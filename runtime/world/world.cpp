@@ -97,6 +97,7 @@ void World::setUp() {
     if (tracer_) {
         gatherTrace();
     }
+    whole_ = true;
 }
 
 void World::gatherTrace() {

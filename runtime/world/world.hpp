@@ -175,8 +175,9 @@ private:
     void addEntries();
     void linkShortcuts();
     void select();
-    void construct(Entry& entry);
+    void install(Entry& entry, std::unique_ptr<Component> component);
     void setUp();
+    void unbind();
     void bindAll();
     [[nodiscard]] static double secondsIn(std::uint64_t ticks) {
         return frameDuration * (static_cast<double>(ticks) / ticksPerFrame);
@@ -211,8 +212,11 @@ private:
     std::uint64_t settledTicks_ =
         0;                    // at the end of the last part, or of the parts that were skipped after it
     bool underWay_ = false;   // during step()
+    bool whole_ = false;      // no exception ended the start or the last frame
     std::uint32_t notes_ = 0; // events that note() has added in this part
     std::uint64_t knownStructure_ = 0;
+    bool selected_ = false; // the components are those of the last selection; false after an exception in it
+    bool bound_ = false;    // every component is bound and has its turns
 };
 
 } // namespace trembler

@@ -6,7 +6,10 @@
 
 namespace trembler {
 
+// If a component's constructor throws, the world keeps the components that it has, and the next frame begins
+// with another selection.
 void World::select() {
+    selected_ = false;
     SelectionFacts facts{
         .inhabited = {}, .subscribed = {}, .detail = options_.detail, .suits = [this](std::size_t number) {
             Registration const& r = *entries_[number].registration;
@@ -24,37 +27,60 @@ void World::select() {
     bool const onlookers = !facts.subscribed.empty();
     facts.subscribed.clear();
     std::vector<Choice> const own = onlookers ? selectComponents(graph_, facts) : choices;
-    bool changed = knownStructure_ == 0;
+    std::vector<std::unique_ptr<Component>> made(entries_.size());
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        if (choices[i].chosen() && !entries_[i].component) {
+            made[i] = entries_[i].registration->make();
+        }
+    }
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         Entry& entry = entries_[i];
         Choice const& choice = choices[i];
-        entry.status.choice = choice;
-        changed = std::exchange(entry.own, own[i].chosen()) != entry.own || changed;
-        if (choice.chosen() && !entry.component) {
-            construct(entry);
-            changed = true;
+        if (std::exchange(entry.own, own[i].chosen()) != entry.own) {
+            unbind();
+        }
+        if (made[i]) {
+            unbind();
+            install(entry, std::move(made[i]));
         } else if (!choice.chosen() && entry.component) {
-            entry.component.reset();
-            entry.status.activity = Activity::absent;
-            changed = true;
+            unbind();
             if (!choice.alternative) { // otherwise the alternative continues with the same slots
                 for (PropertyInfo const* offer : entry.status.info->offers) {
                     store_.slot(*offer).reset();
                 }
             }
+            entry.component.reset();
+            entry.status.activity = Activity::absent;
         }
-    }
-    if (changed) {
-        bindAll();
+        entry.status.choice = choice;
     }
     knownStructure_ = store_.structureVersion();
+    if (!bound_) {
+        bindAll();
+    }
+    selected_ = true;
 }
 
-void World::construct(Entry& entry) {
-    entry.component = entry.registration->make();
+void World::install(Entry& entry, std::unique_ptr<Component> component) {
+    entry.component = std::move(component);
     entry.component->caller_ = entry.caller;
     entry.lastTick = ticks_;
     entry.status.activity = Activity::asleep; // until its first turn
+}
+
+// No turn and no channel refers to a component from then on, so that any of them may be destroyed.
+void World::unbind() {
+    if (!bound_) {
+        return;
+    }
+    bound_ = false;
+    channels_.clearSources();
+    for (std::vector<Turn>& turns : turns_) {
+        for (Turn& turn : turns) {
+            wake(turn);
+        }
+        turns.clear();
+    }
 }
 
 namespace {
@@ -67,11 +93,9 @@ int countOf(std::map<std::string_view, int> const& counts, std::string_view key)
 } // namespace
 
 void World::bindAll() {
-    channels_.clearSources();
+    unbind();
+    channels_.clearSources(); // those that were bound before an exception
     for (std::vector<Turn>& turns : turns_) {
-        for (Turn& turn : turns) {
-            wake(turn);
-        }
         turns.clear();
     }
     std::map<std::string_view, int> own; // readers by property: components constructed without subscriptions
@@ -100,6 +124,7 @@ void World::bindAll() {
         std::string_view const key = slot->info().text.key;
         slot->setReaders(countOf(own, key), countOf(others, key));
     }
+    bound_ = true;
 }
 
 } // namespace trembler

@@ -3,6 +3,7 @@
 #include "runtime/world/world.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -25,10 +26,16 @@ private:
 
 void World::step(PartLook const& look) {
     if (knownStructure_ != 0 && wants_->takeChanged()) {
+        selected_ = false;
+        unbind(); // the numbers of readers have changed, even if no component comes or goes
+    }
+    if (knownStructure_ != 0 && !selected_) {
         select();
-        bindAll(); // the numbers of readers have changed, even if no component came or went
     }
     Raised const raised(underWay_);
+    if (!std::exchange(whole_, false) && tracer_) {
+        gatherTrace(); // what the frame recorded that an exception ended
+    }
     now_ = {now_.frame + 1, 1, 1, now_.step + 1};
     ticks_ = (now_.frame - 1) * ticksPerFrame;
     settledTicks_ = ticks_; // differs only after a component's exception in the last frame
@@ -47,6 +54,7 @@ void World::step(PartLook const& look) {
             look(*this);
         }
         if (now_.part == now_.parts) {
+            whole_ = true;
             return;
         }
         // If no component had work in this part, nothing changes in the following parts before the last one,

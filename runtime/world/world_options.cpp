@@ -29,6 +29,7 @@ void World::setDetail(std::string const& effect, std::string const& level) {
         throw std::invalid_argument(fmt::format("no effect '{}' has detail levels; those that have: {}",
                                                 effect, fmt::join(effects, ", ")));
     }
+    std::map<std::string, std::string> before = options_.detail;
     if (level.empty()) {
         options_.detail.erase(effect);
     } else if (levels.contains(level)) {
@@ -38,7 +39,12 @@ void World::setDetail(std::string const& effect, std::string const& level) {
             fmt::format("{} has no detail level '{}'; it has: {}", effect, level, fmt::join(levels, ", ")));
     }
     if (knownStructure_ != 0) {
-        select();
+        try {
+            select();
+        } catch (...) { // of a component's constructor
+            options_.detail.swap(before);
+            throw;
+        }
     }
 }
 

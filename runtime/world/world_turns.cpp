@@ -24,6 +24,10 @@ void World::runEntry(Entry& entry) {
                                .store = &store_,
                                .tracing = tracer_ != nullptr,
                                .component = entry.index};
+    if (entry.status.info->kind == ComponentKind::resolver) {
+        entry.lastTick =
+            ticks_; // also if an exception ends the turn: no time passes twice, see Resolver::run
+    }
     entry.component->run(context);
     entry.lastTick = ticks_;
     entry.ranTick = ticks_;

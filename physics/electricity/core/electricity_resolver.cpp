@@ -255,9 +255,11 @@ void ElectricityResolver::changePair(Access& access, std::span<Change const> cha
         return; // the callers have changed, but not whether the pair is connected
     }
     std::vector<EventId> causes;
-    for (Change const& change : changes) {
-        if ((change.delta > 0) == after.any()) {
-            causes.push_back(change.event);
+    if (access.tracing()) {
+        for (Change const& change : changes) {
+            if ((change.delta > 0) == after.any()) {
+                causes.push_back(change.event);
+            }
         }
     }
     std::array const pair{a, b};

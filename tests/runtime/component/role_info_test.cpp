@@ -9,6 +9,7 @@ namespace {
 
 using heat::AddHeat;
 using heat::HeatRole;
+using heat::Strike;
 
 TEST(RoleInfo, DescribesEveryCallWithItsArguments) {
     RoleInfo const& role = roleInfo<HeatRole>();
@@ -51,6 +52,34 @@ TEST(RoleInfo, RecordsCallsThatAreKnownOnlyAtRunTime) {
     EXPECT_EQ(seen, 1);
     source->begin(); // a held call ends with the next turn
     source->end();
+    EXPECT_TRUE(channel.empty());
+}
+
+TEST(RoleInfo, TakesBackTheCallsOfAFailedTurnOnly) {
+    Callers callers;
+    Channels channels(callers);
+    std::unique_ptr<OpenSource> const source = roleInfo<HeatRole>().open();
+    source->attach(channels, callers.add("Heat <- Test"));
+    Channel<HeatRole>& channel = channels.of<HeatRole>();
+    auto const make = [&](double amount) { // a held call, and one that is carried out once
+        AddHeat const held{{3, 1}, amount};
+        Strike const once{{3, 1}, amount};
+        source->record(0, &held, {}, nullptr);
+        source->record(1, &once, {}, nullptr);
+    };
+    source->begin();
+    make(1);
+    source->end();
+    auto const before = channel.version();
+    source->begin();
+    make(2);
+    source->fail();
+    EXPECT_NE(channel.version(), before) << "the held call was withdrawn";
+    std::vector<double> left;
+    channel.forCalls<AddHeat>([&](AddHeat const& call, CallOrigin const&) { left.push_back(call.power); });
+    channel.forCalls<Strike>([&](Strike const& call, CallOrigin const&) { left.push_back(call.energy); });
+    EXPECT_EQ(left, std::vector<double>{1}) << "the call of the first turn that waits to be carried out";
+    channel.clearOnce();
     EXPECT_TRUE(channel.empty());
 }
 
