@@ -85,10 +85,9 @@ std::vector<Counterpart> counterparts() {
         of("Dynamics <- Liquid Drag", "DynamicsFromLiquidDrag", {dynamics + "from_liquid_drag.hpp"},
            "dynamics_from_liquid_drag"),
         of("Sound <- Dynamics", "SoundFromDynamics",
-           {sound + "from_dynamics.hpp", sound + "from_dynamics.cpp"}, "",
-           "impacts and contact patches are arrays without a description, the tables of acoustic materials "
-           "and "
-           "Hertz's law are C++"),
+           {sound + "from_dynamics.hpp", sound + "from_dynamics.cpp"}, "sound_from_dynamics",
+           "the duration of an impact is a power of 0.2, which no script has: by logarithms and a step of "
+           "Newton it differs in the last bit once in a thousand times"),
         of("Sound <- Buoyancy", "SoundFromBuoyancy",
            {sound + "from_buoyancy.hpp", sound + "from_buoyancy.cpp"}, "sound_from_buoyancy",
            "one liquid at a time, as nothing lasts for a pair of objects"),
