@@ -1,9 +1,7 @@
--- Young's modulus (Pa), Poisson's ratio and the length of the surface's bumps (m): a table of C++ that no property shows.
-local acoustic = {
-  steel = { 200e9, 0.29, 0.001 }, iron = { 170e9, 0.26, 0.002 }, copper = { 120e9, 0.34, 0.001 },
-  wood = { 11e9, 0.35, 0.003 }, glass = { 70e9, 0.22, 0.0005 }, rubber = { 10e6, 0.48, 0.002 },
-  stone = { 50e9, 0.20, 0.004 }, plastic = { 2.5e9, 0.38, 0.001 }, brick = { 15e9, 0.20, 0.005 },
-  water = { 2.2e9, 0.48, 0.01 }, gold = { 100e9, 0.35, 0.001 },
+-- The length of the surface's bumps (m): a table of C++ that no property shows.
+local bumps = {
+  steel = 0.001, iron = 0.002, copper = 0.001, wood = 0.003, glass = 0.0005, rubber = 0.002, stone = 0.004,
+  plastic = 0.001, brick = 0.005, water = 0.01, gold = 0.001,
 }
 -- Areas (m^2) and centres (m) of shapes, term by term in the order of massPropertiesOf().
 local function ofPolygon(corners)
@@ -54,8 +52,8 @@ end
 
 -- What is read of an object, once for each contact, as a script does not know which objects it has met.
 local function seen(handle)
-  local body = { handle = handle, inverse = 0, round = 0, angle = 0, at = vec2(0, 0), spin = 0, friction = 0.5,
-    material = acoustic.plastic, sounds = false }
+  local body = { handle = handle, movable = false, round = 0, angle = 0, at = vec2(0, 0), spin = 0,
+    friction = 0.5, bump = bumps.plastic, sounds = false }
   if not alive(handle) then
     return body
   end
@@ -63,8 +61,8 @@ local function seen(handle)
   local angle, at, spin = handle.Rotation, handle.Position, handle["Angular Velocity"]
   local friction = handle.friction
   body.sounds = material ~= nil or handle.acoustics ~= nil
-  body.material = material and acoustic[material.value] or body.material
-  body.inverse = mass and not handle.fixed and 1 / mass.value or 0
+  body.bump = material and bumps[material.value] or body.bump
+  body.movable = mass ~= nil and not handle.fixed
   body.shape, body.round = shape, shape and roundness(shape.value) or 0
   body.angle, body.at = angle and angle.value or 0, at and at.value or body.at
   body.spin, body.velocity = spin and spin.value or 0, handle.velocity
@@ -81,38 +79,10 @@ local function velocityAt(body, point)
   local centre = body.at + centreOf(body.shape.value):turned(body.angle)
   return body.velocity.value + body.spin * quarter(point - centre)
 end
-local function softness(material)
-  return (1 - material[2] * material[2]) / material[1]
-end
--- A product and what its rounding leaves out (Dekker).
-local function product(a, b)
-  local p, c, d = a * b, 134217729 * a, 134217729 * b
-  local a1, b1 = c - (c - a), d - (d - b)
-  local a2, b2 = a - a1, b - b1
-  return p, a1 * b1 - p + a1 * b2 + a2 * b1 + a2 * b2
-end
--- The power of 0.2, which no script has, rounded as well as that of C++: the fifth root by logarithms, one step of
--- Newton with its fifth power in twice the digits, and what the number 0.2 is above a fifth.
-local function power(x)
-  local root = math.exp(0.2 * math.log(x))
-  local square, squareRest = product(root, root)
-  local fourth, fourthRest = product(square, square)
-  local fifth, fifthRest = product(fourth, root)
-  local rest = fifthRest + (fourthRest + 2 * square * squareRest) * root
-  return root + ((x - fifth - rest) / (5 * fourth) + root * 1.1102230246251565e-17 * math.log(x))
-end
--- By Hertz.
-local function contactTime(a, b, mass, speed)
-  local modulus = 1 / (softness(a.material) + softness(b.material))
-  local curvature = (a.round > 0 and 1 / a.round or 0) + (b.round > 0 and 1 / b.round or 0)
-  local radius = curvature > 0 and 1 / curvature or 0.005
-  return math.clamp(2.87 * power(mass * mass / (radius * modulus * modulus * math.max(speed, 1e-3))), 2e-5, 0.05)
-end
-
-local function strike(out, body, other, impact, normal, contact)
+local function strike(out, body, other, impact, normal)
   if body.sounds then
-    out.strike(body.handle, other.handle, (impact.point - body.at):turned(-body.angle), normal:turned(-body.angle),
-      impact.impulse, contact, impact.since)
+    out.strike{ object = body.handle, other = other.handle, point = (impact.point - body.at):turned(-body.angle),
+      normal = normal:turned(-body.angle), impulse = impact.impulse, since = impact.since }
   end
   local sample = alive(body.handle) and body.handle.sample
   if sample and sample.cue == "struck" then
@@ -138,7 +108,7 @@ local function rubbing(out, patch, load)
   end
   local force = slip > 0.02 and 0.1 * math.sqrt(a.friction * b.friction) * load or 0.03 * load
   if force > 1e-4 then
-    local bandwidth = speed / math.max(a.material[3], b.material[3])
+    local bandwidth = speed / math.max(a.bump, b.bump)
     rub(out, a, b, point, -patch.normal, force, bandwidth)
     rub(out, b, a, point, patch.normal, force, bandwidth)
   end
@@ -156,11 +126,9 @@ return interaction {
   apply = function(world, params, out)
     for _, impact in ipairs(world.impacts.impacts) do
       local a, b = seen(impact.a), seen(impact.b)
-      local inverse = a.inverse + b.inverse
-      if inverse > 0 and impact.impulse > 0 then
-        local contact = contactTime(a, b, 1 / inverse, impact.impulse * inverse)
-        strike(out, a, b, impact, -impact.normal, contact)
-        strike(out, b, a, impact, impact.normal, contact)
+      if (a.movable or b.movable) and impact.impulse > 0 then
+        strike(out, a, b, impact, -impact.normal)
+        strike(out, b, a, impact, impact.normal)
       end
     end
     local patches = world.contact_patches
