@@ -70,6 +70,9 @@ public:
     void pushFfi(lua_State* L) const;
     /// Pushes the table of what scripts see besides their own; what is set in it is seen by the script.
     void pushSurroundings(lua_State* L) const;
+    /// Shows the script's chunk the value on top of the stack, and pops it, under a name that a script cannot
+    /// use itself: one of CountedSource.
+    void showChunk(lua_State* L, std::string_view name) const;
     /// Pushes the metatable of vectors.
     void pushVectorMeta(lua_State* L) const;
     /// Pushes a vector.
