@@ -86,8 +86,8 @@ std::vector<Counterpart> counterparts() {
            "dynamics_from_liquid_drag"),
         of("Sound <- Dynamics", "SoundFromDynamics",
            {sound + "from_dynamics.hpp", sound + "from_dynamics.cpp"}, "sound_from_dynamics",
-           "the duration of an impact is a power of 0.2, which no script has: by logarithms and a step of "
-           "Newton it differs in the last bit once in a thousand times"),
+           "where a body is turned, the last bit of a sine or cosine: those of scripts are the same on every "
+           "machine, those of C++ are the C library's"),
         of("Sound <- Buoyancy", "SoundFromBuoyancy",
            {sound + "from_buoyancy.hpp", sound + "from_buoyancy.cpp"}, "sound_from_buoyancy",
            "one liquid at a time, as nothing lasts for a pair of objects"),
