@@ -20,7 +20,7 @@ struct Strike {
     Vec2 point;         ///< m, in the object's frame
     Vec2 normal;        ///< unit, in the object's frame: the direction in which the object is pushed
     double impulse = 0; ///< N s
-    double contact = 0; ///< s, how long the impact lasts
+    double contact = 0; ///< s, how long the impact lasts; 0: as long as Hertz's law says of these two
     double since = 0;   ///< s, from the beginning of the frame to the impact
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -50,10 +50,10 @@ struct Strike {
               self.impulse);
         visit(FieldInfo{.key = "contact",
                         .unit = "s",
-                        .meaning = "how long the impact lasts",
+                        .meaning = "how long the impact lasts; 0: as long as their materials, masses and "
+                                   "roundness make it",
                         .minimum = 0,
-                        .maximum = 10,
-                        .required = true},
+                        .maximum = 10},
               self.contact);
         visit(FieldInfo{.key = "since",
                         .unit = "s",

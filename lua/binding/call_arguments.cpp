@@ -33,6 +33,16 @@ public:
         return 1;
     }
 
+    /// Two values for which the script has written vec2().
+    int readNumbers(FieldPlace const& place, int index) {
+        if (lua_type(L_, index) != LUA_TNUMBER || lua_type(L_, index + 1) != LUA_TNUMBER) {
+            refuse(place, fmt::format("is vec2 of {} and {}", kindAt(index), kindAt(index + 1)),
+                   inItsUnit(place, "vec2(x, y) of two numbers"));
+        }
+        putVector(place, {lua_tonumber(L_, index), lua_tonumber(L_, index + 1)});
+        return 2;
+    }
+
     void readOne(FieldPlace const& place, int index) {
         switch (place.kind) {
         case FieldKind::boolean:
@@ -97,8 +107,18 @@ private:
         put(place, vector);
     }
     [[noreturn]] void refuseType(FieldPlace const& place, int index, std::string const& expected) {
-        refuse(place, "is a " + kindOf(L_, index),
-               place.info.unit.empty() ? expected : fmt::format("{}, in {}", expected, place.info.unit));
+        refuse(place, "is " + kindAt(index), inItsUnit(place, expected));
+    }
+    /// "a number": what stands there, for people.
+    [[nodiscard]] std::string kindAt(int index) const {
+        if (objectAt_(L_, index)) {
+            return "an object";
+        }
+        std::string const kind = kindOf(L_, index);
+        return kind == "nil" ? kind : "a " + kind;
+    }
+    static std::string inItsUnit(FieldPlace const& place, std::string const& expected) {
+        return place.info.unit.empty() ? expected : fmt::format("{}, in {}", expected, place.info.unit);
     }
     void checkRange(FieldPlace const& place, double value, double minimum, double maximum) {
         if (!std::isfinite(value)) {
@@ -166,7 +186,7 @@ private:
 } // namespace
 
 void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
-                   ObjectAt const& objectAt, CallBytes& into) {
+                   ObjectAt const& objectAt, CallBytes& into, ArgumentForm form) {
     std::memcpy(into.bytes.data(), call.initial.data(), call.size);
     ArgumentReader reader(L, sandbox, store, call, objectAt, into);
     int count = lua_gettop(L);
@@ -179,8 +199,9 @@ void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescr
                                          call.text.name, signatureOf(call)));
         }
     };
-    bool const named = count == 1 && lua_type(L, 1) == LUA_TTABLE && call.arguments.size() > 1 &&
-                       !objectAt(L, 1) && kindOf(L, 1) == "table";
+    bool const asNumbers = form == ArgumentForm::numbers;
+    bool const named = !asNumbers && count == 1 && lua_type(L, 1) == LUA_TTABLE &&
+                       call.arguments.size() > 1 && !objectAt(L, 1) && kindOf(L, 1) == "table";
     if (named) {
         std::vector<std::string> const keys = stringKeys(L, 1);
         constexpr double chargePerKey = 50; // a table may have very many
@@ -209,7 +230,9 @@ void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescr
     }
     int index = 1;
     for (FieldPlace const& place : call.arguments) {
-        if (index > count || lua_isnil(L, index)) {
+        if (asNumbers && place.kind == FieldKind::vector) {
+            index += reader.readNumbers(place, index);
+        } else if (index > count || lua_isnil(L, index)) {
             missing(place);
             ++index;
         } else {

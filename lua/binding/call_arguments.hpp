@@ -21,12 +21,20 @@ struct alignas(16) CallBytes {
 /// The object that a Lua value stands for; nothing if it stands for none.
 using ObjectAt = std::function<std::optional<ObjectId>(lua_State*, int index)>;
 
-/// Reads the arguments of a call from the stack, all of it: one after the other in the order of the
-/// description, or by name in one table. In order, a vector may be stated as two numbers. Nils at the end are
-/// as if they were not there. Raises a Lua error, in words, if one is missing, has another type, is not
-/// finite or out of range, or is an object that is gone.
+/// How the arguments of a call stand on the stack.
+enum class ArgumentForm {
+    /// One after the other in the order of the description, where a vector may be stated as two numbers, or
+    /// by name in one table.
+    stated,
+    /// In order, with two values for each vector: those that the script gives to vec2() (spreadVectors()).
+    numbers,
+};
+
+/// Reads the arguments of a call from the stack, all of it. Nils at the end are as if they were not there.
+/// Raises a Lua error, in words, if one is missing, has another type, is not finite or out of range, or is an
+/// object that is gone.
 void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
-                   ObjectAt const& objectAt, CallBytes& into);
+                   ObjectAt const& objectAt, CallBytes& into, ArgumentForm form = ArgumentForm::stated);
 
 /// "addForce(object, force: N)", for people.
 [[nodiscard]] std::string signatureOf(CallDescription const& call);

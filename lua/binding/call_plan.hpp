@@ -4,6 +4,7 @@
 
 #include "runtime/component/role_info.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct CallPlan {
     bool plain = false;   ///< it has only such arguments
     bool creates = false; ///< it creates objects
     std::vector<PlainArgument> arguments;
+
+    [[nodiscard]] bool hasVector() const {
+        return std::any_of(arguments.begin(), arguments.end(),
+                           [](PlainArgument const& each) { return each.kind == FieldKind::vector; });
+    }
 };
 
 [[nodiscard]] CallPlan planOf(CallDescription const& call);

@@ -87,11 +87,17 @@ std::string driverCallText(std::size_t number, CallDescription const& call, Call
     } else {
         text += afterVectors + asVectors;
     }
-    text += fmt::format(" local used=b.used if used<b.room and budget.made<budget.most{0} then"
-                        " local at=b.bytes+used*{1}{2} b.used=used+1 budget.made=budget.made+1 return end"
-                        " return slow({3}) end end\n",
-                        test, call.size, write, parameters);
-    return text;
+    std::string const gather =
+        fmt::format(" local used=b.used if used<b.room and budget.made<budget.most{0} then"
+                    " local at=b.bytes+used*{1}{2} b.used=used+1 budget.made=budget.made+1 return end",
+                    test, call.size, write);
+    text += fmt::format("{} return slow({}) end\n", gather, parameters);
+    if (hasVector) {
+        text += fmt::format("local slow=slowNumbers[{0}] numbers[{1}]=function({2},more)"
+                            " if more~=nil then return slow({2},more) end{3} return slow({2}) end\n",
+                            number, quotedName(call.text.name), names, gather);
+    }
+    return text + "end\n";
 }
 
 } // namespace trembler::lua

@@ -14,6 +14,7 @@ namespace trembler::lua {
 
 /// The function that a trusted script calls in place of makeCall(). It carries out what makeCall() would for
 /// the arguments as they mostly are, and hands any others on to it. `number` is the call's place in its role.
+/// For a call with vectors there is a second one, which takes two numbers for each (spreadVectors()).
 [[nodiscard]] std::string driverCallText(std::size_t number, CallDescription const& call,
                                          CallPlan const& plan);
 

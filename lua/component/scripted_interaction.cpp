@@ -116,7 +116,7 @@ void ScriptedInteraction::applyScript(FrameContext const& context) {
     std::optional<ScriptError> failed;
     if (targets_.size() > mostPairs && script_->manifest.application == Application::pairs) {
         failed = ScriptError{
-            fmt::format("the script is applied to more than {} pairs of objects", mostPairs), {}, true};
+            fmt::format("the script is applied to more than {} pairs of objects in a turn", mostPairs), {}, true};
     } else if (!targets_.empty() && !turns_) {
         turns_ = std::make_unique<Turns>(script_);
         failed = turns_->broken();
@@ -130,6 +130,7 @@ void ScriptedInteraction::applyScript(FrameContext const& context) {
                          .sink = sinks_.empty() ? nullptr : &sinks_.front(),
                          .duration = context.duration,
                          .sameTargets = same,
+                         .sameFrame = frame_ == context.when.frame,
                          .log = [&](std::string const& line) {
                              log_->add({.script = script_->manifest.name,
                                         .frame = context.when.frame,
@@ -137,6 +138,7 @@ void ScriptedInteraction::applyScript(FrameContext const& context) {
                                         .text = line,
                                         .traceback = {}});
                          }};
+        frame_ = context.when.frame;
         failed = turns_->run(turn, targets_);
     }
     if (failed) {

@@ -45,7 +45,7 @@ public:
     void setOn(bool on);
     /// Whether it was switched off because it failed.
     [[nodiscard]] bool failed() const { return off_; }
-    /// Of its last turn; nothing before the first one, and after it has failed.
+    /// Of the frame of its last turn; nothing before the first one, and after it has failed.
     [[nodiscard]] std::optional<TurnUsage> usage() const;
 
 private:
@@ -72,6 +72,8 @@ private:
     bool first_ = true;
     bool off_ = false;
     bool resting_ = false; // see setOn()
+    // Of the last turn of turns_. Limits hold for a frame, so between frames it is of no use, and no state.
+    std::optional<std::uint64_t> frame_;
     std::shared_ptr<Script const> script_;
     std::shared_ptr<ScriptLog> log_;
     std::unique_ptr<OpenSource> source_;

@@ -15,6 +15,7 @@ void ScriptedInteraction::replace(Store& store, std::shared_ptr<Script const> sc
     kept.adopt(kept_);
     kept_ = std::move(kept);
     turns_.reset();
+    frame_.reset();
     targets_.clear();
     targetsOf_.clear();
     restless_ = script->manifest.restless;

@@ -52,7 +52,8 @@ std::string Turns::Binding::driverText() const {
         "local pointers=cast('void const* const*',t.pointers) local current=cast('int32_t*',t.current)\n"
         "local calls=cast('trembler_calls*',t.calls) local budget=cast('trembler_budget*',t.budget)\n"
         "local object1,object2,params,out,store,frame=t.object1,t.object2,t.params,t.out,t.store,t.frame\n"
-        "local slow,functions,fill=t.slow,t.functions,t.fill\n";
+        "local slow,functions,fill=t.slow,t.functions,t.fill\n"
+        "local slowNumbers,numbers=t.slowNumbers,t.numbers\n";
     for (std::size_t i = 0; i < plans_.size(); ++i) {
         if (plans_[i].plain && !plans_[i].creates && plans_[i].arguments.size() <= 6) {
             text += driverCallText(i, script_->role->calls[i], plans_[i]);
@@ -154,6 +155,7 @@ void Turns::Binding::setUpDriver(lua_State* L) {
                                           {"store", store_},
                                           {"frame", frame_},
                                           {"functions", outValues_},
+                                          {"numbers", outNumbers_},
                                           {"fields1", slots_[0].fields},
                                           {"fields2", slots_[1].fields}}) {
         if (reference != 0) {
@@ -161,12 +163,14 @@ void Turns::Binding::setUpDriver(lua_State* L) {
             lua_setfield(L, -2, name);
         }
     }
-    lua_newtable(L); // the functions as C has them
-    for (std::size_t i = 0; i < plans_.size(); ++i) {
-        pushFunction<&Binding::makeCall>(L, i);
-        lua_rawseti(L, -2, static_cast<int>(i));
+    for (std::size_t const asNumbers : {0U, 1U}) { // the functions as C has them
+        lua_newtable(L);
+        for (std::size_t i = 0; i < plans_.size(); ++i) {
+            pushFunction<&Binding::makeCall>(L, i, asNumbers);
+            lua_rawseti(L, -2, static_cast<int>(i));
+        }
+        lua_setfield(L, -2, asNumbers == 0 ? "slow" : "slowNumbers");
     }
-    lua_setfield(L, -2, "slow");
     pushFunction<&Binding::fillHere>(L);
     lua_setfield(L, -2, "fill");
     lua_newtable(L);

@@ -18,9 +18,8 @@ Turns::Binding::Binding(std::shared_ptr<Script const> script)
 }
 
 TurnUsage Turns::Binding::usage() const {
-    ScriptLimits const& limits = script_->manifest.limits;
     return {.instructions = sandbox_.instructions(),
-            .mostInstructions = limits.instructions + limits.instructionsPerObject * lastTargets_,
+            .mostInstructions = sandbox_.mostInstructions(),
             .bytes = sandbox_.memory().used(),
             .mostBytes = sandbox_.mostMemory(),
             .targets = lastTargets_};
@@ -55,7 +54,9 @@ std::optional<ScriptError> Turns::Binding::run(TurnContext const& context,
     at_ = 0;
     sandbox_.onLog = context.log;
     findColumns();
-    auto failed = sandbox_.turn(targets.size(), [&](lua_State* L) { applyTo(L); });
+    auto failed = sandbox_.turn(
+        targets.size(), [&](lua_State* L) { applyTo(L); },
+        context.sameFrame ? Sandbox::TurnOf::sameFrame : Sandbox::TurnOf::newFrame);
     if (failed) {
         gatherer_.drop();
     } else {

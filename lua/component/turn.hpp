@@ -47,16 +47,17 @@ struct TurnContext {
     EventSink* sink = nullptr;
     double duration = 0;      ///< s, since the last turn
     bool sameTargets = false; ///< as in the last turn, in columns with the same rows
+    bool sameFrame = false;   ///< as the last turn: limits hold for all turns of a frame together
     std::function<void(std::string const&)> log;
 };
 
-/// What a script has used in a turn, and what it may use.
+/// What a script has used in a frame, in all of its turns, and what it may use.
 struct TurnUsage {
     std::uint64_t instructions = 0;
-    std::uint64_t mostInstructions = 0; ///< for as many objects, or pairs, as it was applied to
-    std::size_t bytes = 0;              ///< allocated at the end of the turn
+    std::uint64_t mostInstructions = 0; ///< for all the objects, or pairs, that it was applied to
+    std::size_t bytes = 0;              ///< allocated at the end of the last turn
     std::size_t mostBytes = 0;
-    std::size_t targets = 0; ///< the objects, or pairs, that it was applied to
+    std::size_t targets = 0; ///< the objects, or pairs, that it was applied to in the last turn
 };
 
 /// A Lua state in which one script has its turns. Used by one thread at a time.
@@ -72,7 +73,7 @@ public:
     /// Applies the script to every target, in order.
     [[nodiscard]] std::optional<ScriptError> run(TurnContext const& context,
                                                  std::vector<Target> const& targets);
-    /// Of the last turn; all zero before the first.
+    /// Of the frame of the last turn; all zero before the first.
     [[nodiscard]] TurnUsage usage() const;
 
 private:

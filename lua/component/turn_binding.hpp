@@ -126,7 +126,7 @@ private:
     // Calls: turn_calls.cpp.
     int callFallback(lua_State* L);
     int makeCall(lua_State* L);
-    [[nodiscard]] bool readPlain(lua_State* L, CallPlan const& plan, char* into) const;
+    [[nodiscard]] bool readPlain(lua_State* L, CallPlan const& plan, char* into, ArgumentForm form) const;
 
     // Handles: turn_handles.cpp.
     void pushHandle(lua_State* L, ObjectId id);
@@ -163,6 +163,7 @@ private:
     int parameterValues_ = 0;
     int out_ = 0;
     int outValues_ = 0;
+    int outNumbers_ = 0; // the functions that take two numbers for each vector, where vec2() was written
     int store_ = 0;
     int frame_ = 0;
     int frameValues_ = 0;

@@ -24,12 +24,13 @@ int Turns::Binding::makeCall(lua_State* L) {
         sandbox_.raise(L, "calls are made in apply");
     }
     CallPlan const& plan = plans_[number];
+    auto const form = upvalue(L, 2) == 0 ? ArgumentForm::stated : ArgumentForm::numbers;
     sandbox_.chargeCall(L, plan.creates);
     char* const place = gatherer_.place(number);
-    if (!plan.plain || !readPlain(L, plan, place)) {
+    if (!plan.plain || !readPlain(L, plan, place, form)) {
         CallDescription const& description = script_->role->calls[number];
         CallBytes bytes;
-        readArguments(L, sandbox_, context_->store, description, objectAt_, bytes);
+        readArguments(L, sandbox_, context_->store, description, objectAt_, bytes, form);
         std::memcpy(place, bytes.bytes.data(), description.size);
     }
     if (context_->sink == nullptr) {
@@ -45,7 +46,7 @@ int Turns::Binding::makeCall(lua_State* L) {
 /// in range, and the objects those of the target. False if they are
 /// not; readArguments() then finds out what is wrong with them, if
 /// anything is.
-bool Turns::Binding::readPlain(lua_State* L, CallPlan const& plan, char* into) const {
+bool Turns::Binding::readPlain(lua_State* L, CallPlan const& plan, char* into, ArgumentForm form) const {
     int index = 1;
     for (PlainArgument const& argument : plan.arguments) {
         char* const place = into + argument.offset;
@@ -70,7 +71,7 @@ bool Turns::Binding::readPlain(lua_State* L, CallPlan const& plan, char* into) c
                 }
                 std::memcpy(place + sizeof value, &second, sizeof second);
             }
-        } else if (argument.kind == FieldKind::vector) {
+        } else if (argument.kind == FieldKind::vector && form == ArgumentForm::stated) {
             auto const vector = sandbox_.vectorAt(L, index);
             if (!vector || !argument.takes(vector->x) || !argument.takes(vector->y)) {
                 return false;

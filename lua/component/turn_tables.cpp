@@ -164,6 +164,18 @@ void Turns::Binding::setUpCalls(lua_State* L) {
     pushShown(L);
     out_ = keep(L);
     outValues_ = keep(L);
+    lua_newtable(L);
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+        if (plans_[i].plain && plans_[i].hasVector()) {
+            std::string_view const name = script_->role->calls[i].text.name;
+            lua_pushlstring(L, name.data(), name.size());
+            pushFunction<&Binding::makeCall>(L, i, 1);
+            lua_rawset(L, -3);
+        }
+    }
+    lua_pushvalue(L, -1);
+    outNumbers_ = keep(L);
+    sandbox_.showChunk(L, CountedSource::numbersName);
 }
 
 void Turns::Binding::setUpStore(lua_State* L) {

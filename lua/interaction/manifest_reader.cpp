@@ -258,6 +258,8 @@ private:
         constexpr std::size_t least = std::size_t{1}
                                       << 19U; // what a state needs before any script runs in it
         manifest_.limits.memory = std::max(manifest_.limits.memory, least);
+        // What it may have at a time is of no use if it may not allocate as much.
+        manifest_.limits.allocation = std::max(manifest_.limits.allocation, manifest_.limits.memory);
     }
 
     Manifest& manifest_;

@@ -64,7 +64,8 @@ private:
         for (at_ = 0; at_ < tokens_.size() && !fault_; ++at_) {
             Token const& now = token(at_);
             if (now.kind == TokenKind::name &&
-                (now.text == CountedSource::counterName || now.text == CountedSource::stopName)) {
+                (now.text == CountedSource::counterName || now.text == CountedSource::stopName ||
+                 now.text == CountedSource::numbersName)) {
                 fail(fmt::format("the name '{}' is the host's", now.text));
             }
         }

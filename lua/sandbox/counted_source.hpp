@@ -38,6 +38,8 @@ struct CountedSource {
     static constexpr std::size_t anyNumber = 100;
     static constexpr std::string_view counterName = "__count";
     static constexpr std::string_view stopName = "__over";
+    /// The table of functions that take each vector as two numbers: see spreadVectors().
+    static constexpr std::string_view numbersName = "__numbers";
 };
 
 /// What is wrong with the order of a text's blocks, and in which line.

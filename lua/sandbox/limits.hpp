@@ -1,4 +1,4 @@
-// What a script may use up in one turn. Everything is counted in instructions and bytes, never in time, so a
+// What a script may use up in one frame. Everything is counted in instructions and bytes, never in time, so a
 // script is stopped at the same instruction on every machine. Instructions are those of its text: see
 // CountedSource.
 #pragma once
@@ -8,14 +8,17 @@
 
 namespace trembler::lua {
 
-/// Limits of one turn, the application of one scripted interaction in one part of a frame. `objects` in the
-/// names below is the number of objects, or pairs, that it is applied to.
+/// Limits of one frame, of all turns that one scripted interaction has in it: one in each part of the frame,
+/// or a single one. So they bound how much longer a frame takes, however many parts it has. What is "per
+/// object" is added for each object, or pair, that the script is applied to, in each turn again: an
+/// interaction that has eight times the work may do eight times as much.
 struct ScriptLimits {
     std::uint64_t instructions = 15'000;
     std::uint64_t instructionsPerObject = 500; ///< on average: an object may use what others leave
-    /// Bytes by which the memory in use may grow in a turn. Garbage of one application counts until its end.
+    /// Bytes by which the memory in use may grow, at a time: each turn begins without what the one before has
+    /// used. Garbage of one application counts until its end.
     std::size_t memory = std::size_t{4} << 20U;
-    /// Bytes, the sum over all that is allocated in a turn, less what a growing block gives back.
+    /// Bytes, the sum over all that is allocated in a frame, less what a growing block gives back.
     std::size_t allocation = std::size_t{4} << 20U;
     std::size_t allocationPerObject = 1024; ///< bytes
     std::uint32_t calls = 100;              ///< of functions of the resolver
@@ -44,7 +47,7 @@ enum class Trust {
     untrusted,
     /// Compiled, and columns are read by FFI. Instructions and calls have the same limits. The limit of
     /// memory is
-    /// four times as much, and blocks and what is allocated in a turn have none, as compiled code allocates
+    /// four times as much, and blocks and what is allocated in a frame have none, as compiled code allocates
     /// less.
     trusted,
 };

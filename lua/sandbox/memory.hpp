@@ -16,6 +16,11 @@ public:
     [[nodiscard]] void* owner() const { return owner_; }
     /// Bytes that are allocated now.
     [[nodiscard]] std::size_t used() const { return used_; }
+    /// Bytes, the sum over all that was allocated since beginTurn(), less what was given back for a larger or
+    /// smaller block.
+    [[nodiscard]] std::size_t allocated() const {
+        return allocated_ < 0 ? 0 : static_cast<std::size_t>(allocated_);
+    }
     /// Whether something was refused since beginTurn().
     [[nodiscard]] bool exhausted() const { return exhausted_; }
 

@@ -123,6 +123,13 @@ void Sandbox::pushFfi(lua_State* L) const {
 void Sandbox::pushSurroundings(lua_State* L) const {
     lua_rawgeti(L, LUA_REGISTRYINDEX, surroundings_);
 }
+void Sandbox::showChunk(lua_State* L, std::string_view name) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, globals_);
+    pushString(L, name);
+    lua_pushvalue(L, -3);
+    lua_rawset(L, -3);
+    lua_pop(L, 2);
+}
 void Sandbox::pushVectorMeta(lua_State* L) const {
     lua_rawgeti(L, LUA_REGISTRYINDEX, vectorMeta_);
 }

@@ -22,7 +22,7 @@ struct ScriptError {
     bool limit = false;    ///< a limit was reached
 };
 
-/// Calls of the resolver in a turn. Compiled code counts them too, so they are plain numbers.
+/// Calls of the resolver in a frame. Compiled code counts them too, so they are plain numbers.
 struct CallBudget {
     double made = 0;
     double most = 0;
@@ -53,8 +53,15 @@ public:
     using Body = std::function<void(lua_State*)>;
     /// Runs the host's own code in protected mode: running out of memory is then no abort.
     [[nodiscard]] std::optional<ScriptError> protect(Body const& body);
-    /// A turn: `body` within the limits for `objects` objects.
-    [[nodiscard]] std::optional<ScriptError> turn(std::size_t objects, Body const& body);
+    /// Which turn of its frame a turn is.
+    enum class TurnOf {
+        newFrame,  ///< the first one
+        sameFrame, ///< another one: it has what the earlier ones have left, and more for its own objects
+    };
+    /// A turn: `body` within the limits for `objects` objects. After one that has failed there may be others
+    /// of new frames only.
+    [[nodiscard]] std::optional<ScriptError> turn(std::size_t objects, Body const& body,
+                                                  TurnOf of = TurnOf::newFrame);
 
     // For the functions that scripts call, and within protect() and turn():
 
@@ -70,6 +77,9 @@ public:
     void pushFfi(lua_State* L) const;
     /// Pushes the table of what scripts see besides their own; what is set in it is seen by the script.
     void pushSurroundings(lua_State* L) const;
+    /// Shows the script's chunk the value on top of the stack, and pops it, under a name that a script cannot
+    /// use itself: one of CountedSource.
+    void showChunk(lua_State* L, std::string_view name) const;
     /// Pushes the metatable of vectors.
     void pushVectorMeta(lua_State* L) const;
     /// Pushes a vector.
@@ -90,10 +100,11 @@ public:
 
     /// Takes what the script logs; set before the turn. Lines beyond the limit are dropped.
     std::function<void(std::string const&)> onLog;
-    /// Instructions and bytes of the last turn.
+    /// Instructions of the last turn and of those before it in the same frame, and their limit so far.
     [[nodiscard]] std::uint64_t instructions() const { return spent_; }
+    [[nodiscard]] std::uint64_t mostInstructions() const { return static_cast<std::uint64_t>(budget_); }
     [[nodiscard]] Memory const& memory() const { return memory_; }
-    /// Bytes by which the memory in use may grow in a turn.
+    /// Bytes by which the memory in use may grow at a time.
     [[nodiscard]] std::size_t mostMemory() const;
     [[nodiscard]] CallBudget& calls() { return calls_; }
     [[nodiscard]] bool trusted() const { return trust_ == Trust::trusted; }
@@ -124,6 +135,7 @@ private:
     [[nodiscard]] std::optional<ScriptError> runOnNewStack(Body const& body);
     /// Collects all garbage: between turns and between two calls of the script only.
     void collect();
+    void beginTurn(std::size_t objects, TurnOf of);
     void finishTurn(std::optional<ScriptError>& failed);
 
     ScriptLimits limits_;
@@ -144,8 +156,12 @@ private:
     int counterAt_ = 0; // the place of the counter among its upvalues
     bool plainGlobals_ = false;
     bool filled_ = false;
+    // Of the frame's turns so far:
     double budget_ = 0;
+    double left_ = 0; // of the budget, at the end of the last turn
     std::uint64_t spent_ = 0;
+    std::size_t mostAllocated_ = 0; // bytes
+    std::size_t allocated_ = 0;
     CallBudget calls_;
     std::uint32_t creations_ = 0;
     std::uint32_t logged_ = 0;

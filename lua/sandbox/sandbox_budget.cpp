@@ -1,4 +1,4 @@
-// The instructions and calls of a turn: counting them, and the errors that end it.
+// The instructions and calls of a frame: counting them, and the errors that end a turn.
 #include "lua/sandbox/sandbox.hpp"
 #include "lua/sandbox/stack_values.hpp"
 
@@ -54,11 +54,11 @@ void Sandbox::chargeCall(lua_State* L, bool creates) {
     }
     calls_.made += 1;
     if (calls_.made > calls_.most) {
-        stop(L, fmt::format("the script makes more than its {} calls in a turn", calls_.most));
+        stop(L, fmt::format("the script makes more than its {} calls in a frame", calls_.most));
     }
     creations_ += creates ? 1 : 0;
     if (creations_ > limits_.creations) {
-        stop(L, fmt::format("the script creates more than its {} objects in a turn", limits_.creations));
+        stop(L, fmt::format("the script creates more than its {} objects in a frame", limits_.creations));
     }
 }
 
@@ -69,7 +69,7 @@ void Sandbox::over(lua_State* L) {
     if (memory_.exhausted()) {
         stop(L, "not enough memory");
     }
-    stop(L, fmt::format("the script takes more than its {} instructions in a turn", budget_));
+    stop(L, fmt::format("the script takes more than its {} instructions in a frame", budget_));
 }
 
 // From here on every counter in the text raises the error again, so no pcall can hold it up.

@@ -23,7 +23,27 @@ std::optional<ScriptError> Sandbox::runOnNewStack(Body const& body) {
     return noStack ? std::move(noStack) : std::move(failed);
 }
 
-std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) {
+void Sandbox::beginTurn(std::size_t objects, TurnOf of) {
+    if (of == TurnOf::newFrame) {
+        budget_ = left_ = static_cast<double>(limits_.instructions);
+        mostAllocated_ = limits_.allocation;
+        allocated_ = 0;
+        calls_ = {.made = 0, .most = static_cast<double>(limits_.calls)};
+        creations_ = 0;
+        logged_ = 0;
+    }
+    auto const more = static_cast<double>(limits_.instructionsPerObject * objects);
+    budget_ += more;
+    left_ += more;
+    mostAllocated_ += limits_.allocationPerObject * objects;
+    calls_.most += static_cast<double>(limits_.callsPerObject) * static_cast<double>(objects);
+    memory_.beginTurn(trusted() ? static_cast<std::size_t>(-1)
+                                : mostAllocated_ - std::min(mostAllocated_, allocated_));
+    memory_.setCap(memory_.used() +
+                   mostMemory()); // garbage of earlier turns takes nothing away from this one
+}
+
+std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body, TurnOf of) {
     if (plainGlobals_ &&
         !filled_) { // before the turn, or the first one would have less memory than the others
         filled_ = true;
@@ -35,22 +55,12 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) 
             return failed;
         }
     }
-    memory_.beginTurn(trusted() ? static_cast<std::size_t>(-1)
-                                : limits_.allocation + limits_.allocationPerObject * objects);
-    memory_.setCap(memory_.used() +
-                   mostMemory()); // garbage of earlier turns takes nothing away from this one
-    budget_ = static_cast<double>(limits_.instructions + limits_.instructionsPerObject * objects);
-    calls_ = {.made = 0,
-              .most =
-                  limits_.calls + static_cast<double>(limits_.callsPerObject) * static_cast<double>(objects)};
-    spent_ = 0;
-    creations_ = 0;
-    logged_ = 0;
+    beginTurn(objects, of);
     counting_ = true;
     Body const whole = [&](lua_State* L) {
         lua_rawgeti(L, LUA_REGISTRYINDEX, reset_);
         lua_call(L, 0, 0);
-        setLeft(L, budget_);
+        setLeft(L, left_);
         body(L);
     };
     auto failed = trusted() ? protect(whole) : runOnNewStack(whole);
@@ -60,11 +70,13 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body) 
 }
 
 void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
+    allocated_ += memory_.allocated();
     if (std::exchange(keepsGarbage_, false) || (!trusted() && memory_.worthCollecting())) {
         collect(); // what is left of the turn, so that the next one can have all of the memory
     }
     if (stopped_.empty()) {
-        spent_ = static_cast<std::uint64_t>(std::clamp(budget_ - left(state_), 0.0, budget_));
+        left_ = std::clamp(left(state_), 0.0, budget_);
+        spent_ = static_cast<std::uint64_t>(budget_ - left_);
     }
     setLeft(state_, unlimited);         // neither needs memory beyond the stack that every state has
     if (!failed && !stopped_.empty()) { // its error was dropped
@@ -80,8 +92,8 @@ void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
         } else if (stopped_.empty()) {
             failed->message =
                 fmt::format("the script needs more memory than its limits, {} bytes at a time and "
-                            "{} in a turn, or calls itself too deeply",
-                            mostMemory(), limits_.allocation);
+                            "{} in a frame, or calls itself too deeply",
+                            mostMemory(), mostAllocated_);
         }
     }
     stopped_.clear();

@@ -1,5 +1,7 @@
 #include "lua/sandbox/spread_vectors.hpp"
 
+#include "lua/sandbox/counted_source.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -17,17 +19,11 @@ public:
         if (out_.empty() || out_ == maker || !makerIsTheHosts() || !outIsTheParameter()) {
             return {};
         }
-        // A table with a metatable could answer the subtraction with a number, where vec2() refuses it.
-        for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (token(i).is("setmetatable")) {
-                return {};
-            }
-        }
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
             if (isVariable(i, out_) && token(i + 1).is(".") && isName(i + 2) && token(i + 3).is("(")) {
                 auto const call = arguments_.calls.find(token(i + 2).text);
                 if (call != arguments_.calls.end()) {
-                    spreadCall(i + 4, call->second);
+                    spreadCall(i, call->second);
                 }
             }
         }
@@ -105,12 +101,16 @@ private:
         return std::nullopt;
     }
 
+    /// The call whose 'out' stands at `at`.
     void spreadCall(std::size_t at, std::vector<bool> const& vectors) {
-        auto const stated = listAt(at);
-        if (!stated || stated->size() > vectors.size()) {
-            return;
+        auto const stated = listAt(at + 4);
+        auto const last = std::find(vectors.rbegin(), vectors.rend(), true);
+        if (!stated || last == vectors.rend() || stated->size() > vectors.size() ||
+            stated->size() < static_cast<std::size_t>(vectors.rend() - last)) {
+            return; // its function takes two values for each vector: none may be left out
         }
-        std::vector<TextEdit> edits;
+        std::vector<TextEdit> edits{
+            {token(at).begin, token(at).text.size(), std::string(CountedSource::numbersName)}};
         for (std::size_t i = 0; i < stated->size(); ++i) {
             if (vectors[i] && !spread((*stated)[i], edits)) {
                 return; // the arguments behind it would be taken for others
@@ -131,8 +131,7 @@ private:
         }
         Token const& comma = token(numbers->front().end);
         edits.push_back({name.begin, bracket.end - name.begin, "("});
-        edits.push_back({comma.begin, 1, ")-0,("});
-        edits.push_back({token(numbers->back().end).end, 0, "-0"});
+        edits.push_back({comma.begin, 1, "),("});
         return true;
     }
 

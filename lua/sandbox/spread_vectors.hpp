@@ -26,12 +26,12 @@ struct TextEdit {
     std::string inserted;
 };
 
-/// The changes that make `out.addForce(object, vec2(x, y))` into `out.addForce(object, (x)-0, (y)-0)`, by
+/// The changes that make `out.addForce(object, vec2(x, y))` into `__numbers.addForce(object, (x), (y))`, by
 /// ascending position: no table is made then, which takes longer than all else that most scripts do. `out` is
-/// the name of that parameter. Only where the text shows that `out` and `vec2` are the host's, and that all
-/// vectors of the call stand in it like that. Numbers stay the same, but for texts that read as numbers,
-/// which arithmetic takes; errors stay errors, in the words of arithmetic, and are found before the next
-/// argument is evaluated. No change crosses a line.
+/// the name of that parameter; the functions of CountedSource::numbersName take two values for each vector,
+/// and say of others than numbers what is wrong with the vector. Only where the text shows that `out` and
+/// `vec2` are the host's, and that all vectors of the call stand in it like that. An error is found when all
+/// arguments are evaluated, and not between them. No change crosses a line.
 [[nodiscard]] std::vector<TextEdit> spreadVectors(Tokens const& tokens, std::string_view out,
                                                   VectorArguments const& arguments);
 

@@ -1,10 +1,12 @@
-// Prints docs/scripting-analysis.md with its tables made anew: scripting_analysis PAGE [--times]. Without
-// --times, which depends on the machine, the table of times stays as it is.
+// Prints docs/scripting-analysis.md with its tables made anew: scripting_analysis PAGE [--times]
+// [--interactions]. Without --times, which depends on the machine, the table of times stays as it is; with
+// --interactions, those of the conventional scenes do, which take longest.
 #include "tests/conventional/trials.hpp"
 #include "tests/lua/analysis/interaction_tables.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -28,11 +30,16 @@ void put(std::string& page, std::string const& name, std::string const& table) {
 
 int main(int count, char** arguments) try {
     using namespace trembler;
-    if (count < 2) {
-        std::cerr << "usage: scripting_analysis PAGE [--times]\n";
+    std::vector<std::string> const stated(arguments + 1, arguments + count);
+    auto const states = [&](std::string const& word) {
+        return std::find(stated.begin(), stated.end(), word) != stated.end();
+    };
+    if (stated.empty() ||
+        stated.size() != 1U + (states("--times") ? 1U : 0U) + (states("--interactions") ? 1U : 0U)) {
+        std::cerr << "usage: scripting_analysis PAGE [--times] [--interactions]\n";
         return 2;
     }
-    std::ifstream file(arguments[1]);
+    std::ifstream file(stated.front());
     std::string page{std::istreambuf_iterator<char>(file), {}};
     GameData const data;
     auto const compared = lua::analysis::compareAll(data, lua::analysis::comparedLevels(data), 100'000);
@@ -42,8 +49,12 @@ int main(int count, char** arguments) try {
         }
     }
     put(page, "hashes", lua::analysis::hashTable(compared));
-    if (count > 2) {
+    if (states("--times")) {
         put(page, "times", lua::analysis::timeTable(compared));
+    }
+    if (states("--interactions")) {
+        std::cout << page;
+        return 0;
     }
     conventional::Stage const stage;
     std::vector<conventional::SceneResult> results;

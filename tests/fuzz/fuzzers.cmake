@@ -1,4 +1,4 @@
-# libFuzzer's programs: -DTREMBLER_FUZZERS=ON with clang++. See docs/security.md.
+# libFuzzer's programs: -DTREMBLER_FUZZERS=ON with clang++. See docs/contributors.md.
 if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   message(FATAL_ERROR "TREMBLER_FUZZERS needs clang++, of which libFuzzer is a part")
 endif()

@@ -1,5 +1,6 @@
 #include "audio/effect/core/sound_columns.hpp"
 
+#include "audio/effect/core/contact_pulse.hpp"
 #include "physics/dynamics/properties/shape_rules.hpp"
 
 namespace trembler {
@@ -24,6 +25,24 @@ BodyFacts SoundColumns::factsOf(ObjectId id) const {
     }
     facts.mass = heavy->value;
     return facts;
+}
+
+double SoundColumns::contactTimeOf(ObjectId a, ObjectId b, double impulse) const {
+    auto const materialAt = [this](ObjectId id) {
+        MadeOf const* const of = madeOf.find(id);
+        return of == nullptr ? Material::plastic : of->material;
+    };
+    auto const roundnessAt = [this](ObjectId id) {
+        Shape const* const form = shape.find(id);
+        return form == nullptr ? 0 : roundnessOf(*form);
+    };
+    auto const inverseMassAt = [this](ObjectId id) {
+        Mass const* const heavy = mass.find(id);
+        return heavy == nullptr || fixed.has(id) ? 0 : 1 / heavy->value;
+    };
+    double const inverse = inverseMassAt(a) + inverseMassAt(b); // 1/kg; of two fixed objects 0
+    return contactTime(materialAt(a), materialAt(b), roundnessAt(a), roundnessAt(b), 1 / inverse,
+                       impulse * inverse);
 }
 
 std::array<std::uint64_t, 7> SoundColumns::voiceVersions() const {

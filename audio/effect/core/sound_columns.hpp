@@ -28,6 +28,10 @@ struct SoundColumns {
 
     /// The properties of an object that can sound; without a shape if it cannot sound.
     [[nodiscard]] BodyFacts factsOf(ObjectId id) const;
+    /// How long these two stay in touch in an impact of that impulse (N s), in s: contactTime() for their
+    /// materials, masses and roundness. An object without a material counts as one of plastic, one without a
+    /// shape as flat, one without a mass as fixed.
+    [[nodiscard]] double contactTimeOf(ObjectId a, ObjectId b, double impulse) const;
     /// Changes when the acoustic model of any object may have changed.
     [[nodiscard]] std::array<std::uint64_t, 7> voiceVersions() const;
 };

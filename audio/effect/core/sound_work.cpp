@@ -23,7 +23,7 @@ struct Decay {
 
 bool isSane(Strike const& call) {
     return isFinite(call.point) && isFinite(call.normal) && std::isfinite(call.impulse) && call.impulse > 0 &&
-           std::isfinite(call.contact) && call.contact > 0 && std::isfinite(call.since);
+           std::isfinite(call.contact) && call.contact >= 0 && std::isfinite(call.since);
 }
 bool isSane(Rub const& call) {
     return isFinite(call.point) && isFinite(call.normal) && std::isfinite(call.force) && call.force > 0 &&
@@ -156,6 +156,8 @@ void SoundWork::strike(SoundColumns const& columns, Received<Strike> const& rece
     }
     SoundingBody const& model = *excitation->model;
     Sounds::Body& body = *excitation->body;
+    double const contact =
+        call.contact > 0 ? call.contact : columns.contactTimeOf(call.object, call.other, call.impulse);
     body.local = model.sourceOf(call.point, call.normal);
     body.event = received.cause;
     Sounds::Impact impact;
@@ -169,7 +171,7 @@ void SoundWork::strike(SoundColumns const& columns, Received<Strike> const& rece
     for (std::size_t i = 0; i < body.rings.size(); ++i) {
         Mode const& mode = model.modes()[i];
         double const amplitude = call.impulse * model.mobility(mode, call.point, call.normal) *
-                                 spectrumOf(call.contact, mode.frequency) * mode.radiation;
+                                 spectrumOf(contact, mode.frequency) * mode.radiation;
         sounds.amplitudes.push_back(amplitude);
         double const meanSquare = amplitude * amplitude / 2;
         Decay const decay(2 * mode.decay, rest);
@@ -180,12 +182,12 @@ void SoundWork::strike(SoundColumns const& columns, Received<Strike> const& rece
         impact.meanSquare += mode.audibility * meanSquare;
     }
     if (model.movedAir() > 0) {
-        double const frequency = 1 / call.contact;
-        impact.clickTime = call.contact;
-        impact.clickPressure = clickPressure(model.movedAir(), model.mass(), call.impulse, call.contact);
+        double const frequency = 1 / contact;
+        impact.clickTime = contact;
+        impact.clickPressure = clickPressure(model.movedAir(), model.mass(), call.impulse, contact);
         double const meanSquare = aWeighting(frequency) * impact.clickPressure * impact.clickPressure / 2;
-        excitation->energy += meanSquare * call.contact;
-        excitation->moment += meanSquare * call.contact * frequency;
+        excitation->energy += meanSquare * contact;
+        excitation->moment += meanSquare * contact * frequency;
         impact.meanSquare += meanSquare;
     }
     sounds.impacts.push_back(impact);

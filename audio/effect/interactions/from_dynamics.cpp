@@ -27,10 +27,8 @@ public:
         MadeOf const* const of = find<MadeOf>(id);
         return of == nullptr ? Material::plastic : of->material;
     }
-    /// 1/kg; 0 for an object that cannot move.
-    [[nodiscard]] double inverseMass(ObjectId id) const {
-        Mass const* const mass = find<Mass>(id);
-        return mass == nullptr || access_.template read<Fixed>().has(id) ? 0 : 1 / mass->value;
+    [[nodiscard]] bool movable(ObjectId id) const {
+        return find<Mass>(id) != nullptr && !access_.template read<Fixed>().has(id);
     }
     [[nodiscard]] double roundness(ObjectId id) const {
         Shape const* const shape = find<Shape>(id);
@@ -92,18 +90,14 @@ void SoundFromDynamics::callStrikes(Access& access) {
     Scene const scene(access);
     Contacts const& contacts = access.read<Contacts>();
     for (Impact const& impact : access.read<Impacts>().impacts) {
-        double const inverse = scene.inverseMass(impact.a) + scene.inverseMass(impact.b);
-        if (!(inverse > 0) || !(impact.impulse > 0)) {
+        if (!(scene.movable(impact.a) || scene.movable(impact.b)) || !(impact.impulse > 0)) {
             continue;
         }
         EventId const cause = access.tracing() ? touchOf(contacts, impact.a, impact.b) : EventId{};
-        double const contact =
-            contactTime(scene.material(impact.a), scene.material(impact.b), scene.roundness(impact.a),
-                        scene.roundness(impact.b), 1 / inverse, impact.impulse * inverse);
         auto const call = [&](ObjectId object, ObjectId other, Vec2 direction) {
             if (scene.sounds(object)) {
                 access.call(Strike{object, other, scene.toLocal(object, impact.point),
-                                   scene.directionToLocal(object, direction), impact.impulse, contact,
+                                   scene.directionToLocal(object, direction), impact.impulse, 0,
                                    impact.since},
                             cause);
             }

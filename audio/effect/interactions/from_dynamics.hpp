@@ -13,7 +13,7 @@
 
 namespace trembler {
 
-/// Every impact excites both bodies, for the contact time by Hertz. If surfaces slide or roll on each other,
+/// Every impact excites both bodies, for as long as the resolver finds by Hertz's law. If surfaces slide or roll on each other,
 /// their bumps make a noise of small impacts: a share of the friction, or of the load in rolling, with as
 /// many bumps per second as the rougher surface has over the distance covered.
 class SoundFromDynamics final

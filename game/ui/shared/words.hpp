@@ -140,7 +140,7 @@ inline char const* const& scriptUses = said("Uses");
 inline char const* const& instructions = said("instructions");
 inline char const* const& memory = said("memory");
 inline char const* const& instructionsTip =
-    said("Of its last turn. Beyond its limit a script is switched off.");
+    said("Of the last frame in which it had a turn. Beyond its limit a script is switched off.");
 inline char const* const& notApplied = said("It has had no turn in this run.");
 inline char const* const& scriptLog = said("Log");
 inline char const* const& failedInThisRun = said("It failed and is switched off for this run");

@@ -71,6 +71,26 @@ struct ContactPatch {
     std::array<double, 2> normalImpulse;  ///< N s in the last substep
     std::array<double, 2> tangentImpulse; ///< N s in the last substep
     int count = 0;                        ///< number of points in use, 1 or 2
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "a", .unit = "", .meaning = "one object"}, self.a);
+        visit(FieldInfo{.key = "b", .unit = "", .meaning = "the other"}, self.b);
+        visit(FieldInfo{.key = "normal", .unit = "", .meaning = "from the one to the other, in the world"},
+              self.normal);
+        visit(FieldInfo{.key = "count", .unit = "", .meaning = "number of points, 1 or 2"}, self.count);
+        visit(FieldInfo{.key = "point", .unit = "m", .meaning = "first point, in the world"}, self.points[0]);
+        visit(FieldInfo{.key = "impulse", .unit = "N s", .meaning = "there, along the normal, in a step"},
+              self.normalImpulse[0]);
+        visit(FieldInfo{.key = "friction", .unit = "N s", .meaning = "there, across the normal, in a step"},
+              self.tangentImpulse[0]);
+        visit(FieldInfo{.key = "second_point", .unit = "m", .meaning = "second point, if there are two"},
+              self.points[1]);
+        visit(FieldInfo{.key = "second_impulse", .unit = "N s", .meaning = "there, along the normal"},
+              self.normalImpulse[1]);
+        visit(FieldInfo{.key = "second_friction", .unit = "N s", .meaning = "there, across the normal"},
+              self.tangentImpulse[1]);
+    }
 };
 
 /// Computed only while a component or a subscription reads it. Ascending by pair; a compound may touch in
@@ -84,6 +104,13 @@ struct ContactPatches {
         "the engine's contacts of the last advance; the results of interactions that read them are in calls");
     std::vector<ContactPatch> patches;
     double step = 0; ///< s, of that substep
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit) {
+        visit(FieldInfo{.key = "patches", .unit = "", .meaning = "ascending by pair"}, self.patches);
+        visit(FieldInfo{.key = "step", .unit = "s", .meaning = "length of the steps of the impulses"},
+              self.step);
+    }
 };
 
 } // namespace trembler

@@ -1,4 +1,4 @@
-// libFuzzer's entry: build with -DTREMBLER_FUZZERS=ON, see docs/security.md.
+// libFuzzer's entry: build with -DTREMBLER_FUZZERS=ON, see docs/contributors.md.
 #include "tests/fuzz/targets.hpp"
 
 #include <cstddef>

@@ -354,7 +354,6 @@ TEST_F(WatchTest, EveryFieldThatAPropertyDescribesHasAName) {
     // Properties of objects without fields are markers, or no file states them: see MayLackFields. The others
     // describe no fields for these reasons.
     std::map<std::string, std::string> const reasons{
-        {"contact_patches", "data of the engine, for drawing"},
         {"graph_changes", "a journal for components"},
         {"magnet_switching", "ids of events only"},
         {"motion_causes", "ids of events only"},

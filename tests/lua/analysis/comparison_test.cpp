@@ -3,6 +3,7 @@
 #include "puzzle/data/effects.hpp"
 #include "tests/lua/analysis/comparison.hpp"
 #include "tests/lua/analysis/interaction_tables.hpp"
+#include "tests/lua/support/script_world.hpp"
 #include "tests/support/sanitizer.hpp"
 
 #include <gtest/gtest.h>
@@ -80,6 +81,48 @@ TEST(InteractionsInLua, NoScriptIsLeftOut) {
                                                                  "tests/lua/analysis/interactions")) {
         EXPECT_TRUE(used.contains(entry.path().filename())) << entry.path();
     }
+}
+
+// A script at the place of an interaction that runs inside a derived property set (5.7.3) reads there what
+// the set has just derived, and sleeps with it.
+TEST(InteractionsInLua, RunInsideADerivedPropertySetWhereTheNativeOneDoes) {
+    std::vector<Counterpart> const all = counterparts();
+    auto const gravity = std::find_if(
+        all.begin(), all.end(), [](Counterpart const& each) { return each.name == "Dynamics <- Gravity"; });
+    ASSERT_NE(gravity, all.end());
+    auto const log = std::make_shared<ScriptLog>();
+    std::vector<std::vector<std::uint64_t>> hashes;
+    std::vector<std::uint64_t> updates;
+    for (bool const scripted : {false, true}) {
+        Registry registry;
+        registerEffects(registry);
+        if (scripted) {
+            putInPlace(registry, *gravity, log);
+        }
+        ASSERT_FALSE(registry.shortcuts().empty());
+        World world(registry);
+        Store& store = world.store();
+        ObjectId const field = store.create("world");
+        store.column<GravityField>().set(field, {{0, -9.81}});
+        ObjectId const box = addBox(store, "box", {0, 0});
+        (void)addBox(store, "other", {5, 0}, {1, 0});
+        world.start();
+        hashes.emplace_back();
+        for (int frame = 0; frame < 30; ++frame) {
+            if (frame == 10) {
+                store.column<Mass>().set(box, {700});
+            } else if (frame == 20) {
+                store.column<GravityField>().set(field, {{1, -3}});
+            }
+            world.step();
+            hashes.back().push_back(propertyHash(world, registry));
+        }
+        updates.push_back(statusOf(world, "Dynamics <- Gravity").updates);
+        EXPECT_EQ(updates.back(), 3U) << "once, and after each change";
+        EXPECT_NEAR(world.find<Velocity>(box)->value.x, 1.0 / 6, 0.02);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_TRUE(log->take().empty());
 }
 
 // The first frames of each play; the page is made from all of them.

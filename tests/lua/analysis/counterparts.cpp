@@ -85,10 +85,9 @@ std::vector<Counterpart> counterparts() {
         of("Dynamics <- Liquid Drag", "DynamicsFromLiquidDrag", {dynamics + "from_liquid_drag.hpp"},
            "dynamics_from_liquid_drag"),
         of("Sound <- Dynamics", "SoundFromDynamics",
-           {sound + "from_dynamics.hpp", sound + "from_dynamics.cpp"}, "",
-           "impacts and contact patches are arrays without a description, the tables of acoustic materials "
-           "and "
-           "Hertz's law are C++"),
+           {sound + "from_dynamics.hpp", sound + "from_dynamics.cpp"}, "sound_from_dynamics",
+           "where a body is turned, the last bit of a sine or cosine: those of scripts are the same on every "
+           "machine, those of C++ are the C library's"),
         of("Sound <- Buoyancy", "SoundFromBuoyancy",
            {sound + "from_buoyancy.hpp", sound + "from_buoyancy.cpp"}, "sound_from_buoyancy",
            "one liquid at a time, as nothing lasts for a pair of objects"),

@@ -77,6 +77,42 @@ TEST(EditorPanels, TheInspectorChangesAPropertyByDragging) {
     EXPECT_EQ(designer.parts().selected().size(), 1U);
 }
 
+// 7.1.1: a script is attached to an object by a drop-down, and its parameters have widgets of their own.
+TEST(EditorPanels, TheInspectorAttachesAScriptAndSetsItsParameters) {
+    Designer designer;
+    designer.editCopyOf(std::filesystem::path(TREMBLER_SOURCE_DIR) / "mods/wind/levels/1-a-fair-wind.json");
+    designer.select({-1.5, 0.3});
+    ASSERT_EQ(designer.parts().selected(), std::vector<std::string>{"sledge"});
+    designer.key(SDLK_F4);
+    designer.frames(2);
+    designer.scrollTo("panel", "add script");
+    designer.clickItem("add script");
+    designer.frames(2);
+    designer.clickItem("add script = Dynamics <- Wind");
+    designer.frames(2);
+    auto const uses = [&] {
+        for (auto const& object : designer.tree()["objects"]) {
+            if (object["name"] == "sledge") {
+                return object["properties"].value("scripts", edit::Json::array());
+            }
+        }
+        return edit::Json();
+    };
+    ASSERT_EQ(uses().size(), 1U);
+    EXPECT_EQ(uses()[0]["script"], "Dynamics <- Wind");
+    designer.scrollTo("panel", "speed of Dynamics <- Wind");
+    Point const slider = designer.item("speed of Dynamics <- Wind");
+    designer.drag(slider, slider + Point{40, 0});
+    ASSERT_EQ(uses()[0]["set"].size(), 1U);
+    EXPECT_EQ(uses()[0]["set"][0]["param"], "speed");
+    EXPECT_GT(uses()[0]["set"][0]["number"].get<double>(), 8);
+    EXPECT_LE(uses()[0]["set"][0]["number"].get<double>(), 100) << "the range that the script states";
+    designer.look("edit-scripts");
+    designer.clickItem("remove script Dynamics <- Wind");
+    designer.frames(2);
+    EXPECT_TRUE(uses().empty());
+}
+
 TEST(EditorPanels, ADeletedObjectIsAProblemWhoseClickLeadsToTheGoal) {
     Designer designer;
     designer.editCopyOf(firstContact);
