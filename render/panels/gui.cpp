@@ -61,8 +61,12 @@ void Gui::followScale() {
     float const scale = window_.uiScale();
     // Dragging a window's edge must not build new letters in every frame.
     if (theme_.scale > 0.F && std::abs(scale / theme_.scale - 1.F) < 0.03F) {
+        if (std::exchange(theme_.colours, palette::inUse()) != palette::inUse()) {
+            applyStyle(theme_.scale);
+        }
         return;
     }
+    theme_.colours = palette::inUse();
     bool const first = theme_.scale <= 0.F;
     theme_.scale = scale;
     applyStyle(scale);
