@@ -97,7 +97,7 @@ private:
         put(place, vector);
     }
     [[noreturn]] void refuseType(FieldPlace const& place, int index, std::string const& expected) {
-        refuse(place, "is a " + kindOf(L_, index),
+        refuse(place, fmt::format("is a {}", kindOf(L_, index)),
                place.info.unit.empty() ? expected : fmt::format("{}, in {}", expected, place.info.unit));
     }
     void checkRange(FieldPlace const& place, double value, double minimum, double maximum) {

@@ -140,8 +140,8 @@ void drawWorld(EditParts& parts) {
         std::string chosen = stated == parts.level.detail.end() ? std::string() : stated->second;
         std::vector<std::string> choices{""};
         choices.insert(choices.end(), levels.begin(), levels.end());
-        fieldName(effect, words::detailTip);
-        if (choiceField(parts, "detail " + effect, chosen, choices)) {
+        fieldName(shownField(effect), words::detailTip);
+        if (choiceField(parts, "detail " + effect, chosen, choices, shownChoice)) {
             parts.run([&, name = effect](Json const& level) {
                 return edit::setDetail(*parts.data, level, name, chosen);
             });
