@@ -77,6 +77,54 @@ TEST(EditorPanels, TheInspectorChangesAPropertyByDragging) {
     EXPECT_EQ(designer.parts().selected().size(), 1U);
 }
 
+TEST(EditorPanels, TeachingStepsAreAddedChangedAndUndone) {
+    Designer designer({1280, 1440}); // so that the whole page is seen
+    designer.editCopyOf(firstContact);
+    edit::Json const before = designer.tree();
+    ASSERT_EQ(designer.count("teaching"), 2U);
+    designer.key(SDLK_F6);
+    designer.frames(3);
+    designer.clickItem("add step");
+    designer.frames(2);
+    designer.clickItem("add step = cut");
+    designer.frames(3);
+    ASSERT_EQ(designer.count("teaching"), 3U);
+    EXPECT_TRUE(designer.tree()["teaching"][2].contains("cut"));
+    designer.clickItem("step 2 up");
+    designer.frames(3);
+    EXPECT_TRUE(designer.tree()["teaching"][1].contains("cut"));
+    designer.drag(designer.item("step 0 at x"), designer.item("step 0 at x") + Point{40, 0});
+    EXPECT_NE(designer.tree()["teaching"][0]["at"], before["teaching"][0]["at"]);
+    designer.look("edit-teaching");
+    for (int i = 0; i < 3; ++i) {
+        designer.ctrl(SDLK_z);
+        designer.frames(1);
+    }
+    EXPECT_EQ(designer.tree(), before);
+}
+
+TEST(EditorPanels, WiresAreNoPartOfTheToolbox) {
+    Designer designer({1280, 1440});
+    designer.editCopyOf(levelsFolder() / "5-everything/2-the-gate.json");
+    designer.key(SDLK_F6);
+    designer.frames(3);
+    auto const wires = [&] {
+        for (auto const& tool : designer.tree()["toolbox"]) {
+            if (tool.contains("wire")) {
+                return tool["wire"].get<int>();
+            }
+        }
+        return 0;
+    };
+    int const before = wires();
+    ASSERT_GT(before, 0);
+    designer.drag(designer.item("wires"), designer.item("wires") + Point{80, 0});
+    EXPECT_GT(wires(), before);
+    for (auto const& tool : designer.tree()["toolbox"]) {
+        EXPECT_FALSE(tool.contains("wire") && tool.contains("count"));
+    }
+}
+
 TEST(EditorPanels, ADeletedObjectIsAProblemWhoseClickLeadsToTheGoal) {
     Designer designer;
     designer.editCopyOf(firstContact);
