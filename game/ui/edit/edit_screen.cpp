@@ -199,7 +199,6 @@ void EditScreen::handleKeys() {
 
 std::optional<ScreenRequest> EditScreen::update(double seconds) {
     parts_.request.reset();
-    words::followLanguage();
     auto const chosen = takeNext();
     if (parts_.test != nullptr) {
         if (chosen) {

@@ -10,12 +10,8 @@
 
 namespace trembler::ui::words {
 
-/// A constant that points to a text in the language in use; see followLanguage(). `english` must be a
-/// literal.
+/// As said(), and counted among the editor's.
 [[nodiscard]] char const* const& editWord(char const* english);
-/// Lets all these constants point to their texts in the language in use now. Window thread only; to be called
-/// for every picture of the editor.
-void followLanguage();
 /// The English texts of all of them, for a test.
 [[nodiscard]] std::vector<char const*> allEditWords();
 

@@ -95,8 +95,12 @@ void drawTop(EditParts& parts, CommandSet const& commands, std::optional<std::si
 
 void drawLevelName(EditParts& parts) {
     Layout& layout = parts.context.layout;
-    float const room = ImGui::GetIO().DisplaySize.x / theme().scale - 560;
-    if (room < 120) {
+    // The menus are longer in some languages than in others.
+    auto const bar = layout.card("bar");
+    double const left = bar ? bar->high.x : scaled(560);
+    float const room =
+        (ImGui::GetIO().DisplaySize.x - static_cast<float>(left)) / theme().scale - 2 * editGap;
+    if (room < 90) {
         return;
     }
     layout.beginCard("level name", "",
