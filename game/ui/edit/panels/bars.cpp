@@ -86,7 +86,7 @@ void drawTop(EditParts& parts, CommandSet const& commands, std::optional<std::si
         buttons.icon(id);
         ImGui::SameLine(0, scaled(5));
     }
-    buttons.big("edit-test", {.look = ButtonLook::Primary, .width = 92});
+    buttons.big("edit-test", {.look = ButtonLook::Primary});
     if (buttons.asked()) {
         asked = buttons.asked();
     }

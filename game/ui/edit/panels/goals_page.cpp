@@ -166,13 +166,15 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
                 false);
         }
     }
-    for (char const* kind : {"all", "any", "sequence", "not"}) {
-        if (smallButton(parts, shownGoalWord(kind).c_str(), std::string("wrap ") + kind, words::wrapTip)) {
+    for (std::string const kind : {"all", "any", "sequence", "not"}) {
+        std::string const label = shownGoalWord(kind);
+        if (kind != "all") {
+            besideIfRoom(label.c_str());
+        }
+        if (smallButton(parts, label.c_str(), "wrap " + kind, words::wrapTip)) {
             parts.run([&](Json const& level) { return edit::wrapGoal(level, line.place, kind); });
         }
-        ImGui::SameLine();
     }
-    ImGui::NewLine(); // one more would not fit
     if (smallButton(parts, words::unwrap, "unwrap", words::unwrapTip)) {
         parts.run([&](Json const& level) { return edit::unwrapGoal(level, line.place); });
     }
