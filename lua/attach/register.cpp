@@ -43,7 +43,8 @@ std::optional<std::string> faultOf(Scripts const& scripts, LiveScripts const* kn
         if (script == nullptr || !script->script().manifest.attached) {
             return fmt::format("there is no script '{}' that objects can name{}; {}", use.script,
                                didYouMean(use.script, names),
-                               names.empty() ? "the level's mods have none" : "there are " + listed(names));
+                               names.empty() ? "the level's mods have none"
+                                             : fmt::format("there are {}", listed(names)));
         }
         if (std::find(seen.begin(), seen.end(), use.script) != seen.end()) {
             return fmt::format("the script '{}' is named twice", use.script);
@@ -92,7 +93,7 @@ std::shared_ptr<LiveScripts const> registerMods(Registry& registry, std::span<Mo
             if (manifest.name.empty()) {
                 continue; // what is wrong with it has been said
             }
-            auto const [owner, isNew] = taken.emplace(manifest.name, "the mod '" + mod.name + "'");
+            auto const [owner, isNew] = taken.emplace(manifest.name, fmt::format("the mod '{}'", mod.name));
             if (!isNew) {
                 problems.add(manifest.problem(
                     "name", fmt::format("{} has an interaction '{}' already", owner->second, manifest.name),

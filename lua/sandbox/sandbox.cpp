@@ -105,7 +105,7 @@ void Sandbox::open() {
     });
     if (failed) {
         lua_close(state_);
-        throw std::runtime_error("a Lua state could not be made: " + failed->message);
+        throw std::runtime_error(fmt::format("a Lua state could not be made: {}", failed->message));
     }
     memory_.setCap(mostMemory());
 }

@@ -10,6 +10,8 @@
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/placement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace trembler {
@@ -114,7 +116,7 @@ private:
 
     void complain(std::string path, std::string message, std::string expected) {
         addProblem(problems_, [&] {
-            return level_.diagnostic(std::move(path), "can never hold: " + std::move(message),
+            return level_.diagnostic(std::move(path), fmt::format("can never hold: {}", message),
                                      std::move(expected));
         });
     }

@@ -3,6 +3,8 @@
 #include "runtime/level/build/check_composites.hpp"
 #include "runtime/level/json/json_document.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <system_error>
@@ -30,9 +32,11 @@ void append(std::vector<Diagnostic>& faults, InputError const& error) {
 }
 
 Diagnostic conflictOf(PartDefinition const& part, PartDefinition const& other) {
-    std::string const where = other.document == nullptr ? std::string() : " in " + other.document->file();
-    return part.document->diagnostic("/name", "there is already a part '" + part.name + "'" + where,
-                                     "a name that no other part has");
+    std::string const message =
+        other.document == nullptr
+            ? fmt::format("there is already a part '{}'", part.name)
+            : fmt::format("there is already a part '{}' in {}", part.name, other.document->file());
+    return part.document->diagnostic("/name", message, "a name that no other part has");
 }
 
 /// Adds a part if the library can be used with it. Says why not otherwise.

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <optional>
 #include <system_error>
@@ -18,6 +19,17 @@ nlohmann::json jsonIn(fs::path const& file) {
 }
 
 using TextMap = std::map<std::string, std::string, std::less<>>;
+
+/// The files of texts with gaps that translated() recognises.
+constexpr std::array<char const*, 4> filesOfMessages{"messages.json", "edits.json", "faults.json",
+                                                     "scripts.json"};
+
+/// Whether braces around this are a gap, and not those of a file that a sentence quotes: {"part": name}.
+bool isGap(std::string_view inside) {
+    constexpr std::array<std::string_view, 4> kinds{"name", "akk", "dat", "own"};
+    return inside.empty() || inside.front() == ':' ||
+           std::find(kinds.begin(), kinds.end(), inside) != kinds.end();
+}
 
 void addTexts(TextMap& texts, fs::path const& file) {
     auto const all = jsonIn(file);
@@ -64,7 +76,7 @@ Catalogue::Pieces Catalogue::piecesOf(std::string_view text) {
         if ((text[i] == '{' || text[i] == '}') && twice) {
             piece += text[i++];
         } else if (std::size_t const end = text[i] == '{' ? text.find('}', i) : std::string_view::npos;
-                   end != std::string_view::npos) {
+                   end != std::string_view::npos && isGap(text.substr(i + 1, end - i - 1))) {
             pieces.between.push_back(std::move(piece));
             piece.clear();
             pieces.gaps.emplace_back(text.substr(i + 1, end - i - 1));
@@ -94,7 +106,9 @@ Catalogue::Catalogue(fs::path const& folder, std::string_view language) {
         }
     }
     TextMap sentences;
-    addTexts(sentences, folder / language / "messages.json");
+    for (char const* const file : filesOfMessages) {
+        addTexts(sentences, folder / language / file);
+    }
     for (auto const& [english, translation] : sentences) {
         Pieces pieces = piecesOf(english);
         std::size_t length = 0;
@@ -130,18 +144,32 @@ std::string Catalogue::translated(std::string const& english) const {
     return english;
 }
 
+std::string Catalogue::translatedInside(std::string const& argument) const {
+    if (!argument.empty() && argument.front() >= 'a' && argument.front() <= 'z' &&
+        find(argument) == nullptr) {
+        std::string title = argument; // "mass" of the property "Mass"
+        title.front() = static_cast<char>(title.front() - 'a' + 'A');
+        if (char const* const known = find(title)) {
+            return known;
+        }
+    }
+    return translated(argument);
+}
+
 std::string Catalogue::filled(Template const& found, std::vector<std::string> const& arguments) const {
     Pieces const pieces = piecesOf(found.translation);
     std::string text = pieces.between.front();
     for (std::size_t i = 0; i < pieces.gaps.size(); ++i) {
         std::string const& gap = pieces.gaps[i];
         std::string const& argument = arguments[std::min(i, arguments.size() - 1)];
-        if (gap == "name") {
+        if (gap == "own") {
+            text += argument;
+        } else if (gap == "name") {
             text += names_.bare(argument);
         } else if (gap == "akk" || gap == "dat") {
             text += names_.definite(argument, gap == "akk" ? GermanCase::accusative : GermanCase::dative);
         } else {
-            text += argument.size() < found.length + 200 ? translated(argument) : argument;
+            text += argument.size() < found.length + 200 ? translatedInside(argument) : argument;
         }
         text += pieces.between[i + 1];
     }

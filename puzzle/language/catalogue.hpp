@@ -19,22 +19,22 @@ public:
     /// Without any text: everything stays English.
     Catalogue() = default;
     /// Reads LANGUAGE.json and every file of the folder LANGUAGE; LANGUAGE/names.json has the names of
-    /// objects, LANGUAGE/messages.json the texts with gaps that translated() recognises. Files that are
-    /// missing or damaged are left out, so their texts stay English.
+    /// objects; messages.json, edits.json, faults.json and scripts.json the texts with gaps that translated()
+    /// recognises. Files that are missing or damaged are left out, so their texts stay English.
     Catalogue(std::filesystem::path const& folder, std::string_view language);
 
     /// The text for an id or an English text; nullptr if there is none. Valid as long as the catalogue.
     [[nodiscard]] char const* find(std::string_view english) const;
     /// A finished English text, such as the message of an exception: looked up as it is, or else by the text
-    /// with gaps of messages.json that it fits ("it would overlap the {}"), the one that leaves the least to
-    /// the gaps. What stands in the gaps is translated likewise; "{name}", "{akk}" and "{dat}" in the
-    /// translation make it the name of an object, without an article or in that case. If nothing fits, the
-    /// text as it is.
+    /// with gaps that it fits ("it would overlap the {}"), the one that leaves the least to the gaps. What
+    /// stands in the gaps is translated likewise; "{name}", "{akk}" and "{dat}" in the translation make it
+    /// the name of an object, without an article or in that case, and "{own}" leaves it as it is. If nothing
+    /// fits, the text as it is.
     [[nodiscard]] std::string translated(std::string const& english) const;
     [[nodiscard]] GermanNames const& names() const { return names_; }
 
     /// The pieces of a text between its gaps ("{}", "{:.1f}", "{dat}"), and what the gaps say ("", ":.1f",
-    /// "dat").
+    /// "dat"). Other braces are those of a file that the text quotes.
     struct Pieces {
         std::vector<std::string> between; ///< one more than gaps
         std::vector<std::string> gaps;
@@ -47,6 +47,7 @@ private:
         std::size_t length = 0; // of what stands between the gaps
         std::string translation;
     };
+    [[nodiscard]] std::string translatedInside(std::string const& argument) const;
     [[nodiscard]] std::string filled(Template const& found, std::vector<std::string> const& arguments) const;
 
     std::map<std::string, std::string, std::less<>> texts_;

@@ -11,6 +11,7 @@
 #include <backends/imgui_impl_sdl.h>
 #endif
 #include <algorithm>
+#include <array>
 #include <backends/imgui_impl_opengl3.h>
 #include <cfloat>
 #include <cmath>
@@ -61,8 +62,12 @@ void Gui::followScale() {
     float const scale = window_.uiScale();
     // Dragging a window's edge must not build new letters in every frame.
     if (theme_.scale > 0.F && std::abs(scale / theme_.scale - 1.F) < 0.03F) {
+        if (std::exchange(theme_.colours, palette::inUse()) != palette::inUse()) {
+            applyStyle(theme_.scale);
+        }
         return;
     }
+    theme_.colours = palette::inUse();
     bool const first = theme_.scale <= 0.F;
     theme_.scale = scale;
     applyStyle(scale);
@@ -102,10 +107,42 @@ void Gui::feedMouse(InputEvents const& input) {
     }
 }
 
+namespace {
+
+/// The key by which ImGui's widgets know what a button of a gamepad does: the directional pad moves among
+/// them, its lower button presses, the right one leaves. Other events are returned as they are.
+SDL_Event asKeyOfWidgets(SDL_Event event) {
+    struct Stands {
+        SDL_Keycode pad;
+        SDL_Keycode key;
+        SDL_Scancode code;
+    };
+    static constexpr std::array<Stands, 6> all{
+        {{padKey(SDL_CONTROLLER_BUTTON_DPAD_UP), SDLK_UP, SDL_SCANCODE_UP},
+         {padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN), SDLK_DOWN, SDL_SCANCODE_DOWN},
+         {padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT), SDLK_LEFT, SDL_SCANCODE_LEFT},
+         {padKey(SDL_CONTROLLER_BUTTON_DPAD_RIGHT), SDLK_RIGHT, SDL_SCANCODE_RIGHT},
+         {padKey(SDL_CONTROLLER_BUTTON_A), SDLK_SPACE, SDL_SCANCODE_SPACE},
+         {padKey(SDL_CONTROLLER_BUTTON_B), SDLK_ESCAPE, SDL_SCANCODE_ESCAPE}}};
+    if (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) {
+        for (Stands const& one : all) {
+            if (event.key.keysym.sym == one.pad) {
+                event.key.keysym.sym = one.key;
+                event.key.keysym.scancode = one.code;
+                break;
+            }
+        }
+    }
+    return event;
+}
+
+} // namespace
+
 void Gui::beginFrame(InputEvents const& input, double seconds) {
     followScale();
-    for (auto const& event : input.events()) {
-        ImGui_ImplSDL2_ProcessEvent(&event);
+    for (SDL_Event const& event : input.events()) {
+        SDL_Event const shown = asKeyOfWidgets(event);
+        ImGui_ImplSDL2_ProcessEvent(&shown);
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplSDL2_NewFrame();

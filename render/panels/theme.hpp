@@ -1,7 +1,7 @@
 // The look of all panels: one style, one family of letters, one scale.
 #pragma once
 
-#include "render/draw/colour.hpp"
+#include "render/draw/palette.hpp"
 
 #include <imgui.h>
 
@@ -22,7 +22,8 @@ struct Fonts {
 
 /// The data that widgets share; Gui owns it, every function of panels/ finds it through ImGui's context.
 struct Theme {
-    float scale = 1.F; ///< UI scale
+    float scale = 1.F;                                ///< UI scale
+    palette::Choice colours = palette::Choice::usual; ///< of ImGui's style
     Fonts fonts;
 };
 

@@ -5,6 +5,18 @@
 #include <array>
 
 namespace trembler::render {
+namespace {
+
+constexpr Point chipMargin{7, 3}; // pixels at UI scale 1
+
+} // namespace
+
+Point chipSize(char const* text) {
+    ImFont* const font = theme().fonts.small;
+    ImVec2 const extent = font->CalcTextSizeA(font->FontSize, 1e9F, 0.F, text);
+    return {extent.x + 2 * scaled(static_cast<float>(chipMargin.x)),
+            extent.y + 2 * scaled(static_cast<float>(chipMargin.y))};
+}
 
 void worldLabel(Camera const& camera, Point at, char const* text, LabelOptions const& options) {
     Point const screen = camera.toScreen(at);
@@ -25,8 +37,8 @@ void worldLabel(Camera const& camera, Point at, char const* text, LabelOptions c
     ImVec2 const low{middle.x - 0.5F * extent.x, middle.y - 0.5F * extent.y};
     auto& list = *ImGui::GetBackgroundDrawList();
     if (options.look == LabelLook::Chip) {
-        float const x = scaled(7);
-        float const y = scaled(3);
+        float const x = scaled(static_cast<float>(chipMargin.x));
+        float const y = scaled(static_cast<float>(chipMargin.y));
         ImVec2 const from{low.x - x, low.y - y};
         ImVec2 const to{low.x + extent.x + x, low.y + extent.y + y};
         list.AddRectFilled(from, to, imColour(faded(palette::paperLight, 0.92F)), scaled(6));

@@ -25,5 +25,7 @@ struct LabelOptions {
 /// Writes `text` centred on a world point, over the world and under all panels. Between Gui::beginFrame and
 /// endFrame; `camera` as given to the canvas.
 void worldLabel(Camera const& camera, Point at, char const* text, LabelOptions const& options = {});
+/// Width and height of such a text as LabelLook::Chip in the small UI letters, in pixels.
+[[nodiscard]] Point chipSize(char const* text);
 
 } // namespace trembler::render

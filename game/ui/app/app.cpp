@@ -4,6 +4,7 @@
 #include "game/ui/app/title_screen.hpp"
 #include "game/ui/edit/edit_screen.hpp"
 #include "game/ui/play/play_screen.hpp"
+#include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/campaign/free_play.hpp"
 #include "render/draw/palette.hpp"
@@ -114,7 +115,7 @@ void GameApp::tryOpen(std::filesystem::path const& level) {
     try {
         open(level);
     } catch (InputError const& error) {
-        context_.toasts.add(error.what(), render::ToastKind::Trouble, 10);
+        context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
     }
 }
 
@@ -135,7 +136,7 @@ void GameApp::openFreePlay() {
         writeFile(file, freePlayLevel(newest_ ? newest_->parts : context_.parts, text("free.title"),
                                       text("free.text"), texts));
     } catch (std::exception const& error) {
-        context_.toasts.add(error.what(), render::ToastKind::Trouble, 10);
+        context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
         return;
     }
     tryOpen(file);

@@ -40,6 +40,8 @@ char const* pageName(MenuPage page) {
         return "solutions";
     case MenuPage::help:
         return "help";
+    case MenuPage::commands:
+        return "commands";
     case MenuPage::closed:
         break;
     }
@@ -83,11 +85,15 @@ std::optional<ScreenRequest> Menu::drawMain(UiContext& context, Screen& behind) 
     if (wide(context, "menu.settings", Icon::Settings)) {
         pages_.push_back(MenuPage::settings);
     }
-    if (wide(context, "menu.keys", Icon::Why)) {
-        pages_.push_back(MenuPage::help);
-    }
     // In one row, so that the menu fits into the smallest window.
     float const half = 0.5F * (ImGui::GetContentRegionAvail().x / scaled(1) - between);
+    if (wide(context, "menu.keys", Icon::Why, ButtonLook::Quiet, half)) {
+        pages_.push_back(MenuPage::help);
+    }
+    ImGui::SameLine(0, scaled(between));
+    if (wide(context, "menu.commands", Icon::List, ButtonLook::Quiet, half)) {
+        pages_.push_back(MenuPage::commands);
+    }
     if (wide(context, "menu.title", Icon::Back, ButtonLook::Quiet, half)) {
         asked = request::ShowTitle{};
     }
@@ -168,6 +174,18 @@ void Menu::drawSolutions(UiContext& context, Screen& behind) {
     }
 }
 
+void Menu::drawCommands(UiContext& context, Screen& behind) {
+    CommandsPage::Choice const choice = commands_.draw(context, behind.commands());
+    if (choice.command) {
+        close();
+        behind.runNext(*choice.command);
+    } else if (choice.changeKeys) {
+        pages_.push_back(MenuPage::keys);
+    } else if (choice.back) {
+        back();
+    }
+}
+
 std::optional<ScreenRequest> Menu::draw(UiContext& context, Screen& behind) {
     bool const padBack = context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B)) && !keys_.waiting();
     if (padBack || (context.input.keyPressed(SDLK_ESCAPE) && !keys_.cancel() && !solutions_.cancel())) {
@@ -219,6 +237,9 @@ std::optional<ScreenRequest> Menu::drawPage(UiContext& context, Screen& behind) 
         return drawEnding(context);
     case MenuPage::solutions:
         drawSolutions(context, behind);
+        break;
+    case MenuPage::commands:
+        drawCommands(context, behind);
         break;
     case MenuPage::help: {
         HelpChoice const choice = drawHelp(context, behind);

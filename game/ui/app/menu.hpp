@@ -5,6 +5,7 @@
 #include "game/ui/app/keys_page.hpp"
 #include "game/ui/app/settings_page.hpp"
 #include "game/ui/app/solutions_page.hpp"
+#include "game/ui/commands/commands_page.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
@@ -41,6 +42,7 @@ private:
     std::optional<ScreenRequest> drawLevels(UiContext& context, Screen& behind);
     std::optional<ScreenRequest> drawEnding(UiContext& context);
     void drawSolutions(UiContext& context, Screen& behind);
+    void drawCommands(UiContext& context, Screen& behind);
 
     std::vector<MenuPage> pages_;       // the opened pages, the current one last; empty: closed
     MenuPage drawn_ = MenuPage::closed; // in the last picture
@@ -48,6 +50,7 @@ private:
     SettingsPage settings_;
     ChaptersPage chapters_;
     SolutionsPage solutions_;
+    CommandsPage commands_;
 };
 
 } // namespace trembler::ui

@@ -5,6 +5,7 @@
 #include "game/ui/app/game_loop.hpp"
 #include "game/ui/headless/run_sound.hpp"
 #include "game/ui/headless/screenshot.hpp"
+#include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/user_folders.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -147,7 +148,7 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
             app.open(options.level);
         } catch (InputError const& error) { // told where a player who has no terminal sees it, too
             std::cerr << error.what() << std::endl;
-            app.context().toasts.add(error.what(), render::ToastKind::Trouble, 60);
+            app.context().toasts.add(shownError(error), render::ToastKind::Trouble, 60);
         }
     }
     GameLoop loop(app, window);

@@ -106,10 +106,23 @@ bool drawLanguages(UiContext& context, Settings& settings) {
     return touched;
 }
 
+bool drawColours(UiContext& context, Settings& settings) {
+    ImGui::TextUnformatted(text("settings.colours"));
+    bool const before = settings.clearColours;
+    if (choiceButton(context, text("settings.colours_usual"), "usual colours", !before, true)) {
+        settings.clearColours = false;
+    }
+    if (choiceButton(context, text("settings.colours_clear"), "clear colours", before, false)) {
+        settings.clearColours = true;
+    }
+    return settings.clearColours != before;
+}
+
 /// Returns whether something was changed.
 bool drawRows(UiContext& context, Settings& settings) {
     bool touched = drawSizes(context, settings);
     touched = drawLanguages(context, settings) || touched;
+    touched = drawColours(context, settings) || touched;
     touched = drawVolume(context, text("settings.volume"), "volume", settings.volume) || touched;
     touched = drawVolume(context, text("settings.touches"), "interface volume", settings.touches) || touched;
     touched = check(context, text("settings.hrtf"), "hrtf", settings.hrtf) || touched;
@@ -141,6 +154,7 @@ void applySettings(UiContext& context) {
     }
     context.shadows = settings.shadows && (settings.shadowsChosen || !context.window.software());
     useLanguage(settings.language);
+    palette::use(settings.clearColours ? palette::Choice::clear : palette::Choice::usual);
 }
 
 void changeSettings(UiContext& context, Settings const& settings) {

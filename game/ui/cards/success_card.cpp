@@ -29,8 +29,8 @@ void drawConfetti(double age, float left) {
     if (age > life) {
         return;
     }
-    static constexpr std::array colours{palette::accent, palette::goal, palette::live, palette::northPole,
-                                        palette::force};
+    std::array const colours{palette::accent, palette::goal, palette::live, palette::northPole,
+                             palette::force};
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
     auto& list = *ImGui::GetBackgroundDrawList();
     auto const t = static_cast<float>(age);

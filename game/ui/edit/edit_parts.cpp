@@ -1,6 +1,7 @@
 #include "game/ui/edit/edit_parts.hpp"
 
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/shared/shown_faults.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "render/scene/areas.hpp"
@@ -47,7 +48,7 @@ bool EditParts::run(std::function<edit::Command(edit::Json const&)> const& make,
         sinceChange_ = 0;
         return true;
     } catch (edit::CommandError const& error) {
-        tell(error.what(), render::ToastKind::Trouble);
+        tell(shownError(error), render::ToastKind::Trouble);
         return false;
     }
 }
@@ -89,7 +90,7 @@ void EditParts::reloadParts() {
     try {
         plain_ = std::make_shared<GameData const>();
     } catch (InputError const& error) {
-        return tell(error.what(), render::ToastKind::Trouble);
+        return tell(shownError(error), render::ToastKind::Trouble);
     }
     if (options.partsMade) {
         options.partsMade(plain_);
@@ -114,7 +115,7 @@ void EditParts::openFile(std::filesystem::path const& path) {
         auto const own = dataFor(path);
         use(edit::LevelDocument::open(*own, path), own);
     } catch (InputError const& error) {
-        tell(error.what(), render::ToastKind::Trouble);
+        tell(shownError(error), render::ToastKind::Trouble);
     }
 }
 
@@ -124,7 +125,7 @@ std::shared_ptr<GameData const> EditParts::dataFor(std::filesystem::path const& 
             return withMods;
         }
     } catch (std::exception const& error) { // a mod is missing or wrong: the level can still be edited
-        tell(error.what(), render::ToastKind::Trouble);
+        tell(shownError(error), render::ToastKind::Trouble);
     }
     return plain_;
 }

@@ -12,10 +12,12 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -32,12 +34,19 @@ void drawEditVeil() {
                                                   imColour(faded(palette::paper, 0.6F)));
 }
 
-/// Keys that act on the screen while the panel has the keyboard: function keys, and those with Ctrl.
+/// Keys that act on the screen while the panel has the keyboard: function keys, and those with Ctrl; of a
+/// gamepad the buttons that the widgets do not use.
 bool reachesScreen(SDL_Event const& event) {
     if (event.type != SDL_KEYDOWN) {
         return false;
     }
     SDL_Keycode const key = event.key.keysym.sym;
+    if (isPadKey(key)) {
+        static constexpr std::array leads{padKey(SDL_CONTROLLER_BUTTON_B), padKey(SDL_CONTROLLER_BUTTON_BACK),
+                                          padKey(SDL_CONTROLLER_BUTTON_START),
+                                          padKey(SDL_CONTROLLER_BUTTON_LEFTSTICK)};
+        return std::find(leads.begin(), leads.end(), key) != leads.end();
+    }
     return (key >= SDLK_F1 && key <= SDLK_F12) || key == SDLK_ESCAPE ||
            (event.key.keysym.mod & KMOD_CTRL) != 0;
 }
@@ -150,9 +159,19 @@ void EditScreen::drawDialogs() {
     }
 }
 
+/// While the panel has the keyboard the shoulders of a gamepad turn its pages.
+void EditScreen::turnPages() {
+    constexpr int pages = static_cast<int>(Tab::problems) + 1;
+    InputEvents const& input = parts_.context.input;
+    int const by = (input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)) ? 1 : 0) -
+                   (input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER)) ? 1 : 0);
+    parts_.tab = static_cast<Tab>((static_cast<int>(parts_.tab) + by + pages) % pages);
+}
+
 void EditScreen::handleKeys() {
     UiContext& context = parts_.context;
-    bool const escape = context.input.keyPressed(SDLK_ESCAPE);
+    bool const escape =
+        context.input.keyPressed(SDLK_ESCAPE) || context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B));
     bool const popup = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
     if (escape && popup) { // a menu or a drop-down
         ImGui::ClosePopupToLevel(0, true);
@@ -168,6 +187,7 @@ void EditScreen::handleKeys() {
         return;
     }
     if (parts_.panelKeys) {
+        turnPages();
         std::vector<SDL_Event> events;
         std::copy_if(context.input.events().begin(), context.input.events().end(), std::back_inserter(events),
                      reachesScreen);
@@ -179,8 +199,11 @@ void EditScreen::handleKeys() {
 
 std::optional<ScreenRequest> EditScreen::update(double seconds) {
     parts_.request.reset();
-    words::followLanguage();
+    auto const chosen = takeNext();
     if (parts_.test != nullptr) {
+        if (chosen) {
+            parts_.test->runNext(*chosen);
+        }
         updateTest(seconds);
         return std::exchange(parts_.request, std::nullopt);
     }
@@ -201,6 +224,9 @@ std::optional<ScreenRequest> EditScreen::update(double seconds) {
         }
         if (auto const asked = drawBars(parts_, commands_)) {
             commands_.run(*asked);
+        }
+        if (chosen) {
+            commands_.run(*chosen);
         }
         handleKeys();
         if (parts_.test == nullptr && !parts_.dialogOpen()) {

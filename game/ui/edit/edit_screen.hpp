@@ -37,6 +37,7 @@ private:
     void drawTestCard();
     void drawDialogs();
     void handleKeys();
+    void turnPages();
 
     EditParts parts_;
     CommandsOf<EditParts> commands_;

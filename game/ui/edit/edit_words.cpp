@@ -2,50 +2,23 @@
 
 #include "game/ui/shared/texts.hpp"
 
-#include <deque>
-#include <string_view>
-
 namespace trembler::ui::words {
 namespace {
 
-struct EditWordEntry {
-    char const* english;
-    char const* shown;
-};
-
-struct EditWordList {
-    std::deque<EditWordEntry> all; // a deque, as references to its elements are kept
-    std::string language = "en";
-};
-
-EditWordList& knownEditWords() {
-    static EditWordList words;
+std::vector<char const*>& knownEditWords() {
+    static std::vector<char const*> words;
     return words;
 }
 
 } // namespace
 
 char const* const& editWord(char const* english) {
-    return knownEditWords().all.emplace_back(EditWordEntry{english, english}).shown;
-}
-
-void followLanguage() {
-    EditWordList& words = knownEditWords();
-    if (words.language == languageInUse()) {
-        return;
-    }
-    words.language = languageInUse();
-    for (EditWordEntry& word : words.all) {
-        word.shown = text(word.english);
-    }
+    knownEditWords().push_back(english);
+    return said(english);
 }
 
 std::vector<char const*> allEditWords() {
-    std::vector<char const*> all;
-    for (EditWordEntry const& word : knownEditWords().all) {
-        all.push_back(word.english);
-    }
-    return all;
+    return knownEditWords();
 }
 
 } // namespace trembler::ui::words

@@ -10,12 +10,8 @@
 
 namespace trembler::ui::words {
 
-/// A constant that points to a text in the language in use; see followLanguage(). `english` must be a
-/// literal.
+/// As said(), and counted among the editor's.
 [[nodiscard]] char const* const& editWord(char const* english);
-/// Lets all these constants point to their texts in the language in use now. Window thread only; to be called
-/// for every picture of the editor.
-void followLanguage();
 /// The English texts of all of them, for a test.
 [[nodiscard]] std::vector<char const*> allEditWords();
 
@@ -156,6 +152,15 @@ inline char const* const& addHint = editWord("Add a hint");
 inline char const* const& newHint = editWord("A hint");
 inline char const* const& toolboxHeading = editWord("Toolbox");
 inline char const* const& addToolTip = editWord("Add a part to the player's toolbox");
+inline char const* const& wiresField = editWord("Wires");
+inline char const* const& wiresTip = editWord("How many wires the player may lay");
+inline char const* const& teachingHeading = editWord("Teaching");
+inline char const* const& addStepTip = editWord("Add a step of what a beginner is shown");
+inline char const* const& stepNeedsPart = editWord("Put a part into the toolbox first.");
+inline char const* const& stepNeedsObjects = editWord("There are not enough objects for this step.");
+inline char const* const& placeField = editWord("Place");
+inline char const* const& mirroredField = editWord("Mirrored");
+inline char const* const& objectField = editWord("Object");
 inline char const* const& worldHeading = editWord("World");
 inline char const* const& boundsField = editWord("Bounds");
 inline char const* const& boundsTip = editWord("Left and lower edge; width and height");

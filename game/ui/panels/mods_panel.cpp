@@ -109,7 +109,7 @@ void drawTroubles(WorkshopScript const& script) {
     if (script.failure) {
         heading(words::failedInThisRun);
         ImGui::PushFont(theme().fonts.small);
-        warning(words::inFrame(script.failure->frame, script.failure->text));
+        warning(words::inFrame(script.failure->frame, translated(script.failure->text)));
         if (!script.failure->traceback.empty()) {
             caption(words::howItCameThere);
             ImGui::TextWrapped("%s", script.failure->traceback.c_str());

@@ -83,8 +83,8 @@ void drawPointers(PlayParts const& parts) {
     }
     if (parts.secondPointer.active()) {
         Point const at = toPoint(parts.secondPointer.at());
-        drawCross(canvas, at, palette::goal);
-        canvas.ring(at, canvas.metres(18), {.colour = palette::goal, .pixels = 2.5F});
+        drawCross(canvas, at, palette::secondHand);
+        canvas.ring(at, canvas.metres(18), {.colour = palette::secondHand, .pixels = 2.5F});
     }
 }
 

@@ -111,6 +111,9 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     if (auto const asked = drawPlayCards(parts_, commands_)) {
         commands_.run(*asked);
     }
+    if (auto const chosen = takeNext()) {
+        commands_.run(*chosen);
+    }
     if (!context.gui.wantsKeyboard()) {
         tellOfRefused(carryOutKeys(context.input.events(), context.keys, commands_));
     }

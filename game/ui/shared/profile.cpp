@@ -105,6 +105,7 @@ void Profile::read() {
     settings_.hrtf = flag("hrtf", settings_.hrtf);
     settings_.reducedMotion = flag("reduced_motion", settings_.reducedMotion);
     settings_.padIsSecond = flag("pad_is_second", settings_.padIsSecond);
+    settings_.clearColours = flag("clear_colours", settings_.clearColours);
     auto const percent = [&](char const* key, int usual) {
         auto const found = all.find(key);
         bool const number = found != all.end() && found->is_number();
@@ -146,6 +147,7 @@ void Profile::write() const {
              {"hrtf", settings_.hrtf},
              {"reduced_motion", settings_.reducedMotion},
              {"pad_is_second", settings_.padIsSecond},
+             {"clear_colours", settings_.clearColours},
              {"language", settings_.language},
              {"progress", progress_.written()}};
     if (!keys_.empty()) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 
 namespace trembler::ui {
@@ -15,7 +16,18 @@ namespace trembler::ui {
 class SolutionShelf;
 
 /// Pages of the menu that Esc opens.
-enum class MenuPage : std::uint8_t { closed, main, settings, keys, levels, gallery, help, ending, solutions };
+enum class MenuPage : std::uint8_t {
+    closed,
+    main,
+    settings,
+    keys,
+    levels,
+    gallery,
+    help,
+    ending,
+    solutions,
+    commands
+};
 
 /// Requests of a screen, or of the menu over it, to the program.
 namespace request {
@@ -83,6 +95,16 @@ public:
     [[nodiscard]] virtual std::span<Gesture const> gestures() const { return {}; }
     /// The level that it shows; empty if it shows none.
     [[nodiscard]] virtual std::filesystem::path const& level() const = 0;
+
+    /// Lets the next update() run one of commands(), which was chosen while the menu covered the screen.
+    void runNext(std::size_t command) { next_ = command; }
+
+protected:
+    /// For update().
+    [[nodiscard]] std::optional<std::size_t> takeNext() { return std::exchange(next_, std::nullopt); }
+
+private:
+    std::optional<std::size_t> next_;
 };
 
 } // namespace trembler::ui

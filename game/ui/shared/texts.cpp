@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <deque>
+#include <map>
 #include <memory>
 
 namespace trembler::ui {
@@ -24,7 +25,8 @@ struct TextsInUse {
     Catalogue english;
     Catalogue texts;
     std::locale numbers;
-    std::unique_ptr<Speech const> speech; // nullptr: English
+    std::unique_ptr<Speech const> speech;          // nullptr: English
+    std::map<std::string, std::string> translated; // as a list of problems is shown in every picture
 };
 
 struct Said {
@@ -49,6 +51,7 @@ void load(TextsInUse& texts, std::string_view id) {
     auto const folder = homeFolder() / "assets" / "text";
     bool const german = texts.language == "de";
     texts.speech.reset();
+    texts.translated.clear();
     texts.english = Catalogue(folder, "en");
     texts.texts = german ? Catalogue(folder, "de") : Catalogue();
     texts.numbers = german ? std::locale(std::locale::classic(), new DecimalComma) : std::locale::classic();
@@ -115,7 +118,15 @@ std::locale const& numberLocale() {
 }
 
 std::string translated(std::string const& english) {
-    return inUse().texts.translated(english);
+    constexpr std::size_t mostKept = 2000;
+    TextsInUse& all = inUse();
+    if (auto const known = all.translated.find(english); known != all.translated.end()) {
+        return known->second;
+    }
+    if (all.translated.size() >= mostKept) {
+        all.translated.clear();
+    }
+    return all.translated.emplace(english, all.texts.translated(english)).first->second;
 }
 
 std::string shownName(std::string const& object) {

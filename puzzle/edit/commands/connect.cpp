@@ -41,8 +41,8 @@ Json connectionJson(std::string const& a, std::string const& b, std::string cons
     return kind.empty() ? pair : Json{{"between", std::move(pair)}, {"kind", kind}};
 }
 
-std::string countInWords(std::size_t count, std::string_view what) {
-    return count == 1 ? std::string(what) : fmt::format("{} {}s", count, what);
+std::string countInWords(std::size_t count, std::string_view one, char const* several) {
+    return count == 1 ? std::string(one) : fmt::format(fmt::runtime(several), count);
 }
 
 } // namespace
@@ -109,7 +109,7 @@ Command addJoint(GameData const& data, Json const& level, std::string const& for
         joint["ground_b"] = pointJson({atB.x, top});
     }
     mustBeJoint(data, joint);
-    return {fmt::format("Add {} of {}", form, b.empty() ? a : a + " and " + b),
+    return {fmt::format("Add {} of {}", form, b.empty() ? a : fmt::format("{} and {}", a, b)),
             [joint](Json& tree) { listIn(tree, "joints").push_back(joint); }};
 }
 
@@ -121,7 +121,7 @@ Command removeJoints(Json const& level, std::vector<std::size_t> const& joints) 
         mustHaveEntry(level, "joints", joint, "joint");
     }
     std::set<std::size_t> const gone(joints.begin(), joints.end());
-    return {fmt::format("Remove {}", countInWords(gone.size(), "joint")), [gone](Json& tree) {
+    return {fmt::format("Remove {}", countInWords(gone.size(), "joint", "{} joints")), [gone](Json& tree) {
                 mustHaveEntry(tree, "joints", *gone.rbegin(), "joint");
                 std::vector<std::string> names;
                 Json kept = Json::array();
@@ -165,7 +165,8 @@ Command removeConnections(Json const& level, std::vector<std::size_t> const& con
         mustHaveEntry(level, "connections", connection, "connection");
     }
     std::set<std::size_t> const gone(connections.begin(), connections.end());
-    return {fmt::format("Remove {}", countInWords(gone.size(), "connection")), [gone](Json& tree) {
+    return {fmt::format("Remove {}", countInWords(gone.size(), "connection", "{} connections")),
+            [gone](Json& tree) {
                 mustHaveEntry(tree, "connections", *gone.rbegin(), "connection");
                 for (auto index = gone.rbegin(); index != gone.rend(); ++index) {
                     tree["connections"].erase(*index);

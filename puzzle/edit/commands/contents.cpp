@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace trembler::edit {
 namespace {
 
@@ -117,6 +119,62 @@ Command setToolCount(Json const& level, std::size_t index, int count) {
     mustHaveEntry(level, "toolbox", index, "part");
     mustBeCount(count);
     return {"Change count", [=](Json& tree) { entryIn(tree, "toolbox", index)["count"] = count; }};
+}
+
+Command setWires(Json const& level, int count) {
+    if (count != 0) {
+        mustBeCount(count);
+    }
+    Json const* const list = findList(level, "toolbox");
+    std::optional<std::size_t> stated;
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        if ((*list)[i].is_object() && (*list)[i].contains("wire")) {
+            stated = i;
+        }
+    }
+    return {"Change number of wires", [=](Json& tree) {
+                Json& tools = listIn(tree, "toolbox");
+                if (!stated && count > 0) {
+                    tools.push_back(Json{{"wire", count}});
+                } else if (stated && count > 0) {
+                    entryIn(tree, "toolbox", *stated)["wire"] = count;
+                } else if (stated) {
+                    mustHaveEntry(tree, "toolbox", *stated, "entry");
+                    tools.erase(*stated);
+                }
+                dropIfEmpty(tree, "toolbox");
+            }};
+}
+
+std::optional<Json> newStep(std::string const& kind, std::vector<std::string> const& names, Vec2 at) {
+    std::size_t const needed = kind == "run" ? 0 : kind == "wire" || kind == "cut" ? 2 : 1;
+    if (names.size() < needed) {
+        return std::nullopt;
+    }
+    if (kind == "run") {
+        return Json{{"run", true}};
+    }
+    if (needed == 2) {
+        return Json{{kind, {names[0], names[1]}}};
+    }
+    return Json{{kind, names[0]}, {kind == "place" ? "at" : "to", pointJson(at)}};
+}
+
+Command addStep(Json const& /*level*/, Json const& step) {
+    return {"Add step", [step](Json& tree) { listIn(tree, "teaching").push_back(step); }};
+}
+
+Command setStep(Json const& level, std::size_t index, Json const& step) {
+    mustHaveEntry(level, "teaching", index, "step");
+    return {"Change step", [=](Json& tree) { entryIn(tree, "teaching", index) = step; }};
+}
+
+Command removeStep(Json const& level, std::size_t index) {
+    return removeEntry(level, "teaching", index, "step");
+}
+
+Command moveStep(Json const& level, std::size_t from, std::size_t to) {
+    return moveListEntry(level, "teaching", from, to, "step");
 }
 
 Command removeTool(Json const& level, std::size_t index) {

@@ -5,6 +5,7 @@
 #include "runtime/level/model/level.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,18 @@ namespace trembler::edit {
 [[nodiscard]] Command setToolCount(Json const& level, std::size_t index, int count); ///< 1 to 1000
 [[nodiscard]] Command removeTool(Json const& level, std::size_t index);
 [[nodiscard]] Command moveTool(Json const& level, std::size_t from, std::size_t to);
+
+/// How many wires the player may lay; 0: none. Not by setToolCount(): they are no part.
+[[nodiscard]] Command setWires(Json const& level, int count); ///< 0 to 1000
+
+/// A step of what a beginner is shown, of a kind of files: "place", "wire", "run", "grab", "cut". Parts and
+/// objects that it needs are the first of `names`; nullopt if there are not enough.
+[[nodiscard]] std::optional<Json> newStep(std::string const& kind, std::vector<std::string> const& names,
+                                          Vec2 at);
+[[nodiscard]] Command addStep(Json const& level, Json const& step);
+[[nodiscard]] Command setStep(Json const& level, std::size_t index, Json const& step);
+[[nodiscard]] Command removeStep(Json const& level, std::size_t index);
+[[nodiscard]] Command moveStep(Json const& level, std::size_t from, std::size_t to);
 
 /// An area in the form of files: [x, y, width, height] or [[x, y], ...], rounded to a nanometre.
 [[nodiscard]] Json areaJson(Area const& area);

@@ -84,9 +84,9 @@ Json& stateListIn(Json& level, char const* key) {
 }
 
 Command markObjects(Json const& level, std::vector<std::string> const& names, char const* key, bool mark,
-                    std::string verb) {
+                    char const* what) {
     mustHaveObjects(level, names);
-    return {fmt::format("{} {}", verb, objectsInWords(names)),
+    return {fmt::format(fmt::runtime(what), objectsInWords(names)),
             [names, key, mark](Json& tree) {
                 Json& list = stateListIn(tree, key);
                 for (std::string const& name : names) {
@@ -199,11 +199,11 @@ Command ungroupObjects(Json const& level, std::vector<std::string> const& names)
 }
 
 Command lockObjects(Json const& level, std::vector<std::string> const& names, bool lock) {
-    return markObjects(level, names, "locked", lock, lock ? "Lock" : "Unlock");
+    return markObjects(level, names, "locked", lock, lock ? "Lock {}" : "Unlock {}");
 }
 
 Command hideObjects(Json const& level, std::vector<std::string> const& names, bool hide) {
-    return markObjects(level, names, "hidden", hide, hide ? "Hide" : "Show");
+    return markObjects(level, names, "hidden", hide, hide ? "Hide {}" : "Show {}");
 }
 
 void tidyEditorState(Json& level) {

@@ -125,13 +125,13 @@ std::string propertyInWords(PropertyInfo const& info) {
 /// Changes what each object has of a property. `change` gets null if it does not have it.
 template <class Change>
 Command changeProperty(GameData const& data, Json const& level, Names const& names,
-                       std::string const& property, std::string verb, Change change) {
+                       std::string const& property, char const* what, Change change) {
     mustHaveObjects(level, names);
     PropertyInfo const& info = propertyNamed(data, property);
     if (info.text.place == PropertyPlace::world || info.text.key == "name") {
         throw CommandError(fmt::format("'{}' is no property to be set for objects", property));
     }
-    return {fmt::format("{} {} of {}", verb, propertyInWords(info), objectsInWords(names)),
+    return {fmt::format(fmt::runtime(what), propertyInWords(info), objectsInWords(names)),
             [&data, &info, names, change](Json& tree) {
                 ObjectEntries const entries(tree);
                 for (std::string const& name : names) {
@@ -158,18 +158,19 @@ PropertyInfo const& jointInfo(GameData const& data) {
 Command setField(GameData const& data, Json const& level, Names const& names, std::string const& property,
                  std::string const& field, Json const& value) {
     PropertyInfo const& info = propertyNamed(data, property);
-    return changeProperty(data, level, names, property, "Change", [&info, field, value](Json& stated) {
-        if (stated.is_null()) {
-            stated = initialStatement(info);
-        }
-        setAt(stated, field, value);
-    });
+    return changeProperty(data, level, names, property, "Change {} of {}",
+                          [&info, field, value](Json& stated) {
+                              if (stated.is_null()) {
+                                  stated = initialStatement(info);
+                              }
+                              setAt(stated, field, value);
+                          });
 }
 
 Command addProperty(GameData const& data, Json const& level, Names const& names,
                     std::string const& property) {
     PropertyInfo const& info = propertyNamed(data, property);
-    return changeProperty(data, level, names, property, "Add", [&info](Json& stated) {
+    return changeProperty(data, level, names, property, "Add {} of {}", [&info](Json& stated) {
         if (stated.is_null()) {
             stated = initialStatement(info);
         }
@@ -212,7 +213,7 @@ Command removeProperty(GameData const& data, Json const& level, Names const& nam
 
 Command addListEntry(GameData const& data, Json const& level, Names const& names, std::string const& property,
                      std::string const& list, Json const& entry) {
-    return changeProperty(data, level, names, property, "Change", [list, entry](Json& stated) {
+    return changeProperty(data, level, names, property, "Change {} of {}", [list, entry](Json& stated) {
         Json now =
             list.empty()
                 ? stated
@@ -227,7 +228,7 @@ Command addListEntry(GameData const& data, Json const& level, Names const& names
 
 Command removeListEntry(GameData const& data, Json const& level, Names const& names,
                         std::string const& property, std::string const& list, std::size_t index) {
-    return changeProperty(data, level, names, property, "Change", [list, index](Json& stated) {
+    return changeProperty(data, level, names, property, "Change {} of {}", [list, index](Json& stated) {
         Pointer const place(list);
         if (!stated.contains(place) || !stated[place].is_array() || index >= stated[place].size()) {
             throw CommandError("there is no such entry");
@@ -324,7 +325,7 @@ Command setJointField(GameData const& data, Json const& level, std::size_t joint
 Command resetJointField(GameData const& data, Json const& level, std::size_t joint,
                         std::string const& field) {
     Command reset = setJointField(data, level, joint, field, {});
-    reset.name.replace(0, std::string_view("Change").size(), "Reset");
+    reset.name = fmt::format("Reset {} of joint", field.empty() ? field : field.substr(1));
     return reset;
 }
 

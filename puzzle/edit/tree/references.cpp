@@ -120,6 +120,12 @@ void renameInGoal(Json& condition, NewNames const& names) {
 }
 
 void renameInSolution(Json& solution, NewNames const& names) {
+    if (auto const wires = solution.is_object() ? solution.find("wires") : solution.end();
+        wires != solution.end() && wires->is_array()) {
+        for (Json& wire : *wires) {
+            renameSelector(wire, names);
+        }
+    }
     auto const inputs = solution.is_object() ? solution.find("inputs") : solution.end();
     if (inputs == solution.end() || !inputs->is_array()) {
         return;
@@ -132,6 +138,18 @@ void renameInSolution(Json& solution, NewNames const& names) {
             if (auto const found = input.find(key); found != input.end()) {
                 renameSelector(*found, names);
             }
+        }
+    }
+}
+
+/// Steps name objects, but where a part is placed that part.
+void renameInTeaching(Json& step, NewNames const& names) {
+    if (!step.is_object()) {
+        return;
+    }
+    for (char const* const key : {"wire", "grab", "cut"}) {
+        if (auto const found = step.find(key); found != step.end()) {
+            renameSelector(*found, names);
         }
     }
 }
@@ -163,8 +181,15 @@ void renameInEntries(GameData const& data, Json& entries, NewNames const& names)
 }
 
 void renameElsewhere(Json& level, NewNames const& names) {
-    if (auto const goals = level.find("goals"); goals != level.end()) {
-        renameInGoal(*goals, names);
+    for (char const* const key : {"goals", "task"}) {
+        if (auto const goals = level.find(key); goals != level.end()) {
+            renameInGoal(*goals, names);
+        }
+    }
+    if (auto const steps = level.find("teaching"); steps != level.end() && steps->is_array()) {
+        for (Json& step : *steps) {
+            renameInTeaching(step, names);
+        }
     }
     if (auto const list = level.find("solutions"); list != level.end() && list->is_array()) {
         for (Json& solution : *list) {

@@ -42,7 +42,7 @@ Json& listIn(Json& level, char const* key) {
         setLevelMember(level, key, Json::array());
     }
     if (!level[key].is_array()) {
-        throw CommandError(keyInWords(key) + " is no list");
+        throw CommandError(fmt::format("{} is no list", keyInWords(key)));
     }
     return level[key];
 }
@@ -52,7 +52,7 @@ Json& objectIn(Json& level, char const* key) {
         setLevelMember(level, key, Json::object());
     }
     if (!level[key].is_object()) {
-        throw CommandError(keyInWords(key) + " is no object");
+        throw CommandError(fmt::format("{} is no object", keyInWords(key)));
     }
     return level[key];
 }

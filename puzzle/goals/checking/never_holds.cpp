@@ -3,6 +3,8 @@
 #include "puzzle/goals/checking/candidates.hpp"
 #include "runtime/level/json/add_problem.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace trembler {
@@ -12,7 +14,7 @@ void complainIfNeverAmong(CandidateFinder const& candidates, Condition const& co
                           LevelFile const& level, Problems& problems) {
     if (auto why = condition.kind->whyNever(condition, candidates)) {
         addProblem(problems, [&] {
-            return level.diagnostic(condition.path, "can never hold: " + why->message,
+            return level.diagnostic(condition.path, fmt::format("can never hold: {}", why->message),
                                     std::move(why->expected));
         });
     }

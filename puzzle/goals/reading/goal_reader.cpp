@@ -48,7 +48,7 @@ Condition GoalReader::condition(JsonNode const& node) {
         }
         return condition;
     }
-    MemberReader reader(node, "a condition: an object with one of the keys " + keys_);
+    MemberReader reader(node, fmt::format("a condition: an object with one of the keys {}", keys_));
     if (!reader.valid()) {
         return condition;
     }
@@ -64,7 +64,7 @@ Condition GoalReader::condition(JsonNode const& node) {
     reader.finish();
     if (found != 1) {
         node.complain(found == 0 ? "states no condition" : "states several conditions at once",
-                      "exactly one of the keys " + keys_);
+                      fmt::format("exactly one of the keys {}", keys_));
         return condition;
     }
     condition.kind = stated;

@@ -33,7 +33,7 @@ void drawBand(Canvas& canvas, World const& world, FactsReader const& reader, Pos
 void drawHand(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf) {
     drawBand(canvas, world, reader, poseOf, world.find<Hand>(), palette::accent);
     SecondHand const* const second = world.find<SecondHand>();
-    drawBand(canvas, world, reader, poseOf, second == nullptr ? nullptr : &second->grip, palette::goal);
+    drawBand(canvas, world, reader, poseOf, second == nullptr ? nullptr : &second->grip, palette::secondHand);
 }
 
 } // namespace trembler::render

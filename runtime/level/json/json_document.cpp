@@ -204,14 +204,14 @@ std::string JsonDocument::readText(std::filesystem::path const& path) {
     }
     std::uintmax_t const size = std::filesystem::file_size(path, error);
     if (error) {
-        refuse(path.string(), "cannot be read: " + error.message(), "");
+        refuse(path.string(), fmt::format("cannot be read: {}", error.message()), "");
     }
     if (size > limits::fileSize) {
         refuseSize(path.string(), size);
     }
     std::string text(static_cast<std::size_t>(size), '\0');
     if (int const wrong = readInto(path, text); wrong != 0) {
-        refuse(path.string(), "cannot be read: " + std::generic_category().message(wrong), "");
+        refuse(path.string(), fmt::format("cannot be read: {}", std::generic_category().message(wrong)), "");
     }
     return text;
 }

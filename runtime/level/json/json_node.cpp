@@ -74,7 +74,7 @@ void JsonNode::complainAboutKey(std::string const& key, std::string message, std
 }
 
 void JsonNode::complainOfType(std::string expected) const {
-    complain("is " + shownValue(*value_), std::move(expected));
+    complain(fmt::format("is {}", shownValue(*value_)), std::move(expected));
 }
 
 bool JsonNode::isObject(std::string_view expected) const {
@@ -159,7 +159,7 @@ std::optional<std::size_t> JsonNode::choice(std::span<std::string_view const> na
         if (at != names.end()) {
             return static_cast<std::size_t>(at - names.begin());
         }
-        complain("is " + shownValue(*value_) + didYouMean(name, known), listed(known));
+        complain(fmt::format("is {}{}", shownValue(*value_), didYouMean(name, known)), listed(known));
         return std::nullopt;
     }
     complainOfType(listed(known));

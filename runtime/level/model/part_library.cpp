@@ -131,7 +131,7 @@ PartLibrary loadParts(Registry const& registry, std::filesystem::path const& fol
     if (error) {
         Diagnostic problem;
         problem.file = folder.string();
-        problem.message = "the folder of parts cannot be read: " + error.message();
+        problem.message = fmt::format("the folder of parts cannot be read: {}", error.message());
         problems.add(std::move(problem));
     }
     std::sort(files.begin(), files.end());

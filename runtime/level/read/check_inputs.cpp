@@ -67,19 +67,22 @@ public:
             return;
         }
         Pair const wire = inOrder(input.object, input.other);
-        auto const words = [&] { return fmt::format("between '{}' and '{}'", input.object, input.other); };
         if (!wires_.contains(wire) && !laid_.contains(wire) &&
             (isPiece(wire.first) || isPiece(wire.second))) {
             return; // a wire inside a composite part, or one that names the same piece in another way
         }
         if (!wires_.contains(wire) && !laid_.contains(wire)) {
             addProblem(problems_, [&] {
-                return document_.diagnostic(input.path, "there is no wire " + words(),
-                                            "a pair of objects under \"connections\" or \"wires\"");
+                return document_.diagnostic(
+                    input.path,
+                    fmt::format("there is no wire between '{}' and '{}'", input.object, input.other),
+                    "a pair of objects under \"connections\" or \"wires\"");
             });
         } else if (!cut_.insert(wire).second) {
             addProblem(problems_, [&] {
-                return document_.diagnostic(input.path, "the wire " + words() + " has been cut before",
+                return document_.diagnostic(input.path,
+                                            fmt::format("the wire between '{}' and '{}' has been cut before",
+                                                        input.object, input.other),
                                             "every wire once");
             });
         }

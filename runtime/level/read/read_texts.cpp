@@ -3,6 +3,8 @@
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/write/schema_pieces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace trembler {
@@ -51,7 +53,7 @@ Translations readTexts(JsonNode const& node, TextsOf of) {
         if (isLanguage(language)) {
             all[language] = readTranslation(node.member(language), of);
         } else {
-            node.complainAboutKey(language, "'" + language + "' is no language",
+            node.complainAboutKey(language, fmt::format("'{}' is no language", language),
                                   "two small letters, like \"de\"");
         }
     }

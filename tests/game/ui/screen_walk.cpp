@@ -72,6 +72,11 @@ void walkLevel(Player& player, Look const& look) {
     player.key(SDLK_ESCAPE);
     player.frames(settled);
     look("level-menu");
+    player.clickItem("menu.commands");
+    restPointer(player);
+    look("level-commands");
+    player.key(SDLK_ESCAPE);
+    player.frames(2);
     player.key(SDLK_ESCAPE);
     player.simulate(400);
     ASSERT_TRUE(player.session().solved());

@@ -44,7 +44,7 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
     auto const kind = [&](std::vector<std::string> const& kinds) {
         return kinds[static_cast<std::size_t>(next(static_cast<int>(kinds.size())))];
     };
-    switch (next(46)) {
+    switch (next(49)) {
     case 0:
         return addObject(level, {"steel ball", point(), number()});
     case 1: {
@@ -140,6 +140,13 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
                             : hideObjects(level, some(), next(2) == 0);
     case 44:
         return ungroupObjects(level, some());
+    case 45:
+        return addStep(
+            level, newStep(kind({"place", "wire", "run", "grab", "cut"}), {one(), one()}, point()).value());
+    case 46:
+        return next(2) == 0 ? removeStep(level, index()) : moveStep(level, index(), index());
+    case 47:
+        return setWires(level, next(4));
     default:
         return pasteText(data, level, copiedText(level, some()), point());
     }

@@ -50,6 +50,16 @@ TEST_F(CatalogueTest, TranslatesFinishedSentences) {
     EXPECT_EQ(german.translated(""), "");
 }
 
+TEST_F(CatalogueTest, LeavesOwnNamesAndQuotedBracesAsTheyAre) {
+    write("de/edits.json", R"({"rename '{}'": "„{own}“ umbenennen", "Change {}": "{} ändern", "Mass": "Masse",
+                               "an object {\"part\"}": "ein Objekt {\"part\"}"})");
+    Catalogue const german(folder, "de");
+    EXPECT_EQ(german.translated("rename 'Undo'"), "„Undo“ umbenennen") << "a name, though it is a word, too";
+    EXPECT_EQ(german.translated("Change mass"), "Masse ändern") << "a title in the middle of a sentence";
+    EXPECT_EQ(german.translated("an object {\"part\"}"), "ein Objekt {\"part\"}");
+    EXPECT_EQ(german.translated("an object of stone"), "an object of stone");
+}
+
 TEST_F(CatalogueTest, LeavesOutWhatIsDamaged) {
     write("de/words.json", R"({"Undo": "Rück)");
     write("de/other.json", R"({"Redo": 3, "Run": "Start"})");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace trembler::render::test {
 namespace {
@@ -54,10 +55,46 @@ constexpr std::array<Matrix, 4> eyes{
         {{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}},
 };
 
+constexpr double radian = 3.14159265358979323846 / 180;
+
+/// CIEDE2000 of two colours in L*a*b*: Sharma, Wu and Dalal, "The CIEDE2000 color-difference formula", 2005.
+double difference2000(Triple const& p, Triple const& q) {
+    double const mean = 0.5 * (std::hypot(p[1], p[2]) + std::hypot(q[1], q[2]));
+    double const seventh = std::pow(mean, 7);
+    double const grown = 1 + 0.5 * (1 - std::sqrt(seventh / (seventh + std::pow(25.0, 7))));
+    double const c1 = std::hypot(grown * p[1], p[2]);
+    double const c2 = std::hypot(grown * q[1], q[2]);
+    auto const hue = [&](Triple const& lab) {
+        double const angle = std::atan2(lab[2], grown * lab[1]) / radian;
+        return angle < 0 ? angle + 360 : angle;
+    };
+    double const h1 = hue(p);
+    double const h2 = hue(q);
+    bool const grey = c1 * c2 == 0;
+    bool const around = std::abs(h1 - h2) > 180;
+    double turn = grey ? 0 : h2 - h1;
+    turn += turn > 180 ? -360 : turn < -180 ? 360 : 0;
+    double const dh = 2 * std::sqrt(c1 * c2) * std::sin(0.5 * turn * radian);
+    double const l = 0.5 * (p[0] + q[0]);
+    double const c = 0.5 * (c1 + c2);
+    double const sum = h1 + h2;
+    double const h = grey ? sum : !around ? 0.5 * sum : 0.5 * (sum < 360 ? sum + 360 : sum - 360);
+    double const t = 1 - 0.17 * std::cos((h - 30) * radian) + 0.24 * std::cos(2 * h * radian) +
+                     0.32 * std::cos((3 * h + 6) * radian) - 0.20 * std::cos((4 * h - 63) * radian);
+    double const sl = 1 + 0.015 * (l - 50) * (l - 50) / std::sqrt(20 + (l - 50) * (l - 50));
+    double const sc = 1 + 0.045 * c;
+    double const sh = 1 + 0.015 * c * t;
+    double const c7 = std::pow(c, 7);
+    double const rotation = -2 * std::sqrt(c7 / (c7 + std::pow(25.0, 7))) *
+                            std::sin(60 * std::exp(-std::pow((h - 275) / 25, 2)) * radian);
+    double const x = (q[0] - p[0]) / sl;
+    double const y = (c2 - c1) / sc;
+    double const z = dh / sh;
+    return std::sqrt(x * x + y * y + z * z + rotation * y * z);
+}
+
 double difference(Colour a, Colour b, Matrix const& eye) {
-    auto const p = lab(times(eye, linear(a)));
-    auto const q = lab(times(eye, linear(b)));
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    return difference2000(lab(times(eye, linear(a))), lab(times(eye, linear(b))));
 }
 
 double contrast(Colour a, Colour b) {
@@ -70,34 +107,53 @@ double contrast(Colour a, Colour b) {
     return (high + 0.05) / (low + 0.05);
 }
 
-TEST(Palette, ColoursOfOppositeMeaningDifferForAllKindsOfColourVision) {
-    struct Pair {
-        char const* what;
-        Colour a;
-        Colour b;
-    };
-    std::array const pairs{
-        Pair{"poles", palette::northPole, palette::southPole},
-        Pair{"live and dead wire", palette::live, palette::deadWire},
-        Pair{"reached and wrong", palette::goal, palette::warning},
-        Pair{"selection and wrong", palette::accent, palette::warning},
-        Pair{"force and live", palette::force, palette::live},
-        Pair{"steel and copper", palette::steel, palette::copper},
-        Pair{"wood and stone", palette::wood, palette::stone},
-    };
-    for (auto const& pair : pairs) {
-        for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
-            // 2.3 is just noticeable side by side; ten times that is a different colour in a glance.
-            EXPECT_GT(difference(pair.a, pair.b, eyes[eye]), 20) << pair.what << ", eye " << eye;
+TEST(Difference, IsThatOfThePublishedPairs) {
+    EXPECT_NEAR(difference2000({50, 2.6772, -79.7751}, {50, 0, -82.7485}), 2.0425, 1e-4);
+    EXPECT_NEAR(difference2000({50, 2.5, 0}, {50, 0, -2.5}), 4.3065, 1e-4);
+    EXPECT_NEAR(difference2000({50, 2.5, 0}, {73, 25, -18}), 27.1492, 1e-4);
+    EXPECT_NEAR(difference2000({90.8027, -2.0831, 1.4410}, {91.1528, -1.6435, 0.0447}), 1.4441, 1e-4);
+}
+
+/// The least difference, of all kinds of eyes, between colours that stand for different things in one place.
+double leastDifference(palette::Meanings const& m, std::size_t eyesToTry) {
+    std::array const pairs{std::pair{m.goal, m.warning},    std::pair{m.accent, m.warning},
+                           std::pair{m.accent, m.goal},     std::pair{m.northPole, m.southPole},
+                           std::pair{m.live, m.deadWire},   std::pair{m.live, palette::copper},
+                           std::pair{m.force, m.contact},   std::pair{m.force, m.fieldLine},
+                           std::pair{m.force, m.sound},     std::pair{m.fieldLine, m.contact},
+                           std::pair{m.fieldLine, m.sound}, std::pair{m.contact, m.sound},
+                           std::pair{m.force, m.live},      std::pair{m.accent, m.secondHand},
+                           std::pair{m.goal, m.secondHand}, std::pair{m.warning, m.secondHand},
+                           std::pair{m.live, m.secondHand}};
+    double least = 1000;
+    for (auto const& [a, b] : pairs) {
+        for (std::size_t eye = 0; eye < eyesToTry; ++eye) {
+            least = std::min(least, difference(a, b, eyes[eye]));
         }
     }
+    return least;
+}
+
+// About 1 is just noticeable side by side; twenty times that is a different colour at a glance.
+TEST(Palette, ItsColoursWithAMeaningDiffer) {
+    EXPECT_GT(leastDifference(palette::meanings[0], 1), 20) << "the usual colours, for normal sight";
+    EXPECT_GT(leastDifference(palette::meanings[1], eyes.size()), 20) << "the clear colours, for all eyes";
+}
+
+TEST(Palette, IsWhatIsInUse) {
+    palette::use(palette::Choice::clear);
+    EXPECT_EQ(palette::goal, palette::meanings[1].goal);
+    EXPECT_EQ(palette::inUse(), palette::Choice::clear);
+    palette::use(palette::Choice::usual);
+    EXPECT_EQ(palette::goal, palette::meanings[0].goal);
 }
 
 TEST(Palette, OverlaysStandOutFromThePaper) {
-    for (auto const colour :
-         {palette::force, palette::fieldLine, palette::contact, palette::deadWire, palette::warning,
-          palette::goal, palette::accent, palette::northPole, palette::southPole}) {
-        EXPECT_GT(contrast(colour, palette::paper), 3.0);
+    for (palette::Meanings const& m : palette::meanings) {
+        for (Colour const colour : {m.force, m.fieldLine, m.contact, m.deadWire, m.warning, m.goal, m.accent,
+                                    m.northPole, m.southPole, m.sound, m.secondHand}) {
+            EXPECT_GT(contrast(colour, palette::paper), 3.0);
+        }
     }
 }
 
@@ -106,9 +162,11 @@ TEST(Palette, TextCanBeRead) {
         EXPECT_GT(contrast(palette::ink, ground), 7);
     }
     EXPECT_GT(contrast(palette::inkSoft, palette::paperLight), 4.5);
-    EXPECT_GT(contrast(palette::paperLight, palette::accent), 4.5);
-    EXPECT_GT(contrast(palette::paperLight, palette::warning), 4.5);
-    EXPECT_GT(contrast(palette::paperLight, palette::goal), 4.5);
+    for (palette::Meanings const& m : palette::meanings) {
+        for (Colour const colour : {m.accent, m.warning, m.goal}) {
+            EXPECT_GT(contrast(palette::paperLight, colour), 4.5);
+        }
+    }
 }
 
 TEST(Colours, AreMixedAndPacked) {

@@ -1,6 +1,8 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
+#include "game/ui/shared/shown_faults.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/clipboard.hpp"
 #include "puzzle/edit/commands/connect.hpp"
@@ -87,14 +89,14 @@ bool canMakePart(EditParts const& parts) {
 void undo(EditParts& parts) {
     std::string const name = parts.document.undoName();
     if (parts.document.undo()) {
-        parts.tell(words::undone(name));
+        parts.tell(words::undone(translated(name)));
     }
 }
 
 void redo(EditParts& parts) {
     std::string const name = parts.document.redoName();
     if (parts.document.redo()) {
-        parts.tell(words::redone(name));
+        parts.tell(words::redone(translated(name)));
     }
 }
 
@@ -105,7 +107,7 @@ void copy(EditParts& parts) {
             parts.tell(SDL_GetError(), ToastKind::Trouble);
         }
     } catch (edit::CommandError const& error) {
-        parts.tell(error.what(), ToastKind::Trouble);
+        parts.tell(shownError(error), ToastKind::Trouble);
     }
 }
 
@@ -216,7 +218,7 @@ void makePart(EditParts& parts, std::string const& name, bool putHere) {
         auto const file = edit::writePart(ownPartsFolder(), part);
         parts.tell(words::partMade(name, file.string()), ToastKind::Success);
     } catch (std::exception const& error) { // CommandError and OutputError, in words for people
-        return parts.tell(error.what(), ToastKind::Trouble);
+        return parts.tell(shownError(error), ToastKind::Trouble);
     }
     parts.reloadParts();
     if (putHere && parts.data->parts.find(name) != nullptr) {

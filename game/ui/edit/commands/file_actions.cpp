@@ -1,5 +1,6 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/shared/texts.hpp"
 
 #include <utility>
 
@@ -39,9 +40,9 @@ bool saveTo(EditParts& parts, std::filesystem::path const& path, edit::LevelDocu
         return true;
     }
     if (result.kind == edit::SaveResult::Kind::conflict) {
-        parts.dialogs.askConflict(result.message, path);
+        parts.dialogs.askConflict(translated(result.message), path);
     } else {
-        parts.tell(result.message, ToastKind::Trouble);
+        parts.tell(translated(result.message), ToastKind::Trouble);
         parts.giveUpLeaving();
     }
     return false;

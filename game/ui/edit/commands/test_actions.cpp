@@ -1,5 +1,7 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/shared/shown_faults.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 
@@ -28,7 +30,8 @@ std::unique_ptr<PlayScreen> playScreenFor(EditParts& parts) {
         return screen;
     } catch (InputError const& error) {
         std::vector<Diagnostic> const& all = error.diagnostics();
-        parts.tell(words::cannotTest(all.empty() ? error.what() : all.front().message), ToastKind::Trouble);
+        parts.tell(words::cannotTest(all.empty() ? shownError(error) : translated(all.front().message)),
+                   ToastKind::Trouble);
         parts.tab = Tab::problems;
         return nullptr;
     }
@@ -55,7 +58,8 @@ void playSolution(EditParts& parts, std::string const& name, bool again) {
         screen->session().load(*solution);
     } catch (InputError const& error) {
         std::vector<Diagnostic> const& all = error.diagnostics();
-        parts.tell(words::cannotTest(all.empty() ? error.what() : all.front().message), ToastKind::Trouble);
+        parts.tell(words::cannotTest(all.empty() ? shownError(error) : translated(all.front().message)),
+                   ToastKind::Trouble);
         return;
     }
     parts.test = std::move(screen);

@@ -1,6 +1,7 @@
 #include "game/ui/edit/commands/command_menus.hpp"
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_parts.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -129,9 +130,10 @@ constexpr Command<EditParts> editViewMenu[] = {
      .on = actions::isTab<Tab::problems>},
     {.info = {.id = "edit-panel-keys",
               .keys = {{{SDLK_F9}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_LEFTSTICK)},
               .group = CommandGroup::editing,
               .name = "Keys to the panel",
-              .tip = "Let the arrow keys, Tab and Enter work in the panel; Esc leads back",
+              .tip = "Let the arrow keys, Tab and Enter, or a gamepad, work in the panel; Esc leads back",
               .help = "keys to the panel"},
      .run = actions::focusPanel},
 };

@@ -3,6 +3,7 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_parts.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/shared/shown_faults.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
@@ -95,7 +96,7 @@ void Dialogs::drawRecovery(EditParts& parts) {
             parts.autosave->flush(parts.document);
             edit::discard(chosen);
         } catch (InputError const& error) {
-            parts.tell(error.what(), ToastKind::Trouble);
+            parts.tell(shownError(error), ToastKind::Trouble);
         }
     } else if (no) {
         edit::discard(recovery);
@@ -113,7 +114,7 @@ void Dialogs::drawReadOnly(EditParts& parts) {
     caption(words::readOnly);
     ImGui::BeginChild("faults", {0, scaled(180)});
     for (Diagnostic const& fault : parts.document.faults()) {
-        ImGui::TextWrapped("%s", fault.print().c_str());
+        ImGui::TextWrapped("%s", shownFault(fault).c_str());
     }
     ImGui::EndChild();
     bool const look = choice(parts.context, words::understood, "understood", Icon::Eye, ButtonLook::Primary);

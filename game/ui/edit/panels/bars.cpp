@@ -4,6 +4,7 @@
 #include "game/ui/edit/commands/command_menus.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/tool_icons.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
@@ -37,7 +38,7 @@ std::string menuLabel(EditParts const& parts, CommandInfo const& info) {
     std::string const step = info.id == "edit-undo"   ? parts.document.undoName()
                              : info.id == "edit-redo" ? parts.document.redoName()
                                                       : std::string();
-    return step.empty() ? label : label + ": " + step;
+    return step.empty() ? label : label + ": " + translated(step);
 }
 
 void drawMenu(EditParts& parts, EditMenu const& menu, CommandSet const& commands,
@@ -85,7 +86,7 @@ void drawTop(EditParts& parts, CommandSet const& commands, std::optional<std::si
         buttons.icon(id);
         ImGui::SameLine(0, scaled(5));
     }
-    buttons.big("edit-test", {.look = ButtonLook::Primary, .width = 92});
+    buttons.big("edit-test", {.look = ButtonLook::Primary});
     if (buttons.asked()) {
         asked = buttons.asked();
     }
@@ -94,8 +95,12 @@ void drawTop(EditParts& parts, CommandSet const& commands, std::optional<std::si
 
 void drawLevelName(EditParts& parts) {
     Layout& layout = parts.context.layout;
-    float const room = ImGui::GetIO().DisplaySize.x / theme().scale - 560;
-    if (room < 120) {
+    // The menus are longer in some languages than in others.
+    auto const bar = layout.card("bar");
+    double const left = bar ? bar->high.x : scaled(560);
+    float const room =
+        (ImGui::GetIO().DisplaySize.x - static_cast<float>(left)) / theme().scale - 2 * editGap;
+    if (room < 90) {
         return;
     }
     layout.beginCard("level name", "",
@@ -167,9 +172,9 @@ void drawStatus(EditParts& parts) {
               Snapping::largestAngle, "%.3g°");
     if (parts.tool == Tool::joint) {
         ImGui::SetNextItemWidth(scaled(110));
-        if (ImGui::BeginCombo("##form", parts.jointForm.c_str())) {
+        if (ImGui::BeginCombo("##form", text(parts.jointForm))) {
             for (std::string_view const form : choiceNames<JointForm>) {
-                if (ImGui::Selectable(std::string(form).c_str(), form == parts.jointForm)) {
+                if (ImGui::Selectable(text(form), form == parts.jointForm)) {
                     parts.jointForm = form;
                 }
                 layout.item("form " + std::string(form));

@@ -2,6 +2,7 @@
 
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/wrapped_text.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
@@ -45,6 +46,19 @@ double numberOf(Json const& value) {
 }
 
 } // namespace
+
+std::string shownChoice(std::string const& choice) {
+    return text(choice);
+}
+
+std::string shownField(std::string const& name) {
+    std::string key = name;
+    if (!key.empty() && key.front() >= 'A' && key.front() <= 'Z') {
+        key.front() = static_cast<char>(key.front() - 'A' + 'a');
+    }
+    std::string const known = text(key); // of the field "lower limit"
+    return known == key ? std::string(text(name)) : words::capital(known);
+}
 
 void fieldName(std::string const& name, std::string const& help) {
     float const width = ImGui::GetContentRegionAvail().x;
@@ -108,11 +122,15 @@ bool numberField(EditParts& parts, std::string const& item, double& value, doubl
 }
 
 bool choiceField(EditParts& parts, std::string const& item, std::string& chosen,
-                 std::vector<std::string> const& choices) {
+                 std::vector<std::string> const& choices,
+                 std::function<std::string(std::string const&)> const& inWords) {
+    auto const shown = [&](std::string const& choice) {
+        return choice.empty() ? std::string("–") : inWords ? inWords(choice) : choice;
+    };
     bool changed = false;
-    if (ImGui::BeginCombo(("##" + item).c_str(), chosen.empty() ? "–" : chosen.c_str())) {
+    if (ImGui::BeginCombo(("##" + item).c_str(), shown(chosen).c_str())) {
         for (std::string const& choice : choices) {
-            if (ImGui::Selectable(choice.empty() ? "–" : choice.c_str(), choice == chosen)) {
+            if (ImGui::Selectable((shown(choice) + "##" + choice).c_str(), choice == chosen)) {
                 changed = choice != chosen;
                 chosen = choice;
             }
@@ -126,12 +144,12 @@ bool choiceField(EditParts& parts, std::string const& item, std::string& chosen,
 
 std::optional<Json> fieldWidget(EditParts& parts, edit::InspectedField const& field,
                                 std::string const& item) {
-    std::string help = field.help;
+    std::string help = text(field.help);
     if (field.mixed) {
         help += std::string(help.empty() ? "" : "\n") + words::severalValues;
         ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::warning));
     }
-    fieldName(field.name, help);
+    fieldName(shownField(field.name), help);
     std::optional<Json> result;
     switch (field.type) {
     case FieldType::boolean: {
@@ -178,7 +196,8 @@ std::optional<Json> fieldWidget(EditParts& parts, edit::InspectedField const& fi
     case FieldType::object:
     case FieldType::choice: {
         std::string chosen = field.value.is_string() ? field.value.get<std::string>() : "";
-        if (choiceField(parts, item, chosen, field.choices)) {
+        bool const named = field.type == FieldType::object; // names of objects are the designer's
+        if (choiceField(parts, item, chosen, field.choices, named ? nullptr : shownChoice)) {
             result = chosen;
         }
         break;

@@ -1,5 +1,6 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/panels/goal_words.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
 #include "puzzle/edit/commands/contents.hpp"
@@ -22,7 +23,7 @@ using edit::Json;
 
 /// "touching: iron ball, electromagnet".
 std::string summaryOf(edit::GoalLine const& line) {
-    std::string text = line.kind.empty() ? "?" : line.kind;
+    std::string text = line.kind.empty() ? "?" : shownGoalWord(line.kind);
     if (!line.condition.is_object() || !line.condition.contains(line.kind)) {
         return text;
     }
@@ -81,11 +82,11 @@ bool editValue(EditParts& parts, std::string const& key, Json& value, std::strin
     }
     if (value.is_string()) {
         std::string text = value.get<std::string>();
-        fieldName(key, "");
+        fieldName(shownGoalWord(key), "");
         static std::array<char const*, 2> const freeTexts{"called", "text"};
         bool changed = false;
         if (key == "towards") {
-            changed = choiceField(parts, item, text, {"up", "down", "left", "right"});
+            changed = choiceField(parts, item, text, {"up", "down", "left", "right"}, shownGoalWord);
         } else if (std::find(freeTexts.begin(), freeTexts.end(), key) != freeTexts.end()) {
             changed = committedText(parts, item, text);
         } else {
@@ -98,7 +99,7 @@ bool editValue(EditParts& parts, std::string const& key, Json& value, std::strin
     if (value.is_number()) {
         double number = value.get<double>();
         bool const whole = value.is_number_integer() && (key == "at_least" || key == "at_most");
-        fieldName(key, "");
+        fieldName(shownGoalWord(key), "");
         bool const changed = numberField(parts, item, number, 0, 1e6, "", whole);
         value = whole ? Json(static_cast<std::int64_t>(number)) : Json(number);
         return changed;
@@ -133,7 +134,7 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
         return;
     }
     Json condition = *found;
-    pageHeading(line.kind.c_str());
+    pageHeading(shownGoalWord(line.kind).c_str());
     if (!line.takesMore && line.kind != "not" && condition.contains(line.kind)) {
         if (editValue(parts, "object", condition[line.kind], "goal")) {
             runWidget(
@@ -165,13 +166,15 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
                 false);
         }
     }
-    for (char const* kind : {"all", "any", "sequence", "not"}) {
-        if (smallButton(parts, kind, std::string("wrap ") + kind, words::wrapTip)) {
+    for (std::string const kind : {"all", "any", "sequence", "not"}) {
+        std::string const label = shownGoalWord(kind);
+        if (kind != "all") {
+            besideIfRoom(label.c_str());
+        }
+        if (smallButton(parts, label.c_str(), "wrap " + kind, words::wrapTip)) {
             parts.run([&](Json const& level) { return edit::wrapGoal(level, line.place, kind); });
         }
-        ImGui::SameLine();
     }
-    ImGui::NewLine(); // one more would not fit
     if (smallButton(parts, words::unwrap, "unwrap", words::unwrapTip)) {
         parts.run([&](Json const& level) { return edit::unwrapGoal(level, line.place); });
     }
@@ -198,7 +201,7 @@ void drawAdd(EditParts& parts, std::vector<edit::GoalLine> const& lines) {
     }
     ImGui::TextUnformatted(words::addGoal);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    if (!choiceField(parts, "add goal", chosen, kinds)) {
+    if (!choiceField(parts, "add goal", chosen, kinds, shownGoalWord)) {
         return;
     }
     std::string place;

@@ -66,10 +66,28 @@ void drawTexts(EditParts& parts) {
     }
 }
 
+/// How many wires the player may lay.
+void drawWires(EditParts& parts) {
+    double count = 0;
+    for (Json const& tool : listAt(parts.tree(), "toolbox")) {
+        if (tool.is_object() && tool.contains("wire") && tool["wire"].is_number()) {
+            count = tool["wire"].get<double>();
+        }
+    }
+    fieldName(words::wiresField, words::wiresTip);
+    if (numberField(parts, "wires", count, 0, 1000, "", true)) {
+        runWidget(
+            parts, [&](Json const& level) { return edit::setWires(level, static_cast<int>(count)); }, true);
+    }
+}
+
 void drawToolboxRows(EditParts& parts) {
     pageHeading(words::toolboxHeading);
     Json const tools = listAt(parts.tree(), "toolbox");
     for (std::size_t i = 0; i < tools.size(); ++i) {
+        if (tools[i].is_object() && tools[i].contains("wire")) {
+            continue; // no part: below
+        }
         std::string const item = "tool " + std::to_string(i);
         std::string const part = tools[i].is_object() ? textAt(tools[i], "part") : "";
         double count = tools[i].is_object() && tools[i].contains("count") && tools[i]["count"].is_number()
@@ -89,6 +107,7 @@ void drawToolboxRows(EditParts& parts) {
             parts.run([&](Json const& level) { return edit::removeTool(level, i); });
         }
     }
+    drawWires(parts);
     std::string chosen;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     if (choiceField(parts, "add tool", chosen, parts.data->parts.names())) {
@@ -140,8 +159,8 @@ void drawWorld(EditParts& parts) {
         std::string chosen = stated == parts.level.detail.end() ? std::string() : stated->second;
         std::vector<std::string> choices{""};
         choices.insert(choices.end(), levels.begin(), levels.end());
-        fieldName(effect, words::detailTip);
-        if (choiceField(parts, "detail " + effect, chosen, choices)) {
+        fieldName(shownField(effect), words::detailTip);
+        if (choiceField(parts, "detail " + effect, chosen, choices, shownChoice)) {
             parts.run([&, name = effect](Json const& level) {
                 return edit::setDetail(*parts.data, level, name, chosen);
             });
@@ -181,6 +200,7 @@ void drawMods(EditParts& parts) {
 void drawLevelPage(EditParts& parts) {
     drawTexts(parts);
     drawToolboxRows(parts);
+    drawTeachingSteps(parts);
     drawWorld(parts);
     drawMods(parts);
 }

@@ -1,6 +1,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/field_widgets.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
@@ -54,7 +55,7 @@ void drawOutlinePage(EditParts& parts) {
     }
     for (edit::JointEntry const& joint : joints) {
         drawEntry(parts, EntryKind::joint, "/joints/" + std::to_string(joint.index),
-                  joint.name + ": " + joint.form + ", " + joint.a +
+                  joint.name + ": " + text(joint.form) + ", " + joint.a +
                       (joint.b.empty() ? std::string() : " – " + joint.b));
     }
     auto const connections = edit::connectionsOf(parts.tree());

@@ -63,9 +63,10 @@ bool drawPartsPage(EditParts& parts) {
                                          .selected = parts.partInHand == part,
                                          .side = tileOfCatalogue});
         parts.context.layout.item("part " + part);
-        bool const byKey =
-            parts.panelKeys && ImGui::IsItemFocused() &&
-            (parts.context.input.keyPressed(SDLK_RETURN) || parts.context.input.keyPressed(SDLK_SPACE));
+        InputEvents const& input = parts.context.input;
+        bool const byKey = parts.panelKeys && ImGui::IsItemFocused() &&
+                           (input.keyPressed(SDLK_RETURN) || input.keyPressed(SDLK_SPACE) ||
+                            input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_A)));
         if (byKey) {
             actions::addPart(parts, part, parts.middleOfView());
         } else if (use.taken && !parts.document.readOnly() &&

@@ -1,6 +1,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/field_widgets.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
+#include "game/ui/shared/shown_faults.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/cards.hpp"
 #include "render/panels/theme.hpp"
@@ -39,7 +40,7 @@ void showCulprit(EditParts& parts, edit::Problem const& problem) {
         parts.tab = Tab::solutions;
         break;
     case About::ownPart: // the file is to be mended elsewhere
-        parts.tell(problem.diagnostic.print(), ToastKind::Trouble);
+        parts.tell(shownFault(problem.diagnostic), ToastKind::Trouble);
         break;
     case About::level:
     case About::world:
@@ -61,7 +62,7 @@ void drawProblemsPage(EditParts& parts) {
     for (std::size_t i = 0; i < problems.size(); ++i) {
         edit::Problem const& problem = problems[i];
         std::string const text =
-            (problem.name.empty() ? std::string() : problem.name + ": ") + problem.words();
+            (problem.name.empty() ? std::string() : problem.name + ": ") + shownMessage(problem.diagnostic);
         float const width = ImGui::GetContentRegionAvail().x;
         ImVec2 const size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - scaled(22));
         ImGui::PushID(static_cast<int>(i));

@@ -3,6 +3,7 @@
 #include "game/ui/edit/panels/property_rows.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/contents.hpp"
@@ -53,7 +54,7 @@ void drawAddProperty(EditParts& parts) {
     }
     for (edit::AddableProperty const& property :
          edit::addableProperties(*parts.data, parts.tree(), parts.selected())) {
-        if (ImGui::Selectable(property.name.c_str())) {
+        if (ImGui::Selectable(text(property.name))) {
             runWidget(
                 parts,
                 [&](Json const& level) {
@@ -63,7 +64,7 @@ void drawAddProperty(EditParts& parts) {
         }
         parts.context.layout.item("add " + property.key);
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", property.help.c_str());
+            ImGui::SetTooltip("%s", text(property.help));
         }
     }
     ImGui::EndCombo();
@@ -187,7 +188,7 @@ void drawToolSettings(EditParts& parts) {
         forms.emplace_back(form);
     }
     fieldName(words::jointField, "");
-    static_cast<void>(choiceField(parts, "joint form field", parts.jointForm, forms));
+    static_cast<void>(choiceField(parts, "joint form field", parts.jointForm, forms, shownChoice));
 }
 
 } // namespace

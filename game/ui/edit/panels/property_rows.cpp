@@ -38,7 +38,7 @@ void drawList(Owner const& owner, std::string const& key, InspectedField const& 
         if (entry.entries.empty()) {
             drawField(owner, key, entry);
         } else {
-            ImGui::TextDisabled("%s %zu", field.name.c_str(), i + 1);
+            ImGui::TextDisabled("%s %zu", shownField(field.name).c_str(), i + 1);
             for (InspectedField const& inner : entry.entries) {
                 drawField(owner, key, inner);
             }

@@ -23,6 +23,8 @@ void drawGoalsPage(EditParts& parts);
 /// scale 1.
 void drawLiveGoals(EditParts& parts, float top);
 void drawLevelPage(EditParts& parts);
+/// The section of the level's page about what a beginner is shown.
+void drawTeachingSteps(EditParts& parts);
 void drawSolutionsPage(EditParts& parts);
 void drawProblemsPage(EditParts& parts);
 

@@ -1,6 +1,7 @@
 #include "game/ui/edit/tools/edit_mouse.hpp"
 
 #include "game/ui/edit/commands/edit_actions.hpp"
+#include "game/ui/shared/shown_faults.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
@@ -37,7 +38,7 @@ void EditMouse::change(EditParts& parts, std::function<edit::Command(edit::Json 
         edit::Command const command = make(before_);
         parts.document.run(command, gesture_);
     } catch (edit::CommandError const& error) {
-        refused_ = error.what();
+        refused_ = shownError(error);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "game/ui/play/keeping/saving.hpp"
 
+#include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/words.hpp"
 
 #include <stdexcept>
@@ -22,7 +23,7 @@ void saveSolution(Session const& session, std::string const& levelId, SavedSolut
         auto const path = saved.save(levelId, session.record(name));
         toasts.add(words::solutionSaved(path.string()), render::ToastKind::News, 6);
     } catch (std::runtime_error const& error) {
-        toasts.add(translated(error.what()), render::ToastKind::Trouble, 6);
+        toasts.add(shownError(error), render::ToastKind::Trouble, 6);
     }
 }
 

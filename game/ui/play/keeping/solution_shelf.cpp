@@ -1,5 +1,6 @@
 #include "game/ui/play/keeping/solution_shelf.hpp"
 
+#include "game/ui/shared/shown_faults.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ std::string SolutionShelf::load(std::size_t index) {
         std::string const source = index < mine_.size() ? mine_[index].file.string() : items_.at(index).name;
         load_(findOrLoadSolution(registry_, session_.level(), source));
     } catch (std::exception const& error) {
-        return error.what();
+        return shownError(error);
     }
     return {};
 }
@@ -70,7 +71,7 @@ std::string SolutionShelf::rename(std::size_t index, std::string const& name) {
     try {
         SavedSolutions::rename(mine_.at(index), name);
     } catch (std::exception const& error) {
-        return error.what();
+        return shownError(error);
     }
     refresh();
     return {};

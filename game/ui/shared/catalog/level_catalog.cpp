@@ -1,5 +1,6 @@
 #include "game/ui/shared/catalog/level_catalog.hpp"
 
+#include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/words.hpp"
 #include "puzzle/campaign/chapter.hpp"
 #include "runtime/level/json/diagnostic.hpp"
@@ -54,9 +55,9 @@ CatalogEntry entryFor(DataOfLevels& data, fs::path const& file, std::string id) 
         }
     } catch (InputError const& error) {
         entry.trouble =
-            error.diagnostics().empty() ? std::string(error.what()) : error.diagnostics().front().print();
+            error.diagnostics().empty() ? shownError(error) : shownFault(error.diagnostics().front());
     } catch (std::exception const& error) {
-        entry.trouble = error.what();
+        entry.trouble = shownError(error);
     }
     return entry;
 }

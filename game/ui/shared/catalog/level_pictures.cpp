@@ -42,7 +42,7 @@ unsigned LevelPictures::texture(CatalogEntry const& level, Size size) {
         return 0;
     }
     Picture& picture = pictures_[level.id];
-    if (picture.size == size) {
+    if (picture.size == size && picture.colours == palette::inUse()) {
         return picture.target == nullptr ? 0 : picture.target->texture();
     }
     if (!std::exchange(mayDraw_, false)) {
@@ -50,6 +50,7 @@ unsigned LevelPictures::texture(CatalogEntry const& level, Size size) {
         return picture.target == nullptr ? 0 : picture.target->texture(); // of another size for now
     }
     picture.size = size;
+    picture.colours = palette::inUse();
     try {
         picture.target = std::make_unique<Framebuffer>(size);
         drawInto(*picture.target, level);

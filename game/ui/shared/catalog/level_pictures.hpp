@@ -33,6 +33,7 @@ public:
 private:
     struct Picture {
         render::Size size;
+        render::palette::Choice colours = render::palette::Choice::usual;
         std::unique_ptr<render::Framebuffer> target; // nullptr: it cannot be drawn
     };
     void drawInto(render::Framebuffer const& target, CatalogEntry const& level);

@@ -39,7 +39,8 @@ unsigned PartCatalog::picture(std::string const& part, int pixels) {
         return 0;
     }
     Picture& made = pictures_[part];
-    if (made.pixels != pixels) {
+    if (made.pixels != pixels || made.colours != render::palette::inUse()) {
+        made.colours = render::palette::inUse();
         made.target = std::make_unique<render::Framebuffer>(render::Size{pixels, pixels});
         made.pixels = pixels;
         made.target->bind();

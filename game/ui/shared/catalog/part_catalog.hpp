@@ -31,6 +31,7 @@ public:
 private:
     struct Picture {
         int pixels = 0;
+        render::palette::Choice colours = render::palette::Choice::usual;
         std::unique_ptr<render::Framebuffer> target;
     };
 

@@ -30,6 +30,7 @@ TEST_F(ProfileFile, KeysAreKeptBesideTheRest) {
         Settings settings = profile.settings();
         settings.volume = 30;
         settings.touches = 20;
+        settings.clearColours = true;
         profile.setSettings(settings);
     }
     Profile const kept(file);
@@ -38,6 +39,7 @@ TEST_F(ProfileFile, KeysAreKeptBesideTheRest) {
     EXPECT_TRUE(kept.solved("a level"));
     EXPECT_EQ(kept.settings().volume, 30);
     EXPECT_EQ(kept.settings().touches, 20);
+    EXPECT_TRUE(kept.settings().clearColours);
 }
 
 TEST_F(ProfileFile, ADamagedEntryIsReportedAndTheOthersAreKept) {

@@ -1,12 +1,14 @@
 // What the program's sources say: their literals, and the texts that they ask for.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace trembler::ui {
 
@@ -62,6 +64,91 @@ inline std::string literalAt(std::string const& source, std::size_t& at) {
     }
 }
 
+/// What is wrong and what was expected instead, of a message that says both.
+inline std::vector<std::string> halvesOf(std::string const& message) {
+    static std::string const expected = "; expected ";
+    std::size_t const at = message.find(expected);
+    return at == std::string::npos ? std::vector{message}
+                                   : std::vector{message.substr(0, at), message.substr(at + expected.size())};
+}
+
+/// Where the bracket at `at` is closed; literals and single characters may hold others.
+inline std::size_t closingOf(std::string const& source, std::size_t at) {
+    int depth = 0;
+    for (; at < source.size(); ++at) {
+        char const c = source[at];
+        if (c == '"') {
+            for (++at; at < source.size() && source[at] != '"'; ++at) {
+                at += source[at] == '\\' ? 1 : 0;
+            }
+        } else if (c == '\'' && at + 2 < source.size() && source[at + 2] == '\'') {
+            at += 2;
+        } else if (c == '(' || c == '{' || c == '[') {
+            ++depth;
+        } else if ((c == ')' || c == '}' || c == ']') && --depth == 0) {
+            return at;
+        }
+    }
+    return source.size();
+}
+
+/// Whether a text has words, so that it needs a translation.
+inline bool hasWords(std::string const& text) {
+    static std::regex const word("[A-Za-z]{2,}");
+    return text.find(' ') != std::string::npos && std::regex_search(text, word);
+}
+
+/// Adds the literals in what a source passes to functions that refuse and complain, or returns as what is
+/// wrong. `onlyBoth`: only of messages that say what was expected, too.
+inline void addMessages(std::string const& source, bool onlyBoth, std::set<std::string>& all) {
+    if (onlyBoth && source.find("; expected ") == std::string::npos) {
+        return;
+    }
+    static std::regex const head(
+        R"re(\b(?:complain(?:At|OfType|AboutKey)?|diagnostic|CommandError|refuse(?:Type|Scale|Size)?|problem|)re"
+        R"re(raise|isObject|isList|required|mustHave|mustBeName|stop|name|text|reader|fail|Fault)\(|)re"
+        R"re(\b(?:Impossibility|ChangeFault|SourceFault|return)\s*\{|\.(?:message|expected) = |)re"
+        R"re(return fmt::format\()re");
+    for (std::sregex_iterator found(source.begin(), source.end(), head), end; found != end; ++found) {
+        std::size_t const open = static_cast<std::size_t>(found->position() + found->length()) - 1;
+        bool const bracket = source[open] == '(' || source[open] == '{';
+        std::size_t const close = bracket ? closingOf(source, open) : source.find(';', open);
+        for (std::size_t at = open; (at = source.find('"', at)) < close;) {
+            if (source[at - 1] == '\'') { // a character
+                ++at;
+                continue;
+            }
+            if (source[at - 1] == 'R') { // as files state it, not said to people
+                at = std::min(source.find(")\"", at), source.size() - 2) + 2;
+                continue;
+            }
+            std::string const message = literalAt(source, at);
+            std::vector<std::string> const halves = halvesOf(message);
+            if (onlyBoth && halves.size() < 2) {
+                continue;
+            }
+            for (std::string const& half : halves) {
+                if (hasWords(half)) {
+                    all.insert(half);
+                }
+            }
+        }
+    }
+}
+
+/// What the classes without a window refuse, and what they say is wrong with files.
+inline std::set<std::string> messagesOfTheProgram() {
+    std::set<std::string> all;
+    forEachSource({"runtime/level/build", "runtime/level/json", "runtime/level/model",
+                   "runtime/level/property", "runtime/level/read", "puzzle/edit", "puzzle/goals",
+                   "puzzle/checks", "puzzle/session", "puzzle/data", "lua/sandbox", "lua/binding",
+                   "lua/interaction", "lua/component", "lua/attach"},
+                  [&](std::string const& source) { addMessages(source, false, all); });
+    forEachSource({"physics", "audio/effect"},
+                  [&](std::string const& source) { addMessages(source, true, all); });
+    return all;
+}
+
 /// All literals, with bare gaps, and as keys of fields are shown.
 inline std::set<std::string> literalsOfTheProgram() {
     std::set<std::string> all;
@@ -75,6 +162,9 @@ inline std::set<std::string> literalsOfTheProgram() {
                           std::string const text = literalAt(source, at);
                           all.insert(withBareGaps(text));
                           all.insert(spokenKey(text));
+                          for (std::string const& half : halvesOf(text)) {
+                              all.insert(withBareGaps(half));
+                          }
                           if (std::size_t const arrow = text.find(" <- "); arrow != std::string::npos) {
                               all.insert(text.substr(arrow + 4)); // the causes of an interaction
                           }

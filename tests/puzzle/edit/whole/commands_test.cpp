@@ -269,6 +269,31 @@ TEST(OwnParts, AreMadeFromObjects) {
     EXPECT_FALSE(replaced.contains("joints"));
 }
 
+TEST(ContentCommands, StepsAndWires) {
+    Json level = done(small(), addStep(small(), newStep("place", {"steel ball"}, {1, 2}).value()));
+    level = done(level, addStep(level, newStep("wire", {"left", "right"}, {}).value()));
+    level = done(level, addStep(level, newStep("run", {}, {}).value()));
+    EXPECT_EQ(level["teaching"], Json::parse(R"([{"place": "steel ball", "at": [1, 2]},
+                                                 {"wire": ["left", "right"]}, {"run": true}])"));
+    EXPECT_FALSE(newStep("cut", {"left"}, {}).has_value()) << "a wire has two ends";
+    level = done(level, renameObject(editData(), level, "left", "west"));
+    EXPECT_EQ(level["teaching"][1]["wire"][0], "west");
+    level = done(level, moveStep(level, 2, 0));
+    EXPECT_TRUE(level["teaching"][0].contains("run"));
+    level = done(level, setStep(level, 0, newStep("grab", {"ball"}, {0, 1}).value()));
+    EXPECT_EQ(level["teaching"][0]["grab"], "ball");
+    level = done(level, removeStep(level, 1));
+    EXPECT_EQ(level["teaching"].size(), 2U);
+    EXPECT_NE(refusalOf([&] { return removeStep(level, 2); }), "");
+    level = done(level, setWires(level, 3));
+    EXPECT_EQ(level["toolbox"][1], (Json{{"wire", 3}}));
+    level = done(level, setWires(level, 5));
+    EXPECT_EQ(level["toolbox"][1], (Json{{"wire", 5}}));
+    level = done(level, setWires(level, 0));
+    EXPECT_EQ(level["toolbox"].size(), 1U);
+    EXPECT_NE(refusalOf([&] { return setWires(level, 1001); }), "");
+}
+
 TEST(SolutionCommands, RecordAndExpect) {
     Solution run;
     run.name = "wait";

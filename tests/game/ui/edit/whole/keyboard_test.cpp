@@ -139,6 +139,35 @@ TEST(EditorGamepad, SelectsMovesAndReachesEveryCommandThroughTheirList) {
     EXPECT_EQ(designer.screen().test(), nullptr);
 }
 
+TEST(EditorGamepad, WorksInThePanel) {
+    using render::padKey;
+    Designer designer;
+    designer.editNew();
+    std::size_t const before = designer.count("objects");
+    auto const press = [&](SDL_GameControllerButton button) {
+        designer.key(padKey(button));
+        designer.frames(2);
+    };
+    press(SDL_CONTROLLER_BUTTON_LEFTSTICK);
+    ASSERT_TRUE(designer.parts().panelKeys);
+    ASSERT_EQ(designer.parts().tab, Tab::parts);
+    for (int i = 0; i < 3; ++i) {
+        press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    }
+    press(SDL_CONTROLLER_BUTTON_A);
+    EXPECT_EQ(designer.count("objects"), before + 1) << "a part of the catalogue";
+    EXPECT_FALSE(designer.showsCard("command palette")) << "the button acts in the panel";
+    press(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER);
+    EXPECT_EQ(designer.parts().tab, Tab::outline);
+    press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
+    press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
+    EXPECT_EQ(designer.parts().tab, Tab::problems) << "the last page is before the first";
+    EXPECT_TRUE(designer.parts().panelKeys);
+    press(SDL_CONTROLLER_BUTTON_B);
+    EXPECT_FALSE(designer.parts().panelKeys);
+    EXPECT_FALSE(designer.app().menu().isOpen());
+}
+
 TEST(EditorOwnParts, AreThereAtOnceInTheCatalogueAndTheGame) {
     auto const folder = testFolder() / "data";
     std::filesystem::remove_all(folder);

@@ -113,6 +113,67 @@ TEST(EditorPanels, TheInspectorAttachesAScriptAndSetsItsParameters) {
     EXPECT_TRUE(uses().empty());
 }
 
+/// Scrolls the panel until the item is in sight.
+void seek(Designer& designer, std::string const& item) {
+    designer.moveTo(designer.layout().card("panel")->middle());
+    for (int i = 0; i < 60; ++i) {
+        designer.wheel(1);
+    }
+    designer.scrollTo("panel", item);
+}
+
+TEST(EditorPanels, TeachingStepsAreAddedChangedAndUndone) {
+    Designer designer;
+    designer.editCopyOf(firstContact);
+    edit::Json const before = designer.tree();
+    ASSERT_EQ(designer.count("teaching"), 2U);
+    designer.key(SDLK_F6);
+    designer.frames(3);
+    seek(designer, "add step");
+    designer.clickItem("add step");
+    designer.frames(2);
+    designer.clickItem("add step = cut");
+    designer.frames(3);
+    ASSERT_EQ(designer.count("teaching"), 3U);
+    EXPECT_TRUE(designer.tree()["teaching"][2].contains("cut"));
+    seek(designer, "step 2 up");
+    designer.clickItem("step 2 up");
+    designer.frames(3);
+    EXPECT_TRUE(designer.tree()["teaching"][1].contains("cut"));
+    seek(designer, "step 0 at x");
+    designer.drag(designer.item("step 0 at x"), designer.item("step 0 at x") + Point{40, 0});
+    EXPECT_NE(designer.tree()["teaching"][0]["at"], before["teaching"][0]["at"]);
+    designer.look("edit-teaching");
+    for (int i = 0; i < 3; ++i) {
+        designer.ctrl(SDLK_z);
+        designer.frames(1);
+    }
+    EXPECT_EQ(designer.tree(), before);
+}
+
+TEST(EditorPanels, WiresAreNoPartOfTheToolbox) {
+    Designer designer;
+    designer.editCopyOf(levelsFolder() / "5-everything/2-the-gate.json");
+    designer.key(SDLK_F6);
+    designer.frames(3);
+    auto const wires = [&] {
+        for (auto const& tool : designer.tree()["toolbox"]) {
+            if (tool.contains("wire")) {
+                return tool["wire"].get<int>();
+            }
+        }
+        return 0;
+    };
+    int const before = wires();
+    ASSERT_GT(before, 0);
+    seek(designer, "wires");
+    designer.drag(designer.item("wires"), designer.item("wires") + Point{80, 0});
+    EXPECT_GT(wires(), before);
+    for (auto const& tool : designer.tree()["toolbox"]) {
+        EXPECT_FALSE(tool.contains("wire") && tool.contains("count"));
+    }
+}
+
 TEST(EditorPanels, ADeletedObjectIsAProblemWhoseClickLeadsToTheGoal) {
     Designer designer;
     designer.editCopyOf(firstContact);

@@ -1,0 +1,18 @@
+// What is wrong with a file, or with what was tried, in the player's language.
+#pragma once
+
+#include "runtime/level/json/diagnostic.hpp"
+
+#include <exception>
+#include <string>
+
+namespace trembler::ui {
+
+/// The message with what was expected, without the place.
+[[nodiscard]] std::string shownMessage(Diagnostic const& fault);
+/// With the place, as Diagnostic::print().
+[[nodiscard]] std::string shownFault(Diagnostic const& fault);
+/// A line for each problem of an InputError; of other errors the message.
+[[nodiscard]] std::string shownError(std::exception const& error);
+
+} // namespace trembler::ui
