@@ -7,6 +7,8 @@
 #include "game/app/progress.hpp"
 #include "insight/why/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
+#include "puzzle/language/catalogue.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/limits.hpp"
@@ -119,7 +121,7 @@ int answerWhy(WhyArguments const& arguments) {
     options.everything = arguments.everything;
     options.frames = arguments.frames.value_or(insight::LevelRuns::framesFor(solution));
     options.progress = [&](std::size_t done, std::size_t of) {
-        progress.frames(done, of);
+        progress.say(fmt::format("{} of {} runs", done, of));
         return true;
     };
     insight::Answer const answer = insight::why(runs, solution, question, options);

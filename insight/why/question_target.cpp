@@ -75,7 +75,7 @@ std::string chosenGoal(RunResult const& result, Question const& question) {
     }
     GoalStatus const* last = nullptr;
     for (GoalStatus const& goal : result.goals) {
-        if (!goal.frame || (!result.solved && !goal.met)) {
+        if (!goal.frame) {
             return goal.id;
         }
         last = last == nullptr || *goal.frame >= *last->frame ? &goal : last;
