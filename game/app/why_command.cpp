@@ -112,8 +112,12 @@ int answerWhy(WhyArguments const& arguments) {
         solution = findOrLoadSolution(data->registry, level, arguments.solution);
     }
     OutputFile* const json = outputs.add("--json", arguments.json);
-    level =
-        arguments.task || !english ? asPlayed(std::move(level), english ? "" : arguments.language) : level;
+    if (!arguments.task) {
+        level.task = nullptr; // the goals of a demonstration stay as they are
+    }
+    if (arguments.task || !english) {
+        level = asPlayed(std::move(level), english ? "" : arguments.language);
+    }
 
     insight::LevelRuns const runs(*data, level);
     Progress progress;
