@@ -15,10 +15,10 @@ namespace trembler::insight {
 /// What is asked about; exactly one of the three, or none: the first goal that was not met, or else the
 /// solving of the level.
 struct Question {
-    std::optional<std::string> goal;    ///< by id
-    std::optional<std::uint64_t> event; ///< by its number in the trace of the run, as `run --trace` has it
-    std::optional<std::string> object;  ///< why it is as it is ...
-    double at = 0;                      ///< ... at this time, in s
+    std::optional<std::string> goal{};    ///< by id
+    std::optional<std::uint64_t> event{}; ///< by its number in the trace of the run, as `run --trace` has it
+    std::optional<std::string> object{};  ///< why it is as it is ...
+    double at = 0;                        ///< ... at this time, in s
 };
 
 /// How well a step of a chain is known.

@@ -32,7 +32,9 @@ TEST(LevelRuns, EndAsTheSessionsRunsDo) {
         options.detail = level.detail;
         Session session(runsData().registry, runsData().parts, level, options);
         session.load(solution);
-        RunReport const report = trembler::run(session, "", {.frames = 200});
+        RunOptions asUsual;
+        asUsual.frames = 200;
+        RunReport const report = trembler::run(session, "", asUsual);
         EXPECT_EQ(result.stateHash, report.stateHash) << solution.name;
         EXPECT_EQ(result.solvedFrame, report.solvedFrame) << solution.name;
     }
