@@ -26,6 +26,7 @@ void addScreenshotCommand(CLI::App& program, int& result);
 void addClipCommand(CLI::App& program, int& result);
 void addKeysCommand(CLI::App& program, int& result);
 void addModCommand(CLI::App& program, int& result);
+void addWhyCommand(CLI::App& program, int& result);
 
 /// Runs a command's work and returns its exit status; prints errors in its input to standard error.
 [[nodiscard]] int guarded(std::function<int()> const& work);

@@ -18,6 +18,7 @@ int runCommand(int argc, char** argv) {
         "  trembler run LEVEL --solution NAME                     replay a recorded solution, no window\n"
         "  trembler run LEVEL --trace account.jsonl               write every event with its causes\n"
         "  trembler run LEVEL --sound it.wav                      write its sound\n"
+        "  trembler why LEVEL --solution NAME                     why a goal was met, or was not\n"
         "  trembler clip LEVEL --solution NAME --out it.webp      a moving picture of a run\n"
         "  trembler verify                                        check every level\n"
         "  trembler components                                    all components and their schedule\n"
@@ -37,6 +38,7 @@ int runCommand(int argc, char** argv) {
     trembler::addClipCommand(program, result);
     trembler::addKeysCommand(program, result);
     trembler::addModCommand(program, result);
+    trembler::addWhyCommand(program, result);
     try {
         program.parse(argc, argv);
     } catch (CLI::Success const& help) {

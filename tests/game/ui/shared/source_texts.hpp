@@ -152,7 +152,7 @@ inline std::set<std::string> messagesOfTheProgram() {
 /// All literals, with bare gaps, and as keys of fields are shown.
 inline std::set<std::string> literalsOfTheProgram() {
     std::set<std::string> all;
-    forEachSource({"game", "puzzle", "physics", "audio", "runtime", "lua", "render"},
+    forEachSource({"game", "insight", "puzzle", "physics", "audio", "runtime", "lua", "render"},
                   [&](std::string const& source) {
                       for (std::size_t at = 0; (at = source.find('"', at)) != std::string::npos;) {
                           if (at > 0 && source[at - 1] == '\'') { // a character

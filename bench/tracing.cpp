@@ -1,0 +1,54 @@
+// What it costs to trace a run, of which `trembler why` is made: time of all frames of each level hands off,
+// with and without a trace. Without one, an event costs a test of a null pointer. Wall time, medians, one
+// thread.
+#include "bench/kit.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+using namespace trembler;
+
+constexpr int frames = 600;
+constexpr int repetitions = 15;
+
+void runOnce(GameData const& data, LevelFile const& level, bool trace, bench::Series& series) {
+    WorldOptions options;
+    options.detail = level.detail;
+    options.trace = trace;
+    Session session(data.registry, data.parts, level, options);
+    series.time([&] {
+        for (int frame = 0; frame < frames; ++frame) {
+            session.step();
+        }
+    });
+    bench::keep(session.world().frame());
+}
+
+} // namespace
+
+int main() {
+    GameData const data;
+    bench::Table table("Tracing a run: share of a frame's time");
+    std::vector<double> shares;
+    for (auto const& file : data.levels()) {
+        LevelFile const level = loadLevel(data.registry, file);
+        if (!level.mods.empty()) {
+            continue;
+        }
+        bench::Series plain;
+        bench::Series traced;
+        for (int i = 0; i < repetitions; ++i) {
+            runOnce(data, level, false, plain);
+            runOnce(data, level, true, traced);
+        }
+        double const share = 100 * (traced.quantile(0.2) / plain.quantile(0.2) - 1);
+        shares.push_back(share);
+        table.row(data.shortName(file), share, "%");
+    }
+    std::sort(shares.begin(), shares.end());
+    double const middle = shares.empty() ? 0 : shares[shares.size() / 2];
+    table.row("the median of all levels", middle, "%", middle, 10);
+    table.print();
+}

@@ -1,0 +1,71 @@
+// A question about a run, and its answer.
+#pragma once
+
+#include "insight/miss/miss_meter.hpp"
+#include "insight/why/story.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// What is asked about; exactly one of the three, or none: the first goal that was not met, or else the
+/// solving of the level.
+struct Question {
+    std::optional<std::string> goal{};    ///< by id
+    std::optional<std::uint64_t> event{}; ///< by its number in the trace of the run, as `run --trace` has it
+    std::optional<std::string> object{};  ///< why it is as it is ...
+    double at = 0;                        ///< ... at this time, in s
+};
+
+/// How well a step of a chain is known.
+enum class Proof : std::uint8_t {
+    traced,    ///< the trace names it, and no run without it was made
+    confirmed, ///< without it, what was asked about did not happen
+    together,  ///< without it alone it did, but not without it and the others so marked
+    refuted,   ///< without it, it happened all the same
+};
+[[nodiscard]] std::string_view nameOf(Proof proof);
+
+/// One step of the answer.
+struct ChainStep {
+    Step step;
+    Proof proof = Proof::traced;
+    Vec2 at; ///< m, in the world: where its first object was at the start; for marks on a picture
+};
+
+struct Answer {
+    bool happened = false;
+    /// What was asked about, as a step; if a goal was not met, its id is in `goal`, and the chain is empty.
+    std::string goal;
+    /// The chain, earliest first; the last one is what was asked about. `Step::because` are places in it.
+    std::vector<ChainStep> chain;
+    std::size_t dropped = 0; ///< events that led to it by the trace, and were coincidences
+    /// Whether each root of the chain was confirmed by a second run. False for an empty chain.
+    bool confirmed = false;
+    std::optional<GoalMiss> nearest; ///< of a goal that was not met
+    std::size_t runs = 0;            ///< how many runs it took
+    bool complete = true;            ///< false: it was cancelled, and tells what it had by then
+    SceneFacts facts;
+    std::uint64_t frames = 0; ///< of the run that was asked about
+};
+
+struct AskOptions {
+    std::uint64_t frames = 3600; ///< of the run at most
+    /// Name gravity's helpers, too: contacts with fixed objects that conduct nothing.
+    bool everything = false;
+    /// Called after each run with the number of runs so far and of those planned; false: no further ones.
+    std::function<bool(std::size_t done, std::size_t of)> progress;
+};
+
+/// Answers a question about a run of a level. Runs it once, traced, and then once for each thing that may be
+/// a cause, and for sets of them. A pure function of its arguments, as long as `progress` returns true; may
+/// be called from any thread. Throws std::invalid_argument, naming what there is instead, if there is no such
+/// goal, event or object, or nothing to tell of the object, and if the run is not possible.
+[[nodiscard]] Answer why(LevelRuns const& runs, Solution const& solution, Question const& question,
+                         AskOptions const& options = {});
+
+} // namespace trembler::insight

@@ -1,0 +1,121 @@
+#include "insight/why/clauses.hpp"
+
+#include "puzzle/language/speech.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace trembler::insight {
+namespace {
+
+/// The two forms of what a kind of step says, with a gap for each of its objects.
+struct KindText {
+    StepKind kind;
+    std::string_view main;
+    std::string_view because;
+};
+constexpr std::array<KindText, 13> kindTexts{
+    {{StepKind::contact, "{} touches {}", "because {} touches {}"},
+     {StepKind::apart, "{} no longer touches {}", "because {} no longer touches {}"},
+     {StepKind::on, "current flows through {}", "because current flows through {}"},
+     {StepKind::off, "no current flows through {} any more", "because no current flows through {} any more"},
+     {StepKind::magnetOn, "{} becomes magnetic", "because {} becomes magnetic"},
+     {StepKind::magnetOff, "{} ceases to be magnetic", "because {} ceases to be magnetic"},
+     {StepKind::pull, "a magnet pulls {}", "because a magnet pulls {}"},
+     {StepKind::liquid, "{} dips into {}", "because {} dips into {}"},
+     {StepKind::grabbed, "you took hold of {}", "because you took hold of {}"},
+     {StepKind::released, "you let go of {}", "because you let go of {}"},
+     {StepKind::cut, "you cut the wire between {} and {}", "because you cut the wire between {} and {}"},
+     {StepKind::removed, "you removed {}", "because you removed {}"},
+     {StepKind::placed, "you laid {} there before the start", "because you laid {} there before the start"}}};
+
+} // namespace
+
+std::string Tongue::the(std::string const& name) const {
+    return catalogue_ == nullptr ? englishSpeech().the(name).words
+                                 : catalogue_->names().definite(name, GermanCase::nominative);
+}
+
+std::string Tongue::mix(std::string_view english, std::vector<Said> const& said) const {
+    char const* const translation = catalogue_ == nullptr ? nullptr : catalogue_->find(english);
+    Catalogue::Pieces const pieces =
+        Catalogue::piecesOf(translation == nullptr ? english : std::string_view(translation));
+    std::string text = pieces.between.front();
+    for (std::size_t i = 0; i < pieces.gaps.size(); ++i) {
+        Said const one = i < said.size() ? said[i] : Said{};
+        bool const accusative = pieces.gaps[i] == "akk";
+        if (!one.isName) {
+            text += one.text;
+        } else if (catalogue_ != nullptr && (accusative || pieces.gaps[i] == "dat")) {
+            text += catalogue_->names().definite(one.text,
+                                                 accusative ? GermanCase::accusative : GermanCase::dative);
+        } else {
+            text += the(one.text);
+        }
+        text += pieces.between[i + 1];
+    }
+    return text;
+}
+
+std::string Tongue::say(std::string_view english, std::vector<std::string> const& names) const {
+    std::vector<Said> said;
+    for (std::string const& name : names) {
+        said.push_back({name, true});
+    }
+    return mix(english, said);
+}
+
+std::string Tongue::fill(std::string_view english, std::vector<std::string> const& words) const {
+    std::vector<Said> said;
+    for (std::string const& word : words) {
+        said.push_back({word, false});
+    }
+    return mix(english, said);
+}
+
+std::string Tongue::number(double value, int digits) const {
+    std::string text = fmt::format("{:.{}f}", value, digits);
+    if (catalogue_ != nullptr) {
+        std::replace(text.begin(), text.end(), '.', ',');
+    }
+    return text;
+}
+
+std::string Tongue::distance(double metres) const {
+    if (metres < 0.0095) {
+        return number(metres * 1000, metres < 0.00095 ? 1 : 0) + " mm";
+    }
+    return metres < 0.995 ? number(metres * 100, 0) + " cm" : number(metres, 2) + " m";
+}
+
+Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& goal, Tongue const& tongue) {
+    if (step.kind == StepKind::goal) {
+        return {tongue.fill("the goal “{}” is met", {goal}),
+                tongue.fill("because the goal “{}” is met", {goal})};
+    }
+    bool const lamp = !step.objects.empty() && facts.lamps.contains(step.objects.front());
+    if (step.kind == StepKind::on && lamp) {
+        return {tongue.say("{} is lit", step.objects), tongue.say("because {} is lit", step.objects)};
+    }
+    if (step.kind == StepKind::off && lamp) {
+        return {tongue.say("{} goes out", step.objects), tongue.say("because {} goes out", step.objects)};
+    }
+    std::vector<std::string> objects = step.objects;
+    if (objects.size() == 2 && facts.fixed.contains(objects[0]) && !facts.fixed.contains(objects[1])) {
+        std::swap(objects[0], objects[1]); // what moves touches what does not
+    }
+    auto const at = std::find_if(kindTexts.begin(), kindTexts.end(),
+                                 [&](KindText const& text) { return text.kind == step.kind; });
+    if (at != kindTexts.end()) {
+        return {tongue.say(at->main, objects), tongue.say(at->because, objects)};
+    }
+    // What a resolver of another effect, or a script, records has its own words.
+    std::string const whose = objects.empty() ? std::string() : tongue.the(objects.front()) + ": ";
+    std::string const text = whose + tongue.fill(step.what, {});
+    return {text, tongue.fill("because of this: {}", {text})};
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,52 @@
+// The clauses of which sentences about causes consist, in the player's language.
+#pragma once
+
+#include "insight/why/answer.hpp"
+#include "puzzle/language/catalogue.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler::insight {
+
+/// What stands in a gap of a text.
+struct Said {
+    std::string text;
+    bool isName = false; ///< of an object: gets an article and a case
+};
+
+/// A language: English, or that of a catalogue, which must outlive it. Thread-safe.
+class Tongue {
+public:
+    /// English.
+    Tongue() = default;
+    explicit Tongue(Catalogue const& catalogue) : catalogue_(&catalogue) {}
+
+    /// An English text with what is said for each "{}"; in the translation, "{akk}" and "{dat}" are cases.
+    [[nodiscard]] std::string mix(std::string_view english, std::vector<Said> const& said) const;
+    /// The same with a name for each gap.
+    [[nodiscard]] std::string say(std::string_view english, std::vector<std::string> const& names = {}) const;
+    /// The same with finished words in place of names.
+    [[nodiscard]] std::string fill(std::string_view english, std::vector<std::string> const& words) const;
+    /// "the lamp" or "die Lampe", as a subject.
+    [[nodiscard]] std::string the(std::string const& name) const;
+    /// "0.4" or "0,4".
+    [[nodiscard]] std::string number(double value, int digits) const;
+    /// "4 cm", "0.4 m", rounded as people would.
+    [[nodiscard]] std::string distance(double metres) const;
+
+private:
+    Catalogue const* catalogue_ = nullptr;
+};
+
+/// What a step says as a sentence without a full stop and as the clause after another one: "the spanner
+/// touches the left contact" and "because the spanner touches the left contact".
+struct Clauses {
+    std::string main;
+    std::string because;
+};
+[[nodiscard]] Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& goal,
+                                Tongue const& tongue);
+
+} // namespace trembler::insight

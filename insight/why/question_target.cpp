@@ -1,0 +1,168 @@
+#include "insight/why/question_target.hpp"
+
+#include "runtime/level/json/suggestion.hpp"
+#include "runtime/trace/tracer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace trembler::insight {
+namespace {
+
+/// How a step tells what an object is like; a pull or a touch that ended says nothing.
+bool tellsState(StepKind kind) {
+    return kind != StepKind::goal && kind != StepKind::other;
+}
+
+Event const& eventNumbered(std::span<Event const> events, std::uint64_t number) {
+    if (number < 1 || number > events.size()) {
+        throw std::invalid_argument(fmt::format("--event {}: the run has the events 1 to {}; `trembler run "
+                                                "--trace FILE` lists them",
+                                                number, events.size()));
+    }
+    return events[number - 1];
+}
+
+Event const& eventOf(std::span<Event const> events, std::string const& object, double seconds,
+                     SceneFacts const& facts, World const& world) {
+    if (!world.store().find(object).valid() && !facts.places.contains(object)) {
+        std::vector<std::string> names;
+        for (auto const& [name, place] : facts.places) {
+            names.push_back(name);
+        }
+        throw std::invalid_argument(
+            fmt::format("--object {}: there is no such object{}", object, didYouMean(object, names)));
+    }
+    auto const last = static_cast<std::uint64_t>(std::llround(seconds / frameDuration));
+    Event const* found = nullptr;
+    for (Event const& event : events) {
+        auto const kind = kindOf(event);
+        if (event.frame <= last && kind && tellsState(*kind) &&
+            std::find(event.objects.begin(), event.objects.end(), object) != event.objects.end()) {
+            found = &event;
+        }
+    }
+    if (found == nullptr) {
+        throw std::invalid_argument(
+            fmt::format("--object {}: nothing has happened to it by {} s", object, seconds));
+    }
+    return *found;
+}
+
+std::vector<std::string> goalIds(RunResult const& result) {
+    std::vector<std::string> ids;
+    for (GoalStatus const& goal : result.goals) {
+        ids.push_back(goal.id);
+    }
+    return ids;
+}
+
+/// The goal that is asked about: the one stated, or the first that was not met, or the last that was.
+std::string chosenGoal(RunResult const& result, Question const& question) {
+    if (result.goals.empty()) {
+        throw std::invalid_argument("the level has no goals; ask with --event or --object");
+    }
+    if (question.goal) {
+        std::vector<std::string> const ids = goalIds(result);
+        if (std::find(ids.begin(), ids.end(), *question.goal) == ids.end()) {
+            throw std::invalid_argument(
+                fmt::format("--goal {}: there is no such goal; expected {}", *question.goal, listed(ids)));
+        }
+        return *question.goal;
+    }
+    GoalStatus const* last = nullptr;
+    for (GoalStatus const& goal : result.goals) {
+        if (!goal.frame) {
+            return goal.id;
+        }
+        last = last == nullptr || *goal.frame >= *last->frame ? &goal : last;
+    }
+    return last->id;
+}
+
+void describe(Target& target, std::span<Event const> events, Event const& event, SceneFacts const& facts) {
+    target.event = event.id;
+    target.component = event.component;
+    target.what = event.event;
+    target.objects = event.objects;
+    target.frame = event.frame;
+    target.times = std::max<std::size_t>(1, timesIn(events, target, event.frame));
+    target.story = storyOf(events, event.id, facts);
+}
+
+} // namespace
+
+std::size_t timesIn(std::span<Event const> events, Target const& target, std::uint64_t frame) {
+    return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [&](Event const& event) {
+        return event.frame <= frame && event.event == target.what && event.component == target.component &&
+               event.objects == target.objects;
+    }));
+}
+
+Target findTarget(LevelRuns const& runs, Solution const& solution, Question const& question,
+                  AskOptions const& options, Answer& answer) {
+    Target target;
+    std::unique_ptr<MissMeter> meter;
+    bool const aboutGoal = !question.event && !question.object;
+    std::string fault;
+    RunObserver observer;
+    observer.begin = [&](LevelRun const& run) {
+        answer.facts = factsOf(run);
+        if (aboutGoal) {
+            meter = std::make_unique<MissMeter>(runs.level(), run.world());
+        }
+    };
+    observer.frame = [&](LevelRun const& run) {
+        if (meter != nullptr) {
+            meter->look(run.world());
+        }
+        return !question.object || run.world().time() < question.at;
+    };
+    observer.end = [&](LevelRun const& run) {
+        Tracer const* const tracer = run.world().tracer();
+        std::span<Event const> const events = tracer->events();
+        for (Event const& event : events) {
+            if (kindOf(event) == StepKind::contact) {
+                answer.facts.firstTouch.emplace(event.objects, event.frame);
+            }
+        }
+        if (!aboutGoal) {
+            Event const& event =
+                question.event ? eventNumbered(events, *question.event)
+                               : eventOf(events, *question.object, question.at, answer.facts, run.world());
+            describe(target, events, event, answer.facts);
+            return;
+        }
+        RunResult now;
+        now.goals = run.judge().status();
+        now.solved = run.judge().solved();
+        target.goal = chosenGoal(now, question);
+        answer.goal = *target.goal;
+        auto const met = std::find_if(events.begin(), events.end(), [&](Event const& event) {
+            return event.phase == Phase::goal && event.event == "goal met: " + *target.goal;
+        });
+        if (met != events.end()) {
+            describe(target, events, *met, answer.facts);
+        }
+        for (GoalMiss const& goal : meter->result().goals) {
+            if (goal.id == *target.goal && met == events.end()) {
+                answer.nearest = goal;
+            }
+        }
+    };
+    RunLimits limits;
+    limits.frames = options.frames;
+    limits.stopWhenSolved = aboutGoal;
+    limits.trace = true;
+    RunResult const result = runs.run({solution}, limits, observer);
+    if (result.fault) {
+        throw std::invalid_argument(*result.fault);
+    }
+    answer.frames = result.frames;
+    return target;
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,27 @@
+// What a story of causes needs to know of the objects of a run, by name, as they were at the start.
+#pragma once
+
+#include "puzzle/session/run.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+struct SceneFacts {
+    std::set<std::string> fixed;
+    std::set<std::string> conductors;
+    std::set<std::string> lamps;                    ///< see isLamp()
+    std::map<std::string, std::size_t> placementOf; ///< objects that were placed, pieces included
+    std::map<std::string, Vec2> places;             ///< m, of everything that is somewhere
+    /// The first frame in which two objects touched in the run, by their names as the trace has them; of a
+    /// run that is over.
+    std::map<std::vector<std::string>, std::uint64_t> firstTouch;
+};
+
+/// To be called before the first frame.
+[[nodiscard]] SceneFacts factsOf(LevelRun const& run);
+
+} // namespace trembler::insight

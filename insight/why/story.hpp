@@ -1,0 +1,62 @@
+// The events that led to an event, without the calls between components: what a person would name.
+#pragma once
+
+#include "insight/why/scene_facts.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler::insight {
+
+enum class StepKind : std::uint8_t {
+    goal,      ///< a goal was met
+    contact,   ///< two objects began to touch, or touched for less than a frame
+    apart,     ///< they ceased to
+    on,        ///< current began to flow through an object
+    off,       ///< it ceased to
+    magnetOn,  ///< a magnet was switched on
+    magnetOff, ///< or off
+    pull,      ///< a magnet began to act on an object
+    liquid,    ///< an object entered a liquid
+    grabbed,   ///< the player took hold of an object
+    released,  ///< or let go
+    cut,       ///< the player cut a wire
+    removed,   ///< or removed an object
+    placed,    ///< the player laid an object there before the start
+    other,     ///< anything else that a resolver recorded
+};
+
+struct Step {
+    StepKind kind = StepKind::other;
+    EventId event; ///< none for `placed`
+    std::uint64_t frame = 0;
+    std::string component; ///< as the trace has them
+    std::string what;
+    std::vector<std::string> objects;
+    std::vector<std::size_t> because; ///< steps, ascending; each is earlier in the story than this one
+};
+
+/// An event and all that led to it, in the order of the trace, placements first.
+struct Story {
+    std::vector<Step> steps;
+    std::size_t asked = 0; ///< the step that was asked about: the last
+
+    [[nodiscard]] Step const& askedStep() const { return steps[asked]; }
+};
+
+/// The kind of an event; nothing for a call between components, which no story names, and for a connection,
+/// in whose place the contact is named.
+[[nodiscard]] std::optional<StepKind> kindOf(Event const& event);
+
+/// The story of an event of a trace, which must be in it. A current's causes are not only the connection that
+/// came last, but all contacts that close circuits at that time; what moves an object to a place of a goal is
+/// also what last touched or pulled it. A contact of a placed object has its placement as a cause. No step is
+/// caused by a later one.
+[[nodiscard]] Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& facts);
+
+} // namespace trembler::insight

@@ -1,0 +1,216 @@
+#include "insight/why/words.hpp"
+
+#include "runtime/component/component.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace trembler::insight {
+namespace {
+
+std::string capitalised(std::string text) {
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    }
+    return text;
+}
+
+/// Makes the sentences of a chain: from the end back, a sentence for each step with its causes, which go on
+/// in the same sentence as long as there is only one.
+class Teller {
+public:
+    Teller(Answer const& answer, std::string const& goal, Tongue const& tongue)
+        : answer_(answer), goal_(goal), tongue_(tongue), told_(answer.chain.size()) {}
+
+    [[nodiscard]] std::vector<std::string> sentences() {
+        if (!answer_.chain.empty()) {
+            tell(answer_.chain.size() - 1);
+        }
+        return std::move(sentences_);
+    }
+
+private:
+    /// Clauses in one sentence at most.
+    static constexpr int longest = 4;
+
+    [[nodiscard]] Clauses clauses(std::size_t step) const {
+        return clausesOf(answer_.chain[step].step, answer_.facts, goal_, tongue_);
+    }
+    void tell(std::size_t step) {
+        if (told_[step]) {
+            return;
+        }
+        told_[step] = true;
+        std::string text = capitalised(clauses(step).main);
+        std::vector<std::size_t> next = answer_.chain[step].step.because;
+        if (next.empty() && !sentences_.empty()) {
+            return; // it has been named as a cause
+        }
+        for (int said = 1; !next.empty(); ++said) {
+            std::vector<std::string> causes;
+            for (std::size_t const cause : next) {
+                causes.push_back(clauses(cause).because);
+            }
+            text += ", " + fmt::format("{}", fmt::join(causes, " " + tongue_.fill("and", {}) + " "));
+            if (next.size() > 1 || said == longest || told_[next.front()]) {
+                break;
+            }
+            std::size_t const only = next.front();
+            std::vector<std::size_t> const further = answer_.chain[only].step.because;
+            if (!further.empty()) {
+                told_[only] = true;
+            }
+            if (further.empty()) {
+                next.clear();
+                break;
+            }
+            next = further;
+        }
+        sentences_.push_back(text + ".");
+        std::sort(next.rbegin(), next.rend());
+        for (std::size_t const cause : next) {
+            tell(cause);
+        }
+    }
+
+    Answer const& answer_;
+    std::string const& goal_;
+    Tongue const& tongue_;
+    std::vector<bool> told_;
+    std::vector<std::string> sentences_;
+};
+
+std::string secondsOf(std::uint64_t frame, Tongue const& tongue) {
+    return tongue.number(static_cast<double>(frame) * frameDuration, 1);
+}
+
+std::string gapText(CircuitGap const& gap, Tongue const& tongue) {
+    return tongue.mix("of {} between {} and {}",
+                      {{tongue.distance(gap.width)}, {gap.nameA, true}, {gap.nameB, true}});
+}
+
+/// Where the gaps are: "the circuit has a gap of 4 cm between the left contact and the right contact".
+std::string gapsText(Miss const& miss, Tongue const& tongue) {
+    std::vector<std::string> texts;
+    for (CircuitGap const& gap : miss.gaps) {
+        texts.push_back(gapText(gap, tongue));
+    }
+    std::string const joined = fmt::format("{}", fmt::join(texts, ", " + tongue.fill("and", {}) + " "));
+    return tongue.fill(miss.gaps.size() == 1 ? "the circuit has a gap {}" : "the circuit has gaps {}",
+                       {joined});
+}
+
+/// What one miss says, with its moment.
+std::string sentenceOf(Miss const& miss, std::string const& when, Tongue const& tongue) {
+    std::vector<std::string> const& names = miss.names;
+    Said const first{names.empty() ? std::string() : names.front(), true};
+    Said const second{names.size() < 2 ? std::string() : names[1], true};
+    auto const amount = [&](int digits) {
+        return Said{fmt::format("{} {}", tongue.number(miss.by, digits), unitOf(miss.lack))};
+    };
+    switch (miss.lack) {
+    case Lack::distance: {
+        Said const by{tongue.distance(miss.by)};
+        return (names.size() > 1 ? tongue.mix("{} came within {} of {}", {first, by, second})
+                                 : tongue.mix("{} was {} short of where it should be", {first, by})) +
+               when;
+    }
+    case Lack::gap:
+        return tongue.mix("no current flowed through {}: {}", {first, {gapsText(miss, tongue)}});
+    case Lack::power:
+        return tongue.mix("{} lacked {}", {first, amount(3)}) + when;
+    case Lack::force:
+        return tongue.mix("{} pulled {} with {} less than its weight", {first, second, amount(2)}) + when;
+    case Lack::count:
+        return tongue.mix("the number was wrong by {}", {{tongue.number(miss.by, 0)}}) + when;
+    case Lack::time:
+        return tongue.mix("it held, but for {} less than it should", {amount(2)}) + when;
+    case Lack::steps:
+    case Lack::change:
+        return names.empty() ? tongue.fill("it never was as it should be", {})
+                             : tongue.mix("{} never was as it should be", {first});
+    case Lack::nothing:
+        break;
+    }
+    return tongue.fill("it was met", {}) + when;
+}
+
+nlohmann::ordered_json missJson(Miss const& miss, Tongue const& tongue) {
+    nlohmann::ordered_json made{{"frame", miss.frame},     {"what", nameOf(miss.lack)},
+                                {"by", miss.by},           {"unit", unitOf(miss.lack)},
+                                {"measure", miss.measure}, {"objects", miss.names}};
+    nlohmann::ordered_json gaps = nlohmann::ordered_json::array();
+    for (CircuitGap const& gap : miss.gaps) {
+        gaps.push_back({{"between", {gap.nameA, gap.nameB}},
+                        {"width", gap.width},
+                        {"from", {gap.from.x, gap.from.y}},
+                        {"to", {gap.to.x, gap.to.y}}});
+    }
+    if (!gaps.empty()) {
+        made["gaps"] = gaps;
+    }
+    nlohmann::ordered_json besides = nlohmann::ordered_json::array();
+    for (Miss const& other : miss.besides) {
+        nlohmann::ordered_json one = missJson(other, tongue);
+        one.erase("frame");
+        besides.push_back(std::move(one));
+    }
+    if (!besides.empty()) {
+        made["besides"] = besides;
+    }
+    return made;
+}
+
+} // namespace
+
+std::vector<std::string> sentencesOf(Miss const& miss, Tongue const& tongue) {
+    std::string const when = tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)});
+    std::vector<std::string> sentences{capitalised(sentenceOf(miss, when, tongue)) + "."};
+    for (Miss const& other : miss.besides) {
+        sentences.push_back(capitalised(sentenceOf(other, "", tongue)) + ".");
+    }
+    return sentences;
+}
+
+std::vector<std::string> sentencesOf(Answer const& answer, std::string const& goal, Tongue const& tongue) {
+    if (!answer.happened) {
+        std::vector<std::string> all{capitalised(tongue.fill("the goal “{}” was not met", {goal})) + "."};
+        if (answer.nearest) {
+            std::vector<std::string> const miss = sentencesOf(answer.nearest->nearest, tongue);
+            all.insert(all.end(), miss.begin(), miss.end());
+        }
+        return all;
+    }
+    return Teller(answer, goal, tongue).sentences();
+}
+
+nlohmann::ordered_json toJson(Answer const& answer, std::string const& asked, std::string const& goal,
+                              Tongue const& tongue) {
+    nlohmann::ordered_json chain = nlohmann::ordered_json::array();
+    for (ChainStep const& one : answer.chain) {
+        chain.push_back({{"frame", one.step.frame},
+                         {"event", one.step.what},
+                         {"objects", one.step.objects},
+                         {"because", one.step.because},
+                         {"confirmed", one.proof == Proof::confirmed || one.proof == Proof::together},
+                         {"proof", nameOf(one.proof)},
+                         {"text", clausesOf(one.step, answer.facts, goal, tongue).main}});
+    }
+    nlohmann::ordered_json made{
+        {"asked", asked},
+        {"happened", answer.happened},
+        {"answer", fmt::format("{}", fmt::join(sentencesOf(answer, goal, tongue), " "))},
+        {"confirmed", answer.confirmed},
+        {"chain", chain},
+        {"dropped", answer.dropped},
+        {"runs", answer.runs}};
+    if (answer.nearest) {
+        made["nearest_miss"] = missJson(answer.nearest->nearest, tongue);
+    }
+    return made;
+}
+
+} // namespace trembler::insight

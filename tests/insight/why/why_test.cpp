@@ -1,0 +1,173 @@
+// The chains that are told of the thesis's experiments and of levels are those that their accounts name.
+#include "insight/why/words.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace trembler::insight {
+namespace {
+
+GameData const& whyData() {
+    static GameData const data;
+    return data;
+}
+
+LevelFile whyLevel(std::string const& name) {
+    return loadLevel(whyData().registry, whyData().home / "levels" / (name + ".json"));
+}
+
+Answer whyIn(std::string const& name, std::string const& solution, Question const& question = {},
+             std::uint64_t frames = 900) {
+    LevelFile const level = whyLevel(name);
+    LevelRuns const runs(whyData(), level);
+    AskOptions options;
+    options.frames = frames;
+    return why(runs, solution.empty() ? Solution{} : *level.findSolution(solution), question, options);
+}
+
+/// The place of a step in the chain; its length if there is none.
+std::size_t placeOf(Answer const& answer, StepKind kind, std::vector<std::string> const& objects) {
+    auto const at = std::find_if(answer.chain.begin(), answer.chain.end(), [&](ChainStep const& one) {
+        return one.step.kind == kind && one.step.objects == objects;
+    });
+    return static_cast<std::size_t>(at - answer.chain.begin());
+}
+
+bool confirmedAt(Answer const& answer, std::size_t place) {
+    return place < answer.chain.size() &&
+           (answer.chain[place].proof == Proof::confirmed || answer.chain[place].proof == Proof::together);
+}
+
+/// No step comes before its causes, and every step but the last is a cause.
+void expectSound(Answer const& answer) {
+    std::vector<bool> named(answer.chain.size());
+    for (std::size_t i = 0; i < answer.chain.size(); ++i) {
+        for (std::size_t const cause : answer.chain[i].step.because) {
+            ASSERT_LT(cause, i);
+            EXPECT_LE(answer.chain[cause].step.frame, answer.chain[i].step.frame);
+            named[cause] = true;
+        }
+    }
+    for (std::size_t i = 0; i + 1 < named.size(); ++i) {
+        EXPECT_TRUE(named[i]) << answer.chain[i].step.what;
+    }
+}
+
+TEST(Why, ExperimentOneIsTheThesissAccount) {
+    Answer const answer = whyIn("experiments/1-switched-electromagnet", "");
+    ASSERT_TRUE(answer.happened);
+    expectSound(answer);
+    std::size_t const one = placeOf(answer, StepKind::contact, {"object 1", "switch"});
+    std::size_t const two = placeOf(answer, StepKind::contact, {"object 2", "switch"});
+    std::size_t const on = placeOf(answer, StepKind::on, {"electromagnet"});
+    std::size_t const magnet = placeOf(answer, StepKind::magnetOn, {"electromagnet"});
+    std::size_t const pull = placeOf(answer, StepKind::pull, {"metal object"});
+    for (std::size_t const place : {one, two, on, magnet, pull}) {
+        EXPECT_TRUE(confirmedAt(answer, place)) << place;
+    }
+    EXPECT_LT(std::max(one, two), on);
+    EXPECT_LT(on, magnet);
+    EXPECT_LT(magnet, pull);
+    EXPECT_EQ(answer.chain.back().step.kind, StepKind::goal);
+    EXPECT_TRUE(answer.confirmed);
+    // The floor and gravity are taken for granted.
+    EXPECT_EQ(placeOf(answer, StepKind::contact, {"floor", "metal object"}), answer.chain.size());
+}
+
+TEST(Why, ThePartThatWasPlacedIsACause) {
+    Answer const answer = whyIn("first/1-first-contact", "the spanner", {.goal = "current"});
+    ASSERT_TRUE(answer.happened);
+    expectSound(answer);
+    EXPECT_TRUE(confirmedAt(answer, placeOf(answer, StepKind::placed, {"spanner 1"})));
+    EXPECT_TRUE(confirmedAt(answer, placeOf(answer, StepKind::contact, {"left contact", "spanner 1"})));
+    EXPECT_TRUE(confirmedAt(answer, placeOf(answer, StepKind::contact, {"right contact", "spanner 1"})));
+    EXPECT_TRUE(answer.confirmed);
+}
+
+TEST(Why, TheDoorbellsRingsFollowFromItsContact) {
+    Answer const answer = whyIn("experiments/2-doorbell", "", {}, 300);
+    ASSERT_TRUE(answer.happened);
+    expectSound(answer);
+    EXPECT_TRUE(confirmedAt(answer, placeOf(answer, StepKind::contact, {"object 1", "switch"})));
+    EXPECT_TRUE(confirmedAt(answer, placeOf(answer, StepKind::on, {"electromagnet"})));
+    EXPECT_TRUE(confirmedAt(answer, placeOf(answer, StepKind::contact, {"contact", "striker"})));
+}
+
+TEST(Why, AGoalThatWasNotMetHasANearestMiss) {
+    Answer const answer = whyIn("first/1-first-contact", "the wooden bar", {}, 300);
+    EXPECT_FALSE(answer.happened);
+    EXPECT_EQ(answer.goal, "current");
+    ASSERT_TRUE(answer.nearest);
+    EXPECT_EQ(answer.nearest->nearest.lack, Lack::gap);
+    Catalogue const german(whyData().home / "assets" / "text", "de");
+    std::string const english = sentencesOf(answer.nearest->nearest, Tongue()).front();
+    EXPECT_NE(english.find("between the left contact and the right contact"), std::string::npos) << english;
+    std::string const words = sentencesOf(answer.nearest->nearest, Tongue(german)).front();
+    EXPECT_NE(words.find("zwischen dem linken Kontakt und dem rechten Kontakt"), std::string::npos) << words;
+}
+
+TEST(Why, AnObjectsStateHasAChain) {
+    Question question;
+    question.object = "electromagnet";
+    question.at = 0.6;
+    Answer const answer = whyIn("experiments/1-switched-electromagnet", "", question);
+    ASSERT_TRUE(answer.happened);
+    expectSound(answer);
+    EXPECT_EQ(answer.chain.back().step.kind, StepKind::magnetOn);
+}
+
+TEST(Why, ABadQuestionNamesWhatThereIs) {
+    Question question;
+    question.goal = "lift";
+    try {
+        (void)whyIn("experiments/1-switched-electromagnet", "", question);
+        FAIL();
+    } catch (std::invalid_argument const& error) {
+        EXPECT_NE(std::string(error.what()).find("'lifted'"), std::string::npos) << error.what();
+    }
+    question = {};
+    question.object = "swich";
+    try {
+        (void)whyIn("experiments/1-switched-electromagnet", "", question);
+        FAIL();
+    } catch (std::invalid_argument const& error) {
+        EXPECT_NE(std::string(error.what()).find("'switch'"), std::string::npos) << error.what();
+    }
+    question = {};
+    question.event = 100000;
+    EXPECT_THROW((void)whyIn("experiments/1-switched-electromagnet", "", question), std::invalid_argument);
+}
+
+TEST(Why, ItCanBeCancelled) {
+    LevelRuns const runs(whyData(), whyLevel("experiments/2-doorbell"));
+    AskOptions options;
+    options.frames = 300;
+    options.progress = [](std::size_t, std::size_t) { return false; };
+    Answer const answer = why(runs, {}, {}, options);
+    EXPECT_FALSE(answer.complete);
+    EXPECT_LE(answer.runs, 2U);
+}
+
+TEST(Why, TheJsonHasTheKeysThatOtherProgramsRelyOn) {
+    Answer const answer = whyIn("experiments/1-switched-electromagnet", "");
+    nlohmann::ordered_json const made = toJson(answer, "goal lifted", "Lift it", Tongue());
+    for (char const* const key : {"asked", "answer", "confirmed", "chain"}) {
+        EXPECT_TRUE(made.contains(key)) << key;
+    }
+    for (auto const& step : made.at("chain")) {
+        for (char const* const key : {"frame", "event", "objects", "because", "confirmed"}) {
+            EXPECT_TRUE(step.contains(key)) << key;
+        }
+    }
+    Answer const missed = whyIn("first/1-first-contact", "", {}, 100);
+    nlohmann::ordered_json const miss = toJson(missed, "", "", Tongue()).at("nearest_miss");
+    for (char const* const key : {"frame", "what", "by", "unit"}) {
+        EXPECT_TRUE(miss.contains(key)) << key;
+    }
+}
+
+} // namespace
+} // namespace trembler::insight

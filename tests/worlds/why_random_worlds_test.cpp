@@ -1,0 +1,128 @@
+// In any world, what is told as a confirmed cause is one: without it, what was asked about does not happen.
+// And no effect is told to come before its cause.
+#include "insight/why/answer.hpp"
+#include "insight/why/candidates.hpp"
+#include "puzzle/goals/level_schema.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "runtime/trace/tracer.hpp"
+#include "tests/worlds/random_level.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace trembler::insight {
+namespace {
+
+constexpr std::uint64_t watchedFrames = 60;
+
+GameData const& whyWorldsData() {
+    static GameData const data;
+    return data;
+}
+
+/// The level without what the reader rejects; nothing if too much of it is wrong.
+std::optional<LevelFile> readable(nlohmann::json level) {
+    for (int attempt = 0; attempt < 60; ++attempt) {
+        try {
+            LevelFile file =
+                readLevel(whyWorldsData().registry, JsonDocument::parse(level.dump(), "random world"));
+            file.goals = nullptr;
+            LevelRuns const runs(whyWorldsData(), file);
+            if (runs.run({}, {.frames = 1}).fault) {
+                return std::nullopt;
+            }
+            return file;
+        } catch (InputError const& error) {
+            if (error.diagnostics().empty() || !worlds::takeAway(level, error.diagnostics().front().path)) {
+                return std::nullopt;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+using Names = std::vector<std::string>;
+
+std::size_t timesOf(std::span<Event const> events, Step const& asked, std::uint64_t last) {
+    return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [&](Event const& event) {
+        return event.frame <= last && event.component == asked.component && event.event == asked.what &&
+               event.objects == asked.objects;
+    }));
+}
+
+/// Calls f(events) with the trace of a run.
+template <class F>
+void traced(LevelRuns const& runs, Variation const& variation, std::uint64_t frames, F&& f) {
+    RunObserver observer;
+    observer.end = [&](LevelRun const& run) { f(run.world().tracer()->events()); };
+    RunResult const result =
+        runs.run(variation, {.frames = frames, .stopWhenSolved = false, .trace = true}, observer);
+    ASSERT_FALSE(result.fault) << *result.fault;
+}
+
+class WhyInRandomWorlds : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(WhyInRandomWorlds, ConfirmedCausesAreCauses) {
+    static worlds::RandomLevels const levels(levelSchema(whyWorldsData().registry),
+                                             whyWorldsData().parts.names());
+    worlds::Manner manner;
+    manner.extremes = 0;
+    manner.anywhere = 0;
+    manner.spread = 1;
+    auto const level = readable(levels.make(GetParam(), manner));
+    if (!level) {
+        GTEST_SKIP() << "the reader rejects the level";
+    }
+    LevelRuns const runs(whyWorldsData(), *level);
+    std::uint64_t number = 0;
+    traced(runs, {}, watchedFrames, [&](std::span<Event const> events) {
+        for (std::size_t i = 0; i < events.size(); ++i) {
+            auto const kind = kindOf(events[i]);
+            if (kind == StepKind::contact || kind == StepKind::on || kind == StepKind::pull) {
+                number = i + 1;
+            }
+        }
+    });
+    if (number == 0) {
+        GTEST_SKIP() << "nothing touches anything";
+    }
+    AskOptions options;
+    options.frames = watchedFrames;
+    Question question;
+    question.event = number;
+    Answer const answer = why(runs, {}, question, options);
+    ASSERT_TRUE(answer.happened);
+    ASSERT_FALSE(answer.chain.empty());
+    Step const& asked = answer.chain.back().step;
+    std::size_t times = 0;
+    traced(runs, {}, asked.frame,
+           [&](std::span<Event const> events) { times = timesOf(events, asked, asked.frame); });
+    std::uint64_t const last = asked.frame + 60; // the horizon of runs that are so short
+    for (std::size_t i = 0; i < answer.chain.size(); ++i) {
+        ChainStep const& one = answer.chain[i];
+        for (std::size_t const cause : one.step.because) {
+            EXPECT_LT(cause, i);
+            EXPECT_LE(answer.chain[cause].step.frame, one.step.frame);
+        }
+        if (one.proof != Proof::confirmed || one.step.kind != StepKind::contact ||
+            i + 1 == answer.chain.size()) {
+            continue;
+        }
+        auto const first = answer.facts.firstTouch.find(one.step.objects);
+        if (first == answer.facts.firstTouch.end() || first->second != one.step.frame) {
+            continue; // left out from a later frame on
+        }
+        LeftOut const without = withoutContact(one.step.objects[0], one.step.objects[1], 1);
+        traced(runs, {{}, {without}}, last, [&](std::span<Event const> events) {
+            EXPECT_LT(timesOf(events, asked, last), times)
+                << one.step.objects[0] << ", " << one.step.objects[1];
+        });
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, WhyInRandomWorlds, testing::Range<std::uint64_t>(0, 12));
+
+} // namespace
+} // namespace trembler::insight
