@@ -1,0 +1,25 @@
+// A report on levels as JSON, as Markdown and in words.
+#pragma once
+
+#include "insight/report/level_report.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// One level; other programs rely on its keys, see docs/solving.md.
+[[nodiscard]] nlohmann::ordered_json toJson(LevelReport const& report);
+/// One found solution: kind, parts, deeds, effects, when it was found, and the solution itself.
+[[nodiscard]] nlohmann::ordered_json toJson(FoundSolution const& found);
+
+/// A page about levels: a table of all and a section for each. Without times, so that it is the same on
+/// every machine.
+[[nodiscard]] std::string toMarkdown(std::vector<LevelReport> const& reports);
+
+/// For the terminal, a few lines for each level.
+[[nodiscard]] std::string toWords(LevelReport const& report);
+
+} // namespace trembler::insight
