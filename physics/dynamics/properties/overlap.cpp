@@ -52,7 +52,7 @@ RoundedHull hullOf(ShapePiece const& piece, PlacedShape const& placed, double sh
     return hull;
 }
 
-bool apart(RoundedHull const& a, RoundedHull const& b) {
+ShapeGap gapOf(RoundedHull const& a, RoundedHull const& b) {
     // Places are taken relative to one hull, as the library computes in single precision.
     Vec2 const origin = a.points.front();
     std::array<b2Vec2, 8> pointsA;
@@ -74,7 +74,8 @@ bool apart(RoundedHull const& a, RoundedHull const& b) {
     cache.count = 0;
     b2DistanceOutput output;
     b2Distance(&output, &cache, &input);
-    return output.distance > 0;
+    auto const placed = [&](b2Vec2 const& point) { return origin + Vec2{point.x, point.y}; };
+    return {output.distance, placed(output.pointA), placed(output.pointB)};
 }
 
 } // namespace
@@ -83,12 +84,26 @@ bool overlap(PlacedShape const& a, PlacedShape const& b, double allowed) {
     for (ShapePiece const& pieceA : a.shape.pieces) {
         RoundedHull const hullA = hullOf(pieceA, a, allowed / 2);
         for (ShapePiece const& pieceB : b.shape.pieces) {
-            if (!apart(hullA, hullOf(pieceB, b, allowed / 2))) {
+            if (!(gapOf(hullA, hullOf(pieceB, b, allowed / 2)).width > 0)) {
                 return true;
             }
         }
     }
     return false;
+}
+
+ShapeGap gapBetween(PlacedShape const& a, PlacedShape const& b) {
+    ShapeGap least{std::numeric_limits<double>::max(), {}, {}};
+    for (ShapePiece const& pieceA : a.shape.pieces) {
+        RoundedHull const hullA = hullOf(pieceA, a, 0);
+        for (ShapePiece const& pieceB : b.shape.pieces) {
+            ShapeGap const gap = gapOf(hullA, hullOf(pieceB, b, 0));
+            if (gap.width < least.width) {
+                least = gap;
+            }
+        }
+    }
+    return least;
 }
 
 std::pair<Vec2, Vec2> extentOf(PlacedShape const& placed) {

@@ -1,5 +1,7 @@
 // {"count": {"of": O, "at_least" | "at_most" | "exactly": n, "that": condition on "it"}}: the condition holds
 // for at least, at most or exactly n of the objects.
+#include "puzzle/goals/conditions/count.hpp"
+
 #include "puzzle/goals/checking/candidates.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace trembler::conditions {
 namespace {
@@ -162,6 +165,13 @@ private:
 };
 
 } // namespace
+
+WantedCount wantedCount(Condition const& condition) {
+    HowMany const wanted = std::any_cast<HowMany>(condition.details);
+    constexpr int unlimited = std::numeric_limits<int>::max();
+    return {wanted.quantity == Quantity::atMost ? 0 : wanted.number,
+            wanted.quantity == Quantity::atLeast ? unlimited : wanted.number};
+}
 
 ConditionKind const& count() {
     static CountCondition const kind;

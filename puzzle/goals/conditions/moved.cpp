@@ -1,5 +1,7 @@
 // {"moved": {"object": O, "by": metres, "towards": "up" | "down" | "left" | "right"}}: an object is at least
 // that far from its place at the start.
+#include "puzzle/goals/conditions/moved.hpp"
+
 #include "puzzle/goals/checking/candidates.hpp"
 #include "puzzle/goals/conditions/acting.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
@@ -177,6 +179,11 @@ private:
 };
 
 } // namespace
+
+WantedMove wantedMove(Condition const& condition) {
+    WayToGo const& way = std::any_cast<WayToGo const&>(condition.details);
+    return {way.distance, way.towards->unit};
+}
 
 ConditionKind const& moved() {
     static MovedCondition const kind;

@@ -3,6 +3,8 @@
 //
 // "First the bell, then the lamp" is not met by a lamp that was lit before: a step must begin to hold after
 // the previous step was done. If it already holds when its turn comes, it must first cease to hold.
+#include "puzzle/goals/conditions/sequence.hpp"
+
 #include "puzzle/goals/conditions/list.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
@@ -84,6 +86,10 @@ public:
 };
 
 } // namespace
+
+std::size_t stepsDone(ConditionState const& state) {
+    return state.memory<Steps>().done;
+}
 
 ConditionKind const& sequence() {
     static SequenceCondition const kind;

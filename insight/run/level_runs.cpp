@@ -1,0 +1,134 @@
+#include "insight/run/level_runs.hpp"
+
+#include "insight/run/contacts_left_out.hpp"
+#include "insight/run/reduced_level.hpp"
+#include "lua/attach/register.hpp"
+#include "puzzle/data/effects.hpp"
+#include "puzzle/session/playback.hpp"
+#include "runtime/level/json/diagnostic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace trembler::insight {
+namespace {
+
+constexpr std::uint64_t minute = 3600; // frames
+
+/// The contacts that are left out, in a running world.
+class ContactsGone {
+public:
+    explicit ContactsGone(std::vector<LeftOut> const& wanted) : wanted_(wanted) {}
+
+    /// Lets those begin to be missing that are due in the next frame.
+    void beforeFrame(LevelRun& run) {
+        std::uint64_t const next = run.world().frame() + 1;
+        bool more = false;
+        for (; done_ < wanted_.size() && wanted_[done_].from <= next; ++done_) {
+            Store const& store = run.world().store();
+            ObjectPair const pair{store.find(wanted_[done_].a), store.find(wanted_[done_].b)};
+            if (pair.first.valid() && pair.second.valid()) { // else one of them does not exist in this run
+                pairs_.push_back(pair);
+                more = true;
+            }
+        }
+        if (more) {
+            run.alter("contacts are left out", [&](World& world) { leaveOutContacts(world, pairs_); });
+        }
+    }
+
+private:
+    std::vector<LeftOut> const& wanted_; // ascending by their first frame
+    std::size_t done_ = 0;
+    std::vector<ObjectPair> pairs_;
+};
+
+} // namespace
+
+std::optional<std::uint64_t> RunResult::metIn(std::string const& goal) const {
+    auto const at =
+        std::find_if(goals.begin(), goals.end(), [&](GoalStatus const& status) { return status.id == goal; });
+    return at == goals.end() ? std::nullopt : at->frame;
+}
+
+LevelRuns::LevelRuns(GameData const& data, LevelFile level, std::map<std::string, std::string> const& detail)
+    : data_(data), level_(std::move(level)) {
+    for (auto const& [effect, name] : detail) {
+        level_.detail[effect] = name;
+    }
+    // Every run copies the level.
+    level_.solutions.clear();
+    level_.hints.clear();
+    level_.teaching.clear();
+    level_.texts = {};
+    level_.editor = nullptr;
+}
+
+std::uint64_t LevelRuns::framesFor(Solution const& solution) {
+    return solution.frames ? static_cast<std::uint64_t>(*solution.frames) : minute;
+}
+
+Registry const& LevelRuns::registryWithout(std::set<std::string> const& effects) const {
+    if (effects.empty()) {
+        return data_.registry;
+    }
+    std::scoped_lock const lock(registriesMutex_);
+    auto& made = registries_[effects];
+    if (made == nullptr) {
+        auto registry = std::make_unique<Registry>();
+        registerEffects(*registry, effects);
+        Problems problems;
+        (void)lua::registerMods(*registry, data_.mods, data_.scriptLog, problems);
+        problems.throwIfAny(); // a script calls the effect
+        made = std::move(registry);
+    }
+    return *made;
+}
+
+RunResult LevelRuns::run(Variation const& variation, RunLimits const& limits,
+                         RunObserver const& observer) const {
+    RunResult result;
+    try {
+        ReducedLevel const left = reduced(level_, variation);
+        WorldOptions options;
+        options.detail = left.level.detail;
+        options.trace = limits.trace;
+        LevelRun run(registryWithout(left.effects), data_.parts, left.level, left.solution.placements,
+                     options, left.solution.wires);
+        Playback const playback(left.solution.inputs, left.solution.changes);
+        ContactsGone contacts(left.contacts);
+        if (observer.begin) {
+            observer.begin(run);
+        }
+        run.begin();
+        bool goesOn = true;
+        while (goesOn && run.world().frame() < limits.frames &&
+               !(limits.stopWhenSolved && run.judge().solved())) {
+            contacts.beforeFrame(run);
+            playback.feed(run);
+            run.step();
+            goesOn = !observer.frame || observer.frame(run);
+        }
+        result.frames = run.world().frame();
+        result.solved = run.judge().solved();
+        result.solvedFrame = run.judge().solvedFrame();
+        result.goals = run.judge().status();
+        result.stateHash = run.world().stateHash();
+        if (observer.end) {
+            observer.end(run);
+        }
+    } catch (InputError const& error) {
+        result = {};
+        result.fault =
+            error.diagnostics().empty() ? std::string(error.what()) : error.diagnostics().front().message;
+    } catch (std::invalid_argument const& error) {
+        result = {};
+        result.fault = error.what();
+    }
+    return result;
+}
+
+} // namespace trembler::insight

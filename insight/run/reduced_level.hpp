@@ -1,0 +1,26 @@
+// A level and a solution without what a variation leaves out of them.
+#pragma once
+
+#include "insight/run/variation.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// What is left of a level and a solution.
+struct ReducedLevel {
+    LevelFile level;
+    Solution solution;
+    std::set<std::string> effects; ///< left out
+    std::vector<LeftOut> contacts; ///< left out, ascending by their first frame
+};
+
+/// Takes a variation's placements, wires, inputs, objects, joints and connections out. With an object go its
+/// joints, gears between those, and connections. Names of placed parts follow from their part and place, so
+/// they may differ from those of the whole run. Throws std::invalid_argument for an index or a name that does
+/// not exist.
+[[nodiscard]] ReducedLevel reduced(LevelFile const& level, Variation const& variation);
+
+} // namespace trembler::insight

@@ -1,0 +1,62 @@
+#include "insight/run/variation.hpp"
+
+#include <utility>
+
+namespace trembler::insight {
+namespace {
+
+LeftOut leftOutAt(LeftOut::Kind kind, std::size_t index) {
+    LeftOut made;
+    made.kind = kind;
+    made.index = index;
+    return made;
+}
+
+LeftOut leftOutNamed(LeftOut::Kind kind, std::string name) {
+    LeftOut made;
+    made.kind = kind;
+    made.a = std::move(name);
+    return made;
+}
+
+} // namespace
+
+LeftOut withoutPlacement(std::size_t index) {
+    return leftOutAt(LeftOut::Kind::placement, index);
+}
+
+LeftOut withoutWire(std::size_t index) {
+    return leftOutAt(LeftOut::Kind::wire, index);
+}
+
+LeftOut withoutInput(std::size_t index) {
+    return leftOutAt(LeftOut::Kind::input, index);
+}
+
+LeftOut withoutObject(std::string name) {
+    return leftOutNamed(LeftOut::Kind::object, std::move(name));
+}
+
+LeftOut withoutJoint(std::size_t index) {
+    return leftOutAt(LeftOut::Kind::joint, index);
+}
+
+LeftOut withoutConnection(std::size_t index) {
+    return leftOutAt(LeftOut::Kind::connection, index);
+}
+
+LeftOut withoutContact(std::string a, std::string b, std::uint64_t from) {
+    if (b < a) {
+        std::swap(a, b);
+    }
+    LeftOut made = leftOutNamed(LeftOut::Kind::contact, std::move(a));
+    made.b = std::move(b);
+    made.from = from;
+    return made;
+}
+
+LeftOut withoutEffect(std::string name) {
+    return leftOutNamed(LeftOut::Kind::effect, std::move(name));
+}
+
+} // namespace trembler::insight

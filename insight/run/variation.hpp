@@ -1,0 +1,52 @@
+// A variation of a run: a solution, and what is left out of the level and of it.
+#pragma once
+
+#include "runtime/level/model/level.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// One thing that a run does without.
+struct LeftOut {
+    enum class Kind : std::uint8_t {
+        placement,  ///< of the solution, by index
+        wire,       ///< that the solution lays, by index
+        input,      ///< of the solution, by index
+        object,     ///< of the level, by name; with its joints and connections
+        joint,      ///< of the level, by index
+        connection, ///< of the level, by index
+        contact,    ///< two objects pass through each other from a frame on, by their names
+        effect,     ///< of physics, by name, see dispensableGameEffects()
+    };
+    Kind kind = Kind::placement;
+    std::size_t index = 0;  ///< in the solution's or the level's list
+    std::string a{};        ///< object and contact: a name; effect: its name
+    std::string b{};        ///< contact: the other name
+    std::uint64_t from = 1; ///< contact: the first frame without it
+
+    friend auto operator<=>(LeftOut const&, LeftOut const&) = default;
+};
+
+[[nodiscard]] LeftOut withoutPlacement(std::size_t index);
+[[nodiscard]] LeftOut withoutWire(std::size_t index);
+[[nodiscard]] LeftOut withoutInput(std::size_t index);
+[[nodiscard]] LeftOut withoutObject(std::string name);
+[[nodiscard]] LeftOut withoutJoint(std::size_t index);
+[[nodiscard]] LeftOut withoutConnection(std::size_t index);
+/// The names in either order.
+[[nodiscard]] LeftOut withoutContact(std::string a, std::string b, std::uint64_t from = 1);
+[[nodiscard]] LeftOut withoutEffect(std::string name);
+
+/// The order of `leftOut` does not matter, and neither do repeats.
+struct Variation {
+    /// Where parts are placed, wires laid and inputs given. A caller that changes something instead of
+    /// leaving it out changes it here.
+    Solution solution;
+    std::vector<LeftOut> leftOut{};
+};
+
+} // namespace trembler::insight

@@ -1,0 +1,17 @@
+// What a condition of the kind "moved" demands.
+#pragma once
+
+#include "puzzle/goals/model/condition.hpp"
+#include "runtime/math/vec2.hpp"
+
+namespace trembler::conditions {
+
+struct WantedMove {
+    double distance = 0; ///< m, from the object's place at the start
+    Vec2 towards;        ///< unit; zero: in any direction
+};
+
+/// Throws std::bad_any_cast for a condition of another kind.
+[[nodiscard]] WantedMove wantedMove(Condition const& condition);
+
+} // namespace trembler::conditions
