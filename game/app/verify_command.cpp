@@ -4,6 +4,8 @@
 #include "game/app/options/inputs.hpp"
 #include "game/app/options/level_paths.hpp"
 #include "game/app/options/outputs.hpp"
+#include "insight/spread/mpi_team.hpp"
+#include "insight/spread/workers.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/diagnostic.hpp"
@@ -27,6 +29,7 @@ struct VerifyArguments {
     std::vector<std::string> detail;
     std::vector<std::string> mods; // folders in which mods are looked for
     OutputTarget json;
+    bool mpi = false;
 };
 
 /// Whether a file holds a level, valid or not.
@@ -61,6 +64,26 @@ void readsLevel(Outputs& outputs, GameDataByMods& data, fs::path const& level) {
     }
 }
 
+/// The failures of each level, found by all processes together; the same in each of them.
+std::vector<std::vector<std::string>> verifyTogether(insight::Team& team, GameDataByMods& data,
+                                                     std::vector<fs::path> const& levels,
+                                                     std::map<std::string, std::string> const& detail) {
+    // One thread for each process: the messages of scripts are gathered for all levels that share mods.
+    insight::Workers workers({.threads = 1, .team = &team, .journal = nullptr, .stop = {}, .progress = {}});
+    std::vector<std::string> keys;
+    for (fs::path const& level : levels) {
+        keys.push_back(level.string());
+    }
+    std::vector<std::vector<std::string>> failures;
+    for (auto const& result : workers.share(keys, [&](std::size_t index) {
+             return nlohmann::json(verifyOne(data, levels[index], detail))
+                 .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+         })) {
+        failures.push_back(nlohmann::json::parse(*result).get<std::vector<std::string>>());
+    }
+    return failures;
+}
+
 int verifyAll(VerifyArguments const& arguments) {
     GameData const gameData; // without mods
     GameDataByMods data(arguments.mods);
@@ -74,12 +97,21 @@ int verifyAll(VerifyArguments const& arguments) {
     if (arguments.json && isLevel(*arguments.json)) {
         outputs.reads(*arguments.json);
     }
-    OutputFile* const json = outputs.add("--json", arguments.json);
     auto const detail = detailOf(arguments.detail);
+    std::unique_ptr<insight::Team> const team = arguments.mpi ? insight::mpiTeam() : nullptr;
+    std::vector<std::vector<std::string>> found;
+    if (team) {
+        found = verifyTogether(*team, data, levels, detail);
+        if (!team->leads()) {
+            return exitSolved;
+        }
+    }
+    OutputFile* const json = outputs.add("--json", arguments.json);
     nlohmann::ordered_json entries = nlohmann::ordered_json::array();
     bool valid = true;
-    for (fs::path const& level : levels) {
-        std::vector<std::string> const failures = verifyOne(data, level, detail);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        fs::path const& level = levels[i];
+        std::vector<std::string> const failures = team ? found[i] : verifyOne(data, level, detail);
         std::string const name = gameData.shortName(level);
         if (!outputs.terminalTaken()) {
             for (std::string const& failure : failures) {
@@ -123,6 +155,8 @@ void addVerifyCommand(CLI::App& program, int& result) {
         ->add_option("--detail", arguments->detail,
                      "EFFECT=LEVEL: check them with this detail level, for example dynamics=ode")
         ->allow_extra_args(false); // otherwise the option would take the path for its value
+    command->add_flag("--mpi", arguments->mpi,
+                      "Share the levels out among the processes that mpirun started");
     addModFolders(*command, arguments->mods);
     command->footer(outputConvention);
     command->callback([arguments, &result] {

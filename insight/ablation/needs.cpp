@@ -1,6 +1,7 @@
 #include "insight/ablation/needs.hpp"
 
 #include "insight/trial/solution_text.hpp"
+#include "insight/trial/trial.hpp"
 #include "puzzle/data/effects.hpp"
 
 #include <fmt/format.h>
@@ -131,14 +132,14 @@ std::vector<Deed> deedsOf(Solution const& solution) {
 }
 
 Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t frames) {
-    RunLimits const limits{.frames = frames};
     Needs needs;
-    RunResult const whole = runs.run({solution, {}}, limits);
+    RunResult const whole = runs.run({solution, {}}, {.frames = frames});
     needs.solves = whole.solved;
     needs.frame = whole.solvedFrame.value_or(0);
     if (!needs.solves) {
         return needs;
     }
+    RunLimits const limits{.frames = patience(needs.frame, frames)};
     std::vector<LeftOut> gone;
     std::vector<Entry> entries = entriesOf(solution);
     // What could not be left out at first may become superfluous later, so until nothing changes.

@@ -21,8 +21,8 @@ struct Needs {
     bool solves = false;     ///< whether the whole solution solves the level; else the rest is empty
     std::uint64_t frame = 0; ///< in which it does
     /// The solution without what it does not need. Nothing more can be left out of it: without any one of its
-    /// placements, wires or deeds it does not solve the level in the time that the whole one had (a
-    /// 1-minimal subset: Zeller and Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002).
+    /// placements, wires or deeds it does not solve the level in patience() (a 1-minimal subset: Zeller and
+    /// Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002).
     Solution least;
     std::vector<std::string> parts;       ///< of `least`, in order of their names, each once
     std::vector<std::string> deeds;       ///< of `least`

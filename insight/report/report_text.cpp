@@ -55,20 +55,21 @@ std::string tableRow(LevelReport const& report) {
 }
 
 std::string section(LevelReport const& report) {
+    bool const displaced = std::any_of(report.solutions.begin(), report.solutions.end(),
+                                       [](SolutionReport const& one) { return one.robustness.runs > 0; });
     std::string text = fmt::format("\n### {}\n\n", report.level);
-    text +=
-        "| solution | kind | needs parts | needs deeds | needs effects | superfluous | displaced runs that "
-        "succeed |\n|---|---|---|---|---|---|---|\n";
+    text += "| solution | kind | needs parts | needs deeds | needs effects | superfluous |";
+    text += displaced ? " displaced runs that succeed |\n|---|---|---|---|---|---|---|\n"
+                      : "\n|---|---|---|---|---|---|\n";
     for (SolutionReport const& one : report.solutions) {
         if (!one.needs.solves) {
             continue;
         }
-        text += fmt::format(
-            "| {} | {}: {} | {} | {} | {} | {} | {} |\n", inCell(one.name), one.kind,
-            inCell(inWords(one.graph)), inCell(listed(one.needs.parts)), inCell(listed(one.needs.deeds)),
-            inCell(listed(one.needs.effects)), inCell(listed(one.needs.superfluous)),
-            one.robustness.runs == 0 ? "–"
-                                     : fmt::format("{} of {}", one.robustness.solved, one.robustness.runs));
+        text += fmt::format("| {} | {}: {} | {} | {} | {} | {} |", inCell(one.name), one.kind,
+                            inCell(inWords(one.graph)), inCell(listed(one.needs.parts)),
+                            inCell(listed(one.needs.deeds)), inCell(listed(one.needs.effects)),
+                            inCell(listed(one.needs.superfluous)));
+        text += displaced ? fmt::format(" {} of {} |\n", one.robustness.solved, one.robustness.runs) : "\n";
     }
     for (SolutionReport const& one : report.solutions) {
         for (PlaceMap const& map : one.maps) {
@@ -118,16 +119,25 @@ std::string cheapestWays(LevelReport const& report) {
 
 } // namespace
 
-std::string toMarkdown(std::vector<LevelReport> const& reports) {
+std::string toMarkdownTable(std::vector<LevelReport> const& reports) {
     std::string text = "| level | solutions | kinds | least robust | luckiest single part | falls short |\n"
                        "|---|---|---|---|---|---|\n";
     for (LevelReport const& report : reports) {
         text += tableRow(report);
     }
+    return text;
+}
+
+std::string toMarkdownSections(std::vector<LevelReport> const& reports) {
+    std::string text;
     for (LevelReport const& report : reports) {
         text += section(report);
     }
     return text;
+}
+
+std::string toMarkdown(std::vector<LevelReport> const& reports) {
+    return toMarkdownTable(reports) + toMarkdownSections(reports);
 }
 
 std::string toWords(LevelReport const& report) {

@@ -15,9 +15,13 @@ namespace trembler::insight {
 /// One found solution: kind, parts, deeds, effects, when it was found, and the solution itself.
 [[nodiscard]] nlohmann::ordered_json toJson(FoundSolution const& found);
 
-/// A page about levels: a table of all and a section for each. Without times, so that it is the same on
-/// every machine.
+/// One table: a row for each level, with what falls short. Like toMarkdown() without times, so that it is
+/// the same on every machine.
+[[nodiscard]] std::string toMarkdownTable(std::vector<LevelReport> const& reports);
+/// That table and a section for each level: what its solutions need, where parts may lie, what was found.
 [[nodiscard]] std::string toMarkdown(std::vector<LevelReport> const& reports);
+/// The sections alone.
+[[nodiscard]] std::string toMarkdownSections(std::vector<LevelReport> const& reports);
 
 /// For the terminal, a few lines for each level.
 [[nodiscard]] std::string toWords(LevelReport const& report);

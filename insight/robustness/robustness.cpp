@@ -20,8 +20,7 @@ std::string nameInKeys(LevelUnderTest const& level, Solution const& solution, st
 } // namespace
 
 std::uint64_t patienceFor(SolvedBy const& solved) {
-    constexpr std::uint64_t grace = 300;
-    return std::min(framesOf(*solved.solution), 2 * solved.frame + grace);
+    return patience(solved.frame, framesOf(*solved.solution));
 }
 
 std::vector<Robustness> robustnessOf(LevelUnderTest const& level, std::vector<SolvedBy> const& solutions,

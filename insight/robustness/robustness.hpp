@@ -31,8 +31,7 @@ struct SolvedBy {
     std::uint64_t frame = 0;
 };
 
-/// For how long a displaced run may last: twice as long as the solution takes, and 5 s more, but never
-/// longer than its recording states.
+/// For how long a displaced run may last: patience(), but never longer than the recording states.
 [[nodiscard]] std::uint64_t patienceFor(SolvedBy const& solved);
 
 /// Runs each solution with displaced placements. Run n of a solution has its own random numbers, from the

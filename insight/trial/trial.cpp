@@ -1,6 +1,6 @@
 #include "insight/trial/trial.hpp"
 
-#include "insight/trial/nearness.hpp"
+#include "insight/miss/miss_meter.hpp"
 #include "puzzle/session/fit.hpp"
 #include "puzzle/session/playback.hpp"
 #include "runtime/level/build/placing.hpp"
@@ -87,17 +87,17 @@ TrialResult tryOut(LevelUnderTest const& level, Solution const& solution, TrialO
     }
     Playback const playback(solution.inputs, solution.changes);
     RestWatch rest(solution);
-    std::optional<Nearness> nearness;
+    std::optional<MissMeter> meter;
     if (options.measureMiss) {
-        nearness.emplace(level, run);
+        meter.emplace(level.level(), run.world());
     }
     run.begin();
     std::uint64_t most = options.frames;
     while (run.world().frame() < most && !run.judge().solved()) {
         playback.feed(run);
         run.step();
-        if (nearness) {
-            nearness->look(run);
+        if (meter) {
+            meter->look(run.world());
         }
         if (auto const since = rest.look(run.world())) {
             most = std::min(most, *since + level.holdingFrames() + framesForSensors);
@@ -107,8 +107,8 @@ TrialResult tryOut(LevelUnderTest const& level, Solution const& solution, TrialO
     result.frame = result.solved ? *run.judge().solvedFrame() : run.world().frame();
     if (result.solved) {
         result.miss = 0;
-    } else if (nearness) {
-        result.miss = nearness->miss();
+    } else if (meter) {
+        result.miss = meter->result().measure;
     }
     return result;
 }
@@ -138,6 +138,11 @@ TrialResult trialFrom(std::string const& text) {
 
 std::uint64_t framesOf(Solution const& solution) {
     return solution.frames ? static_cast<std::uint64_t>(*solution.frames) : usualFrames;
+}
+
+std::uint64_t patience(std::uint64_t solvedFrame, std::uint64_t most) {
+    constexpr std::uint64_t grace = 300;
+    return std::min(most, 2 * solvedFrame + grace);
 }
 
 } // namespace trembler::insight

@@ -45,5 +45,8 @@ struct TrialResult {
 
 /// For how long a recorded solution is run, in frames: as it states, else as `trembler verify` does.
 [[nodiscard]] std::uint64_t framesOf(Solution const& solution);
+/// For how long a changed run of a solution may last that solves the level in that frame: twice as long, and
+/// 5 s more, but at most `most` frames.
+[[nodiscard]] std::uint64_t patience(std::uint64_t solvedFrame, std::uint64_t most);
 
 } // namespace trembler::insight

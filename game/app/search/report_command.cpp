@@ -33,6 +33,8 @@ struct ReportArguments {
     std::optional<double> jitterDegrees;
     bool maps = false;
     bool brief = false;
+    bool table = false;
+    bool sections = false;
 };
 
 insight::ReportOptions optionsOf(ReportArguments const& arguments) {
@@ -93,7 +95,9 @@ int reportLevels(ReportArguments const& arguments) {
                        << "\n";
     }
     if (markdown != nullptr) {
-        markdown->stream() << insight::toMarkdown(reports);
+        markdown->stream() << (arguments.table      ? insight::toMarkdownTable(reports)
+                               : arguments.sections ? insight::toMarkdownSections(reports)
+                                                    : insight::toMarkdown(reports));
     }
     outputs.finish();
     if (place.workers().stopped()) {
@@ -139,6 +143,10 @@ void addReportCommand(CLI::App& program, int& result) {
               "How far parts are turned, in degrees (default: 2)");
     command->add_flag("--maps", arguments->maps, "Also where each part may lie, in steps of 5 cm");
     command->add_flag("--brief", arguments->brief, "Without costs and the cheapest detail levels");
+    CLI::Option* const table =
+        command->add_flag("--table", arguments->table, "Of --markdown only the table of all levels");
+    command->add_flag("--sections", arguments->sections, "Of --markdown only the sections of the levels")
+        ->excludes(table);
     addNumber(*command, "--search", arguments->search, 0, 100'000'000,
               "Runs in search of other solutions, as `trembler solve` does")
         ->default_str("0");
