@@ -72,10 +72,12 @@ void CircuitSight::look(World const& world) {
     std::uint64_t const positions = versionOf<Position>(store);
     std::uint64_t const rotations = versionOf<Rotation>(store);
     std::uint64_t const graph = versionOf<ElectricityGraph>(store);
-    if (known_ && positions == positions_ && rotations == rotations_ && graph == graph_) {
+    bool const still = positions == positions_ && rotations == rotations_;
+    if (known_ && graph == graph_ && (still || world.frame() < lookedIn_ + patience)) {
         return;
     }
     known_ = true;
+    lookedIn_ = world.frame();
     positions_ = positions;
     rotations_ = rotations;
     graph_ = graph;
@@ -100,12 +102,17 @@ void CircuitSight::look(World const& world) {
                 row != nullptr && std::any_of(row->connections.begin(), row->connections.end(),
                                               [&](auto const& connection) { return connection.to == other; });
             if (connected) {
-                links_.push_back({a, b, {conductors_[a], other, 0, {}, {}}});
+                links_.push_back({a, b, {.a = conductors_[a], .b = other}});
             } else if (lying[a] && lying[b] && leastDistance(*lying[a], *lying[b]) <= widest) {
                 ShapeGap const gap = gapBetween(lying[a]->placed, lying[b]->placed);
                 if (gap.width <= widest) {
-                    links_.push_back(
-                        {a, b, {conductors_[a], other, std::max(gap.width, leastGapCost), gap.a, gap.b}});
+                    links_.push_back({a,
+                                      b,
+                                      {.a = conductors_[a],
+                                       .b = other,
+                                       .width = std::max(gap.width, leastGapCost),
+                                       .from = gap.a,
+                                       .to = gap.b}});
                 }
             }
         }

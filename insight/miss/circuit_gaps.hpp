@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace trembler::insight {
@@ -17,6 +18,8 @@ struct CircuitGap {
     double width = 0; ///< m
     Vec2 from;        ///< m, in the world, on a
     Vec2 to;          ///< m, on b
+    std::string nameA{};
+    std::string nameB{};
 };
 
 /// The gaps in the way of a current through an object, narrowest in sum; none: its circuit is closed.
@@ -27,12 +30,13 @@ struct CircuitCut {
     bool hopeless = false;
 };
 
-/// Looks at the conductors of one world. The work is done anew only if something has moved, or a connection
-/// has changed, since the last call. Not thread-safe.
+/// Looks at the conductors of one world. The work is done anew only if something has moved and the last look
+/// was `patience` frames ago, or a connection has changed. Not thread-safe.
 class CircuitSight {
 public:
     /// Gaps wider than this, in m, are not considered.
     static constexpr double widest = 3;
+    static constexpr std::uint64_t patience = 6;
 
     /// Two paths over conductors that share none but the object, from it to a source and to a return of one
     /// network; in a world that never had a return, one path to a source. Connections of the electricity
@@ -53,6 +57,7 @@ private:
                                    bool onePath) const;
 
     bool known_ = false;
+    std::uint64_t lookedIn_ = 0;  // frame
     std::uint64_t positions_ = 0; // versions of what was looked at
     std::uint64_t rotations_ = 0;
     std::uint64_t graph_ = 0;

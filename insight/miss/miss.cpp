@@ -1,0 +1,46 @@
+#include "insight/miss/miss.hpp"
+
+#include <array>
+
+namespace trembler::insight {
+namespace {
+
+struct LackText {
+    std::string_view name;
+    std::string_view unit;
+};
+constexpr std::array<LackText, 9> lackTexts{{{"nothing", ""},
+                                             {"distance", "m"},
+                                             {"gap", "m"},
+                                             {"power", "W"},
+                                             {"force", "N"},
+                                             {"count", ""},
+                                             {"time", "s"},
+                                             {"steps", ""},
+                                             {"change", ""}}};
+
+} // namespace
+
+std::string_view nameOf(Lack lack) {
+    return lackTexts.at(static_cast<std::size_t>(lack)).name;
+}
+
+std::string_view unitOf(Lack lack) {
+    return lackTexts.at(static_cast<std::size_t>(lack)).unit;
+}
+
+void nameObjects(Miss& miss, Store const& store) {
+    miss.names.clear();
+    for (ObjectId const id : miss.objects) {
+        miss.names.push_back(store.nameOf(id));
+    }
+    for (CircuitGap& gap : miss.gaps) {
+        gap.nameA = store.nameOf(gap.a);
+        gap.nameB = store.nameOf(gap.b);
+    }
+    for (Miss& other : miss.besides) {
+        nameObjects(other, store);
+    }
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,54 @@
+// How far a goal, or one of its conditions, was from being met.
+#pragma once
+
+#include "insight/miss/circuit_gaps.hpp"
+#include "runtime/object/object_id.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler::insight {
+
+/// What is missing, and the unit of Miss::by.
+enum class Lack : std::uint8_t {
+    nothing,  ///< it is met
+    distance, ///< m, between two objects or to an area or a place
+    gap,      ///< m, of all gaps of a circuit
+    power,    ///< W, until an object in a closed circuit is on
+    force,    ///< N, that a magnet's pull is less than a weight
+    count,    ///< of objects for which a condition must hold, or must not
+    time,     ///< s, for which a condition must hold without a break
+    steps,    ///< of a sequence
+    change,   ///< 1: it is the other way round, and no measure tells how nearly
+};
+/// "distance" ..., as files spell it.
+[[nodiscard]] std::string_view nameOf(Lack lack);
+/// "m", "N" ...; "" for counts.
+[[nodiscard]] std::string_view unitOf(Lack lack);
+
+/// How far one condition is from being met at a moment.
+struct Miss {
+    /// 0 (met) to 1, without a dimension: the less, the nearer. Of a distance d it is d / (d + 0.5 m), and so
+    /// on, so that conditions of different kinds can be compared, and added up to a condition of several.
+    double measure = 1;
+    Lack lack = Lack::change;
+    double by = 0;                 ///< in the unit of `lack`, at least 0
+    std::uint64_t frame = 0;       ///< the moment
+    std::vector<ObjectId> objects; ///< that it is about: first the one that acts or moves
+    /// Their names, as the objects may no longer exist when this is read; see nameObjects().
+    std::vector<std::string> names;
+    Vec2 from;                    ///< m, in the world: distance, from here ...
+    Vec2 to;                      ///< ... to here
+    std::vector<CircuitGap> gaps; ///< of a circuit
+    std::vector<Miss> besides;    ///< what else stood in the way: a magnet that was off
+    std::size_t child = noChild;  ///< of several conditions, the one that this is about
+    static constexpr std::size_t noChild = static_cast<std::size_t>(-1);
+};
+
+/// Fills in the names of the objects and of the ends of gaps, also of what is in `besides`.
+void nameObjects(Miss& miss, Store const& store);
+
+} // namespace trembler::insight

@@ -1,0 +1,82 @@
+#include "insight/miss/miss_meter.hpp"
+
+#include "puzzle/goals/read_goals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace trembler::insight {
+
+MissMeter::MissMeter(LevelFile const& level, World const& world)
+    : condition_(readGoals(level)), ticks_(world.ticks()) {
+    if (!condition_) {
+        return;
+    }
+    Problems problems;
+    ObjectFinder const finder(level, world, problems);
+    state_ = std::make_unique<ConditionState>(*condition_, finder, ObjectId{});
+    problems.throwIfAny();
+    miss_ = std::make_unique<ConditionMiss>(*state_, world);
+    split_ = splitsIntoGoals(*condition_);
+    for (Condition const& goal : goalsOf(*condition_)) {
+        GoalMiss made;
+        made.id = goal.id.empty() ? fmt::format("goal {}", result_.goals.size() + 1) : goal.id;
+        made.nearest.measure = 2; // anything is nearer
+        result_.goals.push_back(std::move(made));
+    }
+}
+
+MissMeter::~MissMeter() = default;
+
+void MissMeter::look(World const& world) {
+    if (miss_ == nullptr || result_.measure <= 0) {
+        return;
+    }
+    std::uint64_t const passed = world.ticks() - std::exchange(ticks_, world.ticks());
+    state_->update(world, std::max<std::uint64_t>(passed, 1));
+    Miss const whole = miss_->now(world, circuits_);
+    if (whole.measure < result_.measure) {
+        result_.measure = whole.measure;
+        result_.frame = world.frame();
+    }
+    for (std::size_t i = 0; i < result_.goals.size(); ++i) {
+        GoalMiss& goal = result_.goals[i];
+        if (goal.met) {
+            continue;
+        }
+        bool const met = split_ ? condition_->kind->standingOf(*state_, i).holds : state_->met();
+        Miss now = split_ ? miss_->children()[i].now(world, circuits_) : whole;
+        if (met) {
+            goal.met = world.frame();
+            now.measure = 0;
+            now.lack = Lack::nothing;
+        }
+        if (now.measure < goal.nearest.measure) {
+            goal.nearest = std::move(now);
+            goal.nearest.frame = world.frame();
+            nameObjects(goal.nearest, world.store());
+        }
+    }
+}
+
+MeasuredRun measuredRun(LevelRuns const& runs, Variation const& variation, RunLimits const& limits) {
+    MeasuredRun measured;
+    std::unique_ptr<MissMeter> meter;
+    RunObserver observer;
+    observer.begin = [&](LevelRun const& run) {
+        meter = std::make_unique<MissMeter>(runs.level(), run.world());
+    };
+    observer.frame = [&](LevelRun const& run) {
+        meter->look(run.world());
+        return true;
+    };
+    measured.run = runs.run(variation, limits, observer);
+    if (meter != nullptr && !measured.run.fault) {
+        measured.miss = meter->result();
+    }
+    return measured;
+}
+
+} // namespace trembler::insight

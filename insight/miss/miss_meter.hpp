@@ -1,0 +1,65 @@
+// The nearest miss of each goal in a run.
+#pragma once
+
+#include "insight/miss/condition_miss.hpp"
+#include "insight/run/level_runs.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// How nearly a goal was met.
+struct GoalMiss {
+    std::string id; ///< as in GoalStatus
+    /// The frame in which it was first met, if it was; `nearest` is then of measure 0.
+    std::optional<std::uint64_t> met;
+    Miss nearest; ///< the earliest of the least measure
+};
+
+/// How nearly a level was solved.
+struct LevelMiss {
+    std::vector<GoalMiss> goals;
+    /// The least measure of the whole condition, in [0, 1]: of goals that must all be met, their mean at one
+    /// moment. 0: solved; 1 if there are no goals. For a search to minimise.
+    double measure = 1;
+    std::uint64_t frame = 0; ///< in which it was that
+};
+
+/// Measures a run frame by frame: a pure function of what happens in it. Not thread-safe.
+class MissMeter {
+public:
+    /// Sets itself up for a world that was built from the level, before its first frame. `level` must outlive
+    /// it. Throws InputError if the goals are wrong.
+    MissMeter(LevelFile const& level, World const& world);
+    ~MissMeter();
+    MissMeter(MissMeter const&) = delete;
+    MissMeter& operator=(MissMeter const&) = delete;
+
+    /// To be called after every frame.
+    void look(World const& world);
+    [[nodiscard]] LevelMiss const& result() const { return result_; }
+
+private:
+    std::optional<Condition> condition_;
+    std::unique_ptr<ConditionState> state_;
+    std::unique_ptr<ConditionMiss> miss_;
+    CircuitSight circuits_;
+    bool split_ = false; // each child of the condition is a goal
+    LevelMiss result_;
+    std::uint64_t ticks_ = 0;
+};
+
+/// A run and how nearly it solved the level.
+struct MeasuredRun {
+    RunResult run;
+    LevelMiss miss; ///< without goals, and of measure 1, if the run has a fault
+};
+
+/// Runs a variation and measures it. A pure function of its arguments, for several threads at once.
+[[nodiscard]] MeasuredRun measuredRun(LevelRuns const& runs, Variation const& variation,
+                                      RunLimits const& limits);
+
+} // namespace trembler::insight
