@@ -5,9 +5,11 @@
 #include "puzzle/goals/model/condition.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "puzzle/session/fit.hpp"
-#include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/build/placing.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>

@@ -64,8 +64,12 @@ int reportLevels(ReportArguments const& arguments) {
     outputs.claimFile("--resume", arguments.work.resume.empty() ? OutputTarget() : arguments.work.resume,
                       "a file");
     WorkPlace place(arguments.work);
-    OutputFile* const json = place.leads() ? outputs.add("--json", arguments.json) : nullptr;
-    OutputFile* const markdown = place.leads() ? outputs.add("--markdown", arguments.markdown) : nullptr;
+    OutputFile* json = nullptr;
+    OutputFile* markdown = nullptr;
+    place.asLeader([&] {
+        json = outputs.add("--json", arguments.json);
+        markdown = outputs.add("--markdown", arguments.markdown);
+    });
     insight::ReportOptions options = optionsOf(arguments);
     std::vector<insight::LevelReport> reports;
     nlohmann::ordered_json entries = nlohmann::ordered_json::array();

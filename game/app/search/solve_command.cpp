@@ -95,7 +95,8 @@ int solveLevel(SolveArguments const& arguments) {
     }
     insight::LevelUnderTest const level(*data, arguments.level);
     WorkPlace place(arguments.work);
-    OutputFile* const json = place.leads() ? outputs.add("--json", arguments.json) : nullptr;
+    OutputFile* json = nullptr;
+    place.asLeader([&] { json = outputs.add("--json", arguments.json); });
     insight::SearchOptions options;
     options.runs = arguments.runs.value_or(
         arguments.work.minutes ? std::numeric_limits<std::uint64_t>::max() / 2 : usualRuns);

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 namespace trembler {
 
 void addWorkerOptions(CLI::App& command, WorkerArguments& arguments) {
@@ -48,6 +50,21 @@ WorkPlace::WorkPlace(WorkerArguments const& arguments) {
 }
 
 WorkPlace::~WorkPlace() = default;
+
+void WorkPlace::asLeader(std::function<void()> const& work) {
+    std::string problem;
+    if (leads()) {
+        try {
+            work();
+        } catch (std::exception const& error) {
+            problem = error.what();
+        }
+    }
+    problem = team_->exchange(problem).front();
+    if (!problem.empty()) {
+        throw std::runtime_error(problem);
+    }
+}
 
 double WorkPlace::seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,9 @@ public:
     [[nodiscard]] insight::Workers& workers() { return *workers_; }
     /// Whether this process prints and writes files.
     [[nodiscard]] bool leads() const { return workers_->team().leads(); }
+    /// Does something in the leader only, such as opening files. If it throws, all members of the team throw,
+    /// so that none waits for another for ever.
+    void asLeader(std::function<void()> const& work);
     /// What is being done, for the progress line.
     void say(std::string what) { what_ = std::move(what); }
     void clearProgress() { progress_.clear(); }
