@@ -1,9 +1,13 @@
 #include "insight/robustness/robustness.hpp"
 #include "insight/search/random_placement.hpp"
 #include "insight/trial/trial.hpp"
+#include "tests/insight/support/on_threads.hpp"
 #include "tests/insight/support/tested_level.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace trembler::insight {
 namespace {
@@ -35,7 +39,7 @@ TEST(Jitter, StaysWithinItsReachAndWhatAPlayerCanPlace) {
 TEST(Robustness, IsHighWhereABarLiesAcrossAGapAndLowWhereItIsThrownFar) {
     RobustnessOptions options;
     options.runs = 30;
-    Workers workers({.threads = 2});
+    Workers workers(onThreads(2));
     auto const near = robustnessOf(firstContact(), {solvedBy("the steel bar")}, options, workers);
     EXPECT_EQ(near.front().runs, 30);
     EXPECT_EQ(near.front().share(), 1);
@@ -44,13 +48,13 @@ TEST(Robustness, IsHighWhereABarLiesAcrossAGapAndLowWhereItIsThrownFar) {
     EXPECT_LT(far.front().share(), 0.7);
     EXPECT_GT(far.front().solved, 0);
     // The same with one thread, and other displacements with another seed.
-    Workers one({.threads = 1});
+    Workers one(onThreads(1));
     EXPECT_EQ(robustnessOf(firstContact(), {solvedBy("the steel bar")}, options, one).front().solved,
               far.front().solved);
 }
 
 TEST(PlaceMap, HasTheRecordedPlaceInItsMiddle) {
-    Workers workers({.threads = 2});
+    Workers workers(onThreads(2));
     auto const maps = placeMapsOf(firstContact(), {solvedBy("the steel bar")}, 0.2, 2, workers);
     ASSERT_EQ(maps.front().size(), 1U);
     PlaceMap const& map = maps.front().front();
@@ -66,7 +70,7 @@ TEST(PlaceMap, HasTheRecordedPlaceInItsMiddle) {
 }
 
 TEST(RandomDrops, OnlyCountWhatFits) {
-    Workers workers({.threads = 2});
+    Workers workers(onThreads(2));
     auto const drops = randomDrops(firstContact(), 20, 600, 1, workers);
     ASSERT_EQ(drops.size(), 3U);
     EXPECT_EQ(drops[0].part, "steel bar");

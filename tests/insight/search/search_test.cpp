@@ -1,6 +1,7 @@
 #include "insight/search/search.hpp"
 #include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
+#include "tests/insight/support/on_threads.hpp"
 #include "tests/insight/support/tested_level.hpp"
 #include "tests/insight/support/threaded_team.hpp"
 
@@ -33,7 +34,7 @@ SearchOptions shortSearch() {
 }
 
 TEST(Search, FindsBothPartsThatCloseTheCircuit) {
-    Workers workers({.threads = 2});
+    Workers workers(onThreads(2));
     SearchResult const result = searchFor(firstContact(), shortSearch(), workers);
     EXPECT_EQ(result.runs, 150U);
     EXPECT_GT(result.solved, 1U);
@@ -53,13 +54,13 @@ TEST(Search, FindsBothPartsThatCloseTheCircuit) {
 }
 
 TEST(Search, FindsTheSameWithAnyNumberOfThreadsAndMembers) {
-    Workers one({.threads = 1});
+    Workers one(onThreads(1));
     std::string const expected = told(searchFor(firstContact(), shortSearch(), one));
-    Workers three({.threads = 3});
+    Workers three(onThreads(3));
     EXPECT_EQ(told(searchFor(firstContact(), shortSearch(), three)), expected);
     std::mutex mutex;
     ThreadedTeam::run(3, [&](Team& team) {
-        Workers workers({.threads = 1, .team = &team});
+        Workers workers(onThreads(1, &team));
         std::string const mine = told(searchFor(firstContact(), shortSearch(), workers));
         std::lock_guard const lock(mutex);
         EXPECT_EQ(mine, expected) << "member " << team.rank();
@@ -72,7 +73,7 @@ TEST(Search, FindsTheSameWithAnyNumberOfThreadsAndMembers) {
 TEST(Search, AtRandomOnlyPlacesParts) {
     SearchOptions options = shortSearch();
     options.random = true;
-    Workers workers({.threads = 2});
+    Workers workers(onThreads(2));
     SearchResult const result = searchFor(firstContact(), options, workers);
     EXPECT_EQ(result.runs, 150U);
     for (FoundSolution const& found : result.found) {
@@ -82,7 +83,7 @@ TEST(Search, AtRandomOnlyPlacesParts) {
 
 TEST(Search, ThatIsStoppedTellsWhatItHas) {
     std::atomic<int> asked{0};
-    Workers workers({.threads = 1, .stop = [&] { return ++asked > 40; }});
+    Workers workers(onThreads(1, nullptr, nullptr, [&] { return ++asked > 40; }));
     SearchResult const result = searchFor(firstContact(), shortSearch(), workers);
     EXPECT_TRUE(workers.stopped());
     EXPECT_GT(result.runs, 20U);

@@ -1,4 +1,5 @@
 #include "insight/spread/workers.hpp"
+#include "tests/insight/support/on_threads.hpp"
 #include "tests/insight/support/threaded_team.hpp"
 
 #include <gtest/gtest.h>
@@ -24,16 +25,16 @@ std::string square(std::size_t i) {
 
 TEST(Workers, GiveTheSameWithAnyNumberOfThreadsAndMembers) {
     std::vector<std::string> const keys = numbered(100);
-    Workers one({.threads = 1});
+    Workers one(onThreads(1));
     auto const expected = one.share(keys, square);
     EXPECT_EQ(expected[9], "81");
     EXPECT_EQ(one.done(), 100U);
-    Workers many({.threads = 8});
+    Workers many(onThreads(8));
     EXPECT_EQ(many.share(keys, square), expected);
     for (int const size : {2, 3, 7}) {
         std::atomic<int> calls{0};
         ThreadedTeam::run(size, [&](Team& team) {
-            Workers workers({.threads = 2, .team = &team});
+            Workers workers(onThreads(2, &team));
             EXPECT_EQ(workers.share(keys, [&](std::size_t i) { return ++calls, square(i); }), expected);
             EXPECT_EQ(workers.done(), 100U);
         });
@@ -44,7 +45,7 @@ TEST(Workers, GiveTheSameWithAnyNumberOfThreadsAndMembers) {
 
 TEST(Workers, StopBetweenPieces) {
     std::atomic<int> calls{0};
-    Workers workers({.threads = 1, .stop = [&] { return calls >= 5; }});
+    Workers workers(onThreads(1, nullptr, nullptr, [&] { return calls >= 5; }));
     auto const results = workers.share(numbered(20), [&](std::size_t i) { return ++calls, square(i); });
     EXPECT_TRUE(workers.stopped());
     EXPECT_EQ(calls, 5);
@@ -52,7 +53,7 @@ TEST(Workers, StopBetweenPieces) {
     EXPECT_FALSE(results[5].has_value());
     // In a team all members learn that one was stopped.
     ThreadedTeam::run(3, [&](Team& team) {
-        Workers member({.threads = 1, .team = &team, .stop = [&] { return team.rank() == 1; }});
+        Workers member(onThreads(1, &team, nullptr, [&] { return team.rank() == 1; }));
         auto const shared = member.share(numbered(9), square);
         EXPECT_TRUE(member.stopped());
         EXPECT_FALSE(shared[1].has_value());
@@ -75,10 +76,10 @@ TEST(Workers, ReportTheFirstFailureToEverybody) {
         }
         return "";
     };
-    Workers alone({.threads = 1});
+    Workers alone(onThreads(1));
     EXPECT_EQ(problemOf(alone), "piece 3 is broken");
     ThreadedTeam::run(2, [&](Team& team) {
-        Workers member({.threads = 1, .team = &team});
+        Workers member(onThreads(1, &team));
         EXPECT_EQ(problemOf(member), "piece 3 is broken");
     });
 }
@@ -94,13 +95,13 @@ TEST(Workers, GoOnWithWhatAJournalHas) {
     {
         Team team;
         Journal journal(file, team);
-        Workers workers({.threads = 1, .journal = &journal, .stop = [&] { return calls >= 10; }});
+        Workers workers(onThreads(1, nullptr, &journal, [&] { return calls >= 10; }));
         (void)workers.share(keys, counted);
     }
     ThreadedTeam::run(3, [&](Team& team) {
         Journal journal(file, team);
         EXPECT_EQ(journal.size(), 10U);
-        Workers workers({.threads = 1, .team = &team, .journal = &journal});
+        Workers workers(onThreads(1, &team, &journal));
         EXPECT_EQ(workers.share(keys, counted)[29], "841");
     });
     EXPECT_EQ(calls, 30) << "10 before it was stopped, 20 afterwards";

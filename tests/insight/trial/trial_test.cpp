@@ -19,11 +19,12 @@ TEST(Trial, EndsAsTheRunnerDoes) {
         for (Solution const& solution : level.level().solutions) {
             Session session(testedData().registry, testedData().parts, level.level());
             session.load(solution);
-            RunReport const whole =
-                trembler::run(session, "", {.frames = framesOf(solution), .stopWhenSolved = true});
-            TrialResult const trial =
-                tryOut(level, solution, {.frames = framesOf(solution), .measureMiss = true});
-            ASSERT_TRUE(trial.fits) << name << ", " << solution.name;
+            RunOptions options;
+            options.frames = framesOf(solution);
+            options.stopWhenSolved = true;
+            RunReport const whole = trembler::run(session, "", options);
+            TrialResult const trial = tryOut(
+                level, solution, {.frames = framesOf(solution), .mustFit = false, .measureMiss = true});
             EXPECT_EQ(trial.solved, whole.solved) << name << ", " << solution.name;
             EXPECT_EQ(trial.solved, solution.solves) << name << ", " << solution.name;
             EXPECT_EQ(trial.miss == 0, trial.solved);

@@ -84,7 +84,7 @@ TEST_F(SolveCommand, RefusesBadInput) {
     EXPECT_EQ(runProgram({"solve", good, "--keep", "-"}).status, 2);
     Ran const report = runProgram({"report", good, "--runs", "3", "--drops", "3", "--brief", "--json"});
     EXPECT_LE(report.status, 1) << report.err;
-    EXPECT_EQ(json::parse(report.out)[0]["solutions"][0]["needs_parts"], json({"steel bar"}));
+    EXPECT_EQ(json::parse(report.out)[0]["solutions"][0]["needs_parts"], json::array({"steel bar"}));
 }
 
 } // namespace
