@@ -7,23 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <map>
 
 namespace trembler::insight {
 namespace {
 
-/// The parts of the placements, by the names of the objects that they became.
-std::map<std::string, std::string> partsByName(LevelRun const& run, Solution const& solution) {
-    std::map<std::string, std::string> parts;
-    for (std::size_t i = 0; i < solution.placements.size(); ++i) {
-        for (ObjectId const id : run.pieces(Origin::Kind::placement, i)) {
-            parts[run.world().store().nameOf(id)] = solution.placements[i].part;
-        }
-    }
-    return parts;
-}
-
-void addChains(CauseGraph& graph, LevelRun const& run, std::map<std::string, std::string> const& parts) {
+void addChains(CauseGraph& graph, LevelRun const& run) {
     Tracer const* const tracer = run.world().tracer();
     if (tracer == nullptr) {
         return;
@@ -39,11 +27,6 @@ void addChains(CauseGraph& graph, LevelRun const& run, std::map<std::string, std
         if (event == nullptr) {
             continue;
         }
-        for (std::string const& object : event->objects) {
-            if (auto const part = parts.find(object); part != parts.end()) {
-                graph.parts.insert(part->second);
-            }
-        }
         for (EventId const causeId : event->causes) {
             Event const* const cause = tracer->find(causeId);
             if (cause != nullptr && cause->component != event->component) {
@@ -57,9 +40,7 @@ void addChains(CauseGraph& graph, LevelRun const& run, std::map<std::string, std
 
 CauseGraph causeGraphOf(LevelRuns const& runs, Solution const& solution, std::uint64_t frames) {
     CauseGraph graph;
-    std::map<std::string, std::string> parts;
     RunObserver observer;
-    observer.begin = [&](LevelRun const& run) { parts = partsByName(run, solution); };
     observer.end = [&](LevelRun const& run) {
         graph.solves = run.judge().solved();
         if (!graph.solves) {
@@ -71,7 +52,13 @@ CauseGraph causeGraphOf(LevelRuns const& runs, Solution const& solution, std::ui
                 graph.deeds.emplace(playerInputNames[static_cast<std::size_t>(input.kind)]);
             }
         }
-        addChains(graph, run, parts);
+        for (Placement const& placement : solution.placements) {
+            graph.parts.insert(placement.part);
+        }
+        if (!solution.wires.empty()) {
+            graph.parts.emplace(playersWire);
+        }
+        addChains(graph, run);
     };
     (void)runs.run({solution, {}}, {.frames = frames, .trace = true}, observer);
     return graph;

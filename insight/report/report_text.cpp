@@ -111,7 +111,7 @@ std::string cheapestWays(LevelReport const& report) {
             }
         }
         text += best == nullptr ? fmt::format("  {}: none keeps every verdict\n", what)
-                                : fmt::format("  {}: {} ({:.0f} us a frame in all){}\n", what, best->level,
+                                : fmt::format("  {}: {} ({:.1f} us a frame in all){}\n", what, best->level,
                                               best->microseconds, best->present ? ", as it is" : "");
     }
     return text;

@@ -33,7 +33,7 @@ std::vector<Robustness> robustnessOf(LevelUnderTest const& level, std::vector<So
     std::vector<std::string> keys;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
         Solution const& solution = *solutions[i].solution;
-        int const count = solution.placements.empty() ? 1 : options.runs;
+        int const count = solution.placements.empty() ? 0 : options.runs;
         for (int n = 0; n < count; ++n) {
             runs.push_back({i, static_cast<std::uint64_t>(n)});
             keys.push_back(fmt::format("robustness/{}/{}/{}/{}/{}",

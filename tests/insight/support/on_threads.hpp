@@ -4,6 +4,7 @@
 #include "insight/spread/workers.hpp"
 
 #include <functional>
+#include <utility>
 
 namespace trembler::insight {
 
