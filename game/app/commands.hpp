@@ -19,6 +19,8 @@ void addPlayCommand(CLI::App& program, int& result);
 void addEditCommand(CLI::App& program, int& result);
 void addRunCommand(CLI::App& program, int& result);
 void addVerifyCommand(CLI::App& program, int& result);
+void addReportCommand(CLI::App& program, int& result);
+void addSolveCommand(CLI::App& program, int& result);
 void addComponentsCommand(CLI::App& program, int& result);
 void addSchemaCommand(CLI::App& program, int& result);
 void addAccuracyCommand(CLI::App& program, int& result);

@@ -21,6 +21,8 @@ int runCommand(int argc, char** argv) {
         "  trembler why LEVEL --solution NAME                     why a goal was met, or was not\n"
         "  trembler clip LEVEL --solution NAME --out it.webp      a moving picture of a run\n"
         "  trembler verify                                        check every level\n"
+        "  trembler report LEVEL                                  what its solutions need, and how exactly\n"
+        "  trembler solve LEVEL                                   search for solutions\n"
         "  trembler components                                    all components and their schedule\n"
         "  trembler accuracy                                      errors and times of all detail levels\n"
         "\n"
@@ -31,6 +33,8 @@ int runCommand(int argc, char** argv) {
     trembler::addEditCommand(program, result);
     trembler::addRunCommand(program, result);
     trembler::addVerifyCommand(program, result);
+    trembler::addReportCommand(program, result);
+    trembler::addSolveCommand(program, result);
     trembler::addComponentsCommand(program, result);
     trembler::addSchemaCommand(program, result);
     trembler::addAccuracyCommand(program, result);

@@ -2,8 +2,10 @@
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
 #include "game/app/options/inputs.hpp"
+#include "game/app/options/level_paths.hpp"
 #include "game/app/options/outputs.hpp"
-#include "puzzle/campaign/chapter.hpp"
+#include "insight/spread/mpi_team.hpp"
+#include "insight/spread/workers.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/diagnostic.hpp"
@@ -12,48 +14,22 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
-#include <unistd.h>
 
 namespace trembler {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a mod's files only those in levels/ and tests/ are levels; hidden files are settings of editors.
-bool isNoLevel(fs::path const& file) {
-    if (file.filename() == "mod.json" || file.filename().string().starts_with('.')) {
-        return true;
-    }
-    fs::path const folder = file.parent_path();
-    return folder.filename() == "parts" && fs::exists(folder.parent_path() / "mod.json");
-}
-
-std::vector<fs::path> levelsUnder(fs::path const& path) {
-    if (!fs::is_directory(path)) {
-        return {path};
-    }
-    std::vector<fs::path> found;
-    for (fs::directory_entry const& entry : fs::recursive_directory_iterator(path)) {
-        if (entry.is_regular_file() && entry.path().extension() == ".json" && !isNotALevel(entry.path()) &&
-            !isNoLevel(entry.path())) {
-            found.push_back(entry.path());
-        }
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
 struct VerifyArguments {
     std::vector<std::string> paths;
     std::vector<std::string> detail;
     std::vector<std::string> mods; // folders in which mods are looked for
     OutputTarget json;
+    bool mpi = false;
 };
 
 /// Whether a file holds a level, valid or not.
@@ -62,21 +38,6 @@ bool isLevel(fs::path const& file) {
         return JsonDocument::load(file)->root().contains("objects");
     } catch (InputError const&) {
         return false;
-    }
-}
-
-/// Throws InputError if the file is not there or may not be read.
-void checkReadable(fs::path const& file) {
-    std::error_code error;
-    (void)fs::file_size(file, error);
-    if (!error && ::access(file.c_str(), R_OK) != 0) {
-        error = std::error_code(errno, std::generic_category());
-    }
-    if (error) {
-        Diagnostic problem;
-        problem.file = file.string();
-        problem.message = "cannot be read: " + error.message();
-        throw InputError({problem});
     }
 }
 
@@ -103,37 +64,30 @@ void readsLevel(Outputs& outputs, GameDataByMods& data, fs::path const& level) {
     }
 }
 
-std::vector<fs::path> levelsOf(GameData const& gameData, std::vector<std::string> const& paths) {
-    std::vector<fs::path> levels;
-    for (std::string const& path : paths) {
-        std::vector<fs::path> const found = levelsUnder(path);
-        if (found.empty()) {
-            throw std::invalid_argument(fmt::format("there is no level in {}", path));
-        }
-        levels.insert(levels.end(), found.begin(), found.end());
-    }
-    if (paths.empty()) {
-        levels = gameData.levels();
-        std::error_code error;
-        if (fs::is_directory(gameData.home / "mods", error)) {
-            std::vector<fs::path> const ofMods = levelsUnder(gameData.home / "mods");
-            levels.insert(levels.end(), ofMods.begin(), ofMods.end());
-        }
-    }
-    if (levels.empty()) {
-        throw std::invalid_argument(
-            fmt::format("there is no level in {}", (gameData.home / "levels").string()));
-    }
+/// The failures of each level, found by all processes together; the same in each of them.
+std::vector<std::vector<std::string>> verifyTogether(insight::Team& team, GameDataByMods& data,
+                                                     std::vector<fs::path> const& levels,
+                                                     std::map<std::string, std::string> const& detail) {
+    // One thread for each process: the messages of scripts are gathered for all levels that share mods.
+    insight::Workers workers({.threads = 1, .team = &team, .journal = nullptr, .stop = {}, .progress = {}});
+    std::vector<std::string> keys;
     for (fs::path const& level : levels) {
-        checkReadable(level);
+        keys.push_back(level.string());
     }
-    return levels;
+    std::vector<std::vector<std::string>> failures;
+    for (auto const& result : workers.share(keys, [&](std::size_t index) {
+             return nlohmann::json(verifyOne(data, levels[index], detail))
+                 .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+         })) {
+        failures.push_back(nlohmann::json::parse(*result).get<std::vector<std::string>>());
+    }
+    return failures;
 }
 
 int verifyAll(VerifyArguments const& arguments) {
     GameData const gameData; // without mods
     GameDataByMods data(arguments.mods);
-    std::vector<fs::path> const levels = levelsOf(gameData, arguments.paths);
+    std::vector<fs::path> const levels = levelsNamed(gameData, arguments.paths);
     Outputs outputs;
     readsAll(outputs, gameData);
     for (fs::path const& level : levels) {
@@ -143,12 +97,21 @@ int verifyAll(VerifyArguments const& arguments) {
     if (arguments.json && isLevel(*arguments.json)) {
         outputs.reads(*arguments.json);
     }
-    OutputFile* const json = outputs.add("--json", arguments.json);
     auto const detail = detailOf(arguments.detail);
+    std::unique_ptr<insight::Team> const team = arguments.mpi ? insight::mpiTeam() : nullptr;
+    std::vector<std::vector<std::string>> found;
+    if (team) {
+        found = verifyTogether(*team, data, levels, detail);
+        if (!team->leads()) {
+            return exitSolved;
+        }
+    }
+    OutputFile* const json = outputs.add("--json", arguments.json);
     nlohmann::ordered_json entries = nlohmann::ordered_json::array();
     bool valid = true;
-    for (fs::path const& level : levels) {
-        std::vector<std::string> const failures = verifyOne(data, level, detail);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        fs::path const& level = levels[i];
+        std::vector<std::string> const failures = team ? found[i] : verifyOne(data, level, detail);
         std::string const name = gameData.shortName(level);
         if (!outputs.terminalTaken()) {
             for (std::string const& failure : failures) {
@@ -192,6 +155,8 @@ void addVerifyCommand(CLI::App& program, int& result) {
         ->add_option("--detail", arguments->detail,
                      "EFFECT=LEVEL: check them with this detail level, for example dynamics=ode")
         ->allow_extra_args(false); // otherwise the option would take the path for its value
+    command->add_flag("--mpi", arguments->mpi,
+                      "Share the levels out among the processes that mpirun started");
     addModFolders(*command, arguments->mods);
     command->footer(outputConvention);
     command->callback([arguments, &result] {

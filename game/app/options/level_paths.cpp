@@ -1,0 +1,88 @@
+#include "game/app/options/level_paths.hpp"
+
+#include "puzzle/campaign/chapter.hpp"
+#include "puzzle/data/game_data.hpp"
+#include "runtime/level/json/diagnostic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+#include <unistd.h>
+
+namespace trembler {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a mod's files only those in levels/ and tests/ are levels; hidden files are settings of editors.
+bool isNoLevel(fs::path const& file) {
+    if (file.filename() == "mod.json" || file.filename().string().starts_with('.')) {
+        return true;
+    }
+    fs::path const folder = file.parent_path();
+    return folder.filename() == "parts" && fs::exists(folder.parent_path() / "mod.json");
+}
+
+std::vector<fs::path> levelsUnder(fs::path const& path) {
+    if (!fs::is_directory(path)) {
+        return {path};
+    }
+    std::vector<fs::path> found;
+    for (fs::directory_entry const& entry : fs::recursive_directory_iterator(path)) {
+        if (entry.is_regular_file() && entry.path().extension() == ".json" && !isNotALevel(entry.path()) &&
+            !isNoLevel(entry.path())) {
+            found.push_back(entry.path());
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// Throws InputError if the file is not there or may not be read.
+void checkReadable(fs::path const& file) {
+    std::error_code error;
+    (void)fs::file_size(file, error);
+    if (!error && ::access(file.c_str(), R_OK) != 0) {
+        error = std::error_code(errno, std::generic_category());
+    }
+    if (error) {
+        Diagnostic problem;
+        problem.file = file.string();
+        problem.message = "cannot be read: " + error.message();
+        throw InputError({problem});
+    }
+}
+
+} // namespace
+
+std::vector<fs::path> levelsNamed(GameData const& gameData, std::vector<std::string> const& paths) {
+    std::vector<fs::path> levels;
+    for (std::string const& path : paths) {
+        std::vector<fs::path> const found = levelsUnder(path);
+        if (found.empty()) {
+            throw std::invalid_argument(fmt::format("there is no level in {}", path));
+        }
+        levels.insert(levels.end(), found.begin(), found.end());
+    }
+    if (paths.empty()) {
+        levels = gameData.levels();
+        std::error_code error;
+        if (fs::is_directory(gameData.home / "mods", error)) {
+            std::vector<fs::path> const ofMods = levelsUnder(gameData.home / "mods");
+            levels.insert(levels.end(), ofMods.begin(), ofMods.end());
+        }
+    }
+    if (levels.empty()) {
+        throw std::invalid_argument(
+            fmt::format("there is no level in {}", (gameData.home / "levels").string()));
+    }
+    for (fs::path const& level : levels) {
+        checkReadable(level);
+    }
+    return levels;
+}
+
+} // namespace trembler

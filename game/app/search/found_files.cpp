@@ -1,0 +1,75 @@
+#include "game/app/search/found_files.hpp"
+
+#include "runtime/file/output_file.hpp"
+#include "runtime/level/write/write_level.hpp"
+
+#ifndef TREMBLER_HEADLESS
+#include "game/ui/headless/screenshot.hpp"
+#include "render/gl/png.hpp"
+#endif
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <system_error>
+
+namespace trembler {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t framesAfter = 60; // shown after the level is solved
+
+#ifndef TREMBLER_HEADLESS
+void drawFound(GameData const& data, fs::path const& level, insight::FoundSolution const& found,
+               KeptFiles const& files) {
+    ui::ScreenshotOptions options;
+    options.level = level;
+    options.frame = found.needs.frame;
+    options.size = {960, 540};
+    options.solution = files.solution.string();
+    OutputFile file(files.picture, OutputFile::Content::binary);
+    render::writePng(ui::screenshot(data, options), file);
+    file.commit();
+}
+#endif
+
+} // namespace
+
+Solution namedSolution(insight::FoundSolution const& found, std::size_t number) {
+    Solution solution = found.needs.least;
+    std::vector<std::string> makings = found.needs.parts;
+    makings.insert(makings.end(), found.needs.deeds.begin(), found.needs.deeds.end());
+    solution.name = fmt::format("found {}: {}", number, fmt::join(makings, ", "));
+    solution.frames = static_cast<int>(found.needs.frame + framesAfter);
+    return solution;
+}
+
+KeptFiles keepFound(GameData const& data, fs::path const& level, insight::FoundSolution const& found,
+                    std::size_t number, fs::path const& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
+        throw OutputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+    }
+    KeptFiles files;
+    std::string const stem = fmt::format("{}-found-{}", level.stem().string(), number);
+    files.solution = folder / (stem + ".json");
+    writeFile(files.solution, writeSolution(namedSolution(found, number)).dump(2) + "\n");
+#ifdef TREMBLER_HEADLESS
+    files.whyNoPicture = "this build was made without drawing";
+    (void)data;
+#else
+    files.picture = folder / (stem + ".png");
+    try {
+        drawFound(data, level, found, files);
+    } catch (std::exception const& problem) { // no OpenGL on this machine: the solution counts
+        files.picture.clear();
+        files.whyNoPicture = problem.what();
+    }
+#endif
+    return files;
+}
+
+} // namespace trembler

@@ -1,0 +1,28 @@
+// Keeps the solutions that a search has found: each as a file that `trembler run --solution` takes, and as a
+// picture.
+#pragma once
+
+#include "insight/search/search.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace trembler {
+
+struct KeptFiles {
+    std::filesystem::path solution;
+    std::filesystem::path picture; ///< of the moment in which it solves the level; empty: none could be drawn
+    std::string whyNoPicture;
+};
+
+/// The solution as it is kept, with a name made of its parts and deeds, and its length.
+[[nodiscard]] Solution namedSolution(insight::FoundSolution const& found, std::size_t number);
+
+/// Writes LEVEL-found-NUMBER.json and .png into the folder, which is made if it is missing. Replaces files of
+/// these names. Throws OutputError if the solution cannot be written; a picture that cannot be drawn, for
+/// example by a program without the window, is left out.
+[[nodiscard]] KeptFiles keepFound(GameData const& data, std::filesystem::path const& level,
+                                  insight::FoundSolution const& found, std::size_t number,
+                                  std::filesystem::path const& folder);
+
+} // namespace trembler

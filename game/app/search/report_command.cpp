@@ -1,0 +1,166 @@
+// trembler report: what the solutions of levels need, how exact they must be, and what else solves them.
+#include "game/app/commands.hpp"
+#include "game/app/mods/mods.hpp"
+#include "game/app/options/inputs.hpp"
+#include "game/app/options/level_paths.hpp"
+#include "game/app/options/number_options.hpp"
+#include "game/app/options/outputs.hpp"
+#include "game/app/search/worker_options.hpp"
+#include "insight/report/report_text.hpp"
+#include "runtime/file/visible_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+namespace trembler {
+namespace {
+
+struct ReportArguments {
+    std::vector<std::string> paths;
+    std::vector<std::string> mods;
+    OutputTarget json;
+    OutputTarget markdown;
+    WorkerArguments work;
+    int runs = 200;
+    int drops = 100;
+    std::uint64_t seed = 1;
+    std::uint64_t search = 0;
+    std::optional<double> jitterCm;
+    std::optional<double> jitterDegrees;
+    bool maps = false;
+    bool brief = false;
+    bool table = false;
+    bool sections = false;
+};
+
+insight::ReportOptions optionsOf(ReportArguments const& arguments) {
+    insight::ReportOptions options;
+    options.robustness.runs = arguments.runs;
+    options.robustness.seed = arguments.seed;
+    if (arguments.jitterCm) {
+        options.robustness.jitter.distance = *arguments.jitterCm / 100;
+    }
+    options.robustness.jitter.angle = arguments.jitterDegrees.value_or(options.robustness.jitter.angle);
+    options.drops = arguments.drops;
+    options.maps = arguments.maps;
+    options.costs = !arguments.brief;
+    options.search = arguments.search;
+    return options;
+}
+
+int reportLevels(ReportArguments const& arguments) {
+    GameData const gameData; // without mods
+    GameDataByMods data(arguments.mods);
+    auto const levels = levelsNamed(gameData, arguments.paths);
+    Outputs outputs;
+    readsAll(outputs, gameData);
+    for (auto const& level : levels) {
+        outputs.reads(level);
+    }
+    outputs.claimFile("--resume", arguments.work.resume.empty() ? OutputTarget() : arguments.work.resume,
+                      "a file");
+    WorkPlace place(arguments.work);
+    OutputFile* json = nullptr;
+    OutputFile* markdown = nullptr;
+    place.asLeader([&] {
+        json = outputs.add("--json", arguments.json);
+        markdown = outputs.add("--markdown", arguments.markdown);
+    });
+    insight::ReportOptions options = optionsOf(arguments);
+    std::vector<insight::LevelReport> reports;
+    nlohmann::ordered_json entries = nlohmann::ordered_json::array();
+    for (auto const& file : levels) {
+        if (place.workers().stopped()) {
+            break;
+        }
+        insight::LevelUnderTest const level(data.dataFor(file), file);
+        options.step = [&](std::string const& what) { place.say(level.name() + ", " + what); };
+        reports.push_back(insight::reportOn(level, options, place.workers()));
+        if (!place.leads()) {
+            continue;
+        }
+        entries.push_back(insight::toJson(reports.back()));
+        place.clearProgress();
+        if (!outputs.terminalTaken()) {
+            std::cout << visibleLines(insight::toWords(reports.back())) << std::flush;
+        }
+    }
+    place.clearProgress();
+    if (!place.leads()) {
+        return exitSolved;
+    }
+    if (json != nullptr) {
+        json->stream() << escapedJson(
+                              entries.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
+                       << "\n";
+    }
+    if (markdown != nullptr) {
+        markdown->stream() << (arguments.table      ? insight::toMarkdownTable(reports)
+                               : arguments.sections ? insight::toMarkdownSections(reports)
+                                                    : insight::toMarkdown(reports));
+    }
+    outputs.finish();
+    if (place.workers().stopped()) {
+        std::cerr << "trembler: stopped; the report has what was finished"
+                  << (arguments.work.resume.empty() ? "" : ", and the same command goes on from there")
+                  << "\n";
+    }
+    bool const sound = std::all_of(reports.begin(), reports.end(), [](insight::LevelReport const& report) {
+        return report.complete && insight::shortcomings(report).empty();
+    });
+    return sound ? exitSolved : exitNotSolved;
+}
+
+} // namespace
+
+void addReportCommand(CLI::App& program, int& result) {
+    auto const arguments = std::make_shared<ReportArguments>();
+    CLI::App* const command = program.add_subcommand(
+        "report",
+        "What levels' solutions need (by leaving parts, deeds and effects out and running again), how "
+        "exactly "
+        "their parts must be placed (by displacing them), of how many kinds they are, and what the effects "
+        "cost. Exit status: 0 no level falls short of what is expected of a puzzle, 1 one does or the work "
+        "was "
+        "stopped, 2 bad input or output.");
+    command->add_option("LEVEL", arguments->paths,
+                        "Level files or folders (default: all levels, including those of the mods that come "
+                        "with the program)");
+    addOptionalFile(*command, "--json", arguments->json,
+                    "Write a JSON list with an object for each level; on the terminal it replaces the words");
+    addOptionalFile(*command, "--markdown", arguments->markdown,
+                    "Write tables, without times, so that they are the same on every machine");
+    addNumber(*command, "--runs", arguments->runs, 0, 100'000, "Displaced runs of each solution")
+        ->default_str("200");
+    addNumber(*command, "--drops", arguments->drops, 0, 100'000,
+              "Runs with each single part dropped at random")
+        ->default_str("100");
+    addNumber(*command, "--seed", arguments->seed, 0, 1'000'000'000, "Of the random displacements")
+        ->default_str("1");
+    addNumber(*command, "--jitter-cm", arguments->jitterCm, 0, 1000,
+              "How far parts are displaced, in cm (default: 2)");
+    addNumber(*command, "--jitter-degrees", arguments->jitterDegrees, 0, 180,
+              "How far parts are turned, in degrees (default: 2)");
+    command->add_flag("--maps", arguments->maps, "Also where each part may lie, in steps of 5 cm");
+    command->add_flag("--brief", arguments->brief, "Without costs and the cheapest detail levels");
+    CLI::Option* const table =
+        command->add_flag("--table", arguments->table, "Of --markdown only the table of all levels");
+    command->add_flag("--sections", arguments->sections, "Of --markdown only the sections of the levels")
+        ->excludes(table);
+    addNumber(*command, "--search", arguments->search, 0, 100'000'000,
+              "Runs in search of other solutions, as `trembler solve` does")
+        ->default_str("0");
+    addWorkerOptions(*command, arguments->work);
+    addModFolders(*command, arguments->mods);
+    command->footer(outputConvention);
+    command->callback([arguments, &result] {
+        takeBack(arguments->paths, arguments->json);
+        result = guarded([&] { return reportLevels(*arguments); });
+    });
+}
+
+} // namespace trembler

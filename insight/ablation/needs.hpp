@@ -1,0 +1,45 @@
+// What a solution needs: found by leaving one thing out and running again.
+#pragma once
+
+#include "insight/run/level_runs.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// One deed of the player in a run: from a grab to the release, a cut, or a removal.
+struct Deed {
+    std::string what;                ///< "grab crate", "cut lamp, battery plus"
+    std::vector<std::size_t> inputs; ///< indices in the solution
+};
+/// The deeds of a solution in the order in which they begin.
+[[nodiscard]] std::vector<Deed> deedsOf(Solution const& solution);
+
+struct Needs {
+    bool solves = false;     ///< whether the whole solution solves the level; else the rest is empty
+    std::uint64_t frame = 0; ///< in which it does
+    /// The solution without what it does not need. Nothing more can be left out of it: without any one of its
+    /// placements, wires or deeds it does not solve the level in patience() (a 1-minimal subset: Zeller and
+    /// Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002).
+    Solution least;
+    std::vector<std::string> parts;       ///< of `least`, in order of their names, each once
+    std::vector<std::string> deeds;       ///< of `least`
+    std::vector<std::string> superfluous; ///< what was left out, in words
+    /// Of the effects at work in it that can be left out of the program, those without which `least` does not
+    /// solve the level; in order of their names.
+    std::vector<std::string> effects;
+    std::vector<std::string> idleEffects; ///< the others that were at work
+};
+
+/// Runs the solution once for each of its entries and for each effect. A pure function of its arguments, for
+/// any number of threads. An entry on which another one depends by name, as a wire to a placed part, can be
+/// left out only after that one.
+[[nodiscard]] Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t frames);
+
+/// For journals. `solution` is the one that was examined.
+[[nodiscard]] std::string toText(Needs const& needs);
+[[nodiscard]] Needs needsFrom(std::string const& text, Solution const& solution);
+
+} // namespace trembler::insight

@@ -1,0 +1,68 @@
+// What a designer wants to know of a level: what its solutions need, how exact they must be, and what else
+// solves it.
+#pragma once
+
+#include "insight/ablation/needs.hpp"
+#include "insight/cost/accuracy_needed.hpp"
+#include "insight/kind/cause_graph.hpp"
+#include "insight/robustness/robustness.hpp"
+#include "insight/search/search.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+struct ReportOptions {
+    RobustnessOptions robustness;
+    int drops = 100;          ///< runs with each single part dropped at random
+    bool maps = false;        ///< where each part may lie
+    double mapStep = 0.05;    ///< m
+    int mapReach = 4;         ///< steps to each side
+    bool costs = true;        ///< effects' times, and the cheapest ways to compute; not reproducible
+    std::uint64_t search = 0; ///< trials in search of other solutions; 0: none
+    /// Called with what is being done, for progress; may be empty.
+    std::function<void(std::string const&)> step;
+};
+
+struct SolutionReport {
+    std::string name;
+    bool expected = true; ///< recorded as a solution, and not as a run that does not solve the level
+    Needs needs;
+    CauseGraph graph;     ///< of `needs.least`
+    std::size_t kind = 0; ///< solutions of one kind have the same number, from 1; 0: it does not solve
+    Robustness robustness;
+    std::vector<PlaceMap> maps;
+};
+
+struct LevelReport {
+    std::string level;
+    std::string title;
+    std::uint64_t seed = 1;
+    Jitter jitter;
+    bool demonstration = false; ///< it is meant to reach its goals by itself
+    bool emptyToolboxSolves = false;
+    std::vector<SolutionReport> solutions;
+    std::size_t kinds = 0;
+    std::vector<Drop> drops;
+    std::vector<EffectCost> costs;
+    std::vector<WayToCompute> ways;
+    std::optional<SearchResult> search;
+    /// By index in search->found: the recorded solution of the same kind; empty: there is none.
+    std::vector<std::string> foundAs;
+    bool complete = true; ///< false: the work was stopped before its end
+};
+
+/// Runs the level many times. Everything but the times depends on the level, the options and the program
+/// only. Throws InputError if a recorded solution cannot be run.
+[[nodiscard]] LevelReport reportOn(LevelUnderTest const& level, ReportOptions const& options,
+                                   Workers& workers);
+
+/// Why a puzzle falls short of what is expected of one, in words; nothing expected of a demonstration: an
+/// empty toolbox does not solve it, two recorded solutions differ in kind, each succeeds in 90 % of its
+/// displaced runs, and no single part dropped at random solves it in more than 5 % of its runs.
+[[nodiscard]] std::vector<std::string> shortcomings(LevelReport const& report);
+
+} // namespace trembler::insight

@@ -1,0 +1,109 @@
+#include "insight/report/report_text.hpp"
+#include "runtime/level/write/write_level.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace trembler::insight {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json mapJson(PlaceMap const& map) {
+    Json made;
+    made["part"] = map.part;
+    made["placement"] = map.placement;
+    made["step_m"] = map.step;
+    made["rows"] = map.rows;
+    return made;
+}
+
+Json solutionJson(SolutionReport const& solution) {
+    Json made;
+    made["name"] = solution.name;
+    made["expected_to_solve"] = solution.expected;
+    made["solves"] = solution.needs.solves;
+    if (!solution.needs.solves) {
+        return made;
+    }
+    made["frame"] = solution.needs.frame;
+    made["kind"] = inWords(solution.graph);
+    made["kind_number"] = solution.kind;
+    made["needs_parts"] = solution.needs.parts;
+    made["needs_deeds"] = solution.needs.deeds;
+    made["needs_effects"] = solution.needs.effects;
+    made["superfluous"] = solution.needs.superfluous;
+    made["superfluous_effects"] = solution.needs.idleEffects;
+    made["robustness"] = solution.robustness.share();
+    made["robustness_runs"] = solution.robustness.runs;
+    made["robustness_redrawn"] = solution.robustness.redrawn;
+    if (!solution.maps.empty()) {
+        made["places"] = Json::array();
+        for (PlaceMap const& map : solution.maps) {
+            made["places"].push_back(mapJson(map));
+        }
+    }
+    return made;
+}
+
+} // namespace
+
+nlohmann::ordered_json toJson(FoundSolution const& found) {
+    Json made;
+    made["kind"] = inWords(found.graph);
+    made["needs_parts"] = found.needs.parts;
+    made["needs_deeds"] = found.needs.deeds;
+    made["needs_effects"] = found.needs.effects;
+    made["frame"] = found.needs.frame;
+    made["run"] = found.run;
+    made["times"] = found.times;
+    made["solution"] = writeSolution(found.needs.least);
+    return made;
+}
+
+nlohmann::ordered_json toJson(LevelReport const& report) {
+    Json made;
+    made["level"] = report.level;
+    made["complete"] = report.complete;
+    made["demonstration"] = report.demonstration;
+    made["empty_toolbox_solves"] = report.emptyToolboxSolves;
+    made["seed"] = report.seed;
+    made["jitter"] = {{"cm", 100 * report.jitter.distance}, {"degrees", report.jitter.angle}};
+    made["kinds"] = report.kinds;
+    made["solutions"] = Json::array();
+    for (SolutionReport const& solution : report.solutions) {
+        made["solutions"].push_back(solutionJson(solution));
+    }
+    made["drops"] = Json::array();
+    for (Drop const& drop : report.drops) {
+        made["drops"].push_back(
+            {{"part", drop.part}, {"runs", drop.runs}, {"solved", drop.solved}, {"share", drop.share()}});
+    }
+    made["effects"] = Json::array();
+    for (EffectCost const& cost : report.costs) {
+        made["effects"].push_back({{"effect", cost.effect}, {"us_per_frame", cost.microseconds}});
+    }
+    made["ways_to_compute"] = Json::array();
+    for (WayToCompute const& way : report.ways) {
+        made["ways_to_compute"].push_back({{"effect", way.effect},
+                                           {"level", way.level},
+                                           {"present", way.present},
+                                           {"keeps_all_verdicts", way.keepsAll},
+                                           {"differs_in", way.differs},
+                                           {"us_per_frame", way.microseconds}});
+    }
+    made["found"] = Json::array();
+    if (report.search) {
+        for (std::size_t i = 0; i < report.search->found.size(); ++i) {
+            Json one = toJson(report.search->found[i]);
+            one["recorded_as"] = report.foundAs[i].empty() ? Json() : Json(report.foundAs[i]);
+            made["found"].push_back(std::move(one));
+        }
+        made["search"] = {{"runs", report.search->runs}, {"solved", report.search->solved}};
+    }
+    made["shortcomings"] = shortcomings(report);
+    return made;
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,29 @@
+// A report on levels as JSON, as Markdown and in words.
+#pragma once
+
+#include "insight/report/level_report.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// One level; other programs rely on its keys, see docs/solving.md.
+[[nodiscard]] nlohmann::ordered_json toJson(LevelReport const& report);
+/// One found solution: kind, parts, deeds, effects, when it was found, and the solution itself.
+[[nodiscard]] nlohmann::ordered_json toJson(FoundSolution const& found);
+
+/// One table: a row for each level, with what falls short. Like toMarkdown() without times, so that it is
+/// the same on every machine.
+[[nodiscard]] std::string toMarkdownTable(std::vector<LevelReport> const& reports);
+/// That table and a section for each level: what its solutions need, where parts may lie, what was found.
+[[nodiscard]] std::string toMarkdown(std::vector<LevelReport> const& reports);
+/// The sections alone.
+[[nodiscard]] std::string toMarkdownSections(std::vector<LevelReport> const& reports);
+
+/// For the terminal, a few lines for each level.
+[[nodiscard]] std::string toWords(LevelReport const& report);
+
+} // namespace trembler::insight

@@ -1,0 +1,153 @@
+#include "insight/robustness/robustness.hpp"
+
+#include "insight/search/random_placement.hpp"
+#include "insight/trial/trial.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace trembler::insight {
+namespace {
+
+/// What identifies a solution in keys: its name may be that of another one after a change of the level, but
+/// then the level's identity is another one as well.
+std::string nameInKeys(LevelUnderTest const& level, Solution const& solution, std::uint64_t frames) {
+    return fmt::format("{}/{}/{}", level.identity(), solution.name, frames);
+}
+
+} // namespace
+
+std::uint64_t patienceFor(SolvedBy const& solved) {
+    return patience(solved.frame, framesOf(*solved.solution));
+}
+
+std::vector<Robustness> robustnessOf(LevelUnderTest const& level, std::vector<SolvedBy> const& solutions,
+                                     RobustnessOptions const& options, Workers& workers) {
+    struct Run {
+        std::size_t solution;
+        std::uint64_t number;
+    };
+    std::vector<Run> runs;
+    std::vector<std::string> keys;
+    for (std::size_t i = 0; i < solutions.size(); ++i) {
+        Solution const& solution = *solutions[i].solution;
+        int const count = solution.placements.empty() ? 0 : options.runs;
+        for (int n = 0; n < count; ++n) {
+            runs.push_back({i, static_cast<std::uint64_t>(n)});
+            keys.push_back(fmt::format("robustness/{}/{}/{}/{}/{}",
+                                       nameInKeys(level, solution, patienceFor(solutions[i])), options.seed,
+                                       options.jitter.distance, options.jitter.angle, n));
+        }
+    }
+    auto const results = workers.share(keys, [&](std::size_t index) {
+        Run const& run = runs[index];
+        SolvedBy const& solved = solutions[run.solution];
+        CounterRandom random(
+            keyOf(options.seed, {"robustness", level.identity(), solved.solution->name}, run.number));
+        int redrawn = 0;
+        auto const displaced = jittered(level, *solved.solution, options.jitter, random, redrawn);
+        TrialResult result;
+        if (displaced) {
+            result = tryOut(level, *displaced, {.frames = patienceFor(solved), .mustFit = false});
+        }
+        return nlohmann::json{displaced.has_value(), result.solved, redrawn}.dump();
+    });
+    std::vector<Robustness> found(solutions.size());
+    for (std::size_t index = 0; index < runs.size(); ++index) {
+        if (!results[index]) {
+            continue;
+        }
+        nlohmann::json const told = nlohmann::json::parse(*results[index]);
+        Robustness& robustness = found[runs[index].solution];
+        robustness.runs += told.at(0).get<bool>() ? 1 : 0;
+        robustness.solved += told.at(1).get<bool>() ? 1 : 0;
+        robustness.redrawn += told.at(2).get<int>();
+    }
+    return found;
+}
+
+std::vector<std::vector<PlaceMap>> placeMapsOf(LevelUnderTest const& level,
+                                               std::vector<SolvedBy> const& solutions, double step, int reach,
+                                               Workers& workers) {
+    struct Cell {
+        std::size_t solution;
+        std::size_t placement;
+        int row;
+        int column;
+    };
+    int const side = 2 * reach + 1;
+    std::vector<Cell> cells;
+    std::vector<std::string> keys;
+    std::vector<std::vector<PlaceMap>> maps(solutions.size());
+    for (std::size_t i = 0; i < solutions.size(); ++i) {
+        Solution const& solution = *solutions[i].solution;
+        for (std::size_t p = 0; p < solution.placements.size(); ++p) {
+            maps[i].push_back({solution.placements[p].part, p, step, reach,
+                               std::vector<std::string>(static_cast<std::size_t>(side),
+                                                        std::string(static_cast<std::size_t>(side), '?'))});
+            for (int row = 0; row < side; ++row) {
+                for (int column = 0; column < side; ++column) {
+                    cells.push_back({i, p, row, column});
+                    keys.push_back(fmt::format("map/{}/{}/{}/{}/{}",
+                                               nameInKeys(level, solution, patienceFor(solutions[i])), p,
+                                               step, row - reach, column - reach));
+                }
+            }
+        }
+    }
+    auto const results = workers.share(keys, [&](std::size_t index) {
+        Cell const& cell = cells[index];
+        Solution moved = *solutions[cell.solution].solution;
+        moved.placements[cell.placement].at += Vec2{step * (cell.column - reach), step * (reach - cell.row)};
+        bool const recorded = cell.row == reach && cell.column == reach;
+        return toText(
+            tryOut(level, moved, {.frames = patienceFor(solutions[cell.solution]), .mustFit = !recorded}));
+    });
+    for (std::size_t index = 0; index < cells.size(); ++index) {
+        if (results[index]) {
+            Cell const& cell = cells[index];
+            TrialResult const result = trialFrom(*results[index]);
+            maps[cell.solution][cell.placement]
+                .rows[static_cast<std::size_t>(cell.row)][static_cast<std::size_t>(cell.column)] =
+                !result.fits ? ' ' : (result.solved ? '#' : '.');
+        }
+    }
+    return maps;
+}
+
+std::vector<Drop> randomDrops(LevelUnderTest const& level, int runs, std::uint64_t frames, std::uint64_t seed,
+                              Workers& workers) {
+    std::vector<Drop> drops;
+    std::vector<std::string> keys;
+    for (ToolboxEntry const& entry : level.level().toolbox) {
+        drops.push_back({entry.part});
+        for (int n = 0; n < runs; ++n) {
+            keys.push_back(fmt::format("drop/{}/{}/{}/{}/{}", level.identity(), entry.part, frames, seed, n));
+        }
+    }
+    auto const each = static_cast<std::size_t>(std::max(1, runs));
+    auto const results = workers.share(keys, [&](std::size_t index) {
+        std::string const& part = drops[index / each].part;
+        CounterRandom random(keyOf(seed, {"drop", level.identity(), part}, index % each));
+        Solution solution;
+        TrialResult result;
+        result.fits = false;
+        if (auto const placement = placedAtRandom(level, solution, part, random)) {
+            solution.placements.push_back(*placement);
+            result = tryOut(level, solution, {.frames = frames});
+        }
+        return toText(result);
+    });
+    for (std::size_t index = 0; index < results.size(); ++index) {
+        if (results[index]) {
+            TrialResult const result = trialFrom(*results[index]);
+            drops[index / each].runs += result.fits ? 1 : 0;
+            drops[index / each].solved += result.solved ? 1 : 0;
+        }
+    }
+    return drops;
+}
+
+} // namespace trembler::insight

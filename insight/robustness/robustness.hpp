@@ -1,0 +1,73 @@
+// How exactly a solution's parts must be placed.
+#pragma once
+
+#include "insight/robustness/jitter.hpp"
+#include "insight/spread/workers.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+struct RobustnessOptions {
+    int runs = 200; ///< displaced runs of each solution
+    Jitter jitter;
+    std::uint64_t seed = 1;
+};
+
+struct Robustness {
+    int runs = 0; ///< that were made; fewer than asked for if the work was stopped
+    int solved = 0;
+    int redrawn = 0; ///< displacements that no player could have made, see jittered()
+
+    /// Of the runs, 0 to 1; 0 if there were none.
+    [[nodiscard]] double share() const { return runs == 0 ? 0 : static_cast<double>(solved) / runs; }
+};
+
+/// A solution and the frame in which it solves its level.
+struct SolvedBy {
+    Solution const* solution = nullptr;
+    std::uint64_t frame = 0;
+};
+
+/// For how long a displaced run may last: patience(), but never longer than the recording states.
+[[nodiscard]] std::uint64_t patienceFor(SolvedBy const& solved);
+
+/// Runs each solution with displaced placements. Run n of a solution has its own random numbers, from the
+/// seed, the level, the solution's name and n. A solution without placements is not displaced: it gets one
+/// run.
+[[nodiscard]] std::vector<Robustness> robustnessOf(LevelUnderTest const& level,
+                                                   std::vector<SolvedBy> const& solutions,
+                                                   RobustnessOptions const& options, Workers& workers);
+
+/// Where one part may lie while the others stay in their places: a grid of displacements.
+struct PlaceMap {
+    std::string part;
+    std::size_t placement = 0; ///< its index in the solution
+    double step = 0;           ///< m, between neighbours
+    int reach = 0;             ///< steps to each side: the grid has 2 reach + 1 rows and columns
+    /// From the top row to the lowest, each from left to right: '#' solved, '.' not solved, ' ' it does not
+    /// fit there, '?' not run, because the work was stopped. The middle is the recorded place.
+    std::vector<std::string> rows;
+};
+
+/// One map for each placement of each solution, by solution.
+[[nodiscard]] std::vector<std::vector<PlaceMap>> placeMapsOf(LevelUnderTest const& level,
+                                                             std::vector<SolvedBy> const& solutions,
+                                                             double step, int reach, Workers& workers);
+
+/// How often single parts solve the level when they are dropped anywhere.
+struct Drop {
+    std::string part;
+    int runs = 0;
+    int solved = 0;
+    [[nodiscard]] double share() const { return runs == 0 ? 0 : static_cast<double>(solved) / runs; }
+};
+
+/// For each part of the toolbox: `runs` runs with it alone, in a random place where it fits and turned by a
+/// random multiple of 15 degrees. A part that fits nowhere gets no run.
+[[nodiscard]] std::vector<Drop> randomDrops(LevelUnderTest const& level, int runs, std::uint64_t frames,
+                                            std::uint64_t seed, Workers& workers);
+
+} // namespace trembler::insight

@@ -1,0 +1,142 @@
+#include "insight/search/mutation.hpp"
+
+#include "insight/search/random_placement.hpp"
+#include "insight/search/wire_ends.hpp"
+#include "insight/trial/trial.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace trembler::insight {
+namespace {
+
+constexpr std::size_t mostPlacedParts = 8;
+constexpr int changesTried = 12;
+constexpr std::array<double, 7> moveScales{0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8}; // m
+constexpr std::array<double, 6> turnScales{2, 5, 15, 45, 90, 180};                // degrees
+
+/// Of n parents the first twice as often as one in the middle.
+Parent const& oneOf(std::span<Parent const> parents, CounterRandom& random) {
+    std::size_t const a = random.below(parents.size());
+    std::size_t const b = random.below(parents.size());
+    return parents[std::min(a, b)];
+}
+
+std::vector<std::string> partsLeft(LevelUnderTest const& level, Solution const& solution) {
+    std::vector<std::string> left;
+    for (ToolboxEntry const& entry : level.level().toolbox) {
+        if (leftInToolbox(level, solution, entry.part) > 0) {
+            left.push_back(entry.part);
+        }
+    }
+    return left;
+}
+
+} // namespace
+
+Mutator::Mutator(LevelUnderTest const& level, bool hands)
+    : level_(level), hands_(hands), places_(placesOfInterest(level)), things_(thingsIn(level.world())) {}
+
+Solution Mutator::changed(std::span<Parent const> parents, CounterRandom& random) const {
+    Solution made;
+    for (int n = 0; n < changesTried; ++n) {
+        made = oneOf(parents, random).solution;
+        changeOnce(made, parents, random);
+        while (random.chance(0.3)) {
+            changeOnce(made, parents, random);
+        }
+        if (!whyNotPlaced(level_, made)) {
+            return made;
+        }
+    }
+    return made;
+}
+
+void Mutator::changeOnce(Solution& solution, std::span<Parent const> parents, CounterRandom& random) const {
+    double const which = random.unit();
+    if (which < 0.12 && hands_) {
+        if (random.chance(0.3) || !addRandomDeed(level_, things_, places_, solution, random)) {
+            removeRandomDeed(solution, random);
+        }
+    } else if (which < 0.2 && level_.level().wires > 0) {
+        if (random.chance(0.4) && !solution.wires.empty()) {
+            solution.wires.erase(solution.wires.begin() +
+                                 static_cast<std::ptrdiff_t>(random.below(solution.wires.size())));
+        } else {
+            addRandomWire(level_, solution, random);
+        }
+    } else if (which < 0.45 || solution.placements.empty()) {
+        addPart(solution, random);
+    } else if (which < 0.7) {
+        movePart(solution, random);
+    } else if (which < 0.78) {
+        turnPart(solution, random);
+    } else if (which < 0.86) {
+        exchangePart(solution, random);
+    } else if (which < 0.94) {
+        takeOver(solution, oneOf(parents, random), random);
+    } else {
+        solution.placements.erase(solution.placements.begin() +
+                                  static_cast<std::ptrdiff_t>(random.below(solution.placements.size())));
+    }
+}
+
+void Mutator::movePart(Solution& solution, CounterRandom& random) const {
+    Placement& placement = solution.placements[random.below(solution.placements.size())];
+    if (random.chance(0.25) && !places_.empty()) { // to another place altogether
+        if (auto const there =
+                placedAt(level_, places_[random.below(places_.size())], placement.part, placement.angle)) {
+            placement.at = there->at;
+        }
+        return;
+    }
+    double const scale = moveScales[random.below(moveScales.size())];
+    placement.at += scale * Vec2{random.between(-1, 1), random.between(-1, 1)};
+}
+
+void Mutator::turnPart(Solution& solution, CounterRandom& random) {
+    Placement& placement = solution.placements[random.below(solution.placements.size())];
+    if (random.chance(0.25)) {
+        placement.flipped = !placement.flipped;
+        return;
+    }
+    double const degrees = turnScales[random.below(turnScales.size())];
+    placement.angle += (random.chance(0.5) ? degrees : -degrees) * pi / 180;
+}
+
+void Mutator::addPart(Solution& solution, CounterRandom& random) const {
+    std::vector<std::string> const left = partsLeft(level_, solution);
+    if (left.empty() || solution.placements.size() >= mostPlacedParts) {
+        return;
+    }
+    std::string const& part = left[random.below(left.size())];
+    std::optional<Placement> placement;
+    if (places_.empty() || random.chance(0.2)) {
+        placement = placedAtRandom(level_, solution, part, random);
+    } else {
+        double const turn = random.chance(0.7) ? 0 : static_cast<double>(random.below(12)) * pi / 12;
+        placement = placedAt(level_, places_[random.below(places_.size())], part, turn);
+    }
+    if (placement) {
+        solution.placements.push_back(*placement);
+    }
+}
+
+void Mutator::exchangePart(Solution& solution, CounterRandom& random) const {
+    std::vector<std::string> const left = partsLeft(level_, solution);
+    if (!left.empty()) {
+        solution.placements[random.below(solution.placements.size())].part = left[random.below(left.size())];
+    }
+}
+
+void Mutator::takeOver(Solution& solution, Parent const& other, CounterRandom& random) const {
+    if (other.solution.placements.empty()) {
+        return;
+    }
+    Placement const& one = other.solution.placements[random.below(other.solution.placements.size())];
+    if (leftInToolbox(level_, solution, one.part) > 0 && solution.placements.size() < mostPlacedParts) {
+        solution.placements.push_back(one);
+    }
+}
+
+} // namespace trembler::insight

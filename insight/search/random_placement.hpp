@@ -1,0 +1,32 @@
+// Placements at random: what a search is compared with.
+#pragma once
+
+#include "insight/chance/counter_random.hpp"
+#include "insight/trial/level_under_test.hpp"
+#include "runtime/level/model/level.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// The areas in which parts may be placed: those that the level states, else its bounds, else a rectangle
+/// around all that it has, with a margin of 1 m.
+[[nodiscard]] std::vector<Area> placingAreas(LevelUnderTest const& level);
+
+/// A part in a random place, in addition to what the solution places: evenly distributed over the areas for
+/// placing, upright or turned by a random multiple of 15 degrees, so that it overlaps nothing. Nothing if
+/// 64 places were tried in vain, or the toolbox has none left.
+[[nodiscard]] std::optional<Placement> placedAtRandom(LevelUnderTest const& level, Solution const& others,
+                                                      std::string const& part, CounterRandom& random);
+
+/// A solution of 1 to 4 random parts of the toolbox in random places, and of random wires if the toolbox has
+/// some.
+[[nodiscard]] Solution randomSolution(LevelUnderTest const& level, CounterRandom& random);
+
+/// How many of a part the toolbox has left beside what the solution places.
+[[nodiscard]] int leftInToolbox(LevelUnderTest const& level, Solution const& solution,
+                                std::string const& part);
+
+} // namespace trembler::insight

@@ -1,0 +1,126 @@
+#include "insight/spread/journal.hpp"
+
+#include "runtime/file/output_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <unistd.h>
+
+namespace trembler::insight {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path ofMember(fs::path const& file, int rank) {
+    return rank == 0 ? file : fs::path(fmt::format("{}.{}", file.string(), rank));
+}
+
+bool endsWithinALine(fs::path const& file) {
+    std::ifstream in(file, std::ios::binary | std::ios::ate);
+    if (!in || in.tellg() <= 0) {
+        return false;
+    }
+    in.seekg(-1, std::ios::end);
+    return in.get() != '\n';
+}
+
+[[noreturn]] void refuseJournal(fs::path const& file, int error) {
+    throw OutputError(fmt::format("{}: cannot be written: {}", file.string(),
+                                  std::error_code(error, std::generic_category()).message()));
+}
+
+} // namespace
+
+Journal::Journal(fs::path file, Team& team) : file_(ofMember(file, team.rank())) {
+    // Only the leader reads, as the others may be on machines that do not have its files.
+    std::string contents;
+    std::string problem;
+    if (team.leads()) {
+        try {
+            std::error_code error;
+            read(file);
+            for (int rank = 1; fs::exists(ofMember(file, rank), error); ++rank) {
+                read(ofMember(file, rank));
+            }
+            contents = nlohmann::json(known_).dump();
+        } catch (std::exception const& error) {
+            problem = error.what();
+        }
+    }
+    std::string const message = nlohmann::json{{"problem", problem}, {"known", contents}}.dump();
+    nlohmann::json const told = nlohmann::json::parse(team.exchange(team.leads() ? message : "").front());
+    if (!told["problem"].get<std::string>().empty()) {
+        throw std::invalid_argument(told["problem"].get<std::string>());
+    }
+    known_ =
+        nlohmann::json::parse(told["known"].get<std::string>()).get<std::map<std::string, std::string>>();
+    descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+        refuseJournal(file_, errno);
+    }
+    if (endsWithinALine(file_)) { // what was cut off stays, and is left out by every reader
+        [[maybe_unused]] ssize_t const written = ::write(descriptor_, "\n", 1);
+    }
+}
+
+Journal::~Journal() {
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
+    }
+}
+
+void Journal::read(fs::path const& file) {
+    std::ifstream in(file, std::ios::binary);
+    constexpr std::string_view begin = R"({"work":)";
+    std::string line;
+    std::size_t number = 0;
+    while (std::getline(in, line)) {
+        ++number;
+        nlohmann::json const entry = nlohmann::json::parse(line, nullptr, false);
+        if (entry.is_discarded() && (line.starts_with(begin) || begin.starts_with(line))) {
+            continue; // cut off
+        }
+        if (!entry.is_object() || !entry.contains("work") || !entry.contains("result") ||
+            !entry["work"].is_string() || !entry["result"].is_string()) {
+            throw std::invalid_argument(
+                fmt::format("{}, line {}: expected {{\"work\": TEXT, \"result\": TEXT}}, as --resume writes "
+                            "it; name a file that was written so, or a new one",
+                            file.string(), number));
+        }
+        known_.emplace(entry["work"].get<std::string>(), entry["result"].get<std::string>());
+    }
+}
+
+std::optional<std::string> Journal::find(std::string const& key) const {
+    auto const found = known_.find(key);
+    return found == known_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Journal::add(std::string const& key, std::string const& result) {
+    nlohmann::ordered_json entry;
+    entry["work"] = key;
+    entry["result"] = result;
+    std::string const line =
+        entry.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    std::lock_guard const lock(mutex_);
+    std::size_t done = 0;
+    while (done < line.size()) {
+        ssize_t const written = ::write(descriptor_, line.data() + done, line.size() - done);
+        if (written < 0 && errno == EINTR) {
+            continue;
+        }
+        if (written <= 0) {
+            refuseJournal(file_, errno);
+        }
+        done += static_cast<std::size_t>(written);
+    }
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,47 @@
+#include "insight/trial/level_under_test.hpp"
+
+#include "puzzle/campaign/as_played.hpp"
+#include "puzzle/run/run_report.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "runtime/level/write/write_level.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace trembler::insight {
+namespace {
+
+/// The seconds of all "for" in the goals, whatever condition they belong to.
+double secondsStated(nlohmann::json const& goals) {
+    double sum = 0;
+    if (goals.is_object() && goals.contains("for") && goals["for"].is_number()) {
+        sum += std::clamp(goals["for"].get<double>(), 0.0, 3600.0);
+    }
+    if (goals.is_structured()) {
+        for (nlohmann::json const& inner : goals) {
+            sum += secondsStated(inner);
+        }
+    }
+    return sum;
+}
+
+} // namespace
+
+LevelUnderTest::LevelUnderTest(GameData const& data, std::filesystem::path const& file)
+    : data_(data), level_(asPlayed(loadLevel(data.registry, file), "")), name_(data.shortName(file)) {
+    if (level_.goals.is_null()) {
+        throw std::invalid_argument(fmt::format("{}: the level has no goals, so nothing solves it", name_));
+    }
+    std::string const text = levelText(level_);
+    identity_ = hashText(XXH3_64bits(text.data(), text.size()));
+    world_ = buildWorld(data.registry, level_, data.parts);
+    holdingFrames_ = static_cast<std::uint64_t>(std::ceil(60 * secondsStated(level_.goals)));
+}
+
+} // namespace trembler::insight

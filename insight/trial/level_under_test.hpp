@@ -1,0 +1,44 @@
+// A level that is run many times.
+#pragma once
+
+#include "puzzle/data/game_data.hpp"
+#include "runtime/level/model/level.hpp"
+#include "runtime/world/world.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace trembler::insight {
+
+/// Reading it from several threads at once is safe. The game data must outlive it.
+class LevelUnderTest {
+public:
+    /// Throws InputError if the level cannot be read or built, std::invalid_argument if it has no goals. A
+    /// demonstration with a task is tested as it is played: its goals are the task.
+    LevelUnderTest(GameData const& data, std::filesystem::path const& file);
+
+    [[nodiscard]] GameData const& data() const { return data_; }
+    [[nodiscard]] LevelFile const& level() const { return level_; }
+    /// As a person would name it.
+    [[nodiscard]] std::string const& name() const { return name_; }
+    /// 16 hex digits that identify what the level states, for keys of work on it.
+    [[nodiscard]] std::string const& identity() const { return identity_; }
+    /// The level's world before its first frame, without any part of the toolbox.
+    [[nodiscard]] World const& world() const { return *world_; }
+    /// How long the goals' conditions must hold altogether, in frames: a world at rest has no other future
+    /// than this to offer to them.
+    [[nodiscard]] std::uint64_t holdingFrames() const { return holdingFrames_; }
+
+private:
+    GameData const& data_;
+    LevelFile level_;
+    std::string name_;
+    std::string identity_;
+    std::unique_ptr<World> world_;
+    std::uint64_t holdingFrames_ = 0;
+};
+
+} // namespace trembler::insight

@@ -1,0 +1,80 @@
+// trembler solve and report, shared out among processes by mpirun.
+#include "tests/game/app/program.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <sys/wait.h>
+
+namespace trembler::test {
+namespace {
+
+using nlohmann::json;
+
+class SharedOut : public InAFolder {
+protected:
+    void SetUp() override {
+        InAFolder::SetUp();
+        if (!std::filesystem::exists(TREMBLER_BINARY_DIR "/trembler-mpi.so") ||
+            std::system("command -v mpirun >/dev/null 2>&1") != 0) { // NOLINT(*-mt-unsafe): one thread
+            GTEST_SKIP() << "built without MPI, or there is no mpirun: scripts/install clusters";
+        }
+    }
+    /// What the program writes into a file when that many processes run it.
+    [[nodiscard]] std::string shared(int processes, std::string const& arguments) const {
+        std::string const file = at(fmt::format("out-{}.json", processes));
+        // The variables let Open MPI be run by root, as in a container.
+        std::string const command = fmt::format(
+            "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n {} "
+            "'" TREMBLER_BINARY_DIR "/trembler' {} --threads 1 --mpi --json '{}' >'{}' 2>&1",
+            processes, arguments, file, at("words"));
+        int const status = std::system(command.c_str()); // NOLINT(*-mt-unsafe)
+        EXPECT_TRUE(WIFEXITED(status)) << contentsOf(at("words"));
+        EXPECT_LE(WEXITSTATUS(status), 1) << contentsOf(at("words"));
+        return contentsOf(file);
+    }
+    std::string const good = levelFile("first/1-first-contact.json").string();
+};
+
+TEST_F(SharedOut, ASearchFindsTheSameInAnyNumberOfProcesses) {
+    json expected;
+    for (int const processes : {1, 2, 3}) {
+        json all = json::parse(shared(processes, fmt::format("solve '{}' --runs 90 --frames 600", good)));
+        EXPECT_EQ(all["processes"], processes);
+        for (char const* const key : {"seconds", "runs_per_second", "processes"}) {
+            all.erase(key);
+        }
+        EXPECT_FALSE(all["found"].empty());
+        if (processes == 1) {
+            expected = all;
+        }
+        EXPECT_EQ(all, expected) << processes;
+    }
+}
+
+TEST_F(SharedOut, AReportIsTheSameInAnyNumberOfProcesses) {
+    std::string const arguments = fmt::format("report '{}' --runs 8 --drops 4 --brief", good);
+    std::string const expected = shared(1, arguments);
+    EXPECT_FALSE(expected.empty());
+    EXPECT_EQ(shared(2, arguments), expected);
+    EXPECT_EQ(shared(3, arguments), expected);
+}
+
+TEST_F(SharedOut, FinishedWorkIsNotDoneAgain) {
+    std::string const arguments =
+        fmt::format("solve '{}' --runs 70 --frames 600 --resume '{}'", good, at("journal.jsonl"));
+    json two = json::parse(shared(2, arguments));
+    std::string const first = contentsOf(at("journal.jsonl"));
+    std::string const second = contentsOf(at("journal.jsonl.1"));
+    EXPECT_FALSE(second.empty()) << "each process writes a file of its own";
+    json three = json::parse(shared(3, arguments));
+    EXPECT_EQ(two["found"], three["found"]);
+    EXPECT_EQ(contentsOf(at("journal.jsonl")), first);
+    EXPECT_EQ(contentsOf(at("journal.jsonl.1")), second);
+}
+
+} // namespace
+} // namespace trembler::test

@@ -1,0 +1,84 @@
+#include "insight/report/level_report.hpp"
+#include "insight/report/report_text.hpp"
+#include "tests/insight/support/on_threads.hpp"
+#include "tests/insight/support/tested_level.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace trembler::insight {
+namespace {
+
+ReportOptions shortReport() {
+    ReportOptions options;
+    options.robustness.runs = 10;
+    options.drops = 10;
+    options.costs = false;
+    return options;
+}
+
+TEST(LevelReport, SaysWhatTheSolutionsOfTheFirstLevelNeed) {
+    Workers workers(onThreads(2));
+    LevelReport const report = reportOn(firstContact(), shortReport(), workers);
+    EXPECT_FALSE(report.emptyToolboxSolves);
+    EXPECT_EQ(report.kinds, 2U);
+    nlohmann::json const json = nlohmann::json::parse(toJson(report).dump());
+    EXPECT_EQ(json["level"], "levels/first/1-first-contact.json");
+    EXPECT_EQ(json["empty_toolbox_solves"], false);
+    ASSERT_EQ(json["solutions"].size(), 3U);
+    EXPECT_EQ(json["solutions"][0]["needs_parts"], nlohmann::json::array({"steel bar"}));
+    EXPECT_EQ(json["solutions"][0]["robustness"], 1.0);
+    EXPECT_EQ(json["solutions"][2]["solves"], false);
+    EXPECT_TRUE(json["found"].empty());
+    std::string const page = toMarkdown({report});
+    EXPECT_NE(page.find("| the steel bar | 1: steel bar; "), std::string::npos) << page;
+    EXPECT_NE(toWords(report).find("'the wooden bar' does not solve it, as recorded"), std::string::npos);
+    // The same page with other threads.
+    Workers one(onThreads(1));
+    EXPECT_EQ(toMarkdown({reportOn(firstContact(), shortReport(), one)}), page);
+}
+
+TEST(LevelReport, MeasuresWhatIsNeededToComputeALevel) {
+    ReportOptions options = shortReport();
+    options.robustness.runs = 0;
+    options.drops = 0;
+    options.costs = true;
+    Workers workers(onThreads(2));
+    LevelReport const report = reportOn(firstContact(), options, workers);
+    EXPECT_TRUE(std::any_of(report.costs.begin(), report.costs.end(), [](EffectCost const& cost) {
+        return cost.effect == "dynamics" && cost.microseconds > 0;
+    }));
+    auto const present = std::find_if(report.ways.begin(), report.ways.end(), [](WayToCompute const& way) {
+        return way.effect == "electricity" && way.present;
+    });
+    ASSERT_NE(present, report.ways.end());
+    EXPECT_TRUE(present->keepsAll) << present->differs;
+    EXPECT_TRUE(std::any_of(report.ways.begin(), report.ways.end(), [](WayToCompute const& way) {
+        return way.level == "4 substeps" && way.keepsAll;
+    }));
+}
+
+TEST(LevelReport, NamesTheShortcomingsOfAPuzzle) {
+    LevelReport report;
+    EXPECT_EQ(shortcomings(report).size(), 1U) << "no kind of solution";
+    report.kinds = 2;
+    EXPECT_TRUE(shortcomings(report).empty());
+    report.emptyToolboxSolves = true;
+    SolutionReport fragile;
+    fragile.name = "a";
+    fragile.needs.solves = true;
+    fragile.robustness = {.runs = 10, .solved = 8};
+    report.solutions.push_back(fragile);
+    report.drops.push_back({"crate", 100, 6});
+    EXPECT_EQ(shortcomings(report).size(), 3U);
+    report.drops.front().solved = 5;
+    report.solutions.front().robustness.solved = 9;
+    EXPECT_EQ(shortcomings(report).size(), 1U);
+    report.demonstration = true;
+    EXPECT_TRUE(shortcomings(report).empty());
+}
+
+} // namespace
+} // namespace trembler::insight

@@ -1,0 +1,95 @@
+#include "insight/robustness/robustness.hpp"
+#include "insight/search/random_placement.hpp"
+#include "insight/trial/trial.hpp"
+#include "tests/insight/support/on_threads.hpp"
+#include "tests/insight/support/tested_level.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler::insight {
+namespace {
+
+SolvedBy solvedBy(char const* name) {
+    Solution const* const solution = firstContact().level().findSolution(name);
+    return {solution, tryOut(firstContact(), *solution, {}).frame};
+}
+
+TEST(Jitter, StaysWithinItsReachAndWhatAPlayerCanPlace) {
+    Solution const& bar = *firstContact().level().findSolution("the steel bar");
+    Jitter const jitter{.distance = 0.05, .angle = 3};
+    double farthest = 0;
+    for (std::uint64_t n = 0; n < 200; ++n) {
+        CounterRandom random(keyOf(1, {"test"}, n));
+        int redrawn = 0;
+        auto const displaced = jittered(firstContact(), bar, jitter, random, redrawn);
+        ASSERT_TRUE(displaced.has_value());
+        Placement const& placement = displaced->placements.front();
+        double const distance = length(placement.at - bar.placements.front().at);
+        farthest = std::max(farthest, distance);
+        EXPECT_LE(distance, 0.05);
+        EXPECT_LE(std::abs(placement.angle), 3 * pi / 180);
+        EXPECT_FALSE(whyNotPlaced(firstContact(), *displaced).has_value());
+    }
+    EXPECT_GT(farthest, 0.045);
+}
+
+TEST(Robustness, IsHighWhereABarLiesAcrossAGapAndLowWhereItIsThrownFar) {
+    RobustnessOptions options;
+    options.runs = 30;
+    Workers workers(onThreads(2));
+    auto const near = robustnessOf(firstContact(), {solvedBy("the steel bar")}, options, workers);
+    EXPECT_EQ(near.front().runs, 30);
+    EXPECT_EQ(near.front().share(), 1);
+    options.jitter = {.distance = 0.8, .angle = 90};
+    auto const far = robustnessOf(firstContact(), {solvedBy("the steel bar")}, options, workers);
+    EXPECT_LT(far.front().share(), 0.7);
+    EXPECT_GT(far.front().solved, 0);
+    // The same with one thread, and other displacements with another seed.
+    Workers one(onThreads(1));
+    EXPECT_EQ(robustnessOf(firstContact(), {solvedBy("the steel bar")}, options, one).front().solved,
+              far.front().solved);
+}
+
+TEST(PlaceMap, HasTheRecordedPlaceInItsMiddle) {
+    Workers workers(onThreads(2));
+    auto const maps = placeMapsOf(firstContact(), {solvedBy("the steel bar")}, 0.2, 2, workers);
+    ASSERT_EQ(maps.front().size(), 1U);
+    PlaceMap const& map = maps.front().front();
+    EXPECT_EQ(map.part, "steel bar");
+    ASSERT_EQ(map.rows.size(), 5U);
+    EXPECT_EQ(map.rows[2][2], '#');
+    EXPECT_EQ(map.rows[4][2], ' ') << "the area for placing ends above the contacts";
+    EXPECT_EQ(map.rows[0][2], '#') << "dropped from 40 cm higher it still lies across the gap";
+    // Each cell is what a run with that displacement does.
+    Solution moved = *firstContact().level().findSolution("the steel bar");
+    moved.placements.front().at += Vec2{0.4, 0.2};
+    EXPECT_EQ(map.rows[1][4] == '#', tryOut(firstContact(), moved, {}).solved);
+}
+
+TEST(RandomDrops, OnlyCountWhatFits) {
+    Workers workers(onThreads(2));
+    auto const drops = randomDrops(firstContact(), 20, 600, 1, workers);
+    ASSERT_EQ(drops.size(), 3U);
+    EXPECT_EQ(drops[0].part, "steel bar");
+    EXPECT_EQ(drops[0].runs, 20);
+    EXPECT_EQ(drops[1].part, "wooden bar");
+    EXPECT_EQ(drops[1].solved, 0) << "wood does not conduct";
+}
+
+TEST(RandomPlacement, FitsAndLiesInTheArea) {
+    for (std::uint64_t n = 0; n < 50; ++n) {
+        CounterRandom random(n);
+        auto const placement = placedAtRandom(firstContact(), {}, "spanner", random);
+        ASSERT_TRUE(placement.has_value());
+        Solution solution;
+        solution.placements.push_back(*placement);
+        EXPECT_FALSE(whyNotPlaced(firstContact(), solution).has_value());
+        EXPECT_FALSE(placedAtRandom(firstContact(), solution, "spanner", random)) << "there is only one";
+    }
+}
+
+} // namespace
+} // namespace trembler::insight

@@ -1,0 +1,51 @@
+#include "insight/spread/journal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace trembler::insight {
+namespace {
+
+class JournalFile : public testing::Test {
+protected:
+    void SetUp() override { std::filesystem::remove(file); }
+    void TearDown() override { std::filesystem::remove(file); }
+    void append(std::string const& text) const { std::ofstream(file, std::ios::app) << text; }
+
+    std::filesystem::path const file = std::filesystem::temp_directory_path() / "trembler-journal-test.jsonl";
+    Team team;
+};
+
+TEST_F(JournalFile, KeepsWhatIsAdded) {
+    Journal(file, team).add("a", R"({"x": "quoted \" text"})");
+    Journal const again(file, team);
+    EXPECT_EQ(again.find("a"), R"({"x": "quoted \" text"})");
+    EXPECT_FALSE(again.find("b").has_value());
+}
+
+TEST_F(JournalFile, LeavesOutALineThatWasCutOff) {
+    Journal(file, team).add("a", "1");
+    append(R"({"work":"b","resu)");
+    Journal(file, team).add("c", "3");
+    append(R"({"wo)");
+    Journal const all(file, team);
+    EXPECT_EQ(all.size(), 2U);
+    EXPECT_EQ(all.find("a"), "1");
+    EXPECT_EQ(all.find("c"), "3");
+}
+
+TEST_F(JournalFile, RefusesOtherFiles) {
+    append("{\n  \"version\": 2\n}\n");
+    try {
+        Journal const wrong(file, team);
+        FAIL() << "a level is no journal";
+    } catch (std::invalid_argument const& error) {
+        EXPECT_NE(std::string(error.what()).find("line 1"), std::string::npos) << error.what();
+    }
+}
+
+} // namespace
+} // namespace trembler::insight
