@@ -7,7 +7,7 @@
 #include "game/app/options/run_arguments.hpp"
 #include "game/app/options/sound_option.hpp"
 #include "game/app/progress.hpp"
-#include "game/watch/watch_table.hpp"
+#include "insight/probe/watch_table.hpp"
 #include "physics/dynamics/properties/settings.hpp"
 #include "physics/electricity/analyses/spice.hpp"
 #include "puzzle/run/frame_account.hpp"

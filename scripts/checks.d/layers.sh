@@ -2,7 +2,7 @@
 # Checks that includes point down only, and that effects include only each other's public headers.
 #
 # Layers, from below: runtime, physics, sound (audio/effect) and lua, then side by side audio/synth with audio/device
-# above it, render, and puzzle; then side by side measure and game; game/ui; game/app. Tests and benches may include
+# above it, render, and puzzle; insight; then side by side measure and game; game/ui; game/app. Tests and benches may include
 # anything, and nothing may include them. Our headers are included with quotes: the root of the repository is an include
 # path, so <> would find them too.
 #
@@ -28,7 +28,7 @@ for face in physics/*/register.hpp; do
     effects+=("$(dirname "$face")")
 done
 folders=()
-for folder in runtime physics audio lua render puzzle measure game; do
+for folder in runtime physics audio lua render puzzle insight measure game; do
     if [[ -d $folder ]]; then
         folders+=("$folder")
     fi
@@ -61,10 +61,11 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
         below["device"] = "runtime physics sound synth device"
         below["render"] = "runtime physics render"
         below["puzzle"] = "runtime physics sound lua puzzle"
+        below["insight"] = "runtime physics sound lua puzzle insight"
         below["measure"] = "runtime physics sound lua puzzle measure"
-        below["game"] = "runtime physics sound lua puzzle game"
-        below["ui"] = "runtime physics sound lua synth device render puzzle game ui"
-        below["app"] = "runtime physics sound lua synth device render puzzle measure game ui app"
+        below["game"] = "runtime physics sound lua puzzle insight game"
+        below["ui"] = "runtime physics sound lua synth device render puzzle insight game ui"
+        below["app"] = "runtime physics sound lua synth device render puzzle insight measure game ui app"
     }
     {
         split($0, part, ":")
@@ -76,7 +77,7 @@ grep -rnE --include='*.[ch]pp' --include='*.inc' '^[[:space:]]*#[[:space:]]*incl
         to = substr(to, 2)
         sub(/[">].*/, "", to)
         if (!quoted) {
-            if (to ~ /^(runtime|physics|audio|lua|render|puzzle|measure|game|tests|bench)\//) {
+            if (to ~ /^(runtime|physics|audio|lua|render|puzzle|insight|measure|game|tests|bench)\//) {
                 complain("our headers are included with quotes")
             }
             next

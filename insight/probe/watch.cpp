@@ -1,4 +1,4 @@
-#include "game/watch/watch.hpp"
+#include "insight/probe/watch.hpp"
 
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/population/birth_name.hpp"

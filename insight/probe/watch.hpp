@@ -1,7 +1,7 @@
 // Reads fields of a running world by name, frame by frame: for tables of numbers and for probes.
 #pragma once
 
-#include "game/watch/watched_fields.hpp"
+#include "insight/probe/watched_fields.hpp"
 #include "runtime/world/world.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "game/watch/watch_table.hpp"
+#include "insight/probe/watch_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Writes watched fields over time as a table.
 #pragma once
 
-#include "game/watch/watch.hpp"
+#include "insight/probe/watch.hpp"
 
 #include <cstdint>
 #include <iosfwd>
