@@ -145,7 +145,8 @@ void Recording::pack() {
     packedBytes_ += block.packed->bytes();
     everPacked_ += block.packed->bytes();
     blocks_.push_back(std::move(block));
-    while (bytes() > mostBytes_ && blocks_.size() > 1) {
+    std::size_t const loose = 2 * looseBytes(); // by when they are packed there are twice as many
+    while (packedBytes_ + loose > mostBytes_ && blocks_.size() > 1) {
         std::size_t const before = packedBytes_;
         thin();
         if (packedBytes_ >= before) {

@@ -89,19 +89,19 @@ TEST_F(RecordingTest, ShowsEveryFrameOfEveryLevelBitForBit) {
 TEST_F(RecordingTest, KeepsWithinItsMemoryAndThinsTheOldestFirst) {
     openWith(load("2-doorbell.json"), "hit the bell with the switch");
     Recording all;
-    auto const states = record(all, 2000);
-    std::size_t const most = all.bytes() / 2;
+    auto const states = record(all, 4000);
+    std::size_t const most = all.bytes() * 3 / 4;
     Recording recording(most);
-    record(recording, 2000);
+    record(recording, 4000);
     EXPECT_LE(recording.bytes(), most);
     EXPECT_LT(recording.frames(), all.frames());
-    EXPECT_EQ(recording.last(), 2000U);
+    EXPECT_EQ(recording.last(), 4000U);
     // What remains is still exact, and the gaps grow towards the beginning.
     Stage shown = stage();
     std::uint64_t early = 0;
     std::uint64_t late = 0;
     for (auto frame = std::optional<std::uint64_t>(0); frame; frame = recording.after(*frame)) {
-        (*frame <= 1000 ? early : late) += 1;
+        (*frame <= 2000 ? early : late) += 1;
         shown.show(recording, *frame);
         ASSERT_EQ(stateOf(shown.world()).first, states.at(*frame).first) << *frame;
     }
@@ -109,7 +109,7 @@ TEST_F(RecordingTest, KeepsWithinItsMemoryAndThinsTheOldestFirst) {
     EXPECT_EQ(early + late, recording.frames());
     // Backwards it is the same list.
     std::size_t back = 1;
-    for (auto frame = recording.before(2000); frame; frame = recording.before(*frame)) {
+    for (auto frame = recording.before(4000); frame; frame = recording.before(*frame)) {
         ++back;
     }
     EXPECT_EQ(back, recording.frames());
