@@ -11,6 +11,8 @@ namespace trembler::ui {
 
 /// Running, pausing, and how fast.
 [[nodiscard]] std::span<Command<PlayParts> const> runCommands();
+/// The run that was recorded: looking back, going on from there.
+[[nodiscard]] std::span<Command<PlayParts> const> timelineCommands();
 /// Turning and moving parts, putting them back, undo and redo.
 [[nodiscard]] std::span<Command<PlayParts> const> buildingCommands();
 /// The camera, the inspector, and the overlays.
