@@ -49,7 +49,8 @@ void PlayScreen::setView() {
     double const below = bottomRow + static_cast<double>(parts_.timeline.height()) + 6;
     Margins const margins{scale * left, scale * cardGap, scale * right, scale * below};
     parts_.view.setView(parts_.context.window.size(), margins);
-    if (parts_.run.building() && !parts_.placing.carried() && !parts_.group.dragging()) {
+    bool const busy = parts_.placing.carried() || parts_.group.dragging();
+    if ((parts_.run.building() && !busy) || fittedTimeline_ != parts_.timeline.height()) {
         fitAroundCards();
     }
 }
@@ -63,7 +64,7 @@ void PlayScreen::fitAroundCards() {
         fittedWindow_ = window;
         fittedScale_ = scale;
     }
-    bool changed = false;
+    bool changed = std::exchange(fittedTimeline_, parts_.timeline.height()) != parts_.timeline.height();
     for (std::size_t i = 0; i < names.size(); ++i) {
         auto const card = parts_.context.layout.card(names[i]);
         if (!card) {
@@ -85,6 +86,11 @@ void PlayScreen::fitAroundCards() {
             render::Point const gap{6 * scale, 6 * scale};
             obstacles.push_back({card->low - gap, card->high + gap});
         }
+    }
+    if (fittedTimeline_ > 0) { // also while it is not drawn yet, so that nothing moves when a run begins
+        double const top = window.height - scale * (bottomRow + static_cast<double>(fittedTimeline_) + 6);
+        obstacles.push_back(
+            {{0, top}, {static_cast<double>(window.width), static_cast<double>(window.height)}});
     }
     double const least = parts_.view.scaleBetweenMargins();
     parts_.view.setPreferred(freeFit(window, parts_.extents(), obstacles,
@@ -201,9 +207,9 @@ bool PlayScreen::still() const {
     bool const celebrates = parts_.celebration.showing() && parts_.celebration.age() < 5;
     bool const moves = lengthSquared(padDirection(parts_.context.input)) > 0;
     return sinceStep_ > ringsOut && !celebrates && !moves && !parts_.lesson.moving() &&
-           !parts_.timeline.moving() && !parts_.squash.moving() &&
-           !parts_.cuts.moving() && !parts_.secondPointer.moving() && parts_.sparks.sparks().empty() &&
-           !parts_.allBack.waiting() && !parts_.hasMods() && !parts_.budget.budget();
+           !parts_.timeline.moving() && !parts_.squash.moving() && !parts_.cuts.moving() &&
+           !parts_.secondPointer.moving() && parts_.sparks.sparks().empty() && !parts_.allBack.waiting() &&
+           !parts_.hasMods() && !parts_.budget.budget();
 }
 
 bool PlayScreen::keepsPicture() const {

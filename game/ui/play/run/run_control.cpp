@@ -1,14 +1,32 @@
 #include "game/ui/play/run/run_control.hpp"
 
 #include "physics/dynamics/properties/contacts.hpp"
+#include "runtime/input/input_resolver.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler::ui {
 namespace {
 
 /// In one picture, while a run is computed again. What the world becomes does not depend on it.
 constexpr int framesAtOnce = 120;
+
+void emptyHands(Session& session) {
+    World const& world = session.world();
+    Hand const* const first = world.find<Hand>();
+    SecondHand const* const second = world.find<SecondHand>();
+    for (auto const& [hand, number] :
+         {std::pair<Hand const*, int>{first, 0}, {second == nullptr ? nullptr : &second->grip, 1}}) {
+        if (hand != nullptr && hand->object.valid()) {
+            session.feed({PlayerInput::Kind::release,
+                          hand->object,
+                          {},
+                          hand->target,
+                          static_cast<std::uint8_t>(number)});
+        }
+    }
+}
 
 } // namespace
 
@@ -48,6 +66,7 @@ void RunControl::catchUp() {
     if (session_.world().frame() >= *target_) {
         target_.reset();
         session_.takeOver();
+        emptyHands(session_); // what they held then, nobody holds now
         speed_.reset();
     }
 }

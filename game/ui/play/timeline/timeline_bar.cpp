@@ -121,8 +121,9 @@ Mark const* drawMarks(ImDrawList& list, Timeline const& timeline, Track const& t
 }
 
 void drawTrack(ImDrawList& list, Timeline const& timeline, Track const& track) {
-    list.AddRectFilled(track.low, track.high, imColour(palette::paperLight), scaled(9));
-    list.AddRect(track.low, track.high, imColour(palette::paperShade), scaled(9), 0, scaled(1.5F));
+    ImVec2 const end{track.high.x + scaled(timeWidth - buttonGap), track.high.y}; // the time beside it, too
+    list.AddRectFilled(track.low, end, imColour(palette::paperLight), scaled(9));
+    list.AddRect(track.low, end, imColour(palette::paperShade), scaled(9), 0, scaled(1.5F));
     float const half = scaled(3);
     float const y = track.bar();
     list.AddRectFilled({track.left(), y - half}, {track.right(), y + half}, imColour(palette::paperShade),
@@ -190,7 +191,7 @@ std::optional<std::uint64_t> drawTimelineBar(CommandButtons& buttons, Timeline c
     std::string const now = secondsOf(timeline.frame());
     std::string const all = "/ " + secondsOf(timeline.last());
     ImVec2 const corner = ImGui::GetCursorScreenPos();
-    float const right = corner.x + scaled(timeWidth - 2 * buttonGap);
+    float const right = corner.x + scaled(timeWidth - 5 * buttonGap);
     auto const write = [&](std::string const& words, float top, Colour colour) {
         float const wide = ImGui::CalcTextSize(words.c_str()).x;
         list.AddText({right - wide, top}, imColour(colour), words.c_str());

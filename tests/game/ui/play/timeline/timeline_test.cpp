@@ -1,5 +1,7 @@
 // Looking back in a run, and going on from any moment of it, with real input events.
+#include "game/ui/play/timeline/probe_panel.hpp"
 #include "game/ui/play/timeline/timeline.hpp"
+#include "runtime/placement.hpp"
 #include "tests/game/ui/player.hpp"
 
 #include <map>
@@ -179,6 +181,44 @@ TEST(Timeline, LooksAsItDid) {
     player.play().timeline().seek(80);
     player.frames(3);
     player.look("timeline-past");
+}
+
+TEST(Probes, AreChosenPlottedAndWritten) {
+    for (render::Size const size : {render::Size{800, 600}, render::Size{1280, 720}}) {
+        Player player(size);
+        runFirstContact(player, 90);
+        player.key(SDLK_F4);
+        player.frames(2);
+        ASSERT_TRUE(player.showsCard("probe choice"));
+        EXPECT_FALSE(player.showsCard("probes"));
+        ObjectId const ball = player.session().world().store().find("iron ball");
+        player.click(player.at(player.session().world().find<Position>(ball)->value));
+        player.frames(3);
+        ASSERT_TRUE(player.shows("plot iron ball.velocity.length"));
+        player.clickItem("plot iron ball.velocity.length");
+        player.frames(2);
+        player.clickItem("plot iron ball.position.y");
+        player.frames(6);
+        ASSERT_TRUE(player.showsCard("probes"));
+        Timeline& timeline = player.play().timeline();
+        auto const& series = timeline.probes().probes().series();
+        ASSERT_EQ(series.size(), 2U);
+        ASSERT_EQ(series[1].samples.size(), 91U) << "the whole run, although it was asked for later";
+        EXPECT_EQ(series[1].at(90), player.session().world().find<Position>(ball)->value.y);
+        std::string const pixels = std::to_string(size.width);
+        player.look("probe-choice-" + pixels);
+        player.clickItem("save csv");
+        player.clickItem("save svg");
+        EXPECT_TRUE(std::filesystem::exists(player.films() / "plot-1.csv"));
+        EXPECT_TRUE(std::filesystem::exists(player.films() / "plot-1.svg"));
+        player.key(SDLK_F4);
+        timeline.seek(40);
+        player.frames(3);
+        player.look("probes-" + pixels);
+        player.clickItem("plots"); // the middle of the plots is about the middle of the run
+        EXPECT_NE(timeline.frame(), 40U);
+        std::filesystem::remove_all(player.films());
+    }
 }
 
 } // namespace
